@@ -1,0 +1,188 @@
+//! Real numbers with one square root, compared exactly.
+
+use num_bigint::{BigInt, Sign};
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
+/// `(p + s sqrt(q)) / d` with integers p, q >= 0, d > 0 and s = -1, 0 or 1.
+#[derive(Clone, Debug)]
+pub struct SurdReal {
+    p: BigInt,
+    s: i32,
+    q: BigInt,
+    d: BigInt,
+}
+
+impl SurdReal {
+    /// The rational `p / d`, any d but zero.
+    pub fn ratio(p: BigInt, d: BigInt) -> SurdReal {
+        SurdReal::new(p, 0, BigInt::zero(), d)
+    }
+
+    /// `(p + s sqrt(q)) / d`, any d but zero.
+    pub fn new(p: BigInt, s: i32, q: BigInt, d: BigInt) -> SurdReal {
+        debug_assert!(!q.is_negative() && !d.is_zero());
+        let (p, s, d) = if d.is_negative() {
+            (-p, -s, -d)
+        } else {
+            (p, s, d)
+        };
+        // Without a root its radicand is zero, which the comparisons rely on.
+        let (s, q) = if s == 0 || q.is_zero() {
+            (0, BigInt::zero())
+        } else {
+            (s, q)
+        };
+        SurdReal { p, s, q, d }
+    }
+
+    /// Sign of the number.
+    pub fn signum(&self) -> Ordering {
+        sign_with_root(&self.p, self.s, &self.q)
+    }
+
+    /// Compares with the rational `n / d`, d > 0.
+    pub fn cmp_ratio(&self, n: &BigInt, d: &BigInt) -> Ordering {
+        sign_with_root(
+            &(&self.p * d - n * &self.d),
+            self.s,
+            &(&self.q * d * d),
+        )
+    }
+
+    /// floor((a * self + b) * 2^bits) up to one unit, for a > 0.
+    pub fn fixed(&self, a: &BigInt, b: &BigInt, bits: u32) -> BigInt {
+        let rational = (a * &self.p + b * &self.d) << bits;
+        let root = (a * a * &self.q << (2 * bits)).sqrt() * self.s;
+        num_integer::Integer::div_floor(&(rational + root), &self.d)
+    }
+}
+
+impl PartialEq for SurdReal {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for SurdReal {}
+
+impl PartialOrd for SurdReal {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for SurdReal {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let a = &self.p * &other.d - &other.p * &self.d;
+        if other.s == 0 {
+            return sign_with_root(&a, self.s, &(&self.q * &other.d * &other.d));
+        }
+        let b = &self.q * &other.d * &other.d;
+        let c = &other.q * &self.d * &self.d;
+        sign_with_two_roots(&a, self.s, &b, -other.s, &c)
+    }
+}
+
+fn order(sign: Sign) -> Ordering {
+    match sign {
+        Sign::Minus => Ordering::Less,
+        Sign::NoSign => Ordering::Equal,
+        Sign::Plus => Ordering::Greater,
+    }
+}
+
+/// Sign of `a + s sqrt(b)`, b >= 0.
+fn sign_with_root(a: &BigInt, s: i32, b: &BigInt) -> Ordering {
+    let root = if b.is_zero() { 0 } else { s };
+    let rational = order(a.sign());
+    match (rational, root) {
+        (_, 0) => rational,
+        (Ordering::Equal, 1) | (Ordering::Greater, 1) => Ordering::Greater,
+        (Ordering::Equal, _) | (Ordering::Less, -1) => Ordering::Less,
+        // Opposite signs: the greater square wins.
+        (Ordering::Less, _) => b.cmp(&(a * a)),
+        (Ordering::Greater, _) => (a * a).cmp(b),
+    }
+}
+
+/// Sign of `a + s sqrt(b) + t sqrt(c)`.
+fn sign_with_two_roots(a: &BigInt, s: i32, b: &BigInt, t: i32, c: &BigInt) -> Ordering {
+    let left = sign_with_root(a, s, b);
+    let right = if c.is_zero() { 0 } else { t };
+    match (left, right) {
+        (_, 0) => left,
+        (Ordering::Equal, 1) | (Ordering::Greater, 1) => Ordering::Greater,
+        (Ordering::Equal, _) | (Ordering::Less, -1) => Ordering::Less,
+        // (a + s sqrt(b))^2 against c: a^2 + b - c + 2 s a sqrt(b).
+        _ => {
+            let rational = a * a + b - c;
+            let product = BigInt::from(2 * s) * a;
+            let squared = order(product.sign());
+            let against = sign_with_root(
+                &rational,
+                match squared {
+                    Ordering::Less => -1,
+                    Ordering::Equal => 0,
+                    Ordering::Greater => 1,
+                },
+                &(&product * &product * b),
+            );
+            if left == Ordering::Greater {
+                against
+            } else {
+                against.reverse()
+            }
+        }
+    }
+}
+
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn surd() -> impl Strategy<Value = (i64, i32, i64, i64)> {
+        (
+            -40i64..40,
+            -1i32..=1,
+            0i64..50,
+            prop_oneof![-9i64..=-1, 1i64..=9],
+        )
+    }
+
+    fn exact((p, s, q, d): (i64, i32, i64, i64)) -> SurdReal {
+        SurdReal::new(p.into(), s, q.into(), d.into())
+    }
+
+    fn float((p, s, q, d): (i64, i32, i64, i64)) -> f64 {
+        (p as f64 + f64::from(s) * (q as f64).sqrt()) / d as f64
+    }
+
+    #[test]
+    fn equal_values_in_different_forms_are_equal() {
+        // 1 + sqrt(8) = (2 + sqrt(32)) / 2, and sqrt(9) = 3.
+        assert_eq!(exact((1, 1, 8, 1)), exact((2, 1, 32, 2)));
+        assert_eq!(exact((0, 1, 9, 1)), exact((3, 0, 0, 1)));
+        assert_eq!(exact((5, -1, 9, -2)), exact((-1, 0, 0, 1)));
+        assert!(exact((0, 1, 2, 1)) < exact((0, 1, 3, 1)));
+    }
+
+    proptest! {
+        #[test]
+        fn order_agrees_with_floats_when_they_can_tell(a in surd(), b in surd()) {
+            let (x, y) = (float(a), float(b));
+            if (x - y).abs() > 1e-9 {
+                prop_assert_eq!(exact(a).cmp(&exact(b)), x.total_cmp(&y));
+            }
+            if x.abs() > 1e-9 {
+                prop_assert_eq!(exact(a).signum(), x.total_cmp(&0.0));
+            }
+            let fixed = exact(a).fixed(&BigInt::from(3), &BigInt::from(7), 20);
+            let scaled = (3.0 * x + 7.0) * f64::from(1 << 20);
+            let fixed: i64 = fixed.try_into().unwrap();
+            prop_assert!((fixed as f64 - scaled).abs() <= 2.0);
+        }
+    }
+}

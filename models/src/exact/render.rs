@@ -1,0 +1,156 @@
+//! A whole picture from the exact reference.
+
+use super::ray::{Hit, RayObject};
+use crate::format::Format;
+use crate::machine::frame::Frame;
+use crate::rational::{integer, to_f64};
+use crate::scene::{FramedObject, FramedScene, Projection};
+use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use crate::unit::normal::NEAR_END_NORMAL;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+use rayon::prelude::*;
+
+/// Fraction bits of an exact depth in depth words.
+pub const DEPTH_FRACTION: u32 = 20;
+
+/// What is truly seen at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExactPixel {
+    /// Depth in depth words with [`DEPTH_FRACTION`] fraction bits, exact to one unit of the last.
+    pub depth: i64,
+    /// Index of the visible object.
+    pub id: u32,
+    /// Number of the visible face.
+    pub number: u8,
+}
+
+/// The exact picture, row-major; `None` is background. `line_done` is called once a line, from any thread.
+pub fn render(
+    scene: &FramedScene,
+    format: &Format,
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
+    let objects: Vec<RayObject> = scene
+        .objects
+        .iter()
+        .map(|o| RayObject::new(o, &scene.projection, scene.width, scene.height))
+        .collect();
+    let full = BigInt::from(format.z_max());
+    let width = i64::from(scene.width);
+    let line = |y: i64| {
+        let pixels: Vec<_> = (0..width)
+            .map(|x| {
+                let (id, hit) = visible(&objects, x, y)?;
+                let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
+                Some(ExactPixel {
+                    depth: depth.to_i64().expect("visible depths lie in the depth word"),
+                    id,
+                    number: hit.number,
+                })
+            })
+            .collect();
+        line_done();
+        pixels
+    };
+    (0..i64::from(scene.height))
+        .into_par_iter()
+        .flat_map_iter(line)
+        .collect()
+}
+
+/// The nearest hit; the smaller id where two are exactly equal.
+fn visible(objects: &[RayObject], x: i64, y: i64) -> Option<(u32, Hit)> {
+    let mut nearest: Option<(u32, Hit)> = None;
+    for (id, object) in objects.iter().enumerate() {
+        if let Some(hit) = object.first_hit(x, y)
+            && nearest.as_ref().is_none_or(|(_, best)| hit.w < best.w)
+        {
+            nearest = Some((id as u32, hit));
+        }
+    }
+    nearest
+}
+
+/// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
+pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &Format) -> Frame {
+    let width = scene.width as usize;
+    let mut frame = Frame::background(width, scene.height as usize, format.z_max());
+    let full = full_depth(&scene.projection);
+    let gradients: Vec<Gradient> = scene.objects.iter().map(Gradient::new).collect();
+    for (index, pixel) in pixels.iter().enumerate() {
+        let Some(pixel) = pixel else { continue };
+        frame.depth[index] = pixel.depth >> DEPTH_FRACTION;
+        frame.id[index] = pixel.id as i32;
+        frame.number[index] = pixel.number;
+        let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
+        let depth = pixel.depth as f64 / unit * full;
+        let point = scene.projection.antecedent(
+            scene.pixel_centre(index % width, index / width),
+            depth,
+        );
+        frame.normal[index] = gradients[pixel.id as usize].normal(pixel.number, point);
+    }
+    frame
+}
+
+fn full_depth(projection: &Projection) -> f64 {
+    to_f64(match projection {
+        Projection::Perspective { distance } => distance,
+        Projection::Orthographic { half_depth } => half_depth,
+    })
+}
+
+/// An object's equation in floating point, for the direction of its normal only.
+struct Gradient {
+    quadric: [f64; 10],
+    planes: Vec<[f64; 3]>,
+}
+
+impl Gradient {
+    fn new(object: &FramedObject) -> Gradient {
+        let scaled = |coefficients: &[&BigRational]| -> Vec<f64> {
+            let greatest = coefficients
+                .iter()
+                .map(|c| c.abs())
+                .max()
+                .filter(|c| !c.is_zero())
+                .unwrap_or_else(|| integer(1));
+            coefficients
+                .iter()
+                .map(|c| to_f64(&(*c / &greatest)))
+                .collect()
+        };
+        let q = scaled(&object.quadric.coefficients());
+        Gradient {
+            quadric: std::array::from_fn(|k| q[k]),
+            planes: object
+                .planes
+                .iter()
+                .map(|p| {
+                    let n = scaled(&[&p.a, &p.b, &p.c]);
+                    [n[0], n[1], n[2]]
+                })
+                .collect(),
+        }
+    }
+
+    fn normal(&self, number: u8, point: [f64; 3]) -> [i16; 3] {
+        let direction = match number {
+            FACE_NEAR_END => return NEAR_END_NORMAL,
+            n if n >= FACE_PLANE => self.planes[usize::from(n - FACE_PLANE)],
+            _ => {
+                let [a, b, c, d, e, f, g, h, i, _] = self.quadric;
+                let [x, y, z] = point;
+                [
+                    a * x + d * y + e * z + g,
+                    d * x + b * y + f * z + h,
+                    e * x + f * y + c * z + i,
+                ]
+            }
+        };
+        let length = direction.iter().map(|v| v * v).sum::<f64>().sqrt();
+        direction.map(|v| (v / length * 32767.0).round() as i16)
+    }
+}

@@ -1,0 +1,38 @@
+//! A frame: what the machine has decided at every pixel, before shading.
+
+/// Depth, object, face and normal of every pixel, row-major.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// Pixels per line.
+    pub width: usize,
+    /// Lines.
+    pub height: usize,
+    /// Depth word; the format's `z_max` where nothing is seen.
+    pub depth: Vec<i64>,
+    /// Index of the visible object, -1 for the background.
+    pub id: Vec<i32>,
+    /// Number of the visible face.
+    pub number: Vec<u8>,
+    /// Normal of the visible face.
+    pub normal: Vec<[i16; 3]>,
+}
+
+impl Frame {
+    /// A frame of background.
+    pub fn background(width: usize, height: usize, z_max: i64) -> Frame {
+        let pixels = width * height;
+        Frame {
+            width,
+            height,
+            depth: vec![z_max; pixels],
+            id: vec![-1; pixels],
+            number: vec![0; pixels],
+            normal: vec![[0; 3]; pixels],
+        }
+    }
+
+    /// Number of pixels at which an object is seen.
+    pub fn covered(&self) -> usize {
+        self.id.iter().filter(|&&id| id >= 0).count()
+    }
+}

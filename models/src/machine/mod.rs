@@ -1,0 +1,6 @@
+//! Golden models of what stands between the object processors and the picture.
+
+pub mod beam;
+pub mod decider;
+pub mod frame;
+pub mod shading;

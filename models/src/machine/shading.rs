@@ -1,0 +1,130 @@
+//! Phong shading of a decided frame, in software (source: 1.2.4).
+//!
+//! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before perspective. Surfaces
+//! are two-sided: the normal is turned towards the viewer.
+
+use super::frame::Frame;
+use crate::format::Format;
+use crate::rational::to_f64;
+use crate::scene::Material;
+use crate::scene::{FramedLight, FramedScene, Projection};
+use rayon::prelude::*;
+
+type Vector = [f64; 3];
+
+impl FramedScene {
+    /// Where a pixel samples the screen plane.
+    pub fn pixel_centre(&self, column: usize, line: usize) -> [f64; 2] {
+        [
+            column as f64 - 0.5 * f64::from(self.width),
+            line as f64 - 0.5 * f64::from(self.height),
+        ]
+    }
+}
+
+impl Projection {
+    /// The point of the camera frame that a pixel shows at depth `z_p` (pixels).
+    pub fn antecedent(&self, [x, y]: [f64; 2], depth: f64) -> Vector {
+        match self {
+            Projection::Perspective { distance } => {
+                let d = to_f64(distance);
+                let k = d / (d - depth);
+                [x * k, y * k, depth * k]
+            }
+            Projection::Orthographic { .. } => [x, y, depth],
+        }
+    }
+
+    /// Pixels of depth that fill the depth word.
+    fn full_depth(&self) -> f64 {
+        match self {
+            Projection::Perspective { distance } => to_f64(distance),
+            Projection::Orthographic { half_depth } => to_f64(half_depth),
+        }
+    }
+
+    /// Unit vector from a point to the viewer.
+    fn towards_viewer(&self, [x, y, z]: Vector) -> Vector {
+        match self {
+            Projection::Perspective { distance } => unit([-x, -y, -to_f64(distance) - z]),
+            Projection::Orthographic { .. } => [0.0, 0.0, -1.0],
+        }
+    }
+}
+
+/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major.
+pub fn shade(frame: &Frame, scene: &FramedScene, format: &Format) -> Vec<u8> {
+    let scale = scene.projection.full_depth() / format.z_max() as f64;
+    let pixel = |index: usize| -> [u8; 3] {
+        let Ok(id) = usize::try_from(frame.id[index]) else {
+            return scene.background;
+        };
+        let centre = scene.pixel_centre(index % frame.width, index / frame.width);
+        let point = scene
+            .projection
+            .antecedent(centre, frame.depth[index] as f64 * scale);
+        let material = &scene.materials[scene.objects[id].material];
+        let normal = frame.normal[index].map(f64::from);
+        colour(scene, material, point, normal).map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
+    };
+    (0..frame.depth.len())
+        .into_par_iter()
+        .flat_map_iter(pixel)
+        .collect()
+}
+
+fn colour(scene: &FramedScene, material: &Material, point: Vector, normal: Vector) -> Vector {
+    let viewer = scene.projection.towards_viewer(point);
+    let normal = facing(unit(normal), viewer);
+    let mut sum: Vector =
+        std::array::from_fn(|k| material.ambient * scene.ambient[k] * material.colour[k]);
+    for light in &scene.lights {
+        let (direction, intensity) = light_at(light, point);
+        let lambert = dot(normal, direction);
+        if lambert <= 0.0 {
+            continue;
+        }
+        let mirrored: Vector = std::array::from_fn(|k| 2.0 * lambert * normal[k] - direction[k]);
+        let highlight = dot(mirrored, viewer)
+            .max(0.0)
+            .powi(material.exponent as i32);
+        for k in 0..3 {
+            sum[k] += intensity[k]
+                * (material.diffuse * material.colour[k] * lambert + material.specular * highlight);
+        }
+    }
+    sum
+}
+
+/// Unit vector towards a light, and its intensity.
+fn light_at(light: &FramedLight, point: Vector) -> (Vector, Vector) {
+    match light {
+        FramedLight::Directional { towards, colour } => (unit(*towards), *colour),
+        FramedLight::Point { position, colour } => (
+            unit(std::array::from_fn(|k| position[k] - point[k])),
+            *colour,
+        ),
+    }
+}
+
+fn facing(normal: Vector, viewer: Vector) -> Vector {
+    if dot(normal, viewer) < 0.0 {
+        normal.map(|v| -v)
+    } else {
+        normal
+    }
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// The vector at length one; the zero vector stays as it is (the apex of a cone has no normal).
+fn unit(v: Vector) -> Vector {
+    let length = dot(v, v).sqrt();
+    if length == 0.0 {
+        v
+    } else {
+        v.map(|x| x / length)
+    }
+}

@@ -1,0 +1,4 @@
+//! Golden models of the object processors.
+
+pub mod line;
+pub mod quadric;

@@ -1,0 +1,287 @@
+//! The quadric object processor of the second generation, any number of cut planes (source: 2.4.2).
+
+use crate::format::{Format, wrap64};
+use crate::unit::cut_plane::{PlaneKind, cut};
+use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
+use crate::unit::merge::merge;
+use crate::unit::normal::{NormalWords, select};
+use crate::unit::pe1::{Linear, Pe1};
+use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::plane_depth::saturate;
+use crate::unit::root::restoring_root;
+use serde::{Deserialize, Serialize};
+
+/// Largest number of cut planes of one object.
+pub const MAX_PLANES: usize = 12;
+
+/// The screen box of an object in pixels of the zone, inclusive; empty if `x0 > x1` or `y0 > y1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ScreenBox {
+    /// First column.
+    pub x0: i64,
+    /// Last column.
+    pub x1: i64,
+    /// First line.
+    pub y0: i64,
+    /// Last line.
+    pub y1: i64,
+}
+
+impl ScreenBox {
+    /// A box that contains no pixel.
+    pub const EMPTY: ScreenBox = ScreenBox {
+        x0: 1,
+        x1: 0,
+        y0: 1,
+        y1: 0,
+    };
+
+    /// True if no pixel is inside.
+    pub fn is_empty(&self) -> bool {
+        self.x0 > self.x1 || self.y0 > self.y1
+    }
+
+    /// True if the pixel is inside.
+    #[inline]
+    pub fn contains(&self, x: i64, y: i64) -> bool {
+        (self.x0..=self.x1).contains(&x) && (self.y0..=self.y1).contains(&y)
+    }
+
+    /// Number of pixels inside.
+    pub fn pixels(&self) -> u64 {
+        if self.is_empty() {
+            0
+        } else {
+            ((self.x1 - self.x0 + 1) * (self.y1 - self.y0 + 1)) as u64
+        }
+    }
+
+    /// The part of the box in a zone of `width` x `height` pixels whose first pixel is (x0, y0), in that zone's pixels.
+    pub fn in_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> ScreenBox {
+        let part = ScreenBox {
+            x0: self.x0.max(x0) - x0,
+            x1: self.x1.min(x0 + width - 1) - x0,
+            y0: self.y0.max(y0) - y0,
+            y1: self.y1.min(y0 + height - 1) - y0,
+        };
+        if part.is_empty() {
+            ScreenBox::EMPTY
+        } else {
+            part
+        }
+    }
+}
+
+/// Coefficient words of one cut plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PlaneWords {
+    /// How the plane lies to the viewer.
+    pub kind: PlaneKind,
+    /// Depth of the plane, or its signed half-plane value if perpendicular.
+    pub depth: Linear,
+    /// Constant normal.
+    pub normal: [i16; 3],
+}
+
+/// All coefficient words of one object for one zone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct QuadricWords {
+    /// How the object lies to the viewer.
+    pub class: Class,
+    /// Where the object can be on the screen; outside it is absent whatever the accumulators hold.
+    pub screen_box: ScreenBox,
+    /// Linear part of the depth.
+    pub f1: Linear,
+    /// Discriminant part of the depth; its sign is the silhouette.
+    pub f2: Quadratic,
+    /// Normal of the quadric.
+    pub normal: NormalWords,
+    /// Cut planes in the order of the chain.
+    pub planes: Vec<PlaneWords>,
+}
+
+impl QuadricWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
+    ///
+    /// The integers are moved, not rounded again, so every pixel keeps its value.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> QuadricWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        words.f1 = self.f1.from_zone(x0, y0);
+        words.f2 = self.f2.from_zone(x0, y0);
+        words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.from_zone(x0, y0);
+        }
+        words
+    }
+}
+
+/// What the processor hands on for one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ObjectPixel {
+    /// Front depth, or the format's `z_max` if the object is absent.
+    pub zf: i64,
+    /// Back depth.
+    pub zb: i64,
+    /// Number of the front face.
+    pub number: u8,
+    /// Normal of the front face.
+    pub normal: [i16; 3],
+}
+
+/// Every value inside the processor at one pixel, under the names of the hardware; for traces and for finding a fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Probe {
+    /// Value of the f1 processor.
+    pub f1: i64,
+    /// Value of the f2 processor.
+    pub f2: i64,
+    /// Root of f2; of no meaning where f2 is negative.
+    pub root: i64,
+    /// f1 - root.
+    pub near: i64,
+    /// f1 + root.
+    pub far: i64,
+    /// Depth interval before the planes, half A and B.
+    pub halves: (Interval, Interval),
+    /// Saturated value of each plane.
+    pub plane: Vec<i64>,
+    /// Both halves after each plane.
+    pub cut: Vec<(Interval, Interval)>,
+    /// After the merge of the halves.
+    pub merged: Interval,
+    /// Linear parts of the normal.
+    pub g: [i64; 3],
+    /// What is handed on.
+    pub output: ObjectPixel,
+}
+
+/// Latency in clocks from the raster flags to the outputs of a quadric processor.
+pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
+    format.root.div_ceil(rows_per_stage) + planes as u32 + 7
+}
+
+/// The processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct QuadricProcessor {
+    format: Format,
+    words: QuadricWords,
+    normals: Vec<[i16; 3]>,
+    f1: Pe1,
+    f2: Pe2,
+    planes: Vec<Pe1>,
+    g: [Pe1; 3],
+    x: i64,
+    y: i64,
+}
+
+impl QuadricProcessor {
+    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+    pub fn zone_start(words: &QuadricWords, format: &Format) -> QuadricProcessor {
+        QuadricProcessor {
+            format: *format,
+            words: words.clone(),
+            normals: words.planes.iter().map(|p| p.normal).collect(),
+            f1: Pe1::object_start(&words.f1, format.sum),
+            f2: Pe2::object_start(&words.f2, format.quadratic),
+            planes: words
+                .planes
+                .iter()
+                .map(|p| Pe1::object_start(&p.depth, format.plane))
+                .collect(),
+            g: words
+                .normal
+                .g
+                .map(|g| Pe1::object_start(&g, format.normal_linear)),
+            x: 0,
+            y: 0,
+        }
+    }
+
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        self.f1.line_step();
+        self.f2.line_step();
+        self.planes.iter_mut().for_each(Pe1::line_step);
+        self.g.iter_mut().for_each(Pe1::line_step);
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// The values of the next pixel of the line, with everything in between.
+    pub fn probe(&mut self) -> Probe {
+        let format = &self.format;
+        let f1 = self.f1.pixel() as i64;
+        let f2 = self.f2.pixel();
+        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
+        let root = restoring_root(radicand, format.root).root as i64;
+        let near = wrap64(f1 - root, format.sum);
+        let far = wrap64(f1 + root, format.sum);
+        let inside = self.words.screen_box.contains(self.x, self.y);
+        let interval = if inside {
+            halves(self.words.class, near, far, f2 < 0, format)
+        } else {
+            (Interval::absent(format), Interval::absent(format))
+        };
+        let plane: Vec<i64> = self
+            .planes
+            .iter_mut()
+            .map(|pe| saturate(pe.pixel() as i64, format))
+            .collect();
+        let cut = self.chain(interval, &plane);
+        let (a, b) = cut.last().copied().unwrap_or(interval);
+        let merged = merge(a, b);
+        let g = std::array::from_fn(|k| self.g[k].pixel() as i64);
+        let output = self.output(merged, g, root);
+        self.x += 1;
+        Probe {
+            f1,
+            f2: f2 as i64,
+            root,
+            near,
+            far,
+            halves: interval,
+            plane,
+            cut,
+            merged,
+            g,
+            output,
+        }
+    }
+
+    /// What the processor hands on for the next pixel of the line.
+    pub fn pixel(&mut self) -> ObjectPixel {
+        self.probe().output
+    }
+
+    fn chain(&self, start: (Interval, Interval), depths: &[i64]) -> Vec<(Interval, Interval)> {
+        let patch = self.words.class == Class::Patch;
+        let mut state = start;
+        let mut after = Vec::with_capacity(depths.len());
+        for (i, (plane, &zp)) in self.words.planes.iter().zip(depths).enumerate() {
+            let number = FACE_PLANE + i as u8;
+            let one = |half| cut(half, plane.kind, zp, number, patch, &self.format);
+            state = (one(state.0), one(state.1));
+            after.push(state);
+        }
+        after
+    }
+
+    fn output(&self, merged: Interval, g: [i64; 3], root: i64) -> ObjectPixel {
+        let present = merged.is_present(&self.format);
+        ObjectPixel {
+            zf: merged.zf,
+            zb: merged.zb,
+            number: merged.nf,
+            normal: select(
+                merged.nf,
+                present,
+                g,
+                root,
+                &self.words.normal,
+                &self.normals,
+            ),
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Files of a picture: PNG, and NumPy arrays of depth, object index and normals.
+//!
+//! Every file is written beside its destination and renamed when complete, so a failure leaves nothing half-written.
+
+use crate::machine::frame::Frame;
+use npyz::WriterBuilder;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+use thiserror::Error;
+
+/// A file that could not be written.
+#[derive(Debug, Error)]
+#[error("cannot write '{}': {source}", path.display())]
+pub struct WriteError {
+    /// Destination.
+    pub path: PathBuf,
+    /// Why.
+    pub source: std::io::Error,
+}
+
+/// Writes a file whole or not at all; missing parent folders are created.
+pub fn write_whole(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> std::io::Result<()>,
+) -> Result<(), WriteError> {
+    let attempt = || -> std::io::Result<()> {
+        let folder = match path.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        std::fs::create_dir_all(folder)?;
+        let mut file = NamedTempFile::new_in(folder)?;
+        let mut writer = BufWriter::new(file.as_file_mut());
+        write(&mut writer)?;
+        writer.flush()?;
+        drop(writer);
+        file.persist(path).map_err(|e| e.error)?;
+        Ok(())
+    };
+    attempt().map_err(|source| WriteError {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+/// An 8-bit RGB picture.
+pub fn write_png(path: &Path, width: usize, height: usize, rgb: &[u8]) -> Result<(), WriteError> {
+    write_whole(path, |out| {
+        let mut encoder = png::Encoder::new(out, width as u32, height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
+        writer.write_image_data(rgb).map_err(std::io::Error::other)
+    })
+}
+
+/// Depth words, int64 of shape (height, width); the background is the format's `z_max`.
+pub fn write_depth(path: &Path, frame: &Frame) -> Result<(), WriteError> {
+    write_npy(path, &shape(frame, None), frame.depth.iter().copied())
+}
+
+/// Object indices, int32 of shape (height, width); the background is -1.
+pub fn write_ids(path: &Path, frame: &Frame) -> Result<(), WriteError> {
+    write_npy(path, &shape(frame, None), frame.id.iter().copied())
+}
+
+/// Normal components, int16 of shape (height, width, 3), camera frame (x right, y down, z away).
+pub fn write_normals(path: &Path, frame: &Frame) -> Result<(), WriteError> {
+    let components = frame.normal.iter().flatten().copied();
+    write_npy(path, &shape(frame, Some(3)), components)
+}
+
+fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
+    let mut shape = vec![frame.height as u64, frame.width as u64];
+    shape.extend(components);
+    shape
+}
+
+fn write_npy<T: npyz::Serialize + npyz::AutoSerialize>(
+    path: &Path,
+    shape: &[u64],
+    values: impl Iterator<Item = T>,
+) -> Result<(), WriteError> {
+    write_whole(path, |out| {
+        let mut writer = npyz::WriteOptions::new()
+            .default_dtype()
+            .shape(shape)
+            .writer(out)
+            .begin_nd()?;
+        writer.extend(values)?;
+        writer.finish()
+    })
+}

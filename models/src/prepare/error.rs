@@ -1,0 +1,88 @@
+//! Why a scene cannot be prepared for a format.
+
+use thiserror::Error;
+
+/// One clear refusal: which object, what is wrong, what would be accepted.
+#[derive(Debug, Error, PartialEq)]
+pub enum PrepareError {
+    /// The eye lies in the cut solid.
+    #[error(
+        "object '{object}': the viewer is inside this solid; move the camera outside it, or draw it as `mode = \"patch\"`"
+    )]
+    ViewerInside {
+        /// Name of the object.
+        object: String,
+    },
+    /// The factor of z^2 is zero: depth is no square root.
+    #[error(
+        "object '{object}': the viewer lies exactly on this quadric, whose depth is then no square root; \
+         move the camera by any small amount"
+    )]
+    ViewerOnSurface {
+        /// Name of the object.
+        object: String,
+    },
+    /// Orthographic view along an asymptotic direction: depth is no square root.
+    #[error(
+        "object '{object}': the orthographic viewing direction is an asymptotic direction of this quadric \
+         (a line of sight meets it once), so its depth is no square root; turn the object or the camera by any small angle"
+    )]
+    AsymptoticView {
+        /// Name of the object.
+        object: String,
+    },
+    /// Nothing of the object lies in front of the eye.
+    #[error(
+        "object '{object}': lies wholly behind the viewer; move it or turn the camera (the viewer looks from `eye` towards `target`)"
+    )]
+    BehindViewer {
+        /// Name of the object.
+        object: String,
+    },
+    /// An accumulator would leave its width on the object's screen box.
+    #[error(
+        "object '{object}': too large for the format: {word} reaches 2^{log2:.1} on the object's screen box \
+         (columns {x0}..{x1}, lines {y0}..{y1}) and would need {needed} bits, the word has {available}; \
+         cut the object nearer, make it smaller, or increase `viewer_distance` (perspective) or `half_depth` (orthographic)"
+    )]
+    TooLarge {
+        /// Name of the object.
+        object: String,
+        /// Which expression.
+        word: String,
+        /// log2 of the largest magnitude.
+        log2: f64,
+        /// Bits that would hold it.
+        needed: u32,
+        /// Bits that the format has.
+        available: u32,
+        /// First column of the box.
+        x0: i64,
+        /// Last column of the box.
+        x1: i64,
+        /// First line of the box.
+        y0: i64,
+        /// Last line of the box.
+        y1: i64,
+    },
+    /// A plane too steep for the plane word, and not provably a perpendicular one.
+    #[error(
+        "object '{object}', cut {plane}: the plane passes so nearly through the viewer that its depth needs {needed} bits \
+         (the plane word has {available}), and at pixel ({x}, {y}) it is not perpendicular to the screen either; \
+         turn the plane or move the camera by a small amount"
+    )]
+    SteepPlane {
+        /// Name of the object.
+        object: String,
+        /// Index of the cut, from 0.
+        plane: usize,
+        /// Bits that would hold its depth.
+        needed: u32,
+        /// Bits that the format has.
+        available: u32,
+        /// Column of a pixel where the two forms differ.
+        x: i64,
+        /// Line of that pixel.
+        y: i64,
+    },
+}

@@ -1,0 +1,213 @@
+//! Exact expressions in the screen coordinates, before any rounding.
+
+use crate::object::quadric::ScreenBox;
+use crate::rational::integer;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+/// `a x + b y + c` in exact rationals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearForm {
+    /// Factor of x.
+    pub a: BigRational,
+    /// Factor of y.
+    pub b: BigRational,
+    /// Value at the origin.
+    pub c: BigRational,
+}
+
+/// `a x^2 + b y^2 + c x y + d x + e y + f` in exact rationals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuadraticForm {
+    /// Factor of x^2.
+    pub a: BigRational,
+    /// Factor of y^2.
+    pub b: BigRational,
+    /// Factor of x y.
+    pub c: BigRational,
+    /// Factor of x.
+    pub d: BigRational,
+    /// Factor of y.
+    pub e: BigRational,
+    /// Value at the origin.
+    pub f: BigRational,
+}
+
+impl LinearForm {
+    /// The expression `a x + b y + c`.
+    pub fn new(a: BigRational, b: BigRational, c: BigRational) -> LinearForm {
+        LinearForm { a, b, c }
+    }
+
+    /// The expression that is zero everywhere.
+    pub fn zero() -> LinearForm {
+        LinearForm::new(
+            BigRational::zero(),
+            BigRational::zero(),
+            BigRational::zero(),
+        )
+    }
+
+    /// True if the expression is zero at every point.
+    pub fn is_zero_everywhere(&self) -> bool {
+        self.a.is_zero() && self.b.is_zero() && self.c.is_zero()
+    }
+
+    /// Value at a point.
+    pub fn at(&self, x: &BigRational, y: &BigRational) -> BigRational {
+        &self.a * x + &self.b * y + &self.c
+    }
+
+    /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
+    pub fn about(&self, dx: &BigRational, dy: &BigRational) -> LinearForm {
+        LinearForm::new(self.a.clone(), self.b.clone(), self.at(dx, dy))
+    }
+
+    /// All coefficients times `k`.
+    pub fn scaled(&self, k: &BigRational) -> LinearForm {
+        LinearForm::new(&self.a * k, &self.b * k, &self.c * k)
+    }
+
+    /// The sum of two expressions.
+    pub fn plus(&self, other: &LinearForm) -> LinearForm {
+        LinearForm::new(
+            &self.a + &other.a,
+            &self.b + &other.b,
+            &self.c + &other.c,
+        )
+    }
+
+    /// Largest magnitude over a box of pixels: a first-degree expression has it in a corner.
+    pub fn max_abs_on(&self, window: &ScreenBox) -> BigRational {
+        corners(window)
+            .iter()
+            .map(|(x, y)| self.at(x, y).abs())
+            .max()
+            .expect("four corners")
+    }
+}
+
+impl QuadraticForm {
+    /// The expression that is zero everywhere.
+    pub fn zero() -> QuadraticForm {
+        let zero = BigRational::zero;
+        QuadraticForm {
+            a: zero(),
+            b: zero(),
+            c: zero(),
+            d: zero(),
+            e: zero(),
+            f: zero(),
+        }
+    }
+
+    /// Value at a point.
+    pub fn at(&self, x: &BigRational, y: &BigRational) -> BigRational {
+        (&self.a * x + &self.c * y + &self.d) * x + (&self.b * y + &self.e) * y + &self.f
+    }
+
+    /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
+    pub fn about(&self, dx: &BigRational, dy: &BigRational) -> QuadraticForm {
+        let two = integer(2);
+        QuadraticForm {
+            a: self.a.clone(),
+            b: self.b.clone(),
+            c: self.c.clone(),
+            d: &two * &self.a * dx + &self.c * dy + &self.d,
+            e: &two * &self.b * dy + &self.c * dx + &self.e,
+            f: self.at(dx, dy),
+        }
+    }
+
+    /// All coefficients times `k`.
+    pub fn scaled(&self, k: &BigRational) -> QuadraticForm {
+        QuadraticForm {
+            a: &self.a * k,
+            b: &self.b * k,
+            c: &self.c * k,
+            d: &self.d * k,
+            e: &self.e * k,
+            f: &self.f * k,
+        }
+    }
+
+    /// Least and greatest value over the rectangle of a box of pixels: they lie in a corner, on an edge where the derivative
+    /// along the edge is zero, or where both derivatives are zero.
+    pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
+        let mut points = corners(window).to_vec();
+        let [x0, x1, y0, y1] = [window.x0, window.x1, window.y0, window.y1].map(integer);
+        let two = integer(2);
+        if !self.a.is_zero() {
+            for y in [&y0, &y1] {
+                let x = -(&self.c * y + &self.d) / (&two * &self.a);
+                points.push((x, y.clone()));
+            }
+        }
+        if !self.b.is_zero() {
+            for x in [&x0, &x1] {
+                let y = -(&self.c * x + &self.e) / (&two * &self.b);
+                points.push((x.clone(), y));
+            }
+        }
+        let determinant = integer(4) * &self.a * &self.b - &self.c * &self.c;
+        if !determinant.is_zero() {
+            let x = (&self.c * &self.e - &two * &self.b * &self.d) / &determinant;
+            let y = (&self.c * &self.d - &two * &self.a * &self.e) / &determinant;
+            points.push((x, y));
+        }
+        let inside = |(x, y): &&(BigRational, BigRational)| {
+            *x >= x0 && *x <= x1 && *y >= y0 && *y <= y1
+        };
+        let values: Vec<BigRational> = points
+            .iter()
+            .filter(inside)
+            .map(|(x, y)| self.at(x, y))
+            .collect();
+        let least = values.iter().min().expect("corners are inside").clone();
+        let greatest = values.iter().max().expect("corners are inside").clone();
+        (least, greatest)
+    }
+}
+
+fn corners(window: &ScreenBox) -> [(BigRational, BigRational); 4] {
+    let at = |x: i64, y: i64| (integer(x), integer(y));
+    [
+        at(window.x0, window.y0),
+        at(window.x1, window.y0),
+        at(window.x0, window.y1),
+        at(window.x1, window.y1),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn form(v: [i64; 6]) -> QuadraticForm {
+        let [a, b, c, d, e, f] = v.map(integer);
+        QuadraticForm { a, b, c, d, e, f }
+    }
+
+    proptest! {
+        #[test]
+        fn range_holds_every_pixel_and_is_attained_nearby(v in proptest::array::uniform6(-9i64..9), w in 1i64..12, h in 1i64..12, x0 in -9i64..9, y0 in -9i64..9) {
+            let q = form(v);
+            let window = ScreenBox { x0, x1: x0 + w, y0, y1: y0 + h };
+            let (least, greatest) = q.range_on(&window);
+            for x in x0..=x0 + w {
+                for y in y0..=y0 + h {
+                    let value = q.at(&integer(x), &integer(y));
+                    prop_assert!(least <= value && value <= greatest);
+                }
+            }
+        }
+
+        #[test]
+        fn translation_moves_the_origin(v in proptest::array::uniform6(-9i64..9), dx in -9i64..9, dy in -9i64..9, x in -9i64..9, y in -9i64..9) {
+            let q = form(v);
+            let moved = q.about(&integer(dx), &integer(dy));
+            prop_assert_eq!(moved.at(&integer(x), &integer(y)), q.at(&integer(x + dx), &integer(y + dy)));
+        }
+    }
+}

@@ -1,0 +1,341 @@
+//! One object: classification, expressions, scales, rounding and proofs, in the order of the source's preparation module (Fig B.4).
+
+use super::error::PrepareError;
+use super::forms::{LinearForm, QuadraticForm};
+use super::perspective::{ScreenQuadric, project_plane};
+use super::planes::{prepare_plane, signed_bits};
+use super::rounding::{Anchor, Unrepresentable, round_linear, round_quadratic};
+use super::screen_box::{Cell, Existence, Region};
+use super::{Context, ExactForms, NeededWidths, PreparedObject, RoundingBounds};
+use crate::format::word_max;
+use crate::object::quadric::{QuadricWords, ScreenBox};
+use crate::rational::{integer, to_f64};
+use crate::scene::{FramedObject, Plane, Surface};
+use crate::unit::interval::Class;
+use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
+use crate::unit::pe2::Quadratic;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+pub(super) fn prepare_object(
+    object: &FramedObject,
+    context: &Context,
+) -> Result<PreparedObject, PrepareError> {
+    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let planes: Vec<Plane> = object
+        .planes
+        .iter()
+        .map(|p| project_plane(p, &context.inverse_distance))
+        .collect();
+    let class = classify(object, &quadric, &planes, context)?;
+    let region = Region::new(&quadric.q, &planes, object.surface);
+    let window = region.screen_box(context.width, context.height, to_f64(&context.full_depth));
+    let edge_on = class == Class::Prism && object.surface == Surface::Patch;
+    if window.is_empty() || edge_on {
+        return unseen(object, class, edge_on, context);
+    }
+    let anchor = context
+        .options
+        .anchor
+        .unwrap_or_else(|| Anchor::middle_of(&window));
+    let mut prepared = quadric_words(object, &quadric, class, &window, anchor, context)?;
+    for (index, (original, projected)) in object.planes.iter().zip(&planes).enumerate() {
+        let plane = prepare_plane(
+            &object.name,
+            index,
+            original,
+            projected,
+            &region,
+            &window,
+            context,
+        )?;
+        prepared.words.planes.push(plane.words);
+        prepared.exact.planes.push(plane.exact);
+        prepared.bounds.planes.push(plane.bound);
+        prepared.needed.plane = prepared.needed.plane.max(plane.needed);
+        if plane.steep {
+            prepared.notes.push(format!(
+                "cut {index} is so steep that its half-plane form is used, proven equal on every pixel of the box"
+            ));
+        }
+    }
+    Ok(prepared)
+}
+
+fn classify(
+    object: &FramedObject,
+    quadric: &ScreenQuadric,
+    planes: &[Plane],
+    context: &Context,
+) -> Result<Class, PrepareError> {
+    let name = || object.name.clone();
+    let eye = quadric.eye_value();
+    // A plane keeps the eye iff its depth factor is not negative: that factor is minus the plane's value at the eye over D.
+    let eye_kept = planes.iter().all(|p| !p.c.is_negative());
+    if context.perspective
+        && object.surface == Surface::Solid
+        && !eye.is_positive()
+        && eye_kept
+    {
+        return Err(PrepareError::ViewerInside { object: name() });
+    }
+    if eye.is_zero() {
+        return if quadric.is_free_of_depth() {
+            Ok(Class::Prism)
+        } else if context.perspective {
+            Err(PrepareError::ViewerOnSurface { object: name() })
+        } else {
+            Err(PrepareError::AsymptoticView { object: name() })
+        };
+    }
+    Ok(match object.surface {
+        Surface::Patch => Class::Patch,
+        Surface::Solid if eye.is_positive() => Class::Side,
+        Surface::Solid => Class::Front,
+    })
+}
+
+/// An object of which nothing is on the screen: off to a side, or an error if it is wholly behind the viewer.
+fn unseen(
+    object: &FramedObject,
+    class: Class,
+    edge_on: bool,
+    context: &Context,
+) -> Result<PreparedObject, PrepareError> {
+    let note = if edge_on {
+        "a patch seen exactly edge-on: nothing to draw"
+    } else if is_behind(object, context) {
+        return Err(PrepareError::BehindViewer {
+            object: object.name.clone(),
+        });
+    } else {
+        "outside the screen or its depth range: nothing to draw"
+    };
+    Ok(PreparedObject {
+        name: object.name.clone(),
+        words: empty_words(class, ScreenBox::EMPTY),
+        exact: ExactForms {
+            f1: LinearForm::zero(),
+            f2: QuadraticForm::zero(),
+            planes: vec![],
+        },
+        bounds: RoundingBounds::default(),
+        needed: NeededWidths::default(),
+        notes: vec![note.to_string()],
+    })
+}
+
+fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
+    QuadricWords {
+        class,
+        screen_box,
+        f1: Default::default(),
+        f2: Default::default(),
+        normal: NormalWords::default(),
+        planes: vec![],
+    }
+}
+
+/// True if a search of the space before the eye, out to many viewer distances, proves that nothing of the object is there.
+fn is_behind(object: &FramedObject, context: &Context) -> bool {
+    if !context.perspective {
+        return false;
+    }
+    let distance = to_f64(&context.full_depth);
+    let far = 64.0 * distance;
+    let front = Cell::between([-far, -far, -distance], [far, far, far]);
+    let region = Region::new(&object.quadric, &object.planes, object.surface);
+    region.existence(front, 1e-3 * distance) == Existence::Empty
+}
+
+/// The words of the quadric itself, without planes.
+fn quadric_words(
+    object: &FramedObject,
+    quadric: &ScreenQuadric,
+    class: Class,
+    window: &ScreenBox,
+    anchor: Anchor,
+    context: &Context,
+) -> Result<PreparedObject, PrepareError> {
+    let scale = &context.depth_scale;
+    let refusal = |word: &str, magnitude: &BigRational, available: u32| {
+        too_large(&object.name, word, magnitude, available, window)
+    };
+    let mut prepared = PreparedObject {
+        name: object.name.clone(),
+        words: empty_words(class, *window),
+        exact: ExactForms {
+            f1: LinearForm::zero(),
+            f2: QuadraticForm::zero(),
+            planes: vec![],
+        },
+        bounds: RoundingBounds::default(),
+        needed: NeededWidths::default(),
+        notes: vec![],
+    };
+    if class == Class::Prism {
+        prepared.notes.push("does not depend on the depth (seen end-on)".into());
+        let contour = context
+            .to_pixels_quadratic(&quadric.depth_free_part())
+            .scaled(&-BigRational::one());
+        prepared.exact.f2 = contour_scaled(contour, window, context.format.quadratic);
+    } else {
+        if class == Class::Front {
+            prepared
+                .notes
+                .push("the viewer is inside the unbounded quadric (front view)".into());
+        }
+        prepared.exact.f1 = context.to_pixels_linear(&quadric.f1()).scaled(scale);
+        prepared.exact.f2 = context
+            .to_pixels_quadratic(&quadric.f2())
+            .scaled(&(scale * scale));
+    }
+    let unrepresentable =
+        |word: &'static str, bits: u32| move |u: Unrepresentable| (word, u.value.abs(), bits);
+    let rounded = round_linear(&prepared.exact.f1, anchor)
+        .map_err(unrepresentable("f1", context.format.sum))
+        .and_then(|f1| {
+            round_quadratic(&prepared.exact.f2, anchor)
+                .map(|f2| (f1, f2))
+                .map_err(unrepresentable("f2", context.format.quadratic))
+        });
+    let (f1, f2) = rounded.map_err(|(word, value, bits)| refusal(word, &value, bits))?;
+    (prepared.words.f1, prepared.words.f2) = (f1, f2);
+    prepared.bounds.f1 = anchor.linear_bound(window);
+    prepared.bounds.f2 = anchor.quadratic_bound(window);
+    let root_max = prove_widths(&mut prepared, &refusal, context)?;
+    if class != Class::Prism {
+        normal_words(&mut prepared, quadric, &root_max, anchor, context);
+    }
+    Ok(prepared)
+}
+
+/// Proves on the rounded integers that f2, and f1 -+ r, stay within their words on the box; returns the greatest root.
+fn prove_widths(
+    prepared: &mut PreparedObject,
+    refusal: &dyn Fn(&str, &BigRational, u32) -> PrepareError,
+    context: &Context,
+) -> Result<BigInt, PrepareError> {
+    let window = prepared.words.screen_box;
+    let (least, greatest) = rational_form(&prepared.words.f2).range_on(&window);
+    let magnitude = least.abs().max(greatest.abs());
+    prepared.needed.quadratic = signed_bits(&magnitude);
+    if prepared.needed.quadratic > context.format.quadratic {
+        return Err(refusal("f2", &magnitude, context.format.quadratic));
+    }
+    let root_max: BigInt = greatest.max(BigRational::zero()).ceil().to_integer().sqrt() + 1;
+    let f1 = prepared.words.f1;
+    let linear = LinearForm::new(whole(f1.a), whole(f1.b), whole(f1.c));
+    let sum = linear.max_abs_on(&window) + BigRational::from_integer(root_max.clone());
+    prepared.needed.sum = signed_bits(&sum);
+    if prepared.needed.sum > context.format.sum {
+        return Err(refusal("f1 + sqrt(f2)", &sum, context.format.sum));
+    }
+    Ok(root_max)
+}
+
+/// Scales of the normal (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits.
+fn normal_words(
+    prepared: &mut PreparedObject,
+    quadric: &ScreenQuadric,
+    root_max: &BigInt,
+    anchor: Anchor,
+    context: &Context,
+) {
+    let window = prepared.words.screen_box;
+    let f1 = context.to_pixels_linear(&quadric.f1());
+    let parts = quadric
+        .normal()
+        .map(|(linear, k)| (context.to_pixels_linear(&linear).plus(&f1.scaled(&k)), k));
+    let root = BigRational::from_integer(root_max.clone()) / &context.depth_scale;
+    let greatest = parts
+        .iter()
+        .map(|(g, k)| g.max_abs_on(&window) + k.abs() * &root)
+        .max()
+        .expect("three components");
+    if greatest.is_zero() {
+        return;
+    }
+    let shift = (root_max.bits() as u32).saturating_sub(15);
+    let factor_unit =
+        BigRational::from_integer(BigInt::one() << (shift + PRODUCT_FRACTION)) / &context.depth_scale;
+    let k_max = parts
+        .iter()
+        .map(|(_, k)| k.abs())
+        .max()
+        .expect("three components");
+    let mut scale = integer((1 << 22) - 1) / &greatest;
+    let k_limit = integer(32767);
+    if &scale * &k_max * &factor_unit > k_limit {
+        scale = k_limit / (&k_max * &factor_unit);
+    }
+    let words = &mut prepared.words.normal;
+    words.shift = shift as u8;
+    words.g = parts
+        .each_ref()
+        .map(|(g, _)| round_linear(&g.scaled(&scale), anchor).expect("scaled to 22 bits"));
+    words.k = parts.each_ref().map(|(_, k)| {
+        (k * &scale * &factor_unit)
+            .round()
+            .to_integer()
+            .to_i16()
+            .expect("scaled to 16 bits")
+    });
+    prepared.bounds.normal = anchor.linear_bound(&window);
+}
+
+/// A contour has a free scale: the greatest magnitude fills half the word.
+fn contour_scaled(form: QuadraticForm, window: &ScreenBox, width: u32) -> QuadraticForm {
+    let (least, greatest) = form.range_on(window);
+    let magnitude = least.abs().max(greatest.abs());
+    if magnitude.is_zero() {
+        return form;
+    }
+    let scale = BigRational::from_integer(BigInt::from(word_max(width))) / (magnitude * integer(2));
+    form.scaled(&scale)
+}
+
+fn too_large(
+    object: &str,
+    word: &str,
+    magnitude: &BigRational,
+    available: u32,
+    window: &ScreenBox,
+) -> PrepareError {
+    PrepareError::TooLarge {
+        object: object.to_string(),
+        word: word.to_string(),
+        log2: log2(magnitude),
+        needed: signed_bits(magnitude),
+        available,
+        x0: window.x0,
+        x1: window.x1,
+        y0: window.y0,
+        y1: window.y1,
+    }
+}
+
+fn log2(magnitude: &BigRational) -> f64 {
+    let bits = magnitude.ceil().to_integer().bits();
+    if bits < 1000 {
+        to_f64(magnitude).log2()
+    } else {
+        bits as f64
+    }
+}
+
+fn whole(value: i128) -> BigRational {
+    BigRational::from_integer(value.into())
+}
+
+fn rational_form(q: &Quadratic) -> QuadraticForm {
+    QuadraticForm {
+        a: whole(q.a),
+        b: whole(q.b),
+        c: whole(q.c),
+        d: whole(q.d),
+        e: whole(q.e),
+        f: whole(q.f),
+    }
+}

@@ -1,0 +1,200 @@
+//! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4 replaced by a proof).
+
+use super::Context;
+use super::error::PrepareError;
+use super::forms::LinearForm;
+use super::rounding::{Anchor, round_linear};
+use super::screen_box::Region;
+use crate::format::word_max;
+use crate::object::quadric::{PlaneWords, ScreenBox};
+use crate::rational::{floor, from_f64_exact, integer, round_half_up};
+use crate::scene::Plane;
+use crate::unit::cut_plane::PlaneKind;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+/// A prepared plane with what is known of it.
+pub(super) struct PreparedPlane {
+    pub words: PlaneWords,
+    pub exact: LinearForm,
+    pub bound: f64,
+    pub needed: u32,
+    pub steep: bool,
+}
+
+/// Prepares plane number `index` of an object; `projected` is after perspective, `original` before.
+pub(super) fn prepare_plane(
+    object: &str,
+    index: usize,
+    original: &Plane,
+    projected: &Plane,
+    region: &Region,
+    window: &ScreenBox,
+    context: &Context,
+) -> Result<PreparedPlane, PrepareError> {
+    let anchor = context
+        .options
+        .anchor
+        .unwrap_or_else(|| Anchor::middle_of(window));
+    let normal = constant_normal(original);
+    // The half-plane value; kept where it is not negative.
+    let value = context.to_pixels_linear(&LinearForm::new(
+        -&projected.a,
+        -&projected.b,
+        -&projected.d,
+    ));
+    if projected.c.is_zero() {
+        return Ok(perpendicular(value, normal, anchor, window, context, false));
+    }
+    let depth = value.scaled(&(&context.depth_scale / &projected.c));
+    let needed = signed_bits(&depth.max_abs_on(window));
+    let word = round_linear(&depth, anchor).ok();
+    if let (Some(word), true) = (word, needed <= context.format.plane) {
+        let kind = if projected.c.is_negative() {
+            PlaneKind::Front
+        } else {
+            PlaneKind::Back
+        };
+        return Ok(PreparedPlane {
+            words: PlaneWords {
+                kind,
+                depth: word,
+                normal,
+            },
+            exact: depth,
+            bound: anchor.linear_bound(window),
+            needed,
+            steep: false,
+        });
+    }
+    let refusal = |(x, y)| PrepareError::SteepPlane {
+        object: object.to_string(),
+        plane: index,
+        needed,
+        available: context.format.plane,
+        x,
+        y,
+    };
+    let form = perpendicular_if_proven(&value, &projected.c, region, window, context)
+        .map_err(refusal)?;
+    Ok(perpendicular(form, normal, anchor, window, context, true))
+}
+
+/// The plane's normal before perspective, its greatest component scaled to the full 16-bit word.
+fn constant_normal(plane: &Plane) -> [i16; 3] {
+    let components = [&plane.a, &plane.b, &plane.c];
+    let greatest = components
+        .iter()
+        .map(|c| c.abs())
+        .max()
+        .expect("three components");
+    if greatest.is_zero() {
+        return [0; 3];
+    }
+    components.map(|c| {
+        round_half_up(&(c * integer(32767) / &greatest))
+            .to_i16()
+            .expect("at most 32767 in magnitude")
+    })
+}
+
+/// The half-plane form. Its scale is free, so the exact integers are used whenever they fit the plane word.
+fn perpendicular(
+    value: LinearForm,
+    normal: [i16; 3],
+    anchor: Anchor,
+    window: &ScreenBox,
+    context: &Context,
+    steep: bool,
+) -> PreparedPlane {
+    let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
+    let whole = value.scaled(&integer_scale(&value));
+    let (exact, bound) = if whole.max_abs_on(window) <= limit {
+        (whole, 0.0)
+    } else {
+        let scale = limit / (integer(2) * value.max_abs_on(window));
+        (value.scaled(&scale), anchor.linear_bound(window))
+    };
+    let depth = round_linear(&exact, anchor).expect("scaled to the plane word");
+    PreparedPlane {
+        words: PlaneWords {
+            kind: PlaneKind::Perpendicular,
+            depth,
+            normal,
+        },
+        needed: signed_bits(&exact.max_abs_on(window)),
+        exact,
+        bound,
+        steep,
+    }
+}
+
+/// The factor that turns all three coefficients into integers without a common divisor.
+fn integer_scale(form: &LinearForm) -> BigRational {
+    let coefficients = [&form.a, &form.b, &form.c];
+    let denominator = coefficients
+        .iter()
+        .fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
+    let content = coefficients.iter().fold(BigInt::zero(), |acc, c| {
+        acc.gcd(&(c.numer() * (&denominator / c.denom())))
+    });
+    if content.is_zero() {
+        BigRational::one()
+    } else {
+        BigRational::new(denominator, content)
+    }
+}
+
+/// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels almost everywhere. If
+/// no pixel of the box lies in that strip, the half-plane form at the object's middle depth decides every pixel as the
+/// plane does; otherwise the first such pixel is returned.
+fn perpendicular_if_proven(
+    value: &LinearForm,
+    gamma: &BigRational,
+    region: &Region,
+    window: &ScreenBox,
+    context: &Context,
+) -> Result<LinearForm, (i64, i64)> {
+    let full = crate::rational::to_f64(&context.full_depth);
+    let (near, far) = region
+        .depth_range(context.width, context.height, full)
+        .unwrap_or((-full, full));
+    let middle = from_f64_exact(0.5 * (near + far));
+    let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
+    let form = LinearForm::new(
+        value.a.clone(),
+        value.b.clone(),
+        &value.c - gamma * middle,
+    );
+    let strip = gamma.abs() * reach;
+    for y in window.y0..=window.y1 {
+        let line = integer(y);
+        for x in nearest_to_zero(&form, &line, window) {
+            if form.at(&integer(x), &line).abs() <= strip {
+                return Err((x, y));
+            }
+        }
+    }
+    Ok(form)
+}
+
+/// The pixels of a line between which the expression passes zero, or where it is smallest.
+fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) -> [i64; 2] {
+    if form.a.is_zero() {
+        return [window.x0, window.x1];
+    }
+    let crossing = -(&form.b * line + &form.c) / &form.a;
+    let below = floor(&crossing).to_i64().unwrap_or(if crossing.is_negative() {
+        i64::MIN / 2
+    } else {
+        i64::MAX / 2
+    });
+    [below, below + 1].map(|x| x.clamp(window.x0, window.x1))
+}
+
+/// Two's complement bits that hold every integer up to this magnitude, after rounding.
+pub(super) fn signed_bits(magnitude: &BigRational) -> u32 {
+    magnitude.ceil().to_integer().bits() as u32 + 1
+}

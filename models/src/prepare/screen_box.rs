@@ -1,0 +1,264 @@
+//! The screen box of an object: the pixels at which the cut quadric can be met, found by branch and bound in screen space.
+//!
+//! A box is a correctness matter, not only a saving: outside it f2 may wrap. It is conservative (interval bounds with a margin for
+//! floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it runs out the box is only larger.
+
+use crate::object::quadric::ScreenBox;
+use crate::rational::to_f64;
+use crate::scene::{Plane, Quadric, Surface};
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Cells no larger than this (pixels) are not split any more.
+const RESOLUTION: f64 = 0.2;
+/// Cells examined per side of the box before the search settles for a larger box.
+const NODE_BUDGET: usize = 20_000;
+/// Relative margin for the rounding of the interval evaluation.
+const MARGIN: f64 = 1e-11;
+
+/// A cut quadric in floating point, for conservative tests of axis-parallel cells.
+#[derive(Clone, Debug)]
+pub struct Region {
+    quadric: [f64; 10],
+    planes: Vec<[f64; 4]>,
+    surface: Surface,
+}
+
+/// An axis-parallel cell: centre and half extent along x, y, z.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Centre.
+    pub centre: [f64; 3],
+    /// Half extent.
+    pub half: [f64; 3],
+}
+
+impl Cell {
+    /// The cell between two corners.
+    pub fn between(low: [f64; 3], high: [f64; 3]) -> Cell {
+        Cell {
+            centre: std::array::from_fn(|k| 0.5 * (low[k] + high[k])),
+            half: std::array::from_fn(|k| 0.5 * (high[k] - low[k])),
+        }
+    }
+
+    fn widest(&self) -> usize {
+        (0..3)
+            .max_by(|&i, &j| self.half[i].total_cmp(&self.half[j]))
+            .expect("three axes")
+    }
+
+    fn halves(&self) -> [Cell; 2] {
+        let axis = self.widest();
+        [-0.5, 0.5].map(|side| {
+            let mut cell = *self;
+            cell.half[axis] *= 0.5;
+            cell.centre[axis] += side * self.half[axis];
+            cell
+        })
+    }
+}
+
+/// What an existence search found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Existence {
+    /// No point of the region lies in the cell: proven.
+    Empty,
+    /// A small cell could not be excluded, or the budget ran out.
+    Possible,
+}
+
+impl Region {
+    /// A region from exact coefficients; `planes` are kept where they are not positive.
+    pub fn new(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
+        let q = quadric;
+        let coefficients = [
+            &q.a, &q.b, &q.c, &q.d, &q.e, &q.f, &q.g, &q.h, &q.i, &q.j,
+        ];
+        Region {
+            quadric: normalised(coefficients),
+            planes: planes
+                .iter()
+                .map(|p| normalised([&p.a, &p.b, &p.c, &p.d]))
+                .collect(),
+            surface,
+        }
+    }
+
+    /// False only if no point of the region lies in the cell.
+    fn may_meet(&self, cell: &Cell) -> bool {
+        let (low, high) = self.quadric_range(cell);
+        let quadric_met = match self.surface {
+            Surface::Solid => low <= 0.0,
+            Surface::Patch => low <= 0.0 && high >= 0.0,
+        };
+        quadric_met && self.planes.iter().all(|p| plane_low(p, cell) <= 0.0)
+    }
+
+    fn quadric_range(&self, cell: &Cell) -> (f64, f64) {
+        let [a, b, c, d, e, f, g, h, i, j] = self.quadric;
+        let ([x, y, z], [hx, hy, hz]) = (cell.centre, cell.half);
+        let gx = a * x + d * y + e * z + g;
+        let gy = d * x + b * y + f * z + h;
+        let gz = e * x + f * y + c * z + i;
+        let value = (gx + g) * x + (gy + h) * y + (gz + i) * z + j;
+        let first = 2.0 * (gx.abs() * hx + gy.abs() * hy + gz.abs() * hz);
+        let cross = 2.0 * (d.abs() * hx * hy + e.abs() * hx * hz + f.abs() * hy * hz);
+        let squares = [a * hx * hx, b * hy * hy, c * hz * hz];
+        let up: f64 = squares.iter().map(|s| s.max(0.0)).sum();
+        let down: f64 = squares.iter().map(|s| s.min(0.0)).sum();
+        let (ex, ey, ez) = (x.abs() + hx, y.abs() + hy, z.abs() + hz);
+        let size = (a * ex * ex).abs()
+            + (b * ey * ey).abs()
+            + (c * ez * ez).abs()
+            + 2.0 * ((d * ex * ey).abs() + (e * ex * ez).abs() + (f * ey * ez).abs())
+            + 2.0 * ((g * ex).abs() + (h * ey).abs() + (i * ez).abs())
+            + j.abs();
+        let margin = MARGIN * size;
+        (
+            value - first - cross + down - margin,
+            value + first + cross + up + margin,
+        )
+    }
+
+    /// Searches the cell for a point of the region, down to cells of `resolution`.
+    pub fn existence(&self, cell: Cell, resolution: f64) -> Existence {
+        let mut open = vec![cell];
+        for _ in 0..NODE_BUDGET {
+            let Some(cell) = open.pop() else {
+                return Existence::Empty;
+            };
+            if self.may_meet(&cell) {
+                if cell.half.iter().all(|&h| 2.0 * h <= resolution) {
+                    return Existence::Possible;
+                }
+                open.extend(cell.halves());
+            }
+        }
+        Existence::Possible
+    }
+
+    /// The least value of `direction * coordinate[axis]` at which the region can be met, or nothing if it is empty.
+    fn extreme(&self, domain: Cell, axis: usize, direction: f64) -> Option<f64> {
+        let key = |cell: &Cell| direction * cell.centre[axis] - cell.half[axis];
+        let mut open = BinaryHeap::new();
+        open.push(Entry {
+            key: key(&domain),
+            cell: domain,
+        });
+        for _ in 0..NODE_BUDGET {
+            let Entry { key: bound, cell } = open.pop()?;
+            if !self.may_meet(&cell) {
+                continue;
+            }
+            if cell.half.iter().all(|&h| 2.0 * h <= RESOLUTION) {
+                return Some(bound);
+            }
+            for half in cell.halves() {
+                open.push(Entry {
+                    key: key(&half),
+                    cell: half,
+                });
+            }
+        }
+        // The head of the queue bounds everything still open.
+        open.pop().map(|entry| entry.key)
+    }
+
+    /// Least and greatest depth within `-depth .. depth` at which the region can be met on the screen, if it can be met at all.
+    pub fn depth_range(&self, width: u32, height: u32, depth: f64) -> Option<(f64, f64)> {
+        let domain = screen_domain(width, height, depth);
+        let nearest = self.extreme(domain, 2, 1.0)?;
+        let farthest = self.extreme(domain, 2, -1.0)?;
+        Some((nearest, -farthest))
+    }
+
+    /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for a depth within
+    /// `-depth .. depth`, on a screen of `width` x `height` pixels.
+    pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> ScreenBox {
+        let (w, h) = (f64::from(width), f64::from(height));
+        let (left, top) = (-0.5 * w, -0.5 * h);
+        let domain = screen_domain(width, height, depth);
+        let side = |axis, direction| self.extreme(domain, axis, direction);
+        let Some(x_low) = side(0, 1.0) else {
+            return ScreenBox::EMPTY;
+        };
+        let (Some(x_high), Some(y_low), Some(y_high)) =
+            (side(0, -1.0), side(1, 1.0), side(1, -1.0))
+        else {
+            return ScreenBox::EMPTY;
+        };
+        // Cell corners carry the rounding of a few halvings; a thousandth of a pixel covers it.
+        let first = |v: f64| (v - 1e-3).ceil().max(0.0) as i64;
+        let last = |v: f64, size: f64| (v + 1e-3).floor().min(size - 1.0) as i64;
+        let found = ScreenBox {
+            x0: first(x_low - left),
+            x1: last(-x_high - left, w),
+            y0: first(y_low - top),
+            y1: last(-y_high - top, h),
+        };
+        if found.is_empty() {
+            ScreenBox::EMPTY
+        } else {
+            found
+        }
+    }
+}
+
+/// All pixel centres of the screen, within the depth range.
+fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
+    let (w, h) = (f64::from(width), f64::from(height));
+    Cell::between(
+        [-0.5 * w, -0.5 * h, -depth],
+        [0.5 * w - 1.0, 0.5 * h - 1.0, depth],
+    )
+}
+
+/// The coefficients divided by the greatest magnitude, so that large exact numbers become moderate floats.
+fn normalised<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
+    let greatest = coefficients
+        .iter()
+        .map(|c| c.abs())
+        .max()
+        .expect("at least one coefficient");
+    if greatest.is_zero() {
+        return [0.0; N];
+    }
+    coefficients.map(|c| to_f64(&(c / &greatest)))
+}
+
+fn plane_low(plane: &[f64; 4], cell: &Cell) -> f64 {
+    let [a, b, c, d] = plane;
+    let ([x, y, z], [hx, hy, hz]) = (cell.centre, cell.half);
+    let spread = a.abs() * hx + b.abs() * hy + c.abs() * hz;
+    let size = a.abs() * x.abs() + b.abs() * y.abs() + c.abs() * z.abs() + d.abs() + spread;
+    a * x + b * y + c * z + d - spread - MARGIN * size
+}
+
+/// A cell in the queue; the smallest key is served first.
+struct Entry {
+    key: f64,
+    cell: Cell,
+}
+
+impl PartialEq for Entry {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Entry {}
+
+impl PartialOrd for Entry {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Entry {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.key.total_cmp(&self.key)
+    }
+}

@@ -1,0 +1,123 @@
+//! Helpers on exact rationals.
+//!
+//! A scene is written in decimal and prepared without rounding: every coefficient stays a ratio of big integers until it is
+//! rounded, once, to the word the hardware is loaded with. These helpers are the two ends of that path.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, ToPrimitive, Zero};
+
+/// The integer `value` as a rational.
+pub fn integer(value: i64) -> BigRational {
+    BigRational::from_integer(BigInt::from(value))
+}
+
+/// The fraction `numerator / denominator`.
+///
+/// # Panics
+///
+/// If `denominator` is zero.
+pub fn fraction(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
+}
+
+/// The exact value of the shortest decimal that reads back as `value`: 0.1 gives 1/10, not the binary fraction beside it.
+///
+/// Decimals of up to 15 significant digits survive the passage through `f64` unchanged.
+///
+/// # Panics
+///
+/// If `value` is not finite.
+pub fn from_decimal(value: f64) -> BigRational {
+    assert!(
+        value.is_finite(),
+        "{value} has no decimal value; finite numbers only"
+    );
+    // The `e` format prints the shortest digits that read back as the same number.
+    let text = format!("{value:e}");
+    let (mantissa, exponent) = text.split_once('e').expect("`{:e}` prints an exponent");
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: BigInt = format!("{whole}{decimals}")
+        .parse()
+        .expect("`{:e}` prints decimal digits");
+    let exponent: i64 = exponent.parse().expect("`{:e}` prints a whole exponent");
+    let shift = exponent - decimals.len() as i64;
+    let power = BigInt::from(10).pow(shift.unsigned_abs() as u32);
+    if shift < 0 {
+        BigRational::new(digits, power)
+    } else {
+        BigRational::from_integer(digits * power)
+    }
+}
+
+/// The exact binary value of `value`: 0.1 gives 3602879701896397/2^55.
+///
+/// # Panics
+///
+/// If `value` is not finite.
+pub fn from_f64_exact(value: f64) -> BigRational {
+    BigRational::from_f64(value).unwrap_or_else(|| panic!("{value} is not a finite number"))
+}
+
+/// The `f64` nearest to `value`, also when numerator and denominator are both far outside the range of `f64`.
+pub fn to_f64(value: &BigRational) -> f64 {
+    if value.is_zero() {
+        return 0.0;
+    }
+    value
+        .to_f64()
+        .expect("every big rational has a nearest f64, infinite at worst")
+}
+
+/// The largest integer that is not above `value`.
+pub fn floor(value: &BigRational) -> BigInt {
+    value.floor().to_integer()
+}
+
+/// `value` rounded to the nearest integer, halves upwards: `floor(value + 1/2)`.
+pub fn round_half_up(value: &BigRational) -> BigInt {
+    floor(&(value + fraction(1, 2)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_taken_as_written() {
+        assert_eq!(from_decimal(0.1), fraction(1, 10));
+        assert_eq!(from_decimal(-12.375), fraction(-12_375, 1000));
+        assert_eq!(from_decimal(1.0 / 3.0), fraction(3_333_333_333_333_333, 10_000_000_000_000_000));
+        assert_eq!(from_decimal(3e20), integer(300_000_000_000) * integer(1_000_000_000));
+        assert_eq!(from_decimal(-0.0), integer(0));
+        assert_eq!(to_f64(&from_decimal(5e-324)), 5e-324);
+        assert_eq!(to_f64(&from_decimal(f64::MAX)), f64::MAX);
+    }
+
+    #[test]
+    fn binary_values_are_exact() {
+        assert_eq!(from_f64_exact(0.1), fraction(3_602_879_701_896_397, 1 << 55));
+        assert_eq!(from_f64_exact(-2.5), fraction(-5, 2));
+    }
+
+    #[test]
+    fn large_ratios_keep_their_value() {
+        let huge = BigInt::from(10).pow(900);
+        let third = BigRational::new(huge.clone(), &huge * BigInt::from(3));
+        assert_eq!(to_f64(&third), 1.0 / 3.0);
+        let near_third = BigRational::new(&huge + BigInt::from(1), &huge * BigInt::from(3));
+        assert_eq!(to_f64(&near_third), 1.0 / 3.0);
+        let seven = BigRational::new(&huge * BigInt::from(7) + BigInt::from(1), huge);
+        assert_eq!(to_f64(&seven), 7.0);
+    }
+
+    #[test]
+    fn halves_round_upwards() {
+        let cases = [(3, 2, 2), (-3, 2, -1), (1, 2, 1), (-1, 2, 0), (-7, 4, -2), (9, 4, 2)];
+        for (numerator, denominator, rounded) in cases {
+            let value = fraction(numerator, denominator);
+            assert_eq!(round_half_up(&value), BigInt::from(rounded), "{value}");
+        }
+        assert_eq!(floor(&fraction(-7, 4)), BigInt::from(-2));
+    }
+}

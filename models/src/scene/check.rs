@@ -1,0 +1,392 @@
+//! The checks of a scene that its grammar cannot make.
+
+use std::collections::HashSet;
+
+use super::error::SceneError;
+use super::file::{
+    Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
+};
+use super::transform::{cross, dot, normalised};
+
+/// Most cut planes of one object.
+pub const MAX_CUTS: usize = 12;
+/// Most columns or lines of a picture.
+pub const MAX_IMAGE_SIDE: u32 = 4096;
+/// Most light sources: a pixel carries one flag for each (thesis section 4.1.3).
+pub const MAX_LIGHTS: usize = 16;
+/// Largest magnitude of any number of a scene; beyond it `f64` directions lose their meaning.
+pub const MAX_MAGNITUDE: f64 = 1e12;
+/// Largest exponent of a highlight.
+pub const MAX_SPECULAR_EXPONENT: u32 = 200;
+/// Largest factor of a light's colour.
+pub const MAX_INTENSITY: f64 = 10.0;
+
+/// Sine of the angle under which `up` counts as parallel to the viewing direction.
+const PARALLEL: f64 = 1e-9;
+
+type Checked = Result<(), SceneError>;
+
+impl SceneFile {
+    /// Refuses a scene that cannot be drawn; [`SceneFile::parse`] has done so already.
+    pub fn validate(&self) -> Checked {
+        if self.format != FORMAT_VERSION {
+            return Err(SceneError::value(
+                "format",
+                format!("version {} is not known", self.format),
+                format!("this program reads `format = {FORMAT_VERSION}`"),
+            ));
+        }
+        check_colour("background", self.background)?;
+        check_colour("ambient", self.ambient)?;
+        check_image_size(self.image.width, self.image.height)?;
+        check_camera(&self.camera)?;
+        self.check_lights()?;
+        self.check_materials()?;
+        self.check_objects()
+    }
+
+    fn check_lights(&self) -> Checked {
+        if self.lights.len() > MAX_LIGHTS {
+            return Err(SceneError::value(
+                "lights",
+                format!("{} lights", self.lights.len()),
+                format!("at most {MAX_LIGHTS} are possible"),
+            ));
+        }
+        for (index, light) in self.lights.iter().enumerate() {
+            check_light(&format!("lights[{index}]"), light)?;
+        }
+        Ok(())
+    }
+
+    fn check_materials(&self) -> Checked {
+        let mut names = HashSet::new();
+        for (index, material) in self.materials.iter().enumerate() {
+            check_name(&format!("materials[{index}].name"), &material.name)?;
+            let place = format!("material `{}`", material.name);
+            if !names.insert(&material.name) {
+                return Err(duplicate(&place, "material"));
+            }
+            check_material(&place, material)?;
+        }
+        Ok(())
+    }
+
+    fn check_objects(&self) -> Checked {
+        if self.objects.is_empty() {
+            return Err(SceneError::value(
+                "objects",
+                "the scene has no object",
+                "at least one `[[objects]]` is needed",
+            ));
+        }
+        let mut names = HashSet::new();
+        for (index, object) in self.objects.iter().enumerate() {
+            check_name(&format!("objects[{index}].name"), &object.name)?;
+            let place = format!("object `{}`", object.name);
+            if !names.insert(&object.name) {
+                return Err(duplicate(&place, "object"));
+            }
+            self.check_material_name(&place, object)?;
+            check_object(&place, object)?;
+        }
+        Ok(())
+    }
+
+    fn check_material_name(&self, place: &str, object: &Object) -> Checked {
+        if self.materials.iter().any(|m| m.name == object.material) {
+            return Ok(());
+        }
+        let known: Vec<_> = self.materials.iter().map(|m| format!("`{}`", m.name)).collect();
+        let accepted = if known.is_empty() {
+            "the scene has no `[[materials]]` yet".to_owned()
+        } else {
+            format!("the scene has {}", known.join(", "))
+        };
+        Err(SceneError::value(
+            format!("{place}, material"),
+            format!("`{}` is not a material of this scene", object.material),
+            accepted,
+        ))
+    }
+}
+
+/// Refuses a picture size the machine cannot scan.
+pub(super) fn check_image_size(width: u32, height: u32) -> Checked {
+    for (key, side) in [("image.width", width), ("image.height", height)] {
+        if side == 0 || side > MAX_IMAGE_SIDE {
+            return Err(SceneError::value(
+                key,
+                format!("{side} pixels"),
+                format!("1 to {MAX_IMAGE_SIDE} are possible"),
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn check_camera(camera: &Camera) -> Checked {
+    let (eye, target, up) = match camera {
+        Camera::Perspective {
+            eye,
+            target,
+            up,
+            viewer_distance,
+            view_height,
+        } => {
+            check_positive("camera.viewer_distance", *viewer_distance)?;
+            check_positive("camera.view_height", *view_height)?;
+            (*eye, *target, *up)
+        }
+        Camera::Orthographic {
+            eye,
+            target,
+            up,
+            view_height,
+            half_depth,
+        } => {
+            check_positive("camera.view_height", *view_height)?;
+            check_positive("camera.half_depth", *half_depth)?;
+            (*eye, *target, *up)
+        }
+    };
+    check_numbers("camera.eye", &eye)?;
+    check_numbers("camera.target", &target)?;
+    check_direction("camera.up", up)?;
+    let view: [f64; 3] = std::array::from_fn(|axis| target[axis] - eye[axis]);
+    if view == [0.0; 3] {
+        return Err(SceneError::value(
+            "camera.target",
+            format!("{target:?} is the eye itself, so there is no viewing direction"),
+            "a point away from the eye is needed",
+        ));
+    }
+    let side = cross(normalised(view), normalised(up));
+    if dot(side, side).sqrt() < PARALLEL {
+        return Err(SceneError::value(
+            "camera.up",
+            format!("{up:?} is parallel to the viewing direction {view:?}"),
+            "a direction seen upwards in the picture is needed",
+        ));
+    }
+    Ok(())
+}
+
+fn check_light(place: &str, light: &Light) -> Checked {
+    let (colour, intensity) = match light {
+        Light::Directional {
+            from,
+            colour,
+            intensity,
+        } => {
+            check_direction(&format!("{place}.from"), *from)?;
+            (colour, intensity)
+        }
+        Light::Point {
+            position,
+            colour,
+            intensity,
+        } => {
+            check_numbers(&format!("{place}.position"), position)?;
+            (colour, intensity)
+        }
+    };
+    check_colour(&format!("{place}.colour"), *colour)?;
+    check_range(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
+}
+
+fn check_material(place: &str, material: &Material) -> Checked {
+    check_colour(&format!("{place}, colour"), material.colour)?;
+    check_range(&format!("{place}, ambient"), material.ambient, 1.0)?;
+    check_range(&format!("{place}, diffuse"), material.diffuse, 1.0)?;
+    check_range(&format!("{place}, specular"), material.specular, 1.0)?;
+    if !(1..=MAX_SPECULAR_EXPONENT).contains(&material.exponent) {
+        return Err(SceneError::value(
+            format!("{place}, exponent"),
+            format!("{} is out of range", material.exponent),
+            format!("a whole number from 1 to {MAX_SPECULAR_EXPONENT} is possible"),
+        ));
+    }
+    Ok(())
+}
+
+fn check_object(place: &str, object: &Object) -> Checked {
+    check_shape(place, &object.shape)?;
+    for (index, step) in object.place.iter().enumerate() {
+        check_step(&format!("{place}, place[{index}]"), step)?;
+    }
+    if object.cuts.len() > MAX_CUTS {
+        return Err(SceneError::value(
+            format!("{place}, cuts"),
+            format!("{} cut planes", object.cuts.len()),
+            format!("at most {MAX_CUTS} are possible"),
+        ));
+    }
+    for (index, Cut { point, normal }) in object.cuts.iter().enumerate() {
+        check_numbers(&format!("{place}, cuts[{index}].point"), point)?;
+        check_direction(&format!("{place}, cuts[{index}].normal"), *normal)?;
+    }
+    Ok(())
+}
+
+fn check_shape(place: &str, shape: &Shape) -> Checked {
+    let radii: &[f64] = match shape {
+        Shape::Sphere { radius } => return check_positive(&format!("{place}, radius"), *radius),
+        Shape::Quadric { coefficients } => return check_coefficients(place, coefficients),
+        Shape::EllipticCylinder { radii }
+        | Shape::HyperbolicCylinder { radii }
+        | Shape::ParabolicCylinder { radii } => radii,
+        Shape::Ellipsoid { radii }
+        | Shape::Cone { radii }
+        | Shape::HyperboloidOneSheet { radii }
+        | Shape::HyperboloidTwoSheets { radii }
+        | Shape::EllipticParaboloid { radii }
+        | Shape::HyperbolicParaboloid { radii } => radii,
+    };
+    for (index, radius) in radii.iter().enumerate() {
+        check_positive(&format!("{place}, radii[{index}]"), *radius)?;
+    }
+    Ok(())
+}
+
+fn check_coefficients(place: &str, coefficients: &[f64; 10]) -> Checked {
+    let key = format!("{place}, coefficients");
+    check_numbers(&key, coefficients)?;
+    if coefficients[..6].iter().all(|value| *value == 0.0) {
+        let rest = if coefficients[6..].iter().all(|value| *value == 0.0) {
+            "all ten are zero"
+        } else {
+            "a to f are zero, which leaves a plane"
+        };
+        return Err(SceneError::value(
+            key,
+            rest,
+            "one of the second-degree coefficients a to f must not be zero (a plane is a cut of another object)",
+        ));
+    }
+    Ok(())
+}
+
+fn check_step(place: &str, step: &Step) -> Checked {
+    match step {
+        Step::Translate(offset) => check_numbers(&format!("{place}.translate"), offset),
+        Step::Rotate(rotation) => {
+            if let Axis::Vector(vector) = rotation.axis {
+                check_direction(&format!("{place}.rotate.axis"), vector)?;
+            }
+            check_numbers(&format!("{place}.rotate.degrees"), &[rotation.degrees])
+        }
+        Step::Scale(Scale::Uniform(factor)) => check_scale(place, &[*factor]),
+        Step::Scale(Scale::PerAxis(factors)) => check_scale(place, factors),
+    }
+}
+
+fn check_scale(place: &str, factors: &[f64]) -> Checked {
+    let key = format!("{place}.scale");
+    check_numbers(&key, factors)?;
+    if factors.contains(&0.0) {
+        return Err(SceneError::value(
+            key,
+            "a factor of 0 flattens the object, the transform is singular",
+            "factors other than 0 are needed (negative ones mirror)",
+        ));
+    }
+    Ok(())
+}
+
+fn check_name(place: &str, name: &str) -> Checked {
+    if name.trim().is_empty() {
+        return Err(SceneError::value(
+            place,
+            "the name is empty",
+            "a name is needed",
+        ));
+    }
+    Ok(())
+}
+
+fn duplicate(place: &str, what: &str) -> SceneError {
+    SceneError::value(
+        place,
+        format!("this name is taken by an earlier {what}"),
+        "every name must be unique",
+    )
+}
+
+fn check_number(place: &str, value: f64) -> Checked {
+    if !value.is_finite() {
+        return Err(SceneError::value(
+            place,
+            format!("{value} is not a finite number"),
+            "a finite number is needed",
+        ));
+    }
+    if value.abs() > MAX_MAGNITUDE {
+        return Err(SceneError::value(
+            place,
+            format!("{value:e} is too large"),
+            format!("numbers from {:e} to {MAX_MAGNITUDE:e} are possible", -MAX_MAGNITUDE),
+        ));
+    }
+    Ok(())
+}
+
+fn check_numbers(place: &str, values: &[f64]) -> Checked {
+    match values {
+        [value] => check_number(place, *value),
+        _ => values
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, value)| check_number(&format!("{place}[{index}]"), *value)),
+    }
+}
+
+fn check_direction(place: &str, vector: [f64; 3]) -> Checked {
+    check_numbers(place, &vector)?;
+    if vector == [0.0; 3] {
+        return Err(SceneError::value(
+            place,
+            "[0, 0, 0] has no direction",
+            "a vector with at least one number other than 0 is needed",
+        ));
+    }
+    Ok(())
+}
+
+fn check_positive(place: &str, value: f64) -> Checked {
+    check_number(place, value)?;
+    if value <= 0.0 {
+        return Err(SceneError::value(
+            place,
+            format!("{value} is not positive"),
+            "a number above 0 is needed",
+        ));
+    }
+    Ok(())
+}
+
+fn check_range(place: &str, value: f64, largest: f64) -> Checked {
+    check_number(place, value)?;
+    if !(0.0..=largest).contains(&value) {
+        return Err(SceneError::value(
+            place,
+            format!("{value} is out of range"),
+            format!("a number from 0 to {largest} is possible"),
+        ));
+    }
+    Ok(())
+}
+
+fn check_colour(place: &str, colour: [f64; 3]) -> Checked {
+    check_numbers(place, &colour)?;
+    for (index, value) in colour.iter().enumerate() {
+        if !(0.0..=1.0).contains(value) {
+            return Err(SceneError::value(
+                format!("{place}[{index}]"),
+                format!("{value} is out of range"),
+                "red, green and blue are numbers from 0 to 1 (an 8-bit value divided by 255)",
+            ));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,22 @@
+//! Scenes: the file a person writes, its checks, and its exact image in the camera frame.
+//!
+//! [`SceneFile`] is the text of a scene in its own words (scene units, local coordinates, degrees). [`FramedScene`] is the
+//! same scene for one picture size: every quadric and cut plane in camera pixels, in exact rationals, ready for the
+//! preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
+
+mod check;
+mod error;
+mod file;
+mod frame;
+mod transform;
+
+pub use check::{
+    MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE, MAX_SPECULAR_EXPONENT,
+};
+pub use error::SceneError;
+pub use file::{
+    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, Scale, SceneFile,
+    Shape, Step, Surface,
+};
+pub use frame::{FramedLight, FramedObject, FramedScene, Plane, Projection, Quadric};
+pub use transform::Transform;

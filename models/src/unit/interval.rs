@@ -1,0 +1,204 @@
+//! The quadric elementary processor's two depths f1 -+ r and the depth interval they open, by class of object
+//! (source: 2.3.1, 2.4.2; the case f2 < 0 seen from inside is corrected).
+
+use crate::format::Format;
+use serde::{Deserialize, Serialize};
+
+/// How an object lies to the viewer; decided once in the preparation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[repr(u8)]
+pub enum Class {
+    /// Solid between its two roots; the eye is outside the unbounded quadric.
+    #[default]
+    Side = 0,
+    /// Solid outside its two roots; the eye is inside the unbounded quadric.
+    Front = 1,
+    /// The surface itself; both roots are candidate faces.
+    Patch = 2,
+    /// A quadric that does not depend on the depth: present where f2 >= 0.
+    Prism = 3,
+}
+
+/// Number of the quadric's near root among the faces of an object.
+pub const FACE_NEAR: u8 = 0;
+/// Number of the quadric's far root.
+pub const FACE_FAR: u8 = 1;
+/// Number of the first cut plane; plane i has `FACE_PLANE + i`.
+pub const FACE_PLANE: u8 = 2;
+/// Number of the cap drawn where a solid reaches nearer than the near end.
+pub const FACE_NEAR_END: u8 = 15;
+
+/// A depth interval with the numbers of the faces that bound it; absent is `zf = zb = z_max`, numbers 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Interval {
+    /// Front depth.
+    pub zf: i64,
+    /// Back depth.
+    pub zb: i64,
+    /// Number of the front face.
+    pub nf: u8,
+    /// Number of the back face.
+    pub nb: u8,
+}
+
+impl Interval {
+    /// The absent object.
+    #[inline]
+    pub const fn absent(format: &Format) -> Interval {
+        let z_max = format.z_max();
+        Interval {
+            zf: z_max,
+            zb: z_max,
+            nf: 0,
+            nb: 0,
+        }
+    }
+
+    /// True if something is there to be seen.
+    #[inline]
+    pub const fn is_present(&self, format: &Format) -> bool {
+        self.zf != format.z_max()
+    }
+}
+
+/// The two halves of an object's depth interval at a pixel inside its screen box; half B exists only for [`Class::Front`].
+///
+/// `near = f1 - r` and `far = f1 + r` before saturation; `negative` is `f2 < 0`, where the root has no meaning.
+#[inline]
+pub fn halves(
+    class: Class,
+    near: i64,
+    far: i64,
+    negative: bool,
+    format: &Format,
+) -> (Interval, Interval) {
+    let absent = Interval::absent(format);
+    match class {
+        Class::Side if !negative => (side(near, far, format), absent),
+        Class::Patch if !negative => (patch(near, far, format), absent),
+        Class::Front if !negative => (front_a(near, format), front_b(far, format)),
+        // Seen from inside, a line that misses the surface is wholly inside; the source drilled a hole here.
+        Class::Front => (whole_line(format), absent),
+        Class::Prism if !negative => (whole_line(format), absent),
+        _ => (absent, absent),
+    }
+}
+
+fn whole_line(format: &Format) -> Interval {
+    Interval {
+        zf: format.z_low(),
+        zb: format.z_max(),
+        nf: FACE_NEAR_END,
+        nb: FACE_NEAR_END,
+    }
+}
+
+#[inline]
+fn side(near: i64, far: i64, format: &Format) -> Interval {
+    if near >= format.z_max() || far < format.z_low() {
+        return Interval::absent(format);
+    }
+    let clipped = near < format.z_low();
+    Interval {
+        zf: near.max(format.z_low()),
+        zb: far.min(format.z_max()),
+        nf: if clipped { FACE_NEAR_END } else { FACE_NEAR },
+        nb: FACE_FAR,
+    }
+}
+
+#[inline]
+fn front_a(near: i64, format: &Format) -> Interval {
+    if near < format.z_low() {
+        return Interval::absent(format);
+    }
+    Interval {
+        zf: format.z_low(),
+        zb: near.min(format.z_max()),
+        nf: FACE_NEAR_END,
+        nb: FACE_NEAR,
+    }
+}
+
+#[inline]
+fn front_b(far: i64, format: &Format) -> Interval {
+    if far >= format.z_max() {
+        return Interval::absent(format);
+    }
+    let clipped = far < format.z_low();
+    Interval {
+        zf: far.max(format.z_low()),
+        zb: format.z_max(),
+        nf: if clipped { FACE_NEAR_END } else { FACE_FAR },
+        nb: FACE_NEAR_END,
+    }
+}
+
+#[inline]
+fn patch(near: i64, far: i64, format: &Format) -> Interval {
+    let visible = |z: i64| z >= format.z_low() && z < format.z_max();
+    let one = |z: i64, number: u8| Interval {
+        zf: z,
+        zb: z,
+        nf: number,
+        nb: number,
+    };
+    match (visible(near), visible(far)) {
+        (true, true) => Interval {
+            zf: near,
+            zb: far,
+            nf: FACE_NEAR,
+            nb: FACE_FAR,
+        },
+        (true, false) => one(near, FACE_NEAR),
+        (false, true) => one(far, FACE_FAR),
+        (false, false) => Interval::absent(format),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const F: Format = Format::BASE;
+
+    #[test]
+    fn sums_beyond_the_depth_word_saturate_in_order() {
+        // -2^23 - 11 863 283 needs 26 bits.
+        let (a, _) = halves(
+            Class::Side,
+            -8_388_607 - 11_863_283,
+            11_863_283,
+            false,
+            &F,
+        );
+        assert_eq!(
+            (a.zf, a.zb, a.nf),
+            (F.z_low(), F.z_max(), FACE_NEAR_END)
+        );
+    }
+
+    #[test]
+    fn roots_behind_the_eye_are_no_face_of_a_patch() {
+        let (a, _) = halves(Class::Patch, 1000, F.z_max() + 5, false, &F);
+        assert_eq!((a.zf, a.zb, a.nf), (1000, 1000, FACE_NEAR));
+        let (a, _) = halves(Class::Patch, F.z_max(), F.z_max() + 5, false, &F);
+        assert!(!a.is_present(&F));
+    }
+
+    #[test]
+    fn solid_seen_from_inside_fills_the_line_where_f2_is_negative() {
+        let (a, b) = halves(Class::Front, 0, 0, true, &F);
+        assert_eq!((a.zf, a.zb), (F.z_low(), F.z_max()));
+        assert!(!b.is_present(&F));
+        assert!(!halves(Class::Side, 0, 0, true, &F).0.is_present(&F));
+    }
+
+    #[test]
+    fn solid_seen_from_inside_has_two_halves() {
+        let (a, b) = halves(Class::Front, -500, 700, false, &F);
+        assert_eq!((a.zf, a.zb, a.nb), (F.z_low(), -500, FACE_NEAR));
+        assert_eq!((b.zf, b.zb, b.nf), (700, F.z_max(), FACE_FAR));
+    }
+}

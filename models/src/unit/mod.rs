@@ -1,0 +1,10 @@
+//! Golden models of the units, one per file.
+
+pub mod cut_plane;
+pub mod interval;
+pub mod merge;
+pub mod normal;
+pub mod pe1;
+pub mod pe2;
+pub mod plane_depth;
+pub mod root;

@@ -1,0 +1,148 @@
+//! PE1, the first-degree elementary processor: `a x + b y + c` by one addition per pixel (source: 2.3.2, B.2.1).
+
+use crate::format::wrap;
+use num_bigint::BigInt;
+use serde::{Deserialize, Serialize};
+
+/// Coefficients of a first-degree expression in pixel column x and line y.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Linear {
+    /// Factor of x.
+    pub a: i128,
+    /// Factor of y.
+    pub b: i128,
+    /// Value at (0, 0).
+    pub c: i128,
+}
+
+impl Linear {
+    /// A new expression `a x + b y + c`.
+    pub const fn new(a: i128, b: i128, c: i128) -> Linear {
+        Linear { a, b, c }
+    }
+
+    /// The exact value at a pixel: the reference PE1 is measured against.
+    pub fn exact_at(&self, x: i64, y: i64) -> BigInt {
+        BigInt::from(self.a) * x + BigInt::from(self.b) * y + self.c
+    }
+
+    /// The value at a pixel modulo 2^width: the closed form of what PE1 emits.
+    pub fn wrapped_at(&self, x: i64, y: i64, width: u32) -> i128 {
+        let sum = self
+            .a
+            .wrapping_mul(x as i128)
+            .wrapping_add(self.b.wrapping_mul(y as i128))
+            .wrapping_add(self.c);
+        wrap(sum, width)
+    }
+
+    /// The same expression seen from a zone whose first pixel is (x0, y0).
+    pub fn from_zone(&self, x0: i64, y0: i64) -> Linear {
+        Linear {
+            c: self.a * x0 as i128 + self.b * y0 as i128 + self.c,
+            ..*self
+        }
+    }
+
+    /// The coefficient words as a register of `width` bits holds them.
+    pub fn wrapped(&self, width: u32) -> Linear {
+        Linear {
+            a: wrap(self.a, width),
+            b: wrap(self.b, width),
+            c: wrap(self.c, width),
+        }
+    }
+}
+
+/// The incremental processor, command by command as in the source's simulator; every register wraps at `width` bits.
+#[derive(Clone, Debug)]
+pub struct Pe1 {
+    width: u32,
+    per_pixel: i128,
+    per_line: i128,
+    line: i128,
+    value: i128,
+}
+
+impl Pe1 {
+    /// Command 0, object start: load the coefficients.
+    pub fn object_start(coefficients: &Linear, width: u32) -> Pe1 {
+        let word = coefficients.wrapped(width);
+        Pe1 {
+            width,
+            per_pixel: word.a,
+            per_line: word.b,
+            line: word.c,
+            value: word.c,
+        }
+    }
+
+    /// Command 1, line step: go to the first pixel of the next line.
+    pub fn line_step(&mut self) {
+        self.line = wrap(self.line + self.per_line, self.width);
+        self.value = self.line;
+    }
+
+    /// Command 2, pixel: emit the value first, then step to the next pixel.
+    pub fn pixel(&mut self) -> i128 {
+        let emitted = self.value;
+        self.value = wrap(self.value + self.per_pixel, self.width);
+        emitted
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn raster(coefficients: Linear, width: u32, columns: usize, lines: usize) -> Vec<Vec<i128>> {
+        let mut pe = Pe1::object_start(&coefficients, width);
+        (0..lines)
+            .map(|line| {
+                if line > 0 {
+                    pe.line_step();
+                }
+                (0..columns).map(|_| pe.pixel()).collect()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn vectors_of_the_specification() {
+        assert_eq!(
+            raster(Linear::new(3, -5, 7), 24, 5, 3),
+            [[7, 10, 13, 16, 19], [2, 5, 8, 11, 14], [-3, 0, 3, 6, 9]]
+        );
+        assert_eq!(
+            raster(Linear::new(8388607, -8388608, 1), 24, 4, 3),
+            [
+                [1, -8388608, -1, 8388606],
+                [-8388607, 0, 8388607, -2],
+                [1, -8388608, -1, 8388606]
+            ]
+        );
+        assert_eq!(
+            raster(Linear::new(4194304, 0, 0), 24, 5, 1),
+            [[0, 4194304, -8388608, -4194304, 0]]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn equals_the_exact_polynomial_modulo_its_width(
+            a in any::<i64>(), b in any::<i64>(), c in any::<i64>(), width in 2u32..=64
+        ) {
+            let expression = Linear::new(a as i128, b as i128, c as i128);
+            let modulus = BigInt::from(1) << width;
+            for (y, line) in raster(expression, width, 7, 7).iter().enumerate() {
+                for (x, &value) in line.iter().enumerate() {
+                    let difference = expression.exact_at(x as i64, y as i64) - value;
+                    prop_assert_eq!(difference % &modulus, BigInt::ZERO);
+                    prop_assert!(value == wrap(value, width));
+                    prop_assert_eq!(value, expression.wrapped_at(x as i64, y as i64, width));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Hardware units of imogene in rust-hdl.
