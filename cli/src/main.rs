@@ -1,1 +1,31 @@
-fn main() {}
+//! The command line of imogene: argument parsing and printing, no logic.
+
+mod arguments;
+mod command;
+mod failure;
+mod output;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let json = arguments.json;
+    let outcome = match &arguments.command {
+        Command::Demo(options) => command::demo::run(options, json),
+        Command::Units => command::units::run(json),
+        Command::Emit(options) => command::emit::run(options, json),
+        Command::Render(options) => command::render::run(options, json),
+        Command::Prepare(options) => command::prepare::run(options, json),
+        Command::Cosim(options) => command::cosim::run(options, json),
+        Command::Check(options) => command::check::run(options, json),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            failure.exit_code()
+        }
+    }
+}

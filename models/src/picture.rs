@@ -30,7 +30,7 @@ pub fn write_whole(
             _ => Path::new("."),
         };
         std::fs::create_dir_all(folder)?;
-        let mut file = NamedTempFile::new_in(folder)?;
+        let mut file = new_file_in(folder)?;
         let mut writer = BufWriter::new(file.as_file_mut());
         write(&mut writer)?;
         writer.flush()?;
@@ -42,6 +42,17 @@ pub fn write_whole(
         path: path.to_path_buf(),
         source,
     })
+}
+
+/// A temporary file with the permissions of an ordinary one; temporary files are private by default.
+fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
 }
 
 /// An 8-bit RGB picture.

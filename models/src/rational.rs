@@ -87,8 +87,14 @@ mod tests {
     fn decimals_are_taken_as_written() {
         assert_eq!(from_decimal(0.1), fraction(1, 10));
         assert_eq!(from_decimal(-12.375), fraction(-12_375, 1000));
-        assert_eq!(from_decimal(1.0 / 3.0), fraction(3_333_333_333_333_333, 10_000_000_000_000_000));
-        assert_eq!(from_decimal(3e20), integer(300_000_000_000) * integer(1_000_000_000));
+        assert_eq!(
+            from_decimal(1.0 / 3.0),
+            fraction(3_333_333_333_333_333, 10_000_000_000_000_000)
+        );
+        assert_eq!(
+            from_decimal(3e20),
+            integer(300_000_000_000) * integer(1_000_000_000)
+        );
         assert_eq!(from_decimal(-0.0), integer(0));
         assert_eq!(to_f64(&from_decimal(5e-324)), 5e-324);
         assert_eq!(to_f64(&from_decimal(f64::MAX)), f64::MAX);
@@ -96,7 +102,10 @@ mod tests {
 
     #[test]
     fn binary_values_are_exact() {
-        assert_eq!(from_f64_exact(0.1), fraction(3_602_879_701_896_397, 1 << 55));
+        assert_eq!(
+            from_f64_exact(0.1),
+            fraction(3_602_879_701_896_397, 1 << 55)
+        );
         assert_eq!(from_f64_exact(-2.5), fraction(-5, 2));
     }
 
@@ -113,7 +122,14 @@ mod tests {
 
     #[test]
     fn halves_round_upwards() {
-        let cases = [(3, 2, 2), (-3, 2, -1), (1, 2, 1), (-1, 2, 0), (-7, 4, -2), (9, 4, 2)];
+        let cases = [
+            (3, 2, 2),
+            (-3, 2, -1),
+            (1, 2, 1),
+            (-1, 2, 0),
+            (-7, 4, -2),
+            (9, 4, 2),
+        ];
         for (numerator, denominator, rounded) in cases {
             let value = fraction(numerator, denominator);
             assert_eq!(round_half_up(&value), BigInt::from(rounded), "{value}");

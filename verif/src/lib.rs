@@ -1,1 +1,16 @@
-//! imogene-verif
+//! Co-simulation of the imogene hardware against its golden model.
+//!
+//! The only place where `rtl` and `models` meet. A [`subject::Subject`] puts a unit's hardware and golden model side by side and compares
+//! every output on every clock; [`unit`] has one for each unit, [`scene`] does the same for a whole machine drawing a scene.
+//! [`trace`] writes the waveforms of both.
+
+pub mod engine;
+pub mod icarus;
+pub mod random;
+pub mod report;
+pub mod scene;
+pub mod signal;
+pub mod stimulus;
+pub mod subject;
+pub mod trace;
+pub mod unit;

@@ -3,4 +3,5 @@
 pub mod beam;
 pub mod decider;
 pub mod frame;
+pub mod raster;
 pub mod shading;

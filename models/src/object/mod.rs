@@ -1,4 +1,5 @@
 //! Golden models of the object processors.
 
 pub mod line;
+pub mod load;
 pub mod quadric;

@@ -105,12 +105,14 @@ fn unseen(
 ) -> Result<PreparedObject, PrepareError> {
     let note = if edge_on {
         "a patch seen exactly edge-on: nothing to draw"
-    } else if is_behind(object, context) {
+    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
+        "outside the screen or its depth range: nothing to draw"
+    } else if is_empty_between(object, -64.0, -1.0, context) {
+        "its planes leave nothing of it: nothing to draw"
+    } else {
         return Err(PrepareError::BehindViewer {
             object: object.name.clone(),
         });
-    } else {
-        "outside the screen or its depth range: nothing to draw"
     };
     Ok(PreparedObject {
         name: object.name.clone(),
@@ -137,16 +139,17 @@ fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
     }
 }
 
-/// True if a search of the space before the eye, out to many viewer distances, proves that nothing of the object is there.
-fn is_behind(object: &FramedObject, context: &Context) -> bool {
-    if !context.perspective {
-        return false;
-    }
+/// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out to many viewer distances
+/// sideways, proves that nothing of the object is there.
+fn is_empty_between(object: &FramedObject, near: f64, far: f64, context: &Context) -> bool {
     let distance = to_f64(&context.full_depth);
-    let far = 64.0 * distance;
-    let front = Cell::between([-far, -far, -distance], [far, far, far]);
+    let side = 64.0 * distance;
+    let cell = Cell::between(
+        [-side, -side, near * distance],
+        [side, side, far * distance],
+    );
     let region = Region::new(&object.quadric, &object.planes, object.surface);
-    region.existence(front, 1e-3 * distance) == Existence::Empty
+    region.existence(cell, 1e-3 * distance) == Existence::Empty
 }
 
 /// The words of the quadric itself, without planes.

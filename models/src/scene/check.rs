@@ -97,7 +97,11 @@ impl SceneFile {
         if self.materials.iter().any(|m| m.name == object.material) {
             return Ok(());
         }
-        let known: Vec<_> = self.materials.iter().map(|m| format!("`{}`", m.name)).collect();
+        let known: Vec<_> = self
+            .materials
+            .iter()
+            .map(|m| format!("`{}`", m.name))
+            .collect();
         let accepted = if known.is_empty() {
             "the scene has no `[[materials]]` yet".to_owned()
         } else {
@@ -325,7 +329,10 @@ fn check_number(place: &str, value: f64) -> Checked {
         return Err(SceneError::value(
             place,
             format!("{value:e} is too large"),
-            format!("numbers from {:e} to {MAX_MAGNITUDE:e} are possible", -MAX_MAGNITUDE),
+            format!(
+                "numbers from {:e} to {MAX_MAGNITUDE:e} are possible",
+                -MAX_MAGNITUDE
+            ),
         ));
     }
     Ok(())

@@ -8,7 +8,9 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum SceneError {
     /// The file cannot be opened or read.
-    #[error("{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file")]
+    #[error(
+        "{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file"
+    )]
     Unreadable {
         /// Path as given by the caller.
         file: String,
@@ -98,10 +100,23 @@ impl SceneError {
             file: file.to_owned(),
             line,
             column,
-            problem: error.message().trim_end().replace('\n', ", "),
+            problem: in_plain_words(error.message()),
             text: text.lines().nth(line - 1).unwrap_or("").to_owned(),
         }
     }
+}
+
+/// The reader's message on one line, with its names of Rust types put into words.
+fn in_plain_words(message: &str) -> String {
+    message
+        .trim_end()
+        .replace('\n', ", ")
+        .replace("expected f64", "expected a number")
+        .replace(
+            "expected u32",
+            "expected a whole number that is not negative",
+        )
+        .replace("expected a sequence", "expected an array of numbers [...]")
 }
 
 /// Line and column, from 1, of the character at byte `offset` of `text`.

@@ -233,10 +233,9 @@ pub enum Shape {
 
 /// One step of an object's placement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(try_from = "StepKeys", into = "StepKeys")]
 pub enum Step {
     /// Displacement in scene units.
-    #[serde(deserialize_with = "numbers")]
     Translate([f64; 3]),
     /// Rotation about an axis through the origin.
     Rotate(Rotation),
@@ -332,7 +331,8 @@ fn check_version(text: &str, file: &str) -> Result<(), SceneError> {
     let table: toml::Table =
         toml::from_str(text).map_err(|error| SceneError::syntax(file, text, &error))?;
     let accepted = format!("this program reads `format = {FORMAT_VERSION}`");
-    let refuse = |problem: String| Err(SceneError::value("format", problem, accepted).in_file(file));
+    let refuse =
+        |problem: String| Err(SceneError::value("format", problem, accepted).in_file(file));
     match table.get("format") {
         None if table.is_empty() => refuse("the file is empty".to_owned()),
         None => refuse("the version of the format is missing".to_owned()),
@@ -379,23 +379,41 @@ impl TryFrom<CameraKeys> for Camera {
         } = keys;
         match kind {
             CameraKind::Perspective => {
-                refuse_key(half_depth.is_some(), "half_depth", "a perspective camera", "`viewer_distance`")?;
+                refuse_key(
+                    half_depth.is_some(),
+                    "half_depth",
+                    "a perspective camera",
+                    "`viewer_distance`",
+                )?;
                 Ok(Self::Perspective {
                     eye,
                     target,
                     up,
-                    viewer_distance: require(viewer_distance, "a perspective camera", "`viewer_distance`, from the eye to the screen plane")?,
+                    viewer_distance: require(
+                        viewer_distance,
+                        "a perspective camera",
+                        "`viewer_distance`, from the eye to the screen plane",
+                    )?,
                     view_height,
                 })
             }
             CameraKind::Orthographic => {
-                refuse_key(viewer_distance.is_some(), "viewer_distance", "an orthographic camera", "`half_depth`")?;
+                refuse_key(
+                    viewer_distance.is_some(),
+                    "viewer_distance",
+                    "an orthographic camera",
+                    "`half_depth`",
+                )?;
                 Ok(Self::Orthographic {
                     eye,
                     target,
                     up,
                     view_height,
-                    half_depth: require(half_depth, "an orthographic camera", "`half_depth`, the depth covered on each side of the screen plane")?,
+                    half_depth: require(
+                        half_depth,
+                        "an orthographic camera",
+                        "`half_depth`, the depth covered on each side of the screen plane",
+                    )?,
                 })
             }
         }
@@ -444,9 +462,17 @@ impl From<Camera> for CameraKeys {
 #[serde(deny_unknown_fields)]
 struct LightKeys {
     kind: LightKind,
-    #[serde(default, deserialize_with = "optional_numbers", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "optional_numbers",
+        skip_serializing_if = "Option::is_none"
+    )]
     from: Option<[f64; 3]>,
-    #[serde(default, deserialize_with = "optional_numbers", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "optional_numbers",
+        skip_serializing_if = "Option::is_none"
+    )]
     position: Option<[f64; 3]>,
     #[serde(default = "white", deserialize_with = "numbers")]
     colour: [f64; 3],
@@ -474,9 +500,18 @@ impl TryFrom<LightKeys> for Light {
         } = keys;
         match kind {
             LightKind::Directional => {
-                refuse_key(position.is_some(), "position", "a directional light", "`from`")?;
+                refuse_key(
+                    position.is_some(),
+                    "position",
+                    "a directional light",
+                    "`from`",
+                )?;
                 Ok(Self::Directional {
-                    from: require(from, "a directional light", "`from`, the direction the light comes from")?,
+                    from: require(
+                        from,
+                        "a directional light",
+                        "`from`, the direction the light comes from",
+                    )?,
                     colour,
                     intensity,
                 })
@@ -685,6 +720,61 @@ impl From<Object> for ObjectKeys {
     }
 }
 
+/// The key of a step as it stands in the file.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StepKeys {
+    #[serde(
+        default,
+        deserialize_with = "optional_numbers",
+        skip_serializing_if = "Option::is_none"
+    )]
+    translate: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rotate: Option<Rotation>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scale: Option<Scale>,
+}
+
+impl TryFrom<StepKeys> for Step {
+    type Error = String;
+
+    fn try_from(keys: StepKeys) -> Result<Self, String> {
+        match (keys.translate, keys.rotate, keys.scale) {
+            (Some(offset), None, None) => Ok(Self::Translate(offset)),
+            (None, Some(rotation), None) => Ok(Self::Rotate(rotation)),
+            (None, None, Some(scale)) => Ok(Self::Scale(scale)),
+            (None, None, None) => {
+                Err("the step is empty; it needs one of `translate`, `rotate`, `scale`".to_owned())
+            }
+            _ => Err(
+                "several steps in one table; write each in its own { }, in the order they apply"
+                    .to_owned(),
+            ),
+        }
+    }
+}
+
+impl From<Step> for StepKeys {
+    fn from(step: Step) -> Self {
+        let none = Self::default();
+        match step {
+            Step::Translate(offset) => Self {
+                translate: Some(offset),
+                ..none
+            },
+            Step::Rotate(rotation) => Self {
+                rotate: Some(rotation),
+                ..none
+            },
+            Step::Scale(scale) => Self {
+                scale: Some(scale),
+                ..none
+            },
+        }
+    }
+}
+
 fn require<T>(value: Option<T>, owner: &str, wanted: &str) -> Result<T, String> {
     value.ok_or_else(|| format!("{owner} needs {wanted}"))
 }
@@ -729,10 +819,12 @@ fn three_of<'de, A: SeqAccess<'de>>(mut sequence: A, wanted: &str) -> Result<[f6
     while let Some(value) = sequence.next_element::<f64>()? {
         values.push(value);
     }
-    values
-        .as_slice()
-        .try_into()
-        .map_err(|_| de::Error::custom(format!("{} numbers found; {wanted} would be accepted", values.len())))
+    values.as_slice().try_into().map_err(|_| {
+        de::Error::custom(format!(
+            "{} numbers found; {wanted} would be accepted",
+            values.len()
+        ))
+    })
 }
 
 const AXIS_FORMS: &str = "\"x\", \"y\", \"z\" or a vector [x, y, z]";

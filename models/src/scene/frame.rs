@@ -145,7 +145,11 @@ impl SceneFile {
             projection,
             objects: self.framed_objects(&camera),
             materials: self.materials.clone(),
-            lights: self.lights.iter().map(|light| framed_light(light, &camera)).collect(),
+            lights: self
+                .lights
+                .iter()
+                .map(|light| framed_light(light, &camera))
+                .collect(),
             ambient: self.ambient,
             background: self.background.map(|value| (value * 255.0).round() as u8),
         })
@@ -235,7 +239,8 @@ impl Quadric {
     /// source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
         let cofactors = transform.cofactors();
-        let transposed = std::array::from_fn(|row| std::array::from_fn(|column| cofactors[column][row].clone()));
+        let transposed =
+            std::array::from_fn(|row| std::array::from_fn(|column| cofactors[column][row].clone()));
         let m = product(&product(&cofactors, &self.matrix()), &transposed);
         let [[a, d, e, g], [_, b, f, h], [_, _, c, i], [_, _, _, j]] = m;
         Self::from_array([a, b, c, d, e, f, g, h, i, j])
@@ -244,13 +249,26 @@ impl Quadric {
     /// The coefficients a to j.
     pub fn coefficients(&self) -> [&BigRational; 10] {
         [
-            &self.a, &self.b, &self.c, &self.d, &self.e, &self.f, &self.g, &self.h, &self.i, &self.j,
+            &self.a, &self.b, &self.c, &self.d, &self.e, &self.f, &self.g, &self.h, &self.i,
+            &self.j,
         ]
     }
 
     fn matrix(&self) -> [[BigRational; 4]; 4] {
-        let Self { a, b, c, d, e, f, g, h, i, j } = self;
-        [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]].map(|row| row.map(BigRational::clone))
+        let Self {
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            g,
+            h,
+            i,
+            j,
+        } = self;
+        [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]]
+            .map(|row| row.map(BigRational::clone))
     }
 
     fn primitive(self) -> Self {
@@ -259,11 +277,33 @@ impl Quadric {
 
     fn diagonal(a: BigRational, b: BigRational, c: BigRational, j: BigRational) -> Self {
         let [d, e, f, g, h, i] = std::array::from_fn(|_| BigRational::zero());
-        Self { a, b, c, d, e, f, g, h, i, j }
+        Self {
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            g,
+            h,
+            i,
+            j,
+        }
     }
 
     fn from_array([a, b, c, d, e, f, g, h, i, j]: [BigRational; 10]) -> Self {
-        Self { a, b, c, d, e, f, g, h, i, j }
+        Self {
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            g,
+            h,
+            i,
+            j,
+        }
     }
 }
 
@@ -321,7 +361,13 @@ fn camera_frame(camera: &Camera, height: u32) -> (Transform, Projection) {
             let distance = from_decimal(*viewer_distance) * &pixels_per_unit;
             // The eye, not the screen plane, is the fixed point: it then stands exactly at (0, 0, -D).
             let behind = [integer(0), integer(0), -distance.clone()];
-            let frame = Transform::translation(behind).after(&looking(*eye, *target, *up, *eye, &pixels_per_unit));
+            let frame = Transform::translation(behind).after(&looking(
+                *eye,
+                *target,
+                *up,
+                *eye,
+                &pixels_per_unit,
+            ));
             (frame, Projection::Perspective { distance })
         }
         Camera::Orthographic {
@@ -360,7 +406,9 @@ fn framed_object(object: &Object, material: usize, camera: &Transform) -> Framed
     FramedObject {
         name: object.name.clone(),
         surface: object.mode,
-        quadric: Quadric::from_shape(&object.shape).transformed(&to_camera).primitive(),
+        quadric: Quadric::from_shape(&object.shape)
+            .transformed(&to_camera)
+            .primitive(),
         planes: object
             .cuts
             .iter()
@@ -377,7 +425,11 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             colour,
             intensity,
         } => FramedLight::Directional {
-            towards: normalised(camera.vector(&from.map(from_decimal)).map(|value| to_f64(&value))),
+            towards: normalised(
+                camera
+                    .vector(&from.map(from_decimal))
+                    .map(|value| to_f64(&value)),
+            ),
             colour: colour.map(|value| value * intensity),
         },
         Light::Point {
@@ -385,7 +437,9 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             colour,
             intensity,
         } => FramedLight::Point {
-            position: camera.point(&position.map(from_decimal)).map(|value| to_f64(&value)),
+            position: camera
+                .point(&position.map(from_decimal))
+                .map(|value| to_f64(&value)),
             colour: colour.map(|value| value * intensity),
         },
     }

@@ -15,8 +15,8 @@ pub use check::{
 };
 pub use error::SceneError;
 pub use file::{
-    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, Scale, SceneFile,
-    Shape, Step, Surface,
+    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, Scale,
+    SceneFile, Shape, Step, Surface,
 };
 pub use frame::{FramedLight, FramedObject, FramedScene, Plane, Projection, Quadric};
 pub use transform::Transform;

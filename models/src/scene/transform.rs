@@ -109,7 +109,11 @@ impl Transform {
         let minor = &r0[c0] * (&r1[c1] * &r2[c2] - &r1[c2] * &r2[c1])
             - &r0[c1] * (&r1[c0] * &r2[c2] - &r1[c2] * &r2[c0])
             + &r0[c2] * (&r1[c0] * &r2[c1] - &r1[c1] * &r2[c0]);
-        if (row + column).is_multiple_of(2) { minor } else { -minor }
+        if (row + column).is_multiple_of(2) {
+            minor
+        } else {
+            -minor
+        }
     }
 }
 
@@ -155,7 +159,9 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
 
 /// The direction of `vector`, of length 1; scaled first so that no square overflows or vanishes.
 pub(super) fn normalised(vector: [f64; 3]) -> [f64; 3] {
-    let largest = vector.iter().fold(0.0_f64, |max, value| max.max(value.abs()));
+    let largest = vector
+        .iter()
+        .fold(0.0_f64, |max, value| max.max(value.abs()));
     let scaled = vector.map(|value| value / largest);
     let length = dot(scaled, scaled).sqrt();
     scaled.map(|value| value / length)

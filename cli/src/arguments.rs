@@ -1,0 +1,224 @@
+//! Arguments of every command.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use imogene_verif::scene::Fault;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Hardware that draws quadrics, proven against a golden model.
+///
+/// Exit codes: 0 done and all checks hold, 1 a check failed, 2 bad input or usage.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+pub struct Arguments {
+    /// Print one JSON document on standard output and nothing else there.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draw the teapot with the hardware in simulation, check every clock, and write pictures, Verilog and waveforms.
+    Demo(Demo),
+    /// List every unit: parameters with legal ranges, latency, sources.
+    Units,
+    /// Write the Verilog of one unit or of the whole machine.
+    Emit(Emit),
+    /// Draw a scene with the exact reference, the golden model or the hardware in simulation.
+    Render(Render),
+    /// Show the integer coefficients of every object as the hardware is loaded with them.
+    Prepare(Prepare),
+    /// Compare hardware and golden model clock by clock, for a scene or a unit.
+    Cosim(Cosim),
+    /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
+    Check(Check),
+}
+
+/// Arguments of `demo`.
+#[derive(Debug, Args)]
+pub struct Demo {
+    /// Output folder.
+    #[arg(long, default_value = "out/demo")]
+    pub out: PathBuf,
+}
+
+/// Parameters of a unit or machine.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Shape {
+    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
+    /// Cut planes of an object, 0 to 12.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub planes: usize,
+    /// Rows of the root network per register stage, 1 to W.
+    #[arg(long, default_value_t = 1, value_name = "R")]
+    pub rows_per_stage: usize,
+    /// Object slots of a machine, or inputs of a decider, 1 to 256.
+    #[arg(long, default_value_t = 4, value_name = "M")]
+    pub objects: usize,
+}
+
+/// Arguments of `emit`.
+#[derive(Debug, Args)]
+pub struct Emit {
+    /// Unit, as listed by `imogene units`.
+    pub unit: String,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Output folder.
+    #[arg(long)]
+    pub out: PathBuf,
+}
+
+/// Which model draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Model {
+    /// The exact reference in big integers.
+    Exact,
+    /// The golden integer model.
+    Golden,
+    /// The hardware in simulation.
+    Rtl,
+}
+
+/// A scene, its size and the format it is prepared for.
+#[derive(Clone, Debug, Args)]
+pub struct Scene {
+    /// Scene file (TOML).
+    pub scene: PathBuf,
+    /// Picture size in pixels; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
+}
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Which model draws.
+    #[arg(long, value_enum, default_value_t = Model::Golden)]
+    pub model: Model,
+    /// Picture file (PNG).
+    #[arg(short = 'o', long = "output", value_name = "FILE.png")]
+    pub output: PathBuf,
+    /// Depth words as a NumPy array (int64, background = 2^(W-1) - 1).
+    #[arg(long, value_name = "FILE.npy")]
+    pub depth: Option<PathBuf>,
+    /// Object indices as a NumPy array (int32, background = -1).
+    #[arg(long, value_name = "FILE.npy")]
+    pub ids: Option<PathBuf>,
+    /// Normals as a NumPy array (int16, three components).
+    #[arg(long, value_name = "FILE.npy")]
+    pub normals: Option<PathBuf>,
+    /// Rows of the root network per register stage (model rtl).
+    #[arg(long, default_value_t = 1, value_name = "R")]
+    pub rows_per_stage: usize,
+}
+
+/// Arguments of `prepare`.
+#[derive(Debug, Args)]
+pub struct Prepare {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+}
+
+/// What runs the hardware.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EngineName {
+    /// The built-in simulator; needs no outside tool.
+    RustHdl,
+    /// The emitted Verilog in Icarus Verilog (units only).
+    Icarus,
+}
+
+/// Arguments of `cosim`.
+#[derive(Debug, Args)]
+pub struct Cosim {
+    /// Scene file, or a unit as listed by `imogene units`.
+    pub subject: String,
+    /// What runs the hardware.
+    #[arg(long, value_enum, default_value_t = EngineName::RustHdl)]
+    pub engine: EngineName,
+    /// Waveforms of hardware and golden model (VCD), with a GTKWave save file beside it.
+    #[arg(long, value_name = "FILE.vcd")]
+    pub vcd: Option<PathBuf>,
+    /// Seed of the random stimulus of a unit.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Clocks of random stimulus for a unit.
+    #[arg(long, default_value_t = 20_000)]
+    pub clocks: usize,
+    /// Parameters of a unit; a scene fixes planes and objects itself.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Picture size of a scene; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Object of a scene whose processor is traced.
+    #[arg(long, default_value_t = 0, value_name = "OBJECT")]
+    pub trace_object: usize,
+    /// Flip one bit of one coefficient word in the hardware, to see it found.
+    #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
+    pub inject_fault: Option<FaultArgument>,
+}
+
+/// A picture size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Size, String> {
+        let parse = |part: &str| part.parse::<u32>().ok();
+        text.split_once('x')
+            .and_then(|(w, h)| Some((parse(w)?, parse(h)?)))
+            .map(|(width, height)| Size { width, height })
+            .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
+    }
+}
+
+/// A fault as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FaultArgument(pub Fault);
+
+impl FromStr for FaultArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<FaultArgument, String> {
+        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[object, address, bit]) => Ok(FaultArgument(Fault {
+                object,
+                address,
+                bit,
+            })),
+            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! `imogene demo`.
+
+use super::emit::write_verilog;
+use super::render::golden_frame;
+use super::{describe, frame_scene, threads, verdict};
+use crate::arguments::{Demo, Shape, Size};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::machine::shading;
+use imogene_models::picture::{write_png, write_whole};
+use imogene_models::scene::SceneFile;
+use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::report::Report;
+use imogene_verif::scene::{self, TraceRequest};
+use serde::Serialize;
+use std::io::Write;
+
+/// The teapot, compiled in so that the demo needs no file.
+const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
+/// Small enough for a simulator that visits every register.
+const SIZE: Size = Size {
+    width: 160,
+    height: 120,
+};
+/// Clocks of waveforms kept.
+const TRACE_CLOCKS: u64 = 4_000;
+/// Object whose processor is traced: the body of the pot.
+const TRACED: usize = 0;
+
+/// The report with what the demo adds.
+#[derive(Serialize)]
+struct Summary {
+    #[serde(flatten)]
+    report: Report,
+    width: u32,
+    height: u32,
+    objects: usize,
+    planes: usize,
+    latency: usize,
+    pictures_identical: bool,
+}
+
+/// Runs the demo.
+pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
+    let file = SceneFile::parse(TEAPOT, "teapot.toml").map_err(Failure::input)?;
+    let (framed, prepared) = frame_scene(&file, Some(SIZE), 24)?;
+    let run_options = scene::Options {
+        rows_per_stage: 1,
+        bands: threads(),
+        trace: Some(TraceRequest {
+            path: options.out.join("trace.vcd"),
+            object: TRACED,
+            clocks: TRACE_CLOCKS,
+        }),
+        fault: None,
+    };
+    let shape = scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
+    let request = super::emit_request(
+        "beam",
+        Shape {
+            format: shape.depth_word,
+            planes: shape.planes,
+            rows_per_stage: shape.rows_per_stage,
+            objects: shape.objects,
+        },
+    )?;
+    // Written first: an unwritable folder is found before the long work.
+    let (emitted, mut files) = write_verilog(&request, &options.out)?;
+
+    let bar = output::progress(u64::from(SIZE.width * SIZE.height), "hardware in simulation");
+    let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+    let (mut report, frame) =
+        scene::run(&prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
+    bar.finish_and_clear();
+
+    let golden = golden_frame(&prepared);
+    for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
+        let path = options.out.join(name);
+        let rgb = shading::shade(frame, &framed, &prepared.format);
+        write_png(&path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+        files.push(path);
+    }
+    files.append(&mut report.files);
+    files.push(options.out.join("summary.json"));
+    report.subject = "teapot".into();
+    report.reproduce = format!("imogene demo --out {}", options.out.display());
+    report.files = files;
+    let summary = Summary {
+        pictures_identical: frame == golden,
+        report,
+        width: SIZE.width,
+        height: SIZE.height,
+        objects: shape.objects,
+        planes: shape.planes,
+        latency: emitted.latency,
+    };
+    finish(options, &summary, json)
+}
+
+fn finish(options: &Demo, summary: &Summary, json: bool) -> Result<(), Failure> {
+    write_whole(&options.out.join("summary.json"), |out| {
+        serde_json::to_writer_pretty(&mut *out, summary)?;
+        out.write_all(b"\n")
+    })
+    .map_err(Failure::input)?;
+    if json {
+        output::json(summary);
+    } else {
+        output::text(describe(&summary.report));
+        output::text(format!(
+            "{} objects with up to {} cut planes, latency {} clocks; pictures of hardware and golden model {}",
+            summary.objects,
+            summary.planes,
+            summary.latency,
+            if summary.pictures_identical {
+                "are identical"
+            } else {
+                "DIFFER"
+            }
+        ));
+    }
+    verdict(&summary.report)?;
+    if summary.pictures_identical {
+        Ok(())
+    } else {
+        Err(Failure::Check("image.png and golden.png differ".into()))
+    }
+}

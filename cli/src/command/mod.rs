@@ -1,0 +1,95 @@
+//! The commands, one per file.
+
+pub mod check;
+pub mod cosim;
+pub mod demo;
+pub mod emit;
+pub mod prepare;
+pub mod render;
+pub mod units;
+
+use crate::arguments::{Scene, Shape, Size};
+use crate::failure::Failure;
+use imogene_models::format::Format;
+use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::scene::{FramedScene, SceneFile};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::EmitRequest;
+use imogene_verif::report::Report;
+
+/// A scene file in the camera frame and prepared for a format.
+fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
+    let file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
+    frame_scene(&file, scene.size, scene.format)
+}
+
+fn frame_scene(
+    file: &SceneFile,
+    size: Option<Size>,
+    format: u32,
+) -> Result<(FramedScene, PreparedScene), Failure> {
+    let format = Format::new(format).map_err(Failure::input)?;
+    let (width, height) = match size {
+        Some(size) => (size.width, size.height),
+        None => (file.image.width, file.image.height),
+    };
+    let framed = file.frame(width, height).map_err(Failure::input)?;
+    let prepared = prepare(&framed, format).map_err(Failure::input)?;
+    Ok((framed, prepared))
+}
+
+fn emit_request(name: &str, shape: Shape) -> Result<EmitRequest, Failure> {
+    Ok(EmitRequest {
+        unit: Unit::from_name(name).map_err(Failure::input)?,
+        depth_word: shape.format as usize,
+        planes: shape.planes,
+        rows_per_stage: shape.rows_per_stage,
+        objects: shape.objects,
+    })
+}
+
+/// Threads for independent work.
+fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// The result of a co-simulation as text.
+fn describe(report: &Report) -> String {
+    let mut text = format!(
+        "{}: {} clocks, {} pixels, {} values compared in {:.1} s ({:.0} clocks per second, engine {}): {} mismatches",
+        report.subject,
+        report.cycles,
+        report.pixels,
+        report.comparisons,
+        report.seconds,
+        report.cycles_per_second,
+        report.engine,
+        report.mismatches
+    );
+    for file in &report.files {
+        text += &format!("\n  wrote {}", file.display());
+    }
+    text
+}
+
+/// Success if hardware and golden model agree, else the report of the first differences.
+fn verdict(report: &Report) -> Result<(), Failure> {
+    if report.passed() {
+        return Ok(());
+    }
+    if report.mismatches == 0 {
+        return Err(Failure::Check(format!("{}: nothing was compared", report.subject)));
+    }
+    let mut text = format!(
+        "{}: {} values differ between hardware and golden model",
+        report.subject, report.mismatches
+    );
+    for mismatch in &report.first_mismatches {
+        text += &format!("\n  {mismatch}");
+    }
+    for file in &report.files {
+        text += &format!("\n  trace: {}", file.display());
+    }
+    text += &format!("\n  reproduce: {}", report.reproduce);
+    Err(Failure::Check(text))
+}

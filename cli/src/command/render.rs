@@ -1,0 +1,124 @@
+//! `imogene render`.
+
+use super::{load_scene, threads, verdict};
+use crate::arguments::{Model, Render};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::machine::frame::Frame;
+use imogene_models::machine::{beam, shading};
+use imogene_models::object::quadric::QuadricWords;
+use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::FramedScene;
+use imogene_models::{exact, picture};
+use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::scene;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What was drawn; the keys are stable.
+#[derive(Serialize)]
+struct RenderReport {
+    model: &'static str,
+    width: u32,
+    height: u32,
+    seconds: f64,
+    pixels_per_second: f64,
+    covered_pixels: usize,
+    files: Vec<PathBuf>,
+}
+
+/// Draws a scene.
+pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
+    let (framed, prepared) = load_scene(&options.scene)?;
+    let started = Instant::now();
+    let (model, frame) = match options.model {
+        Model::Exact => ("exact", exact_frame(&framed, &prepared)),
+        Model::Golden => ("golden", golden_frame(&prepared)),
+        Model::Rtl => ("rtl", hardware_frame(options, &prepared)?),
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let files = write(options, &frame, &framed, &prepared)?;
+    let pixels = f64::from(prepared.width) * f64::from(prepared.height);
+    let report = RenderReport {
+        model,
+        width: prepared.width,
+        height: prepared.height,
+        seconds,
+        pixels_per_second: pixels / seconds.max(1e-9),
+        covered_pixels: frame.covered(),
+        files,
+    };
+    if json {
+        output::json(&report);
+    } else {
+        output::text(format!(
+            "{} x {} pixels by the {} model in {:.3} s, {} covered",
+            report.width, report.height, report.model, report.seconds, report.covered_pixels
+        ));
+        for file in &report.files {
+            output::text(format!("wrote {}", file.display()));
+        }
+    }
+    Ok(())
+}
+
+fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
+    let bar = output::progress(u64::from(prepared.height), "exact reference");
+    let pixels = exact::render::render(framed, &prepared.format, || bar.inc(1));
+    bar.finish_and_clear();
+    exact::render::to_frame(&pixels, framed, &prepared.format)
+}
+
+/// The golden model's frame.
+pub fn golden_frame(prepared: &PreparedScene) -> Frame {
+    let bar = output::progress(u64::from(prepared.height), "golden model");
+    let words: Vec<QuadricWords> = prepared.objects.iter().map(|o| o.words.clone()).collect();
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let frame = beam::render(&words, &prepared.format, width, height, || bar.inc(1));
+    bar.finish_and_clear();
+    frame
+}
+
+fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+    let pixels = u64::from(prepared.width) * u64::from(prepared.height);
+    let bar = output::progress(pixels, "hardware in simulation");
+    let run_options = scene::Options {
+        rows_per_stage: options.rows_per_stage,
+        bands: threads(),
+        trace: None,
+        fault: None,
+    };
+    let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+    let (mut report, frame) = scene::run(prepared, &run_options, engine, || bar.inc(1))
+        .map_err(Failure::input)?;
+    bar.finish_and_clear();
+    report.subject = options.scene.scene.display().to_string();
+    report.reproduce = format!("imogene cosim {}", report.subject);
+    verdict(&report)?;
+    Ok(frame)
+}
+
+fn write(
+    options: &Render,
+    frame: &Frame,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<Vec<PathBuf>, Failure> {
+    let rgb = shading::shade(frame, framed, &prepared.format);
+    let mut files = vec![options.output.clone()];
+    picture::write_png(&options.output, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+    type Writer = fn(&std::path::Path, &Frame) -> Result<(), picture::WriteError>;
+    let arrays: [(&Option<PathBuf>, Writer); 3] = [
+        (&options.depth, picture::write_depth),
+        (&options.ids, picture::write_ids),
+        (&options.normals, picture::write_normals),
+    ];
+    for (path, write) in arrays {
+        if let Some(path) = path {
+            write(path, frame).map_err(Failure::input)?;
+            files.push(path.clone());
+        }
+    }
+    Ok(files)
+}

@@ -1,0 +1,68 @@
+//! `imogene units`.
+
+use crate::failure::Failure;
+use crate::output;
+use imogene_rtl::catalogue::Unit;
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct UnitEntry {
+    name: &'static str,
+    contract: &'static str,
+    parameters: Vec<ParameterEntry>,
+    latency: &'static str,
+    source: &'static str,
+}
+
+#[derive(Serialize)]
+struct ParameterEntry {
+    option: String,
+    range: String,
+}
+
+/// Lists every unit.
+pub fn run(json: bool) -> Result<(), Failure> {
+    let units: Vec<UnitEntry> = Unit::ALL.into_iter().map(entry).collect();
+    if json {
+        output::json(&units);
+        return Ok(());
+    }
+    for unit in units {
+        let options: Vec<String> = unit
+            .parameters
+            .iter()
+            .map(|p| format!("--{} {}", p.option, p.range))
+            .collect();
+        output::text(format!(
+            "{}\n  {}\n  parameters: {}\n  latency:    {} clocks\n  source:     {}\n",
+            unit.name,
+            unit.contract,
+            options.join(", "),
+            unit.latency,
+            unit.source
+        ));
+    }
+    output::text("W depth word (--format), R rows per stage, N planes, M objects");
+    Ok(())
+}
+
+fn entry(unit: Unit) -> UnitEntry {
+    let mut parameters = vec![ParameterEntry {
+        option: "format".into(),
+        range: "16|20|24|28|32".into(),
+    }];
+    parameters.extend(unit.parameters().iter().map(|p| ParameterEntry {
+        option: p.option.into(),
+        range: match p.most {
+            Some(most) => format!("{}..{most}", p.least),
+            None => format!("{}..W", p.least),
+        },
+    }));
+    UnitEntry {
+        name: unit.name(),
+        contract: unit.contract(),
+        parameters,
+        latency: unit.latency_formula(),
+        source: unit.source(),
+    }
+}

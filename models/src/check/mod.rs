@@ -1,0 +1,139 @@
+//! The check of a prepared scene: what it needs, what can go wrong, and how far the golden picture can be from the true one.
+//!
+//! Every bound is derived, not sampled: from the rounding bounds of the coefficients ([`crate::prepare::RoundingBounds`]) and the integers at each
+//! pixel. [`depth_bound`] and [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which
+//! they might not are counted and can be listed ([`undecided_pixels`]).
+
+mod contour;
+mod depth;
+mod kind;
+mod normal;
+mod object;
+mod verdict;
+
+pub use depth::depth_bound;
+pub use kind::quadric_kind;
+pub use normal::normal_bound;
+pub use object::{ObjectBounds, ObjectReport, Undecided};
+
+use crate::format::Format;
+use crate::object::quadric::ScreenBox;
+use crate::prepare::{NeededWidths, PreparedScene};
+use crate::scene::FramedScene;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// What a scene needs of a machine, and the bounds that hold for its picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct CheckReport {
+    /// True if every accumulator is wide enough and no silhouette can be displaced by a pixel or more. Other problems are for a person
+    /// to judge and do not make a check fail.
+    pub ok: bool,
+    /// Bounds of the whole picture.
+    pub bounds: SceneBounds,
+    /// Widths of the format, and those that the scene needs.
+    pub widths: Widths,
+    /// Pixels of the picture at which rounding could change the visible object or face.
+    pub undecided_pixels: usize,
+    /// Objects in the order of the scene.
+    pub objects: Vec<ObjectReport>,
+}
+
+/// Bounds of the whole picture.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct SceneBounds {
+    /// Greatest depth error at any pixel at which an object is present, in depth words.
+    pub depth_lsb: f64,
+    /// The same in closed form, whatever the pixels: e1 + sqrt(e2) + 1, or the bound of a plane.
+    pub depth_lsb_closed_form: f64,
+    /// Greatest displacement of a silhouette, in pixels.
+    pub silhouette_px: f64,
+    /// Greatest angle of a normal whose direction the words determine, in degrees.
+    pub normal_deg: f64,
+    /// 99.9 % of these normals are within this angle, in degrees.
+    pub normal_deg_999: f64,
+    /// Pixels whose normal the words do not determine.
+    pub normals_undetermined: usize,
+}
+
+/// Widths in bits.
+#[derive(Clone, Debug, Serialize)]
+pub struct Widths {
+    /// What the machine has.
+    pub format: Format,
+    /// What the scene needs: the greatest over its objects.
+    pub needed: NeededWidths,
+}
+
+/// Checks a prepared scene; `prepared` must come from `scene`.
+pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
+    let reviews: Vec<object::Review> = scene
+        .objects
+        .iter()
+        .zip(&prepared.objects)
+        .map(|(framed, prepared_object)| object::review(framed, prepared_object, &prepared.format))
+        .collect();
+    let bounds = scene_bounds(&reviews);
+    let objects: Vec<ObjectReport> = reviews.into_iter().map(|r| r.report).collect();
+    let needed = needed_widths(&objects);
+    let fits = needed.sum <= prepared.format.sum
+        && needed.quadratic <= prepared.format.quadratic
+        && needed.plane <= prepared.format.plane;
+    CheckReport {
+        ok: fits && bounds.silhouette_px < 1.0,
+        bounds,
+        widths: Widths {
+            format: prepared.format,
+            needed,
+        },
+        undecided_pixels: undecided_pixels(prepared).iter().filter(|&&u| u).count(),
+        objects,
+    }
+}
+
+/// For every pixel of the picture, row-major, whether rounding could change the visible object or face; everywhere else golden and
+/// true picture are proven to show the same face of the same object.
+pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
+    let line = |y: i64| {
+        let crossing = |window: &ScreenBox| !window.is_empty() && (window.y0..=window.y1).contains(&y);
+        let objects: Vec<_> = prepared
+            .objects
+            .iter()
+            .filter(|o| crossing(&o.words.screen_box))
+            .collect();
+        (0..i64::from(prepared.width)).map(move |x| {
+            let verdicts: Vec<_> = objects
+                .iter()
+                .map(|o| verdict::decide(o, &prepared.format, x, y))
+                .collect();
+            !verdict::decides_picture(&verdicts)
+        })
+    };
+    (0..i64::from(prepared.height))
+        .into_par_iter()
+        .flat_map_iter(line)
+        .collect()
+}
+
+fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
+    let greatest = |of: fn(&ObjectBounds) -> f64| {
+        reviews.iter().map(|r| of(&r.report.bounds)).fold(0.0, f64::max)
+    };
+    let mut angles: Vec<f32> = reviews.iter().flat_map(|r| r.angles.iter().copied()).collect();
+    SceneBounds {
+        depth_lsb: greatest(|b| b.depth_lsb),
+        depth_lsb_closed_form: greatest(|b| b.depth_lsb_closed_form),
+        silhouette_px: greatest(|b| b.silhouette_px),
+        normal_deg: greatest(|b| b.normal_deg),
+        normal_deg_999: object::quantile_999(&mut angles),
+        normals_undetermined: reviews.iter().map(|r| r.report.bounds.normals_undetermined).sum(),
+    }
+}
+
+fn needed_widths(objects: &[ObjectReport]) -> NeededWidths {
+    objects.iter().fold(NeededWidths::default(), |most, object| NeededWidths {
+        sum: most.sum.max(object.needed.sum),
+        quadratic: most.quadratic.max(object.needed.quadratic),
+        plane: most.plane.max(object.needed.plane),
+    })
+}

@@ -1,0 +1,59 @@
+//! How far the direction of a computed normal can be from the true gradient.
+//!
+//! In units of the last bit of the 24-bit linear part the true component is `N = g -+ K r / 2^(shift + 6)`, with real g, K and root r.
+//! The unit computes `((g' -+ floor(K' rs / 64)) >> 8)` with `rs = floor(r' / 2^shift)`. With `|g' - g| <= eg`, `|K' - K| <= 1/2` and
+//! `|r' - r| <= er` (the root error of the depth bound):
+//!
+//! * `|rs - r / 2^shift| <= t` with `t = 1 - 2^-shift + er / 2^shift`, which costs `|K'| t / 64`;
+//! * rounding K costs `r / 2^shift / 128 <= (rs + t) / 128`;
+//! * the floor of the product takes at most 1, the last 8 bits at most 255, both downwards: together 256.
+//!
+//! The sum bounds each component; E is the length of the three bounds. A vector of length L whose error is E < L points at
+//! most `asin(E / L)` away from the true one. Where E >= L the direction is not determined.
+
+use super::depth::root_error;
+use crate::prepare::PreparedObject;
+use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use crate::unit::normal::PRODUCT_FRACTION;
+use crate::unit::root::fast_root;
+
+/// Last bits of the linear part that the result drops.
+const DROPPED: f64 = 256.0;
+
+/// Greatest angle, in degrees, between the golden normal of face `number` and the true gradient, at a pixel of the object's screen box where
+/// the f2 accumulator holds `f2`; 180 where the words do not determine the direction.
+pub fn normal_bound(object: &PreparedObject, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
+    let length = normal.map(|v| f64::from(v).powi(2)).iter().sum::<f64>().sqrt();
+    match number {
+        FACE_NEAR_END => 0.0,
+        FACE_NEAR | FACE_FAR => {
+            angle(quadric_error(object, f2), length * DROPPED)
+        }
+        // Constant normals are rounded to the nearest word.
+        _ => angle(0.75f64.sqrt(), length),
+    }
+}
+
+fn quadric_error(object: &PreparedObject, f2: i64) -> f64 {
+    let words = &object.words.normal;
+    let unit = f64::from(1u32 << words.shift);
+    let root = fast_root(f2.max(0));
+    let shifted = (root >> words.shift) as f64;
+    let truncated = 1.0 - 1.0 / unit + root_error(f2, object.bounds.f2) / unit;
+    let product = f64::from(1u32 << PRODUCT_FRACTION);
+    let component = |k: i16| {
+        object.bounds.normal
+            + f64::from(k).abs() * truncated / product
+            + (shifted + truncated) / (2.0 * product)
+            + DROPPED
+    };
+    words.k.map(|k| component(k).powi(2)).iter().sum::<f64>().sqrt()
+}
+
+fn angle(error: f64, length: f64) -> f64 {
+    if error < length {
+        (error / length).asin().to_degrees()
+    } else {
+        180.0
+    }
+}

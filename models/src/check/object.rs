@@ -1,0 +1,233 @@
+//! The check of one object: a golden pass over its screen box, with the bounds at every pixel.
+
+use super::contour::{Displacement, displacement};
+use super::depth::{depth_bound, worst_case};
+use super::kind::quadric_kind;
+use super::normal::normal_bound;
+use super::verdict::{Verdict, decide};
+use crate::format::Format;
+use crate::object::line::for_each_present;
+use crate::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
+use crate::prepare::{NeededWidths, PreparedObject};
+use crate::scene::{FramedObject, Surface};
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::{Class, FACE_NEAR_END};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// One object of a checked scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct ObjectReport {
+    /// Name in the scene.
+    pub name: String,
+    /// Type of the quadric, as in scene files.
+    pub kind: &'static str,
+    /// Volume or surface.
+    pub surface: Surface,
+    /// How the object lies to the viewer.
+    pub class: Class,
+    /// Number of cut planes.
+    pub planes: usize,
+    /// Where the object can be on the screen.
+    pub screen_box: ScreenBox,
+    /// Pixels at which the golden processor sees it, hidden or not.
+    pub pixels: usize,
+    /// Bits that each accumulator needs.
+    pub needed: NeededWidths,
+    /// Bounds that hold at every pixel of the box.
+    pub bounds: ObjectBounds,
+    /// Pixels of the box that rounding could change.
+    pub undecided: Undecided,
+    /// What a person should know.
+    pub problems: Vec<String>,
+}
+
+/// Bounds of one object.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct ObjectBounds {
+    /// Rounding of f1, in depth words.
+    pub f1: f64,
+    /// Rounding of f2, in its last bit.
+    pub f2: f64,
+    /// Rounding of each plane, in its last bit.
+    pub planes: Vec<f64>,
+    /// Greatest depth error at any pixel at which the object is present, in depth words.
+    pub depth_lsb: f64,
+    /// The same in closed form, whatever the pixels.
+    pub depth_lsb_closed_form: f64,
+    /// Greatest displacement of the silhouette, in pixels.
+    pub silhouette_px: f64,
+    /// True if the silhouette has a point without direction: the apex of a double cone, or an object that all but vanishes.
+    pub silhouette_singular: bool,
+    /// Greatest angle of a normal whose direction the words determine, in degrees.
+    pub normal_deg: f64,
+    /// 99.9 % of these normals are within this angle, in degrees.
+    pub normal_deg_999: f64,
+    /// Pixels whose normal the words do not determine.
+    pub normals_undetermined: usize,
+}
+
+/// Pixels that rounding could change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Undecided {
+    /// The sign of f2 is open.
+    pub silhouette: usize,
+    /// A comparison with a plane, or with the near or far end, is open.
+    pub edge: usize,
+}
+
+/// A report, and the normal bounds that the scene's quantile is taken of.
+pub(super) struct Review {
+    pub report: ObjectReport,
+    pub angles: Vec<f32>,
+}
+
+/// What one line of the golden pass finds.
+#[derive(Default)]
+struct Findings {
+    pixels: usize,
+    near_end: usize,
+    undetermined: usize,
+    depth: f64,
+    angles: Vec<f32>,
+    undecided: Undecided,
+}
+
+impl Findings {
+    fn merged(mut self, other: Findings) -> Findings {
+        self.pixels += other.pixels;
+        self.near_end += other.near_end;
+        self.undetermined += other.undetermined;
+        self.depth = self.depth.max(other.depth);
+        self.angles.extend(other.angles);
+        self.undecided.silhouette += other.undecided.silhouette;
+        self.undecided.edge += other.undecided.edge;
+        self
+    }
+}
+
+pub(super) fn review(framed: &FramedObject, object: &PreparedObject, format: &Format) -> Review {
+    let window = object.words.screen_box;
+    let mut found = lines(&window)
+        .map(|y| pass_line(object, format, y))
+        .reduce(Findings::default, Findings::merged);
+    let silhouette = if window.is_empty() {
+        Displacement::NONE
+    } else {
+        displacement(object, format)
+    };
+    let bounds = ObjectBounds {
+        f1: object.bounds.f1,
+        f2: object.bounds.f2,
+        planes: object.bounds.planes.clone(),
+        depth_lsb: found.depth,
+        depth_lsb_closed_form: worst_case(&object.bounds),
+        silhouette_px: silhouette.pixels,
+        silhouette_singular: silhouette.singular.is_some(),
+        normal_deg: found.angles.iter().copied().fold(0.0, f32::max).into(),
+        normal_deg_999: quantile_999(&mut found.angles),
+        normals_undetermined: found.undetermined,
+    };
+    let report = ObjectReport {
+        name: object.name.clone(),
+        kind: quadric_kind(&framed.quadric),
+        surface: framed.surface,
+        class: object.words.class,
+        planes: framed.planes.len(),
+        screen_box: window,
+        pixels: found.pixels,
+        needed: object.needed.clone(),
+        bounds,
+        undecided: found.undecided,
+        problems: problems(object, format, &found, silhouette),
+    };
+    Review {
+        report,
+        angles: found.angles,
+    }
+}
+
+/// The angle that all but one in a thousand of the values stay within; zero if there are none.
+pub(super) fn quantile_999(angles: &mut [f32]) -> f64 {
+    if angles.is_empty() {
+        return 0.0;
+    }
+    let index = (angles.len() * 999).div_ceil(1000) - 1;
+    f64::from(*angles.select_nth_unstable_by(index, f32::total_cmp).1)
+}
+
+fn lines(window: &ScreenBox) -> impl ParallelIterator<Item = i64> + use<> {
+    let lines = if window.is_empty() { 0..0 } else { window.y0..window.y1 + 1 };
+    lines.into_par_iter()
+}
+
+fn pass_line(object: &PreparedObject, format: &Format, y: i64) -> Findings {
+    let words = &object.words;
+    let mut found = Findings::default();
+    for_each_present(words, format, y, |x, pixel| {
+        let f2 = words.f2.wrapped_at(x, y, format.quadratic) as i64;
+        found.pixels += 1;
+        found.near_end += usize::from(pixel.number == FACE_NEAR_END);
+        found.depth = found.depth.max(depth_bound(object, pixel.number, f2));
+        let angle = normal_bound(object, pixel.number, f2, pixel.normal);
+        if angle < 180.0 {
+            found.angles.push(angle as f32);
+        } else {
+            found.undetermined += 1;
+        }
+    });
+    for x in words.screen_box.x0..=words.screen_box.x1 {
+        if let Verdict::Undecided { silhouette, .. } = decide(object, format, x, y) {
+            let undecided = &mut found.undecided;
+            *if silhouette { &mut undecided.silhouette } else { &mut undecided.edge } += 1;
+        }
+    }
+    found
+}
+
+fn problems(object: &PreparedObject, format: &Format, found: &Findings, silhouette: Displacement) -> Vec<String> {
+    let mut problems = object.notes.clone();
+    let window = &object.words.screen_box;
+    if found.pixels == 0 && !window.is_empty() {
+        problems.push("no pixel shows it: it falls between the pixels, or its planes leave nothing".into());
+    }
+    if found.near_end > 0 {
+        problems.push(format!(
+            "reaches nearer than the near end at {} pixels; a flat cap is drawn there",
+            found.near_end
+        ));
+    }
+    if found.pixels > 0 {
+        for (index, plane) in object.words.planes.iter().enumerate() {
+            if plane.kind != PlaneKind::None && is_without_effect(&object.words, index, format) {
+                problems.push(format!("cut {index} changes no pixel"));
+            }
+        }
+    }
+    if let Some((x, y)) = silhouette.singular {
+        problems.push(format!(
+            "the silhouette has no direction near pixel ({x}, {y}), as at the apex of a double cone; it is displaced by at most {:.2} pixels",
+            silhouette.pixels
+        ));
+    }
+    if found.undetermined > 0 {
+        problems.push(format!(
+            "the normal vanishes, or nearly, at {} pixels; its direction is not determined there",
+            found.undetermined
+        ));
+    }
+    problems
+}
+
+/// True if the golden processor sees the same on every pixel of the box without this plane.
+fn is_without_effect(words: &QuadricWords, index: usize, format: &Format) -> bool {
+    let mut without = words.clone();
+    without.planes[index].kind = PlaneKind::None;
+    lines(&words.screen_box).all(|y| line_of(words, format, y) == line_of(&without, format, y))
+}
+
+fn line_of(words: &QuadricWords, format: &Format, y: i64) -> Vec<(i64, ObjectPixel)> {
+    let mut line = vec![];
+    for_each_present(words, format, y, |x, pixel| line.push((x, pixel)));
+    line
+}

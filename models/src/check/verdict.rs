@@ -1,0 +1,277 @@
+//! Whether the rounding bounds decide what an object shows at a pixel.
+//!
+//! Every number that the machine compares is replaced by the range in which both the true and the computed one lie. Where the ranges
+//! are apart, true and computed picture agree on presence and face; where they overlap the pixel is *undecided*.
+
+use super::depth::{Range, face_ranges};
+use crate::format::Format;
+use crate::object::quadric::QuadricWords;
+use crate::prepare::{PreparedObject, RoundingBounds};
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::{Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+
+/// What is proven of one object at one pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// Certainly absent, in the true and in the golden picture.
+    Absent,
+    /// Certainly this face, with the range of its depth.
+    Face(u8, Range),
+    /// The rounding could change presence or face; the depth, if any, is not below this.
+    Undecided {
+        nearest: f64,
+        /// True if the sign of f2 itself is open, false if only a comparison with a plane or an end is.
+        silhouette: bool,
+    },
+}
+
+/// A face with the range of its depth.
+#[derive(Clone, Copy)]
+struct Bounded {
+    number: u8,
+    depth: Range,
+}
+
+/// The values of one object at one pixel.
+struct Pixel<'a> {
+    words: &'a QuadricWords,
+    bounds: &'a RoundingBounds,
+    format: &'a Format,
+    x: i64,
+    y: i64,
+    f2: i64,
+    near: Range,
+    far: Range,
+}
+
+/// Decides a pixel of the object's screen box; outside the box the object is proven absent.
+pub(super) fn decide(object: &PreparedObject, format: &Format, x: i64, y: i64) -> Verdict {
+    if !object.words.screen_box.contains(x, y) {
+        return Verdict::Absent;
+    }
+    let words = &object.words;
+    let f1 = words.f1.wrapped_at(x, y, format.sum) as i64;
+    let f2 = words.f2.wrapped_at(x, y, format.quadratic) as i64;
+    let (near, far) = face_ranges(f1, f2, &object.bounds);
+    let pixel = Pixel {
+        words,
+        bounds: &object.bounds,
+        format,
+        x,
+        y,
+        f2,
+        near,
+        far,
+    };
+    pixel.decide()
+}
+
+impl Pixel<'_> {
+    fn decide(&self) -> Verdict {
+        let sides = self.half_planes();
+        if sides == Some(false) {
+            return Verdict::Absent;
+        }
+        let verdict = match self.words.class {
+            Class::Side => self.side(),
+            Class::Front => self.front(),
+            Class::Patch => self.patch(),
+            Class::Prism => self.prism(),
+        };
+        match verdict {
+            Verdict::Face(_, depth) if sides.is_none() => self.undecided(depth.low),
+            other => other,
+        }
+    }
+
+    /// Some(true) if f2 is certainly not negative, Some(false) if it certainly is.
+    fn seen(&self) -> Option<bool> {
+        let f2 = Range::around(self.f2, self.bounds.f2);
+        if f2.low >= 0.0 {
+            Some(true)
+        } else {
+            (f2.high < 0.0).then_some(false)
+        }
+    }
+
+    fn undecided(&self, nearest: f64) -> Verdict {
+        Verdict::Undecided {
+            nearest,
+            silhouette: self.seen().is_none(),
+        }
+    }
+
+    fn plane_range(&self, index: usize) -> Range {
+        let value = self.words.planes[index].depth.wrapped_at(self.x, self.y, self.format.plane);
+        Range::around(value as i64, self.bounds.planes[index])
+    }
+
+    fn planes_of(&self, kind: PlaneKind) -> impl Iterator<Item = (usize, Range)> + '_ {
+        (0..self.words.planes.len())
+            .filter(move |&i| self.words.planes[i].kind == kind)
+            .map(|i| (i, self.plane_range(i)))
+    }
+
+    /// Whether all perpendicular planes keep the pixel.
+    fn half_planes(&self) -> Option<bool> {
+        let mut all = Some(true);
+        for (_, value) in self.planes_of(PlaneKind::Perpendicular) {
+            if value.high < 0.0 {
+                return Some(false);
+            }
+            if value.low < 0.0 {
+                all = None;
+            }
+        }
+        all
+    }
+
+    /// The near end and the front planes: the ray is kept behind the farthest of them.
+    fn entries(&self) -> Vec<Bounded> {
+        let planes = self.planes_of(PlaneKind::Front).map(|(i, depth)| Bounded {
+            number: FACE_PLANE + i as u8,
+            depth,
+        });
+        let near_end = Bounded {
+            number: FACE_NEAR_END,
+            depth: Range::around(self.format.z_low(), 0.0),
+        };
+        std::iter::once(near_end).chain(planes).collect()
+    }
+
+    /// The ray is kept before the nearest back plane.
+    fn exit(&self) -> Range {
+        self.planes_of(PlaneKind::Back)
+            .fold(Range::new(f64::INFINITY, f64::INFINITY), |exit, (_, depth)| exit.min(&depth))
+    }
+
+    fn far_end(&self) -> f64 {
+        self.format.z_max() as f64
+    }
+
+    /// The solid between the farthest of `entries` and `exit`.
+    fn convex(&self, entries: &[Bounded], exit: Range) -> Verdict {
+        let entry = farthest(entries);
+        if exit.below(&entry) || entry.low >= self.far_end() {
+            return Verdict::Absent;
+        }
+        let behind_all = entry.not_above(&exit) && entry.high < self.far_end();
+        match winner(entries) {
+            Some(face) if behind_all => Verdict::Face(face.number, face.depth),
+            _ => self.undecided(entry.low),
+        }
+    }
+
+    fn side(&self) -> Verdict {
+        if self.seen() == Some(false) {
+            return Verdict::Absent;
+        }
+        // Near and far root share the error of f1 and are never compared with each other.
+        let mut entries = self.entries();
+        let ends = farthest(&entries);
+        if self.far.below(&ends) {
+            return Verdict::Absent;
+        }
+        entries.push(Bounded { number: FACE_NEAR, depth: self.near });
+        let certain = self.seen() == Some(true) && ends.not_above(&self.far);
+        match self.convex(&entries, self.exit()) {
+            Verdict::Face(_, depth) if !certain => self.undecided(depth.low),
+            other => other,
+        }
+    }
+
+    /// Solid outside the two roots: before the near root, or behind the far root.
+    fn front(&self) -> Verdict {
+        let entries = self.entries();
+        let line = self.convex(&entries, self.exit());
+        let entry = farthest(&entries);
+        let before_or_behind = entry.not_above(&self.near) || self.far.below(&entry);
+        if line == Verdict::Absent || self.seen() == Some(false) || before_or_behind {
+            return line;
+        }
+        let between = self.near.below(&entry) && entry.below(&self.far);
+        if self.seen() == Some(true) && between {
+            let mut behind = entries;
+            behind.push(Bounded { number: FACE_FAR, depth: self.far });
+            return self.convex(&behind, self.exit());
+        }
+        self.undecided(entry.low)
+    }
+
+    fn prism(&self) -> Verdict {
+        let line = self.convex(&self.entries(), self.exit());
+        match (self.seen(), line) {
+            (Some(false), _) => Verdict::Absent,
+            (None, Verdict::Face(_, depth)) => self.undecided(depth.low),
+            _ => line,
+        }
+    }
+
+    /// The first of the two roots that every plane and both ends keep.
+    fn patch(&self) -> Verdict {
+        if self.seen() == Some(false) {
+            return Verdict::Absent;
+        }
+        let keeps = [self.near, self.far].map(|face| self.keeps_face(face));
+        match (keeps, self.seen()) {
+            ([Some(false), Some(false)], _) => Verdict::Absent,
+            ([Some(true), _], Some(true)) => Verdict::Face(FACE_NEAR, self.near),
+            ([Some(false), Some(true)], Some(true)) => Verdict::Face(FACE_FAR, self.far),
+            ([Some(false), _], _) => self.undecided(self.far.low),
+            _ => self.undecided(self.near.low),
+        }
+    }
+
+    fn keeps_face(&self, face: Range) -> Option<bool> {
+        let entry = farthest(&self.entries());
+        let exit = self.exit();
+        if face.below(&entry) || exit.below(&face) || face.low >= self.far_end() {
+            return Some(false);
+        }
+        let kept = entry.not_above(&face) && face.not_above(&exit) && face.high < self.far_end();
+        kept.then_some(true)
+    }
+}
+
+fn farthest(faces: &[Bounded]) -> Range {
+    faces
+        .iter()
+        .map(|f| f.depth)
+        .reduce(|a, b| a.max(&b))
+        .expect("the near end is always there")
+}
+
+/// The face that is certainly the farthest, if there is one.
+fn winner(faces: &[Bounded]) -> Option<Bounded> {
+    let last = faces.iter().enumerate().max_by(|a, b| a.1.depth.low.total_cmp(&b.1.depth.low));
+    let (index, best) = last.expect("the near end is always there");
+    let alone = faces
+        .iter()
+        .enumerate()
+        .all(|(i, face)| i == index || face.depth.below(&best.depth));
+    alone.then_some(*best)
+}
+
+/// What is proven of the whole picture at one pixel: `true` if object and face are decided.
+///
+/// The nearest decided face wins if every other object is certainly farther.
+pub(super) fn decides_picture(verdicts: &[Verdict]) -> bool {
+    let nearest = |verdict: &Verdict| match verdict {
+        Verdict::Absent => None,
+        Verdict::Face(_, depth) => Some(depth.low),
+        Verdict::Undecided { nearest, .. } => Some(*nearest),
+    };
+    let front = verdicts
+        .iter()
+        .enumerate()
+        .filter_map(|(i, v)| match v {
+            Verdict::Face(_, depth) => Some((i, depth.high)),
+            _ => None,
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let (winner, limit) = front.unwrap_or((usize::MAX, f64::INFINITY));
+    verdicts
+        .iter()
+        .enumerate()
+        .all(|(i, v)| i == winner || nearest(v).is_none_or(|low| low > limit))
+}

@@ -1,0 +1,121 @@
+//! The load bus: an object's coefficient words as addresses and bits (`docs/architecture.md`, section 7).
+
+use super::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use crate::format::{Format, wrap};
+use crate::unit::pe1::Linear;
+use serde::Serialize;
+
+/// One word of the load bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct LoadWord {
+    /// Address within the object.
+    pub address: u8,
+    /// Bits of the word, in the low end.
+    pub bits: u64,
+    /// Width of the word.
+    pub width: u32,
+}
+
+/// Address of the first word of plane 0.
+const FIRST_PLANE: u8 = 24;
+/// Words of one plane.
+const PLANE_WORDS: u8 = 7;
+
+/// All words of an object for one zone, by ascending address; absent planes up to `planes` are written as kind none.
+pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<LoadWord> {
+    let mut list = List(Vec::new());
+    list.linear(&words.f1, format.sum);
+    let f2 = words.f2.preconditioned(format.quadratic);
+    for value in [f2.a2, f2.b2, f2.c, f2.i0, f2.p0, f2.f] {
+        list.push(value, format.quadratic);
+    }
+    for g in &words.normal.g {
+        list.linear(g, format.normal_linear);
+    }
+    for k in words.normal.k {
+        list.push(k.into(), format.normal);
+    }
+    let window = if words.screen_box.is_empty() {
+        ScreenBox::EMPTY
+    } else {
+        words.screen_box
+    };
+    list.push((window.x0 | window.x1 << 12).into(), 24);
+    list.push((window.y0 | window.y1 << 12).into(), 24);
+    let control = words.class as i128 | i128::from(words.normal.shift) << 2;
+    list.push(control, 7);
+    let none = PlaneWords::default();
+    for index in 0..planes {
+        let plane = words.planes.get(index).unwrap_or(&none);
+        list.push(plane.kind as i128, 2);
+        list.linear(&plane.depth, format.plane);
+        for n in plane.normal {
+            list.push(n.into(), format.normal);
+        }
+    }
+    debug_assert_eq!(
+        list.0.len(),
+        usize::from(FIRST_PLANE) + usize::from(PLANE_WORDS) * planes
+    );
+    list.0
+}
+
+struct List(Vec<LoadWord>);
+
+impl List {
+    fn push(&mut self, value: i128, width: u32) {
+        let bits = wrap(value, width) as u64 & (u64::MAX >> (64 - width));
+        self.0.push(LoadWord {
+            address: self.0.len() as u8,
+            bits,
+            width,
+        });
+    }
+
+    fn linear(&mut self, words: &Linear, width: u32) {
+        for value in [words.a, words.b, words.c] {
+            self.push(value, width);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::interval::Class;
+    use crate::unit::pe2::Quadratic;
+
+    #[test]
+    fn words_stand_at_their_addresses() {
+        let words = QuadricWords {
+            class: Class::Patch,
+            screen_box: ScreenBox {
+                x0: 3,
+                x1: 9,
+                y0: 5,
+                y1: 7,
+            },
+            f1: Linear::new(-1, 2, 3),
+            f2: Quadratic {
+                a: -5,
+                b: 7,
+                c: 1,
+                d: 10,
+                e: 20,
+                f: -1,
+            },
+            normal: Default::default(),
+            planes: vec![],
+        };
+        let list = load_words(&words, &Format::BASE, 1);
+        assert_eq!(list.len(), 31);
+        assert_eq!(list[0].bits, (1 << 26) - 1);
+        let f2: Vec<u64> = list[3..9].iter().map(|w| w.bits).collect();
+        let all = (1u64 << 48) - 1;
+        assert_eq!(f2, [all - 9, 14, 1, 27, 5, all]);
+        assert_eq!(list[21].bits, 3 | 9 << 12);
+        assert_eq!(list[22].bits, 5 | 7 << 12);
+        assert_eq!(list[23].bits, 2);
+        assert_eq!((list[24].bits, list[24].width), (0, 2));
+    }
+}

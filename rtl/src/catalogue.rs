@@ -1,0 +1,237 @@
+//! The units: names, parameters, latencies, sources.
+
+use crate::emit::EmitError;
+use crate::format::{MOST_OBJECTS, MOST_PLANES};
+
+/// A unit that can be emitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Unit {
+    /// First-degree elementary processor, at the width of a depth sum.
+    Pe1,
+    /// Second-degree elementary processor, at the width of a quadratic.
+    Pe2,
+    /// Square root network.
+    SquareRoot,
+    /// Two depths of a quadric.
+    QuadricPe,
+    /// Depth of a cut plane.
+    PlaneDepth,
+    /// Cut of a depth interval by a plane.
+    CutPlane,
+    /// Depth interval of a quadric.
+    DepthInterval,
+    /// Choice between two halves of an interval.
+    TwoVolumeMerge,
+    /// Normal of the visible face.
+    NormalUnit,
+    /// Quadric object processor.
+    QuadricProcessor,
+    /// Raster control.
+    RasterControl,
+    /// Node of the decider.
+    VisibilityNode,
+    /// Nearest of many objects.
+    Decider,
+    /// Coefficient words of one object.
+    CoefficientStore,
+    /// Beam machine.
+    Beam,
+}
+
+/// Parameters of a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Depth word `W`.
+    pub depth_word: usize,
+    /// Cut planes.
+    pub planes: usize,
+    /// Rows of the root network between registers.
+    pub rows_per_stage: usize,
+    /// Object slots.
+    pub objects: usize,
+}
+
+/// A parameter of a unit, besides the format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// Option of the command line.
+    pub option: &'static str,
+    /// Least legal value.
+    pub least: usize,
+    /// Greatest legal value; none where it is the depth word.
+    pub most: Option<usize>,
+}
+
+const PLANES: Parameter = Parameter {
+    option: "planes",
+    least: 0,
+    most: Some(MOST_PLANES),
+};
+const ROWS: Parameter = Parameter {
+    option: "rows-per-stage",
+    least: 1,
+    most: None,
+};
+const OBJECTS: Parameter = Parameter {
+    option: "objects",
+    least: 1,
+    most: Some(MOST_OBJECTS),
+};
+
+impl Unit {
+    /// All units, from the smallest to the machine.
+    pub const ALL: [Self; 15] = [
+        Self::Pe1,
+        Self::Pe2,
+        Self::SquareRoot,
+        Self::QuadricPe,
+        Self::PlaneDepth,
+        Self::CutPlane,
+        Self::DepthInterval,
+        Self::TwoVolumeMerge,
+        Self::NormalUnit,
+        Self::QuadricProcessor,
+        Self::RasterControl,
+        Self::VisibilityNode,
+        Self::Decider,
+        Self::CoefficientStore,
+        Self::Beam,
+    ];
+
+    /// Name of the unit, its file and its Verilog module.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pe1 => "pe1",
+            Self::Pe2 => "pe2",
+            Self::SquareRoot => "square_root",
+            Self::QuadricPe => "quadric_pe",
+            Self::PlaneDepth => "plane_depth",
+            Self::CutPlane => "cut_plane",
+            Self::DepthInterval => "depth_interval",
+            Self::TwoVolumeMerge => "two_volume_merge",
+            Self::NormalUnit => "normal_unit",
+            Self::QuadricProcessor => "quadric_processor",
+            Self::RasterControl => "raster_control",
+            Self::VisibilityNode => "visibility_node",
+            Self::Decider => "decider",
+            Self::CoefficientStore => "coefficient_store",
+            Self::Beam => "beam",
+        }
+    }
+
+    /// The unit of a name.
+    ///
+    /// # Errors
+    ///
+    /// When there is none; the error lists the names.
+    pub fn from_name(name: &str) -> Result<Self, EmitError> {
+        let found = Self::ALL.into_iter().find(|unit| unit.name() == name);
+        found.ok_or_else(|| EmitError::Unit {
+            name: name.to_owned(),
+        })
+    }
+
+    /// What the unit does, in one sentence.
+    pub const fn contract(self) -> &'static str {
+        match self {
+            Self::Pe1 => "value(x, y) = a x + b y + c by additions alone, one pixel per clock",
+            Self::Pe2 => {
+                "value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f by additions alone, one pixel per clock"
+            }
+            Self::SquareRoot => {
+                "root = floor(sqrt(radicand)) and remainder = radicand - root^2, one result per clock"
+            }
+            Self::QuadricPe => {
+                "the two depths f1 - r and f1 + r of a quadric, with r = floor(sqrt(f2))"
+            }
+            Self::PlaneDepth => "the depth of a plane, clamped to the depth word",
+            Self::CutPlane => "one half of a depth interval cut by one plane",
+            Self::DepthInterval => "the two halves of the depth interval of a quadric object",
+            Self::TwoVolumeMerge => "the half of a depth interval that lies in front",
+            Self::NormalUnit => "the normal of the visible face of a quadric object",
+            Self::QuadricProcessor => {
+                "depth, face and normal of the visible front of one quadric object cut by planes"
+            }
+            Self::RasterControl => {
+                "the raster flags of a zone, one pixel per clock, without a bubble"
+            }
+            Self::VisibilityNode => "the nearer of two objects",
+            Self::Decider => "the nearest of many objects",
+            Self::CoefficientStore => "the coefficient words of one object, loaded over a bus",
+            Self::Beam => "the visible surface of many quadric objects, pixel by pixel",
+        }
+    }
+
+    /// Where the unit comes from.
+    pub const fn source(self) -> &'static str {
+        match self {
+            Self::Pe1 | Self::Pe2 => "Nyiri 1994, 2.3.2 and B.2.1",
+            Self::SquareRoot => "Nyiri 1994, 2.3.3",
+            Self::QuadricPe
+            | Self::PlaneDepth
+            | Self::CutPlane
+            | Self::DepthInterval
+            | Self::TwoVolumeMerge
+            | Self::NormalUnit
+            | Self::QuadricProcessor => "Nyiri 1994, 2.4.2",
+            Self::RasterControl => "architecture, 2",
+            Self::VisibilityNode | Self::Decider => "architecture, 6",
+            Self::CoefficientStore | Self::Beam => "architecture, 7",
+        }
+    }
+
+    /// The parameters the unit has besides the format.
+    pub const fn parameters(self) -> &'static [Parameter] {
+        match self {
+            Self::SquareRoot | Self::QuadricPe => &[ROWS],
+            Self::NormalUnit | Self::CoefficientStore => &[PLANES],
+            Self::QuadricProcessor => &[PLANES, ROWS],
+            Self::Decider => &[OBJECTS],
+            Self::Beam => &[PLANES, ROWS, OBJECTS],
+            _ => &[],
+        }
+    }
+
+    /// Options of the command line and their values.
+    pub fn options(self, shape: &Shape) -> Vec<(&'static str, usize)> {
+        let value = |parameter: &Parameter| match parameter.option {
+            "planes" => shape.planes,
+            "rows-per-stage" => shape.rows_per_stage,
+            _ => shape.objects,
+        };
+        self.parameters()
+            .iter()
+            .map(|parameter| (parameter.option, value(parameter)))
+            .collect()
+    }
+
+    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects.
+    pub const fn latency_formula(self) -> &'static str {
+        match self {
+            Self::SquareRoot => "ceil(W / R)",
+            Self::QuadricPe => "ceil(W / R) + 2",
+            Self::PlaneDepth => "2",
+            Self::NormalUnit => "3",
+            Self::QuadricProcessor => "ceil(W / R) + N + 7",
+            Self::Decider => "ceil(log2 M)",
+            Self::Beam => "1 + (ceil(W / R) + N + 7) + ceil(log2 M)",
+            _ => "1",
+        }
+    }
+
+    /// Latency in clocks.
+    pub const fn latency(self, shape: &Shape) -> usize {
+        let root = shape.depth_word.div_ceil(shape.rows_per_stage);
+        let tree = shape.objects.next_power_of_two().trailing_zeros() as usize;
+        match self {
+            Self::SquareRoot => root,
+            Self::QuadricPe => root + 2,
+            Self::PlaneDepth => 2,
+            Self::NormalUnit => 3,
+            Self::QuadricProcessor => root + shape.planes + 7,
+            Self::Decider => tree,
+            Self::Beam => 1 + (root + shape.planes + 7) + tree,
+            _ => 1,
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Widths and special values of a format.
+
+/// Formats of the catalogue, by depth word.
+pub const DEPTH_WORDS: [usize; 5] = [16, 20, 24, 28, 32];
+
+/// Bits of a coordinate.
+pub const COORDINATE: usize = 12;
+/// Bits of the first-degree part of a normal component.
+pub const NORMAL_PART: usize = 24;
+/// Bits of a normal component and of the factor of the root in it.
+pub const NORMAL: usize = 16;
+/// Most cut planes of one object.
+pub const MOST_PLANES: usize = 12;
+/// Most objects of one machine.
+pub const MOST_OBJECTS: usize = 256;
+
+/// Bits of a depth sum of a format.
+pub const fn depth_sum(depth_word: usize) -> usize {
+    depth_word + 2
+}
+
+/// Bits of a quadratic word, and of the radicand.
+pub const fn quadratic(depth_word: usize) -> usize {
+    2 * depth_word
+}
+
+/// Bits of a plane word.
+pub const fn plane(depth_word: usize) -> usize {
+    depth_word + 12
+}
+
+/// `ZMAX`: the far end, the background and the mark of an absent object.
+pub const fn far_end(depth_word: usize) -> i64 {
+    (1 << (depth_word - 1)) - 1
+}
+
+/// `ZLOW`: the near end.
+pub const fn near_end(depth_word: usize) -> i64 {
+    -far_end(depth_word)
+}
+
+/// The lowest word a plane is clamped to, one below the near end.
+pub const fn saturated_near(depth_word: usize) -> i64 {
+    near_end(depth_word) - 1
+}
+
+/// Face number of the near root of a quadric.
+pub const NEAR_ROOT: u64 = 0;
+/// Face number of the far root of a quadric.
+pub const FAR_ROOT: u64 = 1;
+/// Face number of the first plane.
+pub const FIRST_PLANE: u64 = 2;
+/// Face number of the cap at the near end.
+pub const CAP: u64 = 15;
+
+/// Class of a solid between its two roots.
+pub const SIDE: u64 = 0;
+/// Class of a solid outside its two roots.
+pub const FRONT: u64 = 1;
+/// Class of a bare surface.
+pub const PATCH: u64 = 2;
+/// Class of a solid present where the quadratic is not negative.
+pub const PRISM: u64 = 3;
+
+/// Kind of a plane that keeps what lies behind it.
+pub const FRONT_PLANE: u64 = 1;
+/// Kind of a plane that keeps what lies before it.
+pub const BACK_PLANE: u64 = 2;
+/// Kind of a plane perpendicular to the screen.
+pub const PERPENDICULAR: u64 = 3;

@@ -1,0 +1,3 @@
+//! Object processors.
+
+pub mod quadric_processor;

@@ -1,0 +1,189 @@
+//! The emitted Verilog: accepted by the tools, readable, the same every time; bad requests are refused.
+
+mod support;
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitError, EmitRequest, emit};
+use support::{run, write};
+
+/// Every unit in shapes that reach the ends of the ranges.
+fn requests() -> Vec<EmitRequest> {
+    let shapes = [
+        (24, 3, 1, 4),
+        (16, 0, 16, 1),
+        (20, 1, 7, 2),
+        (28, 2, 5, 3),
+        (32, 12, 4, 5),
+    ];
+    let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
+        unit,
+        depth_word,
+        planes,
+        rows_per_stage,
+        objects,
+    };
+    Unit::ALL
+        .into_iter()
+        .flat_map(|unit| shapes.map(|shape| request(unit, shape)))
+        .collect()
+}
+
+#[test]
+fn icarus_accepts_every_unit_without_a_warning() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap_or_else(|error| panic!("{request:?}: {error}"));
+        let directory = write(
+            &format!("icarus-{}-{}", request.unit.name(), request.depth_word),
+            &emitted,
+        );
+        let file = directory.join(&emitted.files[0].0);
+        let output = run(
+            "iverilog",
+            "iverilog",
+            &[
+                "-g2005",
+                "-Wall",
+                "-s",
+                &emitted.top,
+                "-o",
+                "/dev/null",
+                file.to_str().unwrap(),
+            ],
+        );
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() && said.is_empty(),
+            "{request:?}: {said}"
+        );
+    }
+}
+
+/// Verilator's warnings that concern style: a bundle of modules, ports left open on purpose, bits cut on purpose.
+const STYLE: [&str; 3] = [
+    "-Wno-DECLFILENAME",
+    "-Wno-PINCONNECTEMPTY",
+    "-Wno-UNUSEDSIGNAL",
+];
+
+#[test]
+fn verilator_accepts_every_unit_without_a_warning_but_style() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap();
+        let directory = write(
+            &format!("verilator-{}-{}", request.unit.name(), request.depth_word),
+            &emitted,
+        );
+        let file = directory.join(&emitted.files[0].0);
+        let mut arguments = vec![
+            "--lint-only",
+            "-Wall",
+            "-Wno-fatal",
+            "--top-module",
+            &emitted.top,
+        ];
+        arguments.extend(STYLE);
+        arguments.push(file.to_str().unwrap());
+        let output = run("verilator", "verilator", &arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() && said.is_empty(),
+            "{request:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn the_same_request_gives_the_same_text() {
+    for unit in Unit::ALL {
+        let request = EmitRequest::new(unit);
+        assert_eq!(emit(&request), emit(&request));
+    }
+}
+
+#[test]
+fn identifiers_carry_no_dollar_and_the_top_is_the_unit() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap();
+        let text = &emitted.files[0].1;
+        assert!(!text.contains('$'), "{request:?}");
+        assert!(text.contains(&format!("\nmodule {} (", request.unit.name())));
+        assert_eq!(emitted.top, request.unit.name());
+        assert_eq!(text.matches("\nmodule ").count(), emitted.modules);
+        assert!(text.contains(&request.command()) && text.contains("MIT OR Apache-2.0"));
+    }
+}
+
+#[test]
+fn equal_blocks_become_one_module() {
+    let emitted = emit(&EmitRequest::new(Unit::SquareRoot)).unwrap();
+    assert_eq!(emitted.modules, 3, "network, stage and row");
+    let beam = emit(&EmitRequest::new(Unit::Beam)).unwrap();
+    let more = emit(&EmitRequest {
+        objects: 8,
+        ..EmitRequest::new(Unit::Beam)
+    })
+    .unwrap();
+    assert!(
+        more.modules <= beam.modules,
+        "a slot more is an instance more"
+    );
+}
+
+#[test]
+fn ports_are_listed_as_they_stand() {
+    let emitted = emit(&EmitRequest {
+        planes: 2,
+        ..EmitRequest::new(Unit::QuadricProcessor)
+    })
+    .unwrap();
+    let port = |name: &str| emitted.ports.iter().find(|port| port.name == name).unwrap();
+    assert_eq!((port("f2_a2").width, port("f2_a2").signed), (48, true));
+    assert_eq!(
+        (port("plane_1_c").width, port("plane_1_kind").width),
+        (36, 2)
+    );
+    assert_eq!((port("zf").width, port("out_valid").width), (24, 1));
+    assert_eq!(emitted.latency, 24 + 2 + 7);
+}
+
+#[test]
+fn bad_requests_name_the_value_and_the_range() {
+    let good = EmitRequest::new(Unit::Beam);
+    let refused = |request: EmitRequest| emit(&request).unwrap_err().to_string();
+    let format = refused(EmitRequest {
+        depth_word: 23,
+        ..good
+    });
+    assert!(
+        format.contains("23") && format.contains("16, 20, 24, 28, 32"),
+        "{format}"
+    );
+    let planes = refused(EmitRequest { planes: 13, ..good });
+    assert!(
+        planes.contains("13") && planes.contains("0 to 12"),
+        "{planes}"
+    );
+    let rows = refused(EmitRequest {
+        rows_per_stage: 0,
+        ..good
+    });
+    assert!(rows.contains("0") && rows.contains("1 to 24"), "{rows}");
+    assert!(
+        refused(EmitRequest {
+            rows_per_stage: 25,
+            ..good
+        })
+        .contains("25")
+    );
+    assert!(refused(EmitRequest { objects: 0, ..good }).contains("1 to 256"));
+    assert!(
+        refused(EmitRequest {
+            objects: 257,
+            ..good
+        })
+        .contains("257")
+    );
+    let unit = Unit::from_name("pe3").unwrap_err();
+    assert!(matches!(&unit, EmitError::Unit { name } if name == "pe3"));
+    assert!(unit.to_string().contains("quadric_processor"));
+}

@@ -1,0 +1,298 @@
+//! The latency formulas, measured: an impulse at the input, and the clock at which the output answers.
+
+use imogene_rtl::catalogue::{Shape, Unit};
+use imogene_rtl::machine::beam::Beam;
+use imogene_rtl::machine::coefficient_store::CoefficientStore;
+use imogene_rtl::machine::decider::Decider;
+use imogene_rtl::machine::raster_control::RasterControl;
+use imogene_rtl::machine::visibility_node::VisibilityNode;
+use imogene_rtl::object::quadric_processor::QuadricProcessor;
+use imogene_rtl::step::{Clocked, step};
+use imogene_rtl::unit::cut_plane::CutPlane;
+use imogene_rtl::unit::depth_interval::DepthInterval;
+use imogene_rtl::unit::normal_unit::NormalUnit;
+use imogene_rtl::unit::pe1::Pe1;
+use imogene_rtl::unit::pe2::Pe2;
+use imogene_rtl::unit::plane_depth::PlaneDepth;
+use imogene_rtl::unit::quadric_pe::QuadricPe;
+use imogene_rtl::unit::square_root::SquareRoot;
+use imogene_rtl::unit::two_volume_merge::TwoVolumeMerge;
+use imogene_rtl::word::{Int, Word};
+
+const W: usize = 16;
+type Network = SquareRoot<32, W, 17, 18>;
+type Depths = QuadricPe<W, 17, 18, 32>;
+type Processor = QuadricProcessor<W, 17, 18, 32, 28>;
+type Machine = Beam<W, 17, 18, 32, 28>;
+
+/// Clocks until the output differs from what it would be without the impulse. Before the impulse the block runs long
+/// enough to forget its power-up.
+fn measured<B: Clocked>(
+    mut block: B,
+    drive: impl Fn(&mut B, bool),
+    output: impl Fn(&B) -> i64,
+) -> usize {
+    block.connect_all();
+    for _ in 0..100 {
+        drive(&mut block, false);
+        step(&mut block);
+    }
+    let quiet = output(&block);
+    for clock in 1..100 {
+        drive(&mut block, clock == 1);
+        step(&mut block);
+        if output(&block) != quiet {
+            return clock;
+        }
+    }
+    panic!("the block does not answer");
+}
+
+/// The formula of the catalogue.
+fn formula(unit: Unit, planes: usize, rows_per_stage: usize, objects: usize) -> usize {
+    unit.latency(&Shape {
+        depth_word: W,
+        planes,
+        rows_per_stage,
+        objects,
+    })
+}
+
+#[test]
+fn small_units() {
+    let found = measured(
+        Pe1::<W>::default(),
+        |unit, on| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.c.next = Int::new(5);
+        },
+        |unit| unit.value.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (Pe1::<W>::latency(), formula(Unit::Pe1, 0, 1, 1))
+    );
+    let found = measured(
+        Pe2::<W>::default(),
+        |unit, on| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.f.next = Int::new(5);
+        },
+        |unit| unit.value.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (Pe2::<W>::latency(), formula(Unit::Pe2, 0, 1, 1))
+    );
+    let found = measured(
+        PlaneDepth::<W, 28>::new(),
+        |unit, on| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.c.next = Int::new(5);
+        },
+        |unit| unit.depth.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            PlaneDepth::<W, 28>::latency(),
+            formula(Unit::PlaneDepth, 0, 1, 1)
+        )
+    );
+    let found = measured(
+        DepthInterval::<W, 18>::new(),
+        |unit, on| {
+            [unit.is_inside.next, unit.in_box.next] = [on, true];
+        },
+        |unit| unit.zf_a.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            DepthInterval::<W, 18>::latency(),
+            formula(Unit::DepthInterval, 0, 1, 1)
+        )
+    );
+    let found = measured(
+        CutPlane::<W>::new(),
+        |unit, on| unit.zf.next = Int::new(on.into()),
+        |unit| unit.cut_zf.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (CutPlane::<W>::latency(), formula(Unit::CutPlane, 0, 1, 1))
+    );
+    let found = measured(
+        TwoVolumeMerge::<W>::default(),
+        |unit, on| unit.zf_b.next = Int::new(if on { -1 } else { 0 }),
+        |unit| unit.zf.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            TwoVolumeMerge::<W>::latency(),
+            formula(Unit::TwoVolumeMerge, 0, 1, 1)
+        )
+    );
+    let found = measured(
+        NormalUnit::<W>::new(0),
+        |unit, on| unit.number.next = Word::new(if on { 15 } else { 0 }),
+        |unit| unit.nz.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            NormalUnit::<W>::latency(),
+            formula(Unit::NormalUnit, 0, 1, 1)
+        )
+    );
+}
+
+#[test]
+fn first_degree_part_of_the_normal_meets_its_face() {
+    let found = measured(
+        NormalUnit::<W>::new(0),
+        |unit, on| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.gy_c.next = Int::new(256);
+        },
+        |unit| unit.ny.val().get(),
+    );
+    assert_eq!(found, NormalUnit::<W>::latency());
+}
+
+#[test]
+fn root_network_and_quadric_pe() {
+    for rows in [1, 3, 5, 8, 16] {
+        let root = measured(
+            Network::new(rows),
+            |unit, on| unit.radicand.next = Word::new(on.into()),
+            |unit| unit.root.val().get() as i64,
+        );
+        assert_eq!(
+            (root, root),
+            (
+                Network::latency(rows),
+                formula(Unit::SquareRoot, 0, rows, 1)
+            )
+        );
+        let drive = |unit: &mut Depths, on: bool| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.f1_c.next = Int::new(100);
+            unit.f2_f.next = Int::new(9);
+        };
+        let depths = measured(Depths::new(rows), drive, |unit| unit.near_sum.val().get());
+        assert_eq!(
+            (depths, depths),
+            (Depths::latency(rows), formula(Unit::QuadricPe, 0, rows, 1))
+        );
+        let beside = measured(Depths::new(rows), drive, |unit| {
+            unit.root.val().get() as i64
+        });
+        assert_eq!(beside, depths);
+    }
+}
+
+#[test]
+fn quadric_processor() {
+    for (planes, rows) in [(0, 1), (1, 1), (3, 4), (12, 16)] {
+        let drive = |unit: &mut Processor, on: bool| {
+            [unit.valid.next, unit.start.next] = [on; 2];
+            unit.f1_c.next = Int::new(100);
+            unit.f2_f.next = Int::new(9);
+            unit.gx_c.next = Int::new(2560);
+            unit.kx.next = Int::new(0);
+        };
+        let new = || Processor::new(planes, rows);
+        let expected = Processor::latency(planes, rows);
+        assert_eq!(expected, formula(Unit::QuadricProcessor, planes, rows, 1));
+        assert_eq!(
+            measured(new(), drive, |unit| unit.out_valid.val().into()),
+            expected
+        );
+        assert_eq!(measured(new(), drive, |unit| unit.zf.val().get()), expected);
+        assert_eq!(measured(new(), drive, |unit| unit.zb.val().get()), expected);
+        assert_eq!(measured(new(), drive, |unit| unit.nx.val().get()), expected);
+    }
+}
+
+#[test]
+fn machine() {
+    let found = measured(
+        RasterControl::new(),
+        |unit, on| {
+            unit.go.next = on;
+            [unit.width.next, unit.height.next] = [Word::new(2); 2];
+        },
+        |unit| unit.valid.val().into(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            RasterControl::latency(),
+            formula(Unit::RasterControl, 0, 1, 1)
+        )
+    );
+    let found = measured(
+        VisibilityNode::<W>::default(),
+        |unit, on| unit.b_depth.next = Int::new(if on { -1 } else { 0 }),
+        |unit| unit.depth.val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            VisibilityNode::<W>::latency(),
+            formula(Unit::VisibilityNode, 0, 1, 1)
+        )
+    );
+    let found = measured(
+        CoefficientStore::<18, 32, 28>::new(1),
+        |unit, on| {
+            unit.write.next = on;
+            unit.address.next = Word::new(25);
+            unit.data.next = Word::new(3);
+        },
+        |unit| unit.plane_a[0].val().get(),
+    );
+    assert_eq!(
+        (found, found),
+        (
+            CoefficientStore::<18, 32, 28>::latency(),
+            formula(Unit::CoefficientStore, 1, 1, 1)
+        )
+    );
+    for inputs in [2, 3, 4, 5, 8, 9, 17] {
+        // The last input is the one that may pass registers.
+        let found = measured(
+            Decider::<W>::new(inputs),
+            |unit, on| unit.input_depth[inputs - 1].next = Int::new(if on { -1 } else { 0 }),
+            |unit| unit.depth.val().get(),
+        );
+        assert_eq!(
+            (found, found),
+            (
+                Decider::<W>::latency(inputs),
+                formula(Unit::Decider, 0, 1, inputs)
+            )
+        );
+    }
+    assert_eq!(
+        (Decider::<W>::latency(1), formula(Unit::Decider, 0, 1, 1)),
+        (0, 0)
+    );
+    for (objects, planes, rows) in [(1, 0, 4), (2, 1, 16), (5, 2, 3)] {
+        let found = measured(
+            Machine::new(objects, planes, rows),
+            |unit, on| {
+                unit.go.next = on;
+                [unit.width.next, unit.height.next] = [Word::new(2); 2];
+            },
+            |unit| unit.valid.val().into(),
+        );
+        let expected = formula(Unit::Beam, planes, rows, objects);
+        assert_eq!(
+            (found, found),
+            (Machine::latency(objects, planes, rows), expected)
+        );
+    }
+}

@@ -1,0 +1,261 @@
+//! One band of the screen: load, scan, compare.
+
+use super::golden::{GoldenMachine, probe_values};
+use super::{Fault, TraceRequest};
+use crate::engine::{
+    Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals,
+};
+use crate::report::{Mismatch, Report};
+use crate::signal::{Delay, Signal};
+use crate::trace::{Group, Sample, Trace};
+use imogene_models::machine::decider::Visible;
+use imogene_models::machine::frame::Frame;
+use imogene_models::object::load::{LoadWord, load_words};
+use imogene_models::object::quadric::QuadricWords;
+use imogene_models::prepare::PreparedScene;
+
+/// Clocks recorded after the first mismatch, when that lies beyond the window asked for.
+const AFTER_MISMATCH: u64 = 200;
+
+/// What one band runs.
+pub(super) struct Band<'a> {
+    pub scene: &'a PreparedScene,
+    pub shape: MachineShape,
+    pub objects: Vec<QuadricWords>,
+    pub first_line: usize,
+    pub lines: usize,
+    pub fault: Option<Fault>,
+    pub trace: Option<&'a TraceRequest>,
+}
+
+/// Width of a load word of this machine, if the address exists.
+pub(super) fn word_width(address: u8, shape: &MachineShape) -> Option<u32> {
+    let w = shape.depth_word;
+    let planes = 24 + 7 * shape.planes;
+    match usize::from(address) {
+        0..=2 => Some(w + 2),
+        3..=8 => Some(2 * w),
+        9..=17 => Some(24),
+        18..=20 => Some(16),
+        21 | 22 => Some(24),
+        23 => Some(7),
+        a if a < planes => Some(match (a - 24) % 7 {
+            0 => 2,
+            1..=3 => w + 12,
+            _ => 16,
+        }),
+        _ => None,
+    }
+}
+
+impl Band<'_> {
+    /// Runs the band; returns counts, the hardware's lines and the waveforms.
+    pub(super) fn run(
+        &self,
+        engine: &mut impl Engine,
+        pixel_done: &impl Fn(),
+    ) -> (Report, Frame, Option<Trace>) {
+        self.load(engine);
+        let (width, height) = (self.scene.width as usize, self.lines);
+        let pixels = width * height;
+        let first_pixel = super::latency(self.scene, &self.shape) as usize - 1;
+        let traced = self.trace.map(|request| request.object);
+        let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
+        let mut expected = Delay::new(first_pixel);
+        let mut recorder = self.trace.map(|request| Recorder::new(request, &self.shape));
+        let mut report = Report::default();
+        let mut frame = Frame::background(width, height, self.scene.format.z_max());
+        for clock in 0..pixels + first_pixel {
+            let outputs = engine.clock(MachineInputs {
+                go: clock == 0,
+                width: width as u16,
+                height: height as u16,
+            });
+            let next = (clock < pixels).then(|| golden.pixel(traced));
+            let (visible, probe) = match next {
+                Some((visible, probe)) => (Some(visible), probe),
+                None => (None, None),
+            };
+            let stated = expected.push(visible).flatten();
+            let index = clock.wrapping_sub(first_pixel);
+            self.score(&outputs, stated, index, &mut report);
+            if let Some(recorder) = &mut recorder {
+                let inside = engine.probe(recorder.object);
+                recorder.clock(&outputs, stated, inside, probe.map(|p| probe_values(&p)), &report);
+            }
+            if outputs.valid && index < pixels {
+                store(&mut frame, index, &outputs, self.scene.format.z_max());
+                pixel_done();
+            }
+            report.cycles += 1;
+        }
+        (report, frame, recorder.map(|r| r.trace))
+    }
+
+    fn load(&self, engine: &mut impl Engine) {
+        for (object, words) in self.objects.iter().enumerate() {
+            for mut word in load_words(words, &self.scene.format, self.shape.planes) {
+                self.inject(object, &mut word);
+                engine.load(object as u8, &word);
+            }
+        }
+    }
+
+    fn inject(&self, object: usize, word: &mut LoadWord) {
+        if let Some(fault) = self.fault
+            && (usize::from(fault.object), fault.address) == (object, word.address)
+        {
+            word.bits ^= 1 << fault.bit;
+        }
+    }
+
+    fn score(
+        &self,
+        outputs: &MachineOutputs,
+        stated: Option<Visible>,
+        index: usize,
+        report: &mut Report,
+    ) {
+        let width = self.scene.width as usize;
+        let pixel = stated.map(|_| {
+            (
+                (index % width) as i64,
+                (self.first_line + index / width) as i64,
+            )
+        });
+        let cycle = report.cycles;
+        let mut compare = |signal: &str, hardware: i64, golden: i64| {
+            let mismatch = || Mismatch {
+                cycle,
+                pixel,
+                signal: signal.to_string(),
+                hardware,
+                golden,
+            };
+            report.compare(mismatch, hardware == golden);
+        };
+        compare("valid", outputs.valid.into(), stated.is_some().into());
+        if let Some(golden) = stated {
+            for ((signal, hardware), golden) in output_signals(self.shape.depth_word)
+                .iter()
+                .zip(output_values(outputs))
+                .zip(visible_values(&golden))
+            {
+                compare(&signal.name, hardware, golden);
+            }
+            report.pixels += 1;
+        }
+    }
+}
+
+fn output_signals(depth_word: u32) -> Vec<Signal> {
+    vec![
+        Signal::signed("depth", depth_word),
+        Signal::unsigned("id", 8),
+        Signal::unsigned("number", 4),
+        Signal::signed("nx", 16),
+        Signal::signed("ny", 16),
+        Signal::signed("nz", 16),
+    ]
+}
+
+fn output_values(o: &MachineOutputs) -> [i64; 6] {
+    let [nx, ny, nz] = o.normal.map(i64::from);
+    [o.depth, o.id.into(), o.number.into(), nx, ny, nz]
+}
+
+fn visible_values(v: &Visible) -> [i64; 6] {
+    let [nx, ny, nz] = v.normal.map(i64::from);
+    [v.depth, v.id.into(), v.number.into(), nx, ny, nz]
+}
+
+fn store(frame: &mut Frame, index: usize, outputs: &MachineOutputs, z_max: i64) {
+    frame.depth[index] = outputs.depth;
+    if outputs.depth != z_max {
+        frame.id[index] = outputs.id.into();
+        frame.number[index] = outputs.number;
+        frame.normal[index] = outputs.normal;
+    }
+}
+
+/// Keeps the waveforms: the machine's outputs and the inside of one processor, golden values delayed to the clock at which the
+/// hardware shows the same pixel.
+struct Recorder {
+    trace: Trace,
+    object: usize,
+    until: u64,
+    signals: Vec<ProbeSignal>,
+    delays: Vec<Delay<Option<i64>>>,
+    mismatch_seen: bool,
+}
+
+impl Recorder {
+    fn new(request: &TraceRequest, shape: &MachineShape) -> Recorder {
+        let signals = processor_signals(shape);
+        let mut outputs = vec![Signal::bit("valid")];
+        outputs.extend(output_signals(shape.depth_word));
+        let groups = vec![
+            Group {
+                name: "beam".into(),
+                stimulus: vec![],
+                compared: outputs,
+            },
+            Group {
+                name: format!("processor_{}", request.object),
+                stimulus: vec![],
+                compared: signals.iter().map(|s| s.signal.clone()).collect(),
+            },
+        ];
+        Recorder {
+            trace: Trace::new(groups),
+            object: request.object,
+            until: request.clocks,
+            delays: signals.iter().map(|s| Delay::new(s.offset)).collect(),
+            signals,
+            mismatch_seen: false,
+        }
+    }
+
+    fn clock(
+        &mut self,
+        outputs: &MachineOutputs,
+        stated: Option<Visible>,
+        inside: Vec<i64>,
+        probe: Option<Vec<i64>>,
+        report: &Report,
+    ) {
+        let golden: Vec<Option<i64>> = (0..self.signals.len())
+            .map(|k| {
+                let value = probe.as_ref().map(|values| values[k]);
+                self.delays[k].push(value).flatten()
+            })
+            .collect();
+        if report.mismatches > 0 && !self.mismatch_seen {
+            self.mismatch_seen = true;
+            self.until = self.until.max(report.cycles + AFTER_MISMATCH);
+        }
+        let machine = Sample {
+            stimulus: vec![],
+            hardware: std::iter::once(outputs.valid.into())
+                .chain(output_values(outputs))
+                .collect(),
+            golden: std::iter::once(Some(stated.is_some().into()))
+                .chain(match stated {
+                    Some(v) => visible_values(&v).map(Some),
+                    None => [None; 6],
+                })
+                .collect(),
+        };
+        let processor = Sample {
+            stimulus: vec![],
+            hardware: inside,
+            golden,
+        };
+        let samples = vec![machine, processor];
+        if report.cycles < self.until {
+            self.trace.record(report.cycles, samples);
+        } else {
+            self.trace.remember(report.cycles, samples);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! Co-simulation of a whole scene: a beam machine against the golden machine, every output on every clock.
+//!
+//! The screen is cut into bands, one per thread; each band is a zone of its own with its own coefficients, as in a machine with several
+//! graphics modules (source: 2.4.4).
+
+mod band;
+mod golden;
+
+use crate::engine::{Engine, MachineShape};
+use crate::report::Report;
+use crate::trace::Trace;
+use band::Band;
+use imogene_models::machine::frame::Frame;
+use imogene_models::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
+use imogene_models::picture::WriteError;
+use imogene_models::prepare::PreparedScene;
+use std::path::PathBuf;
+use std::time::Instant;
+use thiserror::Error;
+
+/// Most objects of a beam machine.
+pub const MAX_OBJECTS: usize = 256;
+
+/// Waveforms wanted of a run.
+#[derive(Clone, Debug)]
+pub struct TraceRequest {
+    /// VCD file; the save file goes beside it.
+    pub path: PathBuf,
+    /// Slot whose inside is traced.
+    pub object: usize,
+    /// Clocks recorded from the beginning; the clocks around the first mismatch are always recorded.
+    pub clocks: u64,
+}
+
+/// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Slot.
+    pub object: u8,
+    /// Load address.
+    pub address: u8,
+    /// Bit of the word.
+    pub bit: u8,
+}
+
+/// How to run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Rows of the root network per register stage.
+    pub rows_per_stage: usize,
+    /// Bands, each with a thread of its own.
+    pub bands: usize,
+    /// Waveforms of the first band.
+    pub trace: Option<TraceRequest>,
+    /// Fault put into the hardware.
+    pub fault: Option<Fault>,
+}
+
+/// Why a scene cannot be co-simulated.
+#[derive(Debug, Error)]
+pub enum CosimError {
+    /// More objects than slots.
+    #[error("the scene has {count} objects; a beam machine takes 1 to {MAX_OBJECTS}")]
+    Objects {
+        /// Objects of the scene.
+        count: usize,
+    },
+    /// More planes than a processor can have.
+    #[error("an object has {count} cut planes; a quadric processor takes at most {MAX_PLANES}")]
+    Planes {
+        /// Planes of the object.
+        count: usize,
+    },
+    /// Rows per stage out of range.
+    #[error("rows-per-stage is {value}; accepted: 1 to {limit}")]
+    Rows {
+        /// Given value.
+        value: usize,
+        /// Rows of the network.
+        limit: u32,
+    },
+    /// A slot, address or bit that does not exist.
+    #[error("fault {object}:{address}:{bit} names no coefficient bit of this machine; accepted: OBJECT below {objects}, ADDRESS below {addresses}, BIT below the width of that word")]
+    Fault {
+        /// Slot.
+        object: u8,
+        /// Address.
+        address: u8,
+        /// Bit.
+        bit: u8,
+        /// Slots of the machine.
+        objects: usize,
+        /// Words of a slot.
+        addresses: usize,
+    },
+    /// A slot to trace that does not exist.
+    #[error("there is no object {object} to trace; accepted: 0 to {}", objects - 1)]
+    TracedObject {
+        /// Given slot.
+        object: usize,
+        /// Slots of the machine.
+        objects: usize,
+    },
+    /// A trace that could not be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// The machine that a scene needs.
+pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineShape, CosimError> {
+    let count = scene.objects.len();
+    if !(1..=MAX_OBJECTS).contains(&count) {
+        return Err(CosimError::Objects { count });
+    }
+    let planes = scene
+        .objects
+        .iter()
+        .map(|o| o.words.planes.len())
+        .max()
+        .unwrap_or(0);
+    if planes > MAX_PLANES {
+        return Err(CosimError::Planes { count: planes });
+    }
+    let limit = scene.format.root;
+    if !(1..=limit as usize).contains(&rows_per_stage) {
+        return Err(CosimError::Rows {
+            value: rows_per_stage,
+            limit,
+        });
+    }
+    Ok(MachineShape {
+        depth_word: scene.format.depth,
+        objects: count,
+        planes,
+        rows_per_stage,
+    })
+}
+
+/// Latency in clocks from `go` to the first pixel of a machine.
+pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
+    use imogene_models::{machine::decider, object::quadric};
+    1 + quadric::latency(&scene.format, shape.planes, shape.rows_per_stage as u32)
+        + decider::latency(shape.objects)
+}
+
+/// Runs the scene through the hardware of `engine` and compares with the golden machine.
+///
+/// `engine` makes a fresh machine for each band; `pixel_done` is called once a pixel, from any thread. Returns the report and the frame
+/// that the *hardware* drew.
+pub fn run<E: Engine>(
+    scene: &PreparedScene,
+    options: &Options,
+    engine: impl Fn(&MachineShape) -> E + Sync,
+    pixel_done: impl Fn() + Sync,
+) -> Result<(Report, Frame), CosimError> {
+    let shape = shape_of(scene, options.rows_per_stage)?;
+    check_requests(options, &shape)?;
+    let (width, height) = (scene.width as usize, scene.height as usize);
+    let started = Instant::now();
+    let bands = split(height, options.bands);
+    let run_band = |index: usize, first: usize, lines: usize| {
+        let objects: Vec<QuadricWords> = scene
+            .objects
+            .iter()
+            .map(|o| {
+                let mut words = o
+                    .words
+                    .for_zone(0, first as i64, width as i64, lines as i64);
+                // Every slot has the same chain; planes that an object does not use are of kind none.
+                words.planes.resize(shape.planes, PlaneWords::default());
+                words
+            })
+            .collect();
+        Band {
+            scene,
+            shape,
+            objects,
+            first_line: first,
+            lines,
+            fault: options.fault,
+            trace: options.trace.as_ref().filter(|_| index == 0),
+        }
+        .run(&mut engine(&shape), &pixel_done)
+    };
+    let parts: Vec<(Report, Frame, Option<Trace>)> = std::thread::scope(|scope| {
+        let run_band = &run_band;
+        let handles: Vec<_> = bands
+            .iter()
+            .enumerate()
+            .map(|(index, &(first, lines))| scope.spawn(move || run_band(index, first, lines)))
+            .collect();
+        let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
+            handle
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        handles.into_iter().map(join).collect()
+    });
+    let mut report = Report {
+        engine: "rust-hdl".into(),
+        ..Report::default()
+    };
+    let mut frame = Frame::background(width, 0, scene.format.z_max());
+    for (part, lines, trace) in parts {
+        report.absorb(part);
+        append(&mut frame, lines);
+        if let (Some(trace), Some(request)) = (trace, &options.trace) {
+            report.files.extend(trace.write(&request.path)?);
+        }
+    }
+    report.timed(started.elapsed().as_secs_f64());
+    Ok((report, frame))
+}
+
+fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimError> {
+    if let Some(request) = &options.trace
+        && request.object >= shape.objects
+    {
+        return Err(CosimError::TracedObject {
+            object: request.object,
+            objects: shape.objects,
+        });
+    }
+    let addresses = 24 + 7 * shape.planes;
+    if let Some(f) = options.fault {
+        let width = band::word_width(f.address, shape);
+        if usize::from(f.object) >= shape.objects || width.is_none_or(|w| u32::from(f.bit) >= w) {
+            return Err(CosimError::Fault {
+                object: f.object,
+                address: f.address,
+                bit: f.bit,
+                objects: shape.objects,
+                addresses,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// First line and number of lines of each band.
+fn split(height: usize, bands: usize) -> Vec<(usize, usize)> {
+    let bands = bands.clamp(1, height);
+    (0..bands)
+        .map(|k| {
+            let first = k * height / bands;
+            (first, (k + 1) * height / bands - first)
+        })
+        .collect()
+}
+
+fn append(frame: &mut Frame, lines: Frame) {
+    frame.height += lines.height;
+    frame.depth.extend(lines.depth);
+    frame.id.extend(lines.id);
+    frame.number.extend(lines.number);
+    frame.normal.extend(lines.normal);
+}

@@ -1,0 +1,104 @@
+//! Named signals and their values, the common language of engines, scoreboard and traces.
+
+use serde::Serialize;
+
+/// A port or an internal point of a design.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Signal {
+    /// Name, as in the Verilog.
+    pub name: String,
+    /// Bits, 1 to 64.
+    pub width: u32,
+    /// True for two's complement.
+    pub signed: bool,
+}
+
+impl Signal {
+    /// A two's complement signal.
+    pub fn signed(name: impl Into<String>, width: u32) -> Signal {
+        Signal {
+            name: name.into(),
+            width,
+            signed: true,
+        }
+    }
+
+    /// A signal without sign.
+    pub fn unsigned(name: impl Into<String>, width: u32) -> Signal {
+        Signal {
+            name: name.into(),
+            width,
+            signed: false,
+        }
+    }
+
+    /// A single bit.
+    pub fn bit(name: impl Into<String>) -> Signal {
+        Signal::unsigned(name, 1)
+    }
+
+    /// The bits of a value as they stand on the wires.
+    pub fn bits(&self, value: i64) -> u64 {
+        value as u64 & (u64::MAX >> (64 - self.width))
+    }
+
+    /// The value that bits on the wires stand for.
+    pub fn value(&self, bits: u64) -> i64 {
+        let unused = 64 - self.width;
+        if self.signed {
+            ((bits << unused) as i64) >> unused
+        } else {
+            ((bits << unused) >> unused) as i64
+        }
+    }
+}
+
+/// A delay line: what goes in comes out `clocks` pushes later.
+#[derive(Clone, Debug)]
+pub struct Delay<T> {
+    held: std::collections::VecDeque<T>,
+    clocks: usize,
+}
+
+impl<T> Delay<T> {
+    /// A delay of a number of clocks, which may be 0.
+    pub fn new(clocks: usize) -> Delay<T> {
+        Delay {
+            held: std::collections::VecDeque::with_capacity(clocks + 1),
+            clocks,
+        }
+    }
+
+    /// Puts a value in and takes out the one put in `clocks` pushes ago, if there was one.
+    pub fn push(&mut self, value: T) -> Option<T> {
+        self.held.push_back(value);
+        if self.held.len() > self.clocks {
+            self.held.pop_front()
+        } else {
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_and_wires_agree() {
+        let s = Signal::signed("zf", 24);
+        assert_eq!(s.bits(-1), 0xff_ffff);
+        assert_eq!(s.value(0x80_0000), -8_388_608);
+        assert_eq!(Signal::unsigned("id", 8).value(0xff), 255);
+    }
+
+    #[test]
+    fn a_delay_of_two() {
+        let mut delay = Delay::new(2);
+        assert_eq!(
+            [1, 2, 3, 4].map(|v| delay.push(v)),
+            [None, None, Some(1), Some(2)]
+        );
+        assert_eq!(Delay::new(0).push(7), Some(7));
+    }
+}

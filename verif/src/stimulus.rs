@@ -1,0 +1,96 @@
+//! Random stimulus biased to where arithmetic breaks: the ends of the word, powers of two, ties.
+
+use crate::signal::Signal;
+use crate::subject::Inputs;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// A word of a signal: half uniform, half at or next to an edge or a power of two.
+pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
+    let signal = signal.clone();
+    let width = signal.width;
+    if width == 1 {
+        return (0i64..=1).boxed();
+    }
+    let uniform = any::<u64>();
+    let power = (0..width, -2i64..=2, any::<bool>()).prop_map(|(bit, offset, negate)| {
+        let value = (1u64 << bit).wrapping_add(offset as u64);
+        if negate { value.wrapping_neg() } else { value }
+    });
+    let scaled = (any::<u64>(), 0..width).prop_map(move |(value, shift)| value >> (64 - width + shift));
+    prop_oneof![2 => uniform, 2 => power, 1 => scaled]
+        .prop_map(move |bits| signal.value(bits))
+        .boxed()
+}
+
+/// Independent words on every port.
+pub fn words(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let one: Vec<_> = ports.iter().map(word).collect();
+    proptest::collection::vec(one, clocks).boxed()
+}
+
+/// Raster flags `valid`, `start`, `line`: gaps, lines of any length down to one pixel, restarts in the middle. The first clock starts a zone.
+pub fn flags() -> BoxedStrategy<[i64; 3]> {
+    prop_oneof![
+        12 => Just([1, 0, 0]),
+        3 => Just([1, 0, 1]),
+        2 => Just([0, 0, 0]),
+        1 => Just([0, 1, 1]),
+        1 => Just([1, 1, 0]),
+    ]
+    .boxed()
+}
+
+/// Flags on the first three ports, words on the others.
+pub fn raster(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let rest: Vec<_> = ports[3..].iter().map(word).collect();
+    proptest::collection::vec((flags(), rest), clocks)
+        .prop_map(|list| {
+            let mut list: Vec<Inputs> = list
+                .into_iter()
+                .map(|(flags, rest)| flags.into_iter().chain(rest).collect())
+                .collect();
+            list[0][..3].copy_from_slice(&[1, 1, 0]);
+            list
+        })
+        .boxed()
+}
+
+/// Radicands: uniform, of every length, and at the places where the floor root steps.
+pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
+    let signal = signal.clone();
+    let width = signal.width;
+    let root_mask = u64::MAX >> (64 - width / 2);
+    let boundary = (any::<u64>(), 0..width / 2, select(vec![-1i64, 0, 1, 2])).prop_map(
+        move |(root, shift, place)| {
+            let n = (root & root_mask) >> shift;
+            let square = n.wrapping_mul(n);
+            match place {
+                2 => square.wrapping_add(n.wrapping_mul(2)),
+                offset => square.wrapping_add(offset as u64),
+            }
+        },
+    );
+    let signal_at = signal.clone();
+    prop_oneof![
+        2 => boundary.prop_map(move |bits| signal_at.value(bits)),
+        1 => word(&signal),
+    ]
+    .boxed()
+}
+
+/// Depths that meet: a few levels around the ends of the depth word and zero, so that ties are common.
+pub fn depth(width: u32) -> BoxedStrategy<i64> {
+    let far = (1i64 << (width - 1)) - 1;
+    let level = select(vec![-far - 1, -far, -far + 1, -2, -1, 0, 1, 2, 3, far - 1, far]);
+    let any_word = word(&Signal::signed("depth", width));
+    prop_oneof![3 => level, 1 => any_word].boxed()
+}
+
+/// Ordered depths zf <= zb of an interval as units receive it: within the near and far end.
+pub fn interval(width: u32) -> BoxedStrategy<(i64, i64)> {
+    let low = -((1i64 << (width - 1)) - 1);
+    (depth(width), depth(width))
+        .prop_map(move |(a, b)| (a.min(b).max(low), a.max(b).max(low)))
+        .boxed()
+}

@@ -1,0 +1,126 @@
+//! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard over them.
+
+use crate::report::{Mismatch, Report};
+use crate::signal::Signal;
+use crate::trace::{Group, Sample, Trace};
+use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::time::Instant;
+
+/// One clock's values of the input ports, in their order.
+pub type Inputs = Vec<i64>;
+
+/// A clocked design: inputs before the edge, outputs after it.
+pub trait Hardware: Send {
+    /// One clock.
+    fn clock(&mut self, inputs: &[i64]) -> Vec<i64>;
+}
+
+/// The golden model of a design, clock by clock; `None` where it states nothing (before the first start, in an invalid clock).
+pub trait Golden: Send {
+    /// One clock.
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;
+}
+
+impl<F: FnMut(&[i64]) -> Vec<i64> + Send> Hardware for F {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<i64> {
+        self(inputs)
+    }
+}
+
+/// A golden model given as a function.
+pub struct GoldenFn<F>(pub F);
+
+impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Golden for GoldenFn<F> {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+        (self.0)(inputs)
+    }
+}
+
+/// A unit with both descriptions and a stimulus that reaches its edges.
+pub struct Subject {
+    /// Name of the unit, as in `imogene units`.
+    pub name: String,
+    /// Input ports, without the clock.
+    pub inputs: Vec<Signal>,
+    /// Output ports.
+    pub outputs: Vec<Signal>,
+    /// A fresh instance of the hardware.
+    pub hardware: Box<dyn Fn() -> Box<dyn Hardware> + Sync>,
+    /// A fresh instance of the golden model.
+    pub golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
+    /// Random stimulus of about this many clocks, biased to the edges.
+    pub stimulus: fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>,
+    /// Options of the command line that give this configuration.
+    pub options: String,
+}
+
+impl Subject {
+    /// A stimulus of about `clocks` clocks, the same for the same seed.
+    pub fn seeded_stimulus(&self, clocks: usize, seed: u64) -> Vec<Inputs> {
+        let mut bytes = [0u8; 32];
+        bytes[..8].copy_from_slice(&seed.to_le_bytes());
+        let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
+        let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+        (self.stimulus)(self, clocks)
+            .new_tree(&mut runner)
+            .expect("stimulus strategies reject nothing")
+            .current()
+    }
+
+    /// Runs hardware and golden model over a stimulus and compares every output on every clock.
+    ///
+    /// `record` also keeps the waveforms.
+    pub fn run(&self, stimulus: &[Inputs], record: bool) -> (Report, Option<Trace>) {
+        let started = Instant::now();
+        let mut hardware = (self.hardware)();
+        let mut golden = (self.golden)();
+        let mut report = Report {
+            subject: self.name.clone(),
+            engine: "rust-hdl".into(),
+            ..Report::default()
+        };
+        let mut trace = record.then(|| Trace::new(vec![self.group()]));
+        for inputs in stimulus {
+            let sample = Sample {
+                hardware: hardware.clock(inputs),
+                golden: golden.clock(inputs),
+                stimulus: inputs.clone(),
+            };
+            self.score(&sample, &mut report);
+            if let Some(trace) = &mut trace {
+                trace.record(report.cycles, vec![sample]);
+            }
+            report.cycles += 1;
+        }
+        report.timed(started.elapsed().as_secs_f64());
+        (report, trace)
+    }
+
+    fn group(&self) -> Group {
+        Group {
+            name: self.name.clone(),
+            stimulus: self.inputs.clone(),
+            compared: self.outputs.clone(),
+        }
+    }
+
+    fn score(&self, sample: &Sample, report: &mut Report) {
+        let cycle = report.cycles;
+        let mut stated = false;
+        for (index, golden) in sample.golden.iter().enumerate() {
+            let Some(golden) = *golden else { continue };
+            stated = true;
+            let hardware = sample.hardware[index];
+            let mismatch = || Mismatch {
+                cycle,
+                pixel: None,
+                signal: self.outputs[index].name.clone(),
+                hardware,
+                golden,
+            };
+            report.compare(mismatch, hardware == golden);
+        }
+        report.pixels += u64::from(stated);
+    }
+}

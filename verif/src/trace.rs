@@ -1,0 +1,258 @@
+//! Waveforms: a VCD with hardware and golden signals side by side, and a GTKWave save file that opens it grouped.
+
+use crate::signal::Signal;
+use imogene_models::picture::{WriteError, write_whole};
+use std::collections::VecDeque;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value, VarType};
+
+/// Time units of one clock in the trace; the edge is in the middle.
+const PERIOD: u64 = 10;
+
+/// A group of signals that belong together, such as one unit.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Name of the unit.
+    pub name: String,
+    /// Stimulus: signals that both sides are given.
+    pub stimulus: Vec<Signal>,
+    /// Signals that both sides produce.
+    pub compared: Vec<Signal>,
+}
+
+/// One clock of one group.
+#[derive(Clone, Debug, Default)]
+pub struct Sample {
+    /// Values of the stimulus.
+    pub stimulus: Vec<i64>,
+    /// Values of the hardware after the edge.
+    pub hardware: Vec<i64>,
+    /// Values of the golden model; `None` where it states nothing.
+    pub golden: Vec<Option<i64>>,
+}
+
+/// Clocks kept before a late window opens, so that a mismatch is seen with what led to it.
+const BEFORE_WINDOW: usize = 60;
+
+/// A recorded trace: groups, and one sample per group for each recorded clock.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    groups: Vec<Group>,
+    clocks: Vec<(u64, Vec<Sample>)>,
+    recent: VecDeque<(u64, Vec<Sample>)>,
+}
+
+/// Identifiers of one group's variables.
+struct Variables {
+    stimulus: Vec<IdCode>,
+    hardware: Vec<IdCode>,
+    golden: Vec<IdCode>,
+    mismatch: IdCode,
+}
+
+impl Trace {
+    /// An empty trace of these groups.
+    pub fn new(groups: Vec<Group>) -> Trace {
+        Trace {
+            groups,
+            clocks: Vec::new(),
+            recent: VecDeque::new(),
+        }
+    }
+
+    /// Records a clock: a sample per group, in the order of the groups.
+    pub fn record(&mut self, clock: u64, samples: Vec<Sample>) {
+        self.clocks.extend(self.recent.drain(..));
+        self.clocks.push((clock, samples));
+    }
+
+    /// Keeps a clock only in case the next one is recorded.
+    pub fn remember(&mut self, clock: u64, samples: Vec<Sample>) {
+        if self.recent.len() == BEFORE_WINDOW {
+            self.recent.pop_front();
+        }
+        self.recent.push_back((clock, samples));
+    }
+
+    /// Clocks recorded.
+    pub fn len(&self) -> usize {
+        self.clocks.len()
+    }
+
+    /// True if nothing was recorded.
+    pub fn is_empty(&self) -> bool {
+        self.clocks.is_empty()
+    }
+
+    /// Writes `path` (VCD) and the save file beside it; returns both paths.
+    pub fn write(&self, path: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_whole(path, |out| self.write_vcd(out))?;
+        let save = path.with_extension("gtkw");
+        let first_mismatch = self.first_mismatch();
+        write_whole(&save, |out| {
+            out.write_all(self.save_file(path, first_mismatch).as_bytes())
+        })?;
+        Ok(vec![path.to_path_buf(), save])
+    }
+
+    fn first_mismatch(&self) -> Option<u64> {
+        self.clocks
+            .iter()
+            .find(|(_, samples)| samples.iter().any(Sample::differs))
+            .map(|(clock, _)| clock * PERIOD)
+    }
+
+    fn write_vcd(&self, out: &mut impl Write) -> std::io::Result<()> {
+        let mut writer = vcd::Writer::new(out);
+        writer.timescale(1, TimescaleUnit::NS)?;
+        writer.add_module("imogene")?;
+        let clock = writer.add_wire(1, "clock")?;
+        let mut variables = Vec::new();
+        for group in &self.groups {
+            variables.push(declare(&mut writer, group)?);
+        }
+        writer.upscope()?;
+        writer.enddefinitions()?;
+        writer.begin(SimulationCommand::Dumpvars)?;
+        writer.end()?;
+        let mut before: Vec<Option<Sample>> = vec![None; self.groups.len()];
+        for (number, samples) in &self.clocks {
+            writer.timestamp(number * PERIOD)?;
+            writer.change_scalar(clock, Value::V1)?;
+            for (index, sample) in samples.iter().enumerate() {
+                let group = &self.groups[index];
+                change(&mut writer, group, &variables[index], &before[index], sample)?;
+                before[index] = Some(sample.clone());
+            }
+            writer.timestamp(number * PERIOD + PERIOD / 2)?;
+            writer.change_scalar(clock, Value::V0)?;
+        }
+        match self.clocks.last() {
+            Some((number, _)) => writer.timestamp((number + 1) * PERIOD),
+            None => Ok(()),
+        }
+    }
+
+    fn save_file(&self, vcd_path: &Path, first_mismatch: Option<u64>) -> String {
+        let file = vcd_path
+            .file_name()
+            .map(|name| name.to_string_lossy().into_owned())
+            .unwrap_or_default();
+        let mut text = format!("[dumpfile] \"{file}\"\n[timestart] 0\n*-7.0 ");
+        // The marker stands at the first mismatch; -1 is no marker.
+        text += &first_mismatch.map_or("-1".to_string(), |time| time.to_string());
+        text += " -1 -1\n@28\nimogene.clock\n";
+        for group in &self.groups {
+            let name = &group.name;
+            text += &format!("@200\n-{name}\n@28\nimogene.{name}.mismatch\n");
+            for signal in &group.stimulus {
+                text += &entry(&format!("imogene.{name}.stimulus"), signal);
+            }
+            for signal in &group.compared {
+                text += &entry(&format!("imogene.{name}.hardware"), signal);
+                text += &entry(&format!("imogene.{name}.golden"), signal);
+            }
+        }
+        text
+    }
+}
+
+impl Sample {
+    /// True if a stated golden value differs from the hardware's.
+    pub fn differs(&self) -> bool {
+        self.hardware
+            .iter()
+            .zip(&self.golden)
+            .any(|(hardware, golden)| golden.is_some_and(|g| g != *hardware))
+    }
+}
+
+/// A signal of the save file: decimal for numbers, binary for bits. 420 is signed decimal, 24 decimal, 28 binary.
+fn entry(scope: &str, signal: &Signal) -> String {
+    let format = match (signal.width, signal.signed) {
+        (1, _) => "@28",
+        (_, true) => "@420",
+        (_, false) => "@24",
+    };
+    let range = if signal.width > 1 {
+        format!("[{}:0]", signal.width - 1)
+    } else {
+        String::new()
+    };
+    format!("{format}\n{scope}.{}{range}\n", signal.name)
+}
+
+fn declare(writer: &mut vcd::Writer<impl Write>, group: &Group) -> std::io::Result<Variables> {
+    writer.add_module(&group.name)?;
+    let mismatch = writer.add_wire(1, "mismatch")?;
+    let mut scope = |name: &str, signals: &[Signal]| -> std::io::Result<Vec<IdCode>> {
+        writer.add_module(name)?;
+        let ids = signals
+            .iter()
+            .map(|s| writer.add_var(VarType::Wire, s.width, &s.name, range_of(s)))
+            .collect();
+        writer.upscope()?;
+        ids
+    };
+    let variables = Variables {
+        stimulus: scope("stimulus", &group.stimulus)?,
+        hardware: scope("hardware", &group.compared)?,
+        golden: scope("golden", &group.compared)?,
+        mismatch,
+    };
+    writer.upscope()?;
+    Ok(variables)
+}
+
+fn range_of(signal: &Signal) -> Option<vcd::ReferenceIndex> {
+    (signal.width > 1).then_some(vcd::ReferenceIndex::Range(signal.width as i32 - 1, 0))
+}
+
+/// Writes the values that changed since the last clock.
+fn change(
+    writer: &mut vcd::Writer<impl Write>,
+    group: &Group,
+    variables: &Variables,
+    before: &Option<Sample>,
+    now: &Sample,
+) -> std::io::Result<()> {
+    for (index, (signal, id)) in group.stimulus.iter().zip(&variables.stimulus).enumerate() {
+        let value = now.stimulus[index];
+        if before.as_ref().map(|b| b.stimulus[index]) != Some(value) {
+            write_value(writer, *id, signal, Some(value))?;
+        }
+    }
+    for (index, signal) in group.compared.iter().enumerate() {
+        let value = now.hardware[index];
+        if before.as_ref().map(|b| b.hardware[index]) != Some(value) {
+            write_value(writer, variables.hardware[index], signal, Some(value))?;
+        }
+        let value = now.golden[index];
+        if before.as_ref().map(|b| b.golden[index]) != Some(value) {
+            write_value(writer, variables.golden[index], signal, value)?;
+        }
+    }
+    let differs = now.differs();
+    if before.as_ref().map(Sample::differs) != Some(differs) {
+        writer.change_scalar(variables.mismatch, Value::from(differs))?;
+    }
+    Ok(())
+}
+
+fn write_value(
+    writer: &mut vcd::Writer<impl Write>,
+    id: IdCode,
+    signal: &Signal,
+    value: Option<i64>,
+) -> std::io::Result<()> {
+    let bit = |index: u32| match value {
+        None => Value::X,
+        Some(v) => Value::from((signal.bits(v) >> index) & 1 == 1),
+    };
+    if signal.width == 1 {
+        writer.change_scalar(id, bit(0))
+    } else {
+        writer.change_vector(id, (0..signal.width).rev().map(bit))
+    }
+}

@@ -1,0 +1,285 @@
+//! The units of the depth interval: opening it, cutting it, merging its halves.
+
+use super::elementary::flag_ports;
+use super::{Late, any_raster, bit};
+use crate::signal::Signal;
+use crate::stimulus::{depth, interval};
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::unit::cut_plane::{PlaneKind, cut};
+use imogene_models::unit::interval::{Class, Interval, halves};
+use imogene_models::unit::merge::merge;
+use imogene_models::unit::pe1::{Linear, Pe1};
+use imogene_models::unit::plane_depth::saturate;
+use imogene_rtl::step::step;
+use imogene_rtl::unit as hardware;
+use imogene_rtl::word::{Int, Word};
+use proptest::prelude::*;
+use rust_hdl::core::prelude::Block;
+
+fn depth_port(name: &str, width: usize) -> Signal {
+    Signal::signed(name, width as u32)
+}
+
+fn number_port(name: &str) -> Signal {
+    Signal::unsigned(name, 4)
+}
+
+fn half_ports(names: [&str; 4], width: usize) -> Vec<Signal> {
+    vec![
+        depth_port(names[0], width),
+        number_port(names[1]),
+        depth_port(names[2], width),
+        number_port(names[3]),
+    ]
+}
+
+fn flat(half: &Interval) -> [Option<i64>; 4] {
+    [half.zf, half.nf.into(), half.zb, half.nb.into()].map(Some)
+}
+
+fn interval_of(i: &[i64]) -> Interval {
+    Interval {
+        zf: i[0],
+        nf: i[1] as u8,
+        zb: i[2],
+        nb: i[3] as u8,
+    }
+}
+
+const CLASSES: [Class; 4] = [Class::Side, Class::Front, Class::Patch, Class::Prism];
+const KINDS: [PlaneKind; 4] = [
+    PlaneKind::None,
+    PlaneKind::Front,
+    PlaneKind::Back,
+    PlaneKind::Perpendicular,
+];
+
+pub(super) fn depth_interval<const W: usize, const S: usize>(format: Format) -> Subject {
+    let mut outputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], W);
+    outputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], W));
+    Subject {
+        name: "depth_interval".into(),
+        inputs: vec![
+            depth_port("near_sum", S),
+            depth_port("far_sum", S),
+            Signal::bit("is_inside"),
+            Signal::bit("in_box"),
+            Signal::unsigned("object_class", 2),
+        ],
+        outputs,
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware::depth_interval::DepthInterval::<W, S>::new());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                unit.near_sum.next = Int::new(i[0]);
+                unit.far_sum.next = Int::new(i[1]);
+                unit.is_inside.next = bit(i[2]);
+                unit.in_box.next = bit(i[3]);
+                unit.object_class.next = Word::new(i[4] as u64);
+                step(unit.as_mut());
+                vec![
+                    unit.zf_a.val().get(),
+                    unit.nf_a.val().get() as i64,
+                    unit.zb_a.val().get(),
+                    unit.nb_a.val().get() as i64,
+                    unit.zf_b.val().get(),
+                    unit.nf_b.val().get() as i64,
+                    unit.zb_b.val().get(),
+                    unit.nb_b.val().get() as i64,
+                ]
+            })
+        }),
+        golden: Box::new(move || {
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let absent = (Interval::absent(&format), Interval::absent(&format));
+                let (a, b) = if bit(i[3]) {
+                    halves(CLASSES[i[4] as usize], i[0], i[1], !bit(i[2]), &format)
+                } else {
+                    absent
+                };
+                [flat(&a), flat(&b)].concat()
+            }))
+        }),
+        stimulus: sums,
+        options: String::new(),
+    }
+}
+
+/// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.
+fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let far = (1i64 << (subject.inputs[0].width - 3)) - 1;
+    let level = proptest::sample::select(vec![
+        -3 * far,
+        -far - 2,
+        -far - 1,
+        -far,
+        -far + 1,
+        -1,
+        0,
+        1,
+        far - 1,
+        far,
+        far + 1,
+        3 * far,
+    ]);
+    let any_sum = crate::stimulus::word(&subject.inputs[0]);
+    let sum = || prop_oneof![3 => level.clone(), 1 => any_sum.clone()];
+    let one = (sum(), sum(), 0i64..=1, 0i64..8, 0i64..4).prop_map(
+        |(near, far, inside, in_box, class)| vec![near, far, inside, in_box.min(1), class],
+    );
+    proptest::collection::vec(one, clocks).boxed()
+}
+
+pub(super) fn plane_depth<const W: usize, const P: usize>(format: Format) -> Subject {
+    let mut inputs = flag_ports();
+    inputs.extend(["a", "b", "c"].map(|name| depth_port(name, P)));
+    Subject {
+        name: "plane_depth".into(),
+        inputs,
+        outputs: vec![depth_port("depth", W)],
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware::plane_depth::PlaneDepth::<W, P>::new());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                (unit.valid.next, unit.start.next, unit.line.next) =
+                    (bit(i[0]), bit(i[1]), bit(i[2]));
+                unit.a.next = Int::new(i[3]);
+                unit.b.next = Int::new(i[4]);
+                unit.c.next = Int::new(i[5]);
+                step(unit.as_mut());
+                vec![unit.depth.val().get()]
+            })
+        }),
+        golden: Box::new(move || {
+            let mut pe: Option<Pe1> = None;
+            let mut value = None;
+            let mut late = Late::new(2);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[0]) {
+                    if bit(i[1]) {
+                        let words = Linear::new(i[3].into(), i[4].into(), i[5].into());
+                        pe = Some(Pe1::object_start(&words, P as u32));
+                    } else if bit(i[2])
+                        && let Some(pe) = &mut pe
+                    {
+                        pe.line_step();
+                    }
+                    value = pe.as_mut().map(|pe| saturate(pe.pixel() as i64, &format));
+                }
+                vec![late.push(value).flatten()]
+            }))
+        }),
+        stimulus: any_raster,
+        options: String::new(),
+    }
+}
+
+pub(super) fn cut_plane<const W: usize>(format: Format) -> Subject {
+    let mut inputs = vec![
+        Signal::unsigned("kind", 2),
+        Signal::bit("surface"),
+        number_port("number"),
+        depth_port("zp", W),
+    ];
+    inputs.extend(half_ports(["zf", "nf", "zb", "nb"], W));
+    Subject {
+        name: "cut_plane".into(),
+        inputs,
+        outputs: half_ports(["cut_zf", "cut_nf", "cut_zb", "cut_nb"], W),
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware::cut_plane::CutPlane::<W>::new());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                unit.kind.next = Word::new(i[0] as u64);
+                unit.surface.next = bit(i[1]);
+                unit.number.next = Word::new(i[2] as u64);
+                unit.zp.next = Int::new(i[3]);
+                unit.zf.next = Int::new(i[4]);
+                unit.nf.next = Word::new(i[5] as u64);
+                unit.zb.next = Int::new(i[6]);
+                unit.nb.next = Word::new(i[7] as u64);
+                step(unit.as_mut());
+                vec![
+                    unit.cut_zf.val().get(),
+                    unit.cut_nf.val().get() as i64,
+                    unit.cut_zb.val().get(),
+                    unit.cut_nb.val().get() as i64,
+                ]
+            })
+        }),
+        golden: Box::new(move || {
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let kind = KINDS[i[0] as usize];
+                let start = interval_of(&i[4..]);
+                flat(&cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format)).to_vec()
+            }))
+        }),
+        stimulus: cuts,
+        options: String::new(),
+    }
+}
+
+fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let width = subject.inputs[3].width;
+    let one = (
+        0i64..4,
+        0i64..2,
+        2i64..14,
+        depth(width),
+        interval(width),
+        0i64..16,
+        0i64..16,
+    )
+        .prop_map(|(kind, surface, number, zp, (zf, zb), nf, nb)| {
+            vec![kind, surface, number, zp, zf, nf, zb, nb]
+        });
+    proptest::collection::vec(one, clocks).boxed()
+}
+
+pub(super) fn two_volume_merge<const W: usize>() -> Subject {
+    let mut inputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], W);
+    inputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], W));
+    Subject {
+        name: "two_volume_merge".into(),
+        inputs,
+        outputs: half_ports(["zf", "nf", "zb", "nb"], W),
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware::two_volume_merge::TwoVolumeMerge::<W>::default());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                unit.zf_a.next = Int::new(i[0]);
+                unit.nf_a.next = Word::new(i[1] as u64);
+                unit.zb_a.next = Int::new(i[2]);
+                unit.nb_a.next = Word::new(i[3] as u64);
+                unit.zf_b.next = Int::new(i[4]);
+                unit.nf_b.next = Word::new(i[5] as u64);
+                unit.zb_b.next = Int::new(i[6]);
+                unit.nb_b.next = Word::new(i[7] as u64);
+                step(unit.as_mut());
+                vec![
+                    unit.zf.val().get(),
+                    unit.nf.val().get() as i64,
+                    unit.zb.val().get(),
+                    unit.nb.val().get() as i64,
+                ]
+            })
+        }),
+        golden: Box::new(|| {
+            Box::new(GoldenFn(|i: &[i64]| {
+                flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()
+            }))
+        }),
+        stimulus: |subject, clocks| {
+            let width = subject.inputs[0].width;
+            let half = move || (interval(width), 0i64..16, 0i64..16);
+            let one = (half(), half()).prop_map(|(a, b)| {
+                let ((azf, azb), anf, anb) = a;
+                let ((bzf, bzb), bnf, bnb) = b;
+                vec![azf, anf, azb, anb, bzf, bnf, bzb, bnb]
+            });
+            proptest::collection::vec(one, clocks).boxed()
+        },
+        options: String::new(),
+    }
+}

@@ -1,0 +1,139 @@
+//! PE1 and PE2.
+
+use super::{any_raster, bit};
+use crate::signal::Signal;
+use crate::subject::{GoldenFn, Subject};
+use imogene_models::unit::pe1::{Linear, Pe1};
+use imogene_models::unit::pe2::{Pe2, Quadratic};
+use imogene_rtl::step::step;
+use imogene_rtl::unit::{pe1 as hardware_pe1, pe2 as hardware_pe2};
+use imogene_rtl::word::Int;
+use rust_hdl::core::prelude::Block;
+
+/// The three raster flags.
+pub(super) fn flag_ports() -> Vec<Signal> {
+    ["valid", "start", "line"].map(Signal::bit).to_vec()
+}
+
+fn signed_ports(names: &[&str], width: usize) -> Vec<Signal> {
+    names
+        .iter()
+        .map(|name| Signal::signed(*name, width as u32))
+        .collect()
+}
+
+pub(super) fn pe1<const W: usize>() -> Subject {
+    let mut inputs = flag_ports();
+    inputs.extend(signed_ports(&["a", "b", "c"], W));
+    Subject {
+        name: "pe1".into(),
+        inputs,
+        outputs: signed_ports(&["value"], W),
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware_pe1::Pe1::<W>::default());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                (unit.valid.next, unit.start.next, unit.line.next) =
+                    (bit(i[0]), bit(i[1]), bit(i[2]));
+                unit.a.next = Int::new(i[3]);
+                unit.b.next = Int::new(i[4]);
+                unit.c.next = Int::new(i[5]);
+                step(unit.as_mut());
+                vec![unit.value.val().get()]
+            })
+        }),
+        golden: Box::new(|| {
+            let mut pe: Option<Pe1> = None;
+            let mut value = None;
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[0]) {
+                    if bit(i[1]) {
+                        let words = Linear::new(i[3].into(), i[4].into(), i[5].into());
+                        pe = Some(Pe1::object_start(&words, W as u32));
+                    } else if bit(i[2])
+                        && let Some(pe) = &mut pe
+                    {
+                        pe.line_step();
+                    }
+                    value = pe.as_mut().map(|pe| pe.pixel() as i64);
+                }
+                vec![value]
+            }))
+        }),
+        stimulus: any_raster,
+        options: String::new(),
+    }
+}
+
+/// The coefficients whose preconditioned words these are, modulo the width: the golden model takes a..f.
+///
+/// `a2 = 2a` and `b2 = 2b` have no unique half modulo 2^n, but the halves may be taken in one bit more.
+fn unconditioned(words: &[i64]) -> Quadratic {
+    let [a2, b2, c, p0, i0, f] = [0, 1, 2, 3, 4, 5].map(|k| i128::from(words[k]));
+    let (a, b) = (a2 / 2, b2 / 2);
+    Quadratic {
+        a,
+        b,
+        c,
+        d: p0 - a,
+        e: i0 - b,
+        f,
+    }
+}
+
+pub(super) fn pe2<const F: usize>() -> Subject {
+    let mut inputs = flag_ports();
+    inputs.extend(signed_ports(&["a2", "b2", "c", "p0", "i0", "f"], F));
+    Subject {
+        name: "pe2".into(),
+        inputs,
+        outputs: signed_ports(&["value"], F),
+        hardware: Box::new(|| {
+            let mut unit = Box::new(hardware_pe2::Pe2::<F>::default());
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                (unit.valid.next, unit.start.next, unit.line.next) =
+                    (bit(i[0]), bit(i[1]), bit(i[2]));
+                unit.a2.next = Int::new(i[3]);
+                unit.b2.next = Int::new(i[4]);
+                unit.c.next = Int::new(i[5]);
+                unit.p0.next = Int::new(i[6]);
+                unit.i0.next = Int::new(i[7]);
+                unit.f.next = Int::new(i[8]);
+                step(unit.as_mut());
+                vec![unit.value.val().get()]
+            })
+        }),
+        golden: Box::new(|| {
+            let mut pe: Option<Pe2> = None;
+            let mut value = None;
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[0]) {
+                    if bit(i[1]) {
+                        pe = Some(Pe2::object_start(&unconditioned(&i[3..]), F as u32));
+                    } else if bit(i[2])
+                        && let Some(pe) = &mut pe
+                    {
+                        pe.line_step();
+                    }
+                    value = pe.as_mut().map(|pe| pe.pixel() as i64);
+                }
+                vec![value]
+            }))
+        }),
+        // Second differences are even: they are twice a coefficient.
+        stimulus: |subject, clocks| {
+            use proptest::strategy::Strategy;
+            any_raster(subject, clocks)
+                .prop_map(|mut list| {
+                    for inputs in &mut list {
+                        inputs[3] &= !1;
+                        inputs[4] &= !1;
+                    }
+                    list
+                })
+                .boxed()
+        },
+        options: String::new(),
+    }
+}

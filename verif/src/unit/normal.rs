@@ -1,0 +1,171 @@
+//! The normal unit.
+
+use super::elementary::flag_ports;
+use super::{Late, bit};
+use crate::signal::Signal;
+use crate::stimulus::{flags, word};
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::unit::normal::{NormalWords, select};
+use imogene_models::unit::pe1::{Linear, Pe1};
+use imogene_rtl::step::step;
+use imogene_rtl::unit::normal_unit::NormalUnit;
+use imogene_rtl::word::{Int, Word};
+use proptest::prelude::*;
+use rust_hdl::core::prelude::Block;
+
+/// Words of the quadric's normal, in port order.
+pub(super) const NORMAL_WORDS: [&str; 12] = [
+    "gx_a", "gx_b", "gx_c", "gy_a", "gy_b", "gy_c", "gz_a", "gz_b", "gz_c", "kx", "ky", "kz",
+];
+
+/// Assigns port values, in order, to number ports of a block.
+macro_rules! assign {
+    ($unit:expr, $values:expr, $offset:expr, [$($port:ident),*]) => {{
+        let mut at = $offset;
+        $( $unit.$port.next = Int::new($values[at]); at += 1; )*
+        let _ = at;
+    }};
+}
+pub(super) use assign;
+
+pub(super) fn normal_ports() -> impl Iterator<Item = Signal> {
+    NORMAL_WORDS
+        .iter()
+        .enumerate()
+        .map(|(k, name)| Signal::signed(*name, if k < 9 { 24 } else { 16 }))
+}
+
+/// Where the ports begin, in the order of this subject.
+mod port {
+    pub const NUMBER: usize = 3;
+    pub const ABSENT: usize = 4;
+    pub const ROOT: usize = 5;
+    pub const SHIFT: usize = 6;
+    pub const WORDS: usize = 7;
+    pub const PLANES: usize = 19;
+}
+
+pub(super) fn normal_unit<const W: usize>(planes: usize) -> Subject {
+    let mut inputs = flag_ports();
+    inputs.extend([
+        Signal::unsigned("number", 4),
+        Signal::bit("absent"),
+        Signal::unsigned("root", W as u32),
+        Signal::unsigned("shift", 5),
+    ]);
+    inputs.extend(normal_ports());
+    for i in 0..planes {
+        inputs.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
+    }
+    Subject {
+        name: "normal_unit".into(),
+        inputs,
+        outputs: ["nx", "ny", "nz"]
+            .map(|name| Signal::signed(name, 16))
+            .to_vec(),
+        hardware: Box::new(move || {
+            let mut unit = Box::new(NormalUnit::<W>::new(planes));
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                (unit.valid.next, unit.start.next, unit.line.next) =
+                    (bit(i[0]), bit(i[1]), bit(i[2]));
+                unit.number.next = Word::new(i[port::NUMBER] as u64);
+                unit.absent.next = bit(i[port::ABSENT]);
+                unit.root.next = Word::new(i[port::ROOT] as u64);
+                unit.shift.next = Word::new(i[port::SHIFT] as u64);
+                assign!(
+                    unit,
+                    i,
+                    port::WORDS,
+                    [gx_a, gx_b, gx_c, gy_a, gy_b, gy_c, gz_a, gz_b, gz_c, kx, ky, kz]
+                );
+                for p in 0..planes {
+                    let at = port::PLANES + 3 * p;
+                    unit.plane_nx[p].next = Int::new(i[at]);
+                    unit.plane_ny[p].next = Int::new(i[at + 1]);
+                    unit.plane_nz[p].next = Int::new(i[at + 2]);
+                }
+                step(unit.as_mut());
+                vec![
+                    unit.nx.val().get(),
+                    unit.ny.val().get(),
+                    unit.nz.val().get(),
+                ]
+            })
+        }),
+        golden: Box::new(move || {
+            let mut g: Option<[Pe1; 3]> = None;
+            let mut late = Late::new(3);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let result = golden_clock(&mut g, i, planes);
+                match late.push(result).flatten() {
+                    Some(normal) => normal.map(|v| Some(i64::from(v))).to_vec(),
+                    None => vec![None; 3],
+                }
+            }))
+        }),
+        stimulus: words_held,
+        options: String::new(),
+    }
+}
+
+/// The normal of a clock with a pixel.
+fn golden_clock(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i16; 3]> {
+    if !bit(i[0]) {
+        return None;
+    }
+    let words = normal_words(&i[port::WORDS..], i[port::SHIFT]);
+    if bit(i[1]) {
+        *g = Some(words.g.map(|g| Pe1::object_start(&g, 24)));
+    } else if bit(i[2]) {
+        g.as_mut()?.iter_mut().for_each(Pe1::line_step);
+    }
+    let linear = g.as_mut()?.each_mut().map(|pe| pe.pixel() as i64);
+    let constants: Vec<[i16; 3]> = (0..planes)
+        .map(|p| std::array::from_fn(|k| i[port::PLANES + 3 * p + k] as i16))
+        .collect();
+    Some(select(
+        i[port::NUMBER] as u8,
+        !bit(i[port::ABSENT]),
+        linear,
+        i[port::ROOT],
+        &words,
+        &constants,
+    ))
+}
+
+/// The words of twelve consecutive ports.
+pub(super) fn normal_words(i: &[i64], shift: i64) -> NormalWords {
+    let linear =
+        |k: usize| Linear::new(i[3 * k].into(), i[3 * k + 1].into(), i[3 * k + 2].into());
+    NormalWords {
+        g: [linear(0), linear(1), linear(2)],
+        k: [9, 10, 11].map(|k| i[k] as i16),
+        shift: shift as u8,
+    }
+}
+
+/// Coefficients are read over several clocks, so they are held; numbers and roots change every clock.
+fn words_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let held: Vec<_> = subject.inputs[port::SHIFT..].iter().map(word).collect();
+    let moving = (
+        flags(),
+        0i64..16,
+        prop_oneof![4 => Just(0i64), 1 => Just(1)],
+        word(&subject.inputs[port::ROOT]),
+    );
+    (held, proptest::collection::vec(moving, clocks))
+        .prop_map(|(held, list)| {
+            let clock = |(flags, number, absent, root): ([i64; 3], i64, i64, i64)| {
+                flags
+                    .into_iter()
+                    .chain([number, absent, root])
+                    .chain(held.iter().copied())
+                    .collect::<Inputs>()
+            };
+            let mut list: Vec<Inputs> = list.into_iter().map(clock).collect();
+            list[0][..3].copy_from_slice(&[1, 1, 0]);
+            list
+        })
+        .boxed()
+}

@@ -1,0 +1,277 @@
+//! The quadric object processor.
+
+use super::elementary::flag_ports;
+use super::normal::{assign, normal_ports, normal_words};
+use super::{Late, bit};
+use crate::signal::Signal;
+use crate::stimulus::word;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::object::quadric::{
+    ObjectPixel, PlaneWords, QuadricProcessor as Golden, QuadricWords, ScreenBox, latency,
+};
+use imogene_models::unit::cut_plane::PlaneKind;
+use imogene_models::unit::interval::Class;
+use imogene_models::unit::pe1::Linear;
+use imogene_models::unit::pe2::Quadratic;
+use imogene_rtl::object::quadric_processor::QuadricProcessor;
+use imogene_rtl::step::step;
+use imogene_rtl::word::{Int, Word};
+use proptest::prelude::*;
+use rust_hdl::core::prelude::Block;
+
+/// Where the ports begin, in the order of this subject.
+mod port {
+    pub const X: usize = 3;
+    pub const Y: usize = 4;
+    pub const F1: usize = 5;
+    pub const F2: usize = 8;
+    pub const NORMAL: usize = 14;
+    pub const BOX: usize = 26;
+    pub const CLASS: usize = 30;
+    pub const SHIFT: usize = 31;
+    pub const PLANES: usize = 32;
+    /// Ports of one plane: kind, a, b, c, nx, ny, nz.
+    pub const PLANE: usize = 7;
+}
+
+fn ports(format: &Format, planes: usize) -> Vec<Signal> {
+    let mut ports = flag_ports();
+    ports.extend(["x", "y"].map(|name| Signal::unsigned(name, 12)));
+    ports.extend(["f1_a", "f1_b", "f1_c"].map(|name| Signal::signed(name, format.sum)));
+    ports.extend(
+        ["f2_a2", "f2_b2", "f2_c", "f2_i0", "f2_p0", "f2_f"]
+            .map(|name| Signal::signed(name, format.quadratic)),
+    );
+    ports.extend(normal_ports());
+    ports.extend(["box_x0", "box_x1", "box_y0", "box_y1"].map(|n| Signal::unsigned(n, 12)));
+    ports.push(Signal::unsigned("object_class", 2));
+    ports.push(Signal::unsigned("shift", 5));
+    for i in 0..planes {
+        ports.push(Signal::unsigned(format!("plane_{i}_kind"), 2));
+        ports.extend(["a", "b", "c"].map(|n| Signal::signed(format!("plane_{i}_{n}"), format.plane)));
+        ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
+    }
+    ports
+}
+
+pub(super) fn quadric_processor<
+    const W: usize,
+    const W1: usize,
+    const S: usize,
+    const F: usize,
+    const P: usize,
+>(
+    format: Format,
+    planes: usize,
+    rows_per_stage: usize,
+) -> Subject {
+    let mut outputs = vec![Signal::bit("out_valid")];
+    outputs.extend(["zf", "zb"].map(|name| Signal::signed(name, format.depth)));
+    outputs.push(Signal::unsigned("number", 4));
+    outputs.extend(["nx", "ny", "nz"].map(|name| Signal::signed(name, 16)));
+    Subject {
+        name: "quadric_processor".into(),
+        inputs: ports(&format, planes),
+        outputs,
+        hardware: Box::new(move || {
+            let mut unit = Box::new(QuadricProcessor::<W, W1, S, F, P>::new(
+                planes,
+                rows_per_stage,
+            ));
+            unit.connect_all();
+            Box::new(move |i: &[i64]| {
+                drive(unit.as_mut(), i, planes);
+                step(unit.as_mut());
+                vec![
+                    i64::from(unit.out_valid.val()),
+                    unit.zf.val().get(),
+                    unit.zb.val().get(),
+                    unit.number.val().get() as i64,
+                    unit.nx.val().get(),
+                    unit.ny.val().get(),
+                    unit.nz.val().get(),
+                ]
+            })
+        }),
+        golden: Box::new(move || {
+            let clocks = latency(&format, planes, rows_per_stage as u32) as usize;
+            let mut late = Late::new(clocks);
+            let mut processor: Option<Golden> = None;
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let pixel = golden_clock(&mut processor, i, planes, &format);
+                match late.push(pixel) {
+                    Some(Some(p)) => flat(&p),
+                    Some(None) => [vec![Some(0)], vec![None; 6]].concat(),
+                    None => vec![None; 7],
+                }
+            }))
+        }),
+        stimulus: zones,
+        options: String::new(),
+    }
+}
+
+fn drive<const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize>(
+    unit: &mut QuadricProcessor<W, W1, S, F, P>,
+    i: &[i64],
+    planes: usize,
+) {
+    (unit.valid.next, unit.start.next, unit.line.next) = (bit(i[0]), bit(i[1]), bit(i[2]));
+    unit.x.next = Word::new(i[port::X] as u64);
+    unit.y.next = Word::new(i[port::Y] as u64);
+    assign!(
+        unit,
+        i,
+        port::F1,
+        [
+            f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0, f2_p0, f2_f, gx_a, gx_b, gx_c, gy_a, gy_b,
+            gy_c, gz_a, gz_b, gz_c, kx, ky, kz
+        ]
+    );
+    unit.box_x0.next = Word::new(i[port::BOX] as u64);
+    unit.box_x1.next = Word::new(i[port::BOX + 1] as u64);
+    unit.box_y0.next = Word::new(i[port::BOX + 2] as u64);
+    unit.box_y1.next = Word::new(i[port::BOX + 3] as u64);
+    unit.object_class.next = Word::new(i[port::CLASS] as u64);
+    unit.shift.next = Word::new(i[port::SHIFT] as u64);
+    for p in 0..planes {
+        let at = port::PLANES + port::PLANE * p;
+        unit.plane_kind[p].next = Word::new(i[at] as u64);
+        unit.plane_a[p].next = Int::new(i[at + 1]);
+        unit.plane_b[p].next = Int::new(i[at + 2]);
+        unit.plane_c[p].next = Int::new(i[at + 3]);
+        unit.plane_nx[p].next = Int::new(i[at + 4]);
+        unit.plane_ny[p].next = Int::new(i[at + 5]);
+        unit.plane_nz[p].next = Int::new(i[at + 6]);
+    }
+}
+
+fn golden_clock(
+    processor: &mut Option<Golden>,
+    i: &[i64],
+    planes: usize,
+    format: &Format,
+) -> Option<ObjectPixel> {
+    if !bit(i[0]) {
+        return None;
+    }
+    if bit(i[1]) {
+        *processor = Some(Golden::zone_start(&words_of(i, planes), format));
+    } else if bit(i[2]) {
+        processor.as_mut()?.line_step();
+    }
+    Some(processor.as_mut()?.pixel())
+}
+
+fn flat(p: &ObjectPixel) -> Vec<Option<i64>> {
+    let [nx, ny, nz] = p.normal.map(i64::from);
+    [1, p.zf, p.zb, p.number.into(), nx, ny, nz]
+        .map(Some)
+        .to_vec()
+}
+
+/// The golden model's words from the port values.
+fn words_of(i: &[i64], planes: usize) -> QuadricWords {
+    let w = |k: usize| i128::from(i[k]);
+    let (a, b) = (w(port::F2) / 2, w(port::F2 + 1) / 2);
+    let plane = |p: usize| {
+        let at = port::PLANES + port::PLANE * p;
+        PlaneWords {
+            kind: [
+                PlaneKind::None,
+                PlaneKind::Front,
+                PlaneKind::Back,
+                PlaneKind::Perpendicular,
+            ][i[at] as usize],
+            depth: Linear::new(w(at + 1), w(at + 2), w(at + 3)),
+            normal: [4, 5, 6].map(|k| i[at + k] as i16),
+        }
+    };
+    QuadricWords {
+        class: [Class::Side, Class::Front, Class::Patch, Class::Prism][i[port::CLASS] as usize],
+        screen_box: ScreenBox {
+            x0: i[port::BOX],
+            x1: i[port::BOX + 1],
+            y0: i[port::BOX + 2],
+            y1: i[port::BOX + 3],
+        },
+        f1: Linear::new(w(port::F1), w(port::F1 + 1), w(port::F1 + 2)),
+        f2: Quadratic {
+            a,
+            b,
+            c: w(port::F2 + 2),
+            d: w(port::F2 + 4) - a,
+            e: w(port::F2 + 3) - b,
+            f: w(port::F2 + 5),
+        },
+        normal: normal_words(&i[port::NORMAL..], i[port::SHIFT]),
+        planes: (0..planes).map(plane).collect(),
+    }
+}
+
+/// One zone of random size with one set of words: full-range words, or a plausible object whose depths, silhouette and planes meet on
+/// the zone, so that every branch is reached.
+fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let any_words: Vec<_> = subject.inputs[port::F1..].iter().map(word).collect();
+    let inputs = subject.inputs.clone();
+    let words = prop_oneof![
+        1 => any_words.prop_map(even_differences),
+        4 => plausible(&inputs).prop_map(even_differences),
+    ];
+    (words, 1i64..24)
+        .prop_map(move |(words, width)| {
+            let count = clocks as i64;
+            (0..count)
+                .map(|n| {
+                    // Every eleventh clock is a gap, in which the raster stands still.
+                    let gap = n % 11 == 10;
+                    let pixel = n - n / 11;
+                    let (x, y) = (pixel % width, pixel / width);
+                    let flags = if gap {
+                        [0, 0, 0]
+                    } else {
+                        [1, i64::from(pixel == 0), i64::from(x == 0 && y > 0)]
+                    };
+                    flags
+                        .into_iter()
+                        .chain([x, y & 0xfff])
+                        .chain(words.iter().copied())
+                        .collect()
+                })
+                .collect()
+        })
+        .boxed()
+}
+
+fn even_differences(mut words: Vec<i64>) -> Vec<i64> {
+    words[port::F2 - port::F1] &= !1;
+    words[port::F2 - port::F1 + 1] &= !1;
+    words
+}
+
+/// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.
+fn plausible(inputs: &[Signal]) -> BoxedStrategy<Vec<i64>> {
+    let one = |k: usize| -> BoxedStrategy<i64> {
+        let signal = &inputs[k];
+        let spread = |range: i64| (-range..=range).boxed();
+        match signal.name.as_str() {
+            "f1_a" | "f1_b" => spread(300),
+            "f1_c" => spread(20_000),
+            "f2_a2" | "f2_b2" => spread(1 << 18),
+            "f2_c" => spread(1 << 16),
+            "f2_i0" | "f2_p0" => spread(1 << 22),
+            "f2_f" => spread(1 << 26),
+            "box_x0" | "box_y0" => (0i64..4).boxed(),
+            "box_x1" | "box_y1" => (4i64..30).boxed(),
+            "shift" => (0i64..3).boxed(),
+            name if name.ends_with("_a") || name.ends_with("_b") => spread(2_000),
+            name if name.starts_with("plane_") && name.ends_with("_c") => spread(20_000),
+            _ => word(signal),
+        }
+    };
+    (port::F1..inputs.len())
+        .map(one)
+        .collect::<Vec<_>>()
+        .boxed()
+}

@@ -1,0 +1,141 @@
+//! A co-simulation that could not find a fault would prove nothing: broken units and a broken coefficient must be reported with cycle,
+//! pixel, values and a trace.
+
+use imogene_models::format::Format;
+use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::scene::SceneFile;
+use imogene_rtl::step::step;
+use imogene_rtl::unit::pe1::Pe1;
+use imogene_rtl::word::Int;
+use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::scene::{self, Fault, Options, TraceRequest};
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::{NAMES, Parameters, subject};
+use rust_hdl::core::prelude::Block;
+use std::path::Path;
+
+/// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
+fn broken_pe1() -> Subject {
+    let mut broken = subject("pe1", Parameters::default()).unwrap();
+    broken.hardware = Box::new(|| {
+        let mut unit = Box::new(Pe1::<26>::default());
+        unit.connect_all();
+        Box::new(move |i: &[i64]| {
+            (unit.valid.next, unit.start.next, unit.line.next) = (i[0] != 0, i[1] != 0, i[2] != 0);
+            unit.a.next = Int::new(i[3]);
+            unit.b.next = Int::new(i[3]);
+            unit.c.next = Int::new(i[5]);
+            step(unit.as_mut());
+            vec![unit.value.val().get()]
+        })
+    });
+    broken
+}
+
+#[test]
+fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
+    let broken = broken_pe1();
+    let stimulus = broken.seeded_stimulus(200, 7);
+    let (report, trace) = broken.run(&stimulus, true);
+    assert!(!report.passed() && report.mismatches > 0);
+    let first = &report.first_mismatches[0];
+    assert_eq!(first.signal, "value");
+    assert_ne!(first.hardware, first.golden);
+    let text = first.to_string();
+    assert!(text.contains(&format!("cycle {}", first.cycle)), "{text}");
+
+    let folder = tempfile::tempdir().unwrap();
+    let files = trace.unwrap().write(&folder.path().join("pe1.vcd")).unwrap();
+    let vcd = std::fs::read_to_string(&files[0]).unwrap();
+    for name in ["hardware", "golden", "mismatch", "stimulus"] {
+        assert!(vcd.contains(name), "the trace has no {name}");
+    }
+    // The marker of the save file stands at the first mismatch, ten time units a clock.
+    let save = std::fs::read_to_string(&files[1]).unwrap();
+    assert!(save.contains(&format!("*-7.0 {}", first.cycle * 10)), "{save}");
+}
+
+/// For every unit: hardware whose first output has its lowest bit inverted now and then is found.
+#[test]
+fn every_scoreboard_finds_a_flipped_output_bit() {
+    for name in NAMES {
+        let good = subject(name, Parameters::default()).unwrap();
+        let stimulus = good.seeded_stimulus(120, 3);
+        let make = subject(name, Parameters::default()).unwrap().hardware;
+        let mut broken = subject(name, Parameters::default()).unwrap();
+        broken.hardware = Box::new(move || {
+            let mut inner = make();
+            let mut clock = 0;
+            Box::new(move |inputs: &[i64]| {
+                let mut outputs = inner.clock(inputs);
+                clock += 1;
+                if clock % 7 == 0 {
+                    outputs[0] ^= 1;
+                }
+                outputs
+            })
+        });
+        assert_eq!(good.run(&stimulus, false).0.mismatches, 0, "{name}");
+        assert!(broken.run(&stimulus, false).0.mismatches > 0, "{name}");
+    }
+}
+
+fn teapot(width: u32, height: u32) -> PreparedScene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
+    let scene = SceneFile::read(&path).unwrap().frame(width, height).unwrap();
+    prepare(&scene, Format::BASE).unwrap()
+}
+
+#[test]
+fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = teapot(48, 36);
+    let mut options = Options {
+        rows_per_stage: 4,
+        bands: 1,
+        trace: Some(TraceRequest {
+            path: folder.path().join("teapot.vcd"),
+            object: 0,
+            clocks: 100,
+        }),
+        fault: None,
+    };
+    let run = |options: &Options| {
+        scene::run(&scene, options, |shape| RustHdl::new(shape).unwrap(), || ()).unwrap()
+    };
+    let (good, frame) = run(&options);
+    assert!(good.passed(), "{:?}", good.first_mismatches);
+
+    // Bit 18 of f1's constant term of object 0, the pot's body.
+    options.fault = Some(Fault {
+        object: 0,
+        address: 2,
+        bit: 18,
+    });
+    let (report, broken_frame) = run(&options);
+    assert!(report.mismatches > 0);
+    assert_ne!(frame, broken_frame);
+    let first = &report.first_mismatches[0];
+    assert!(first.pixel.is_some() && first.hardware != first.golden);
+    assert_eq!(report.files.len(), 2);
+    let vcd = std::fs::read_to_string(&report.files[0]).unwrap();
+    assert!(vcd.contains("processor_0") && vcd.contains("beam"));
+}
+
+#[test]
+fn faults_that_do_not_exist_are_refused() {
+    let scene = teapot(16, 12);
+    let options = Options {
+        rows_per_stage: 24,
+        bands: 1,
+        trace: None,
+        fault: Some(Fault {
+            object: 99,
+            address: 2,
+            bit: 0,
+        }),
+    };
+    let outcome = scene::run(&scene, &options, |shape| RustHdl::new(shape).unwrap(), || ());
+    let message = outcome.err().unwrap().to_string();
+    assert!(message.contains("99:2:0") && message.contains("accepted"), "{message}");
+}
