@@ -22,5 +22,7 @@ pub fn progress(length: u64, what: &'static str) -> ProgressBar {
     }
     let style = ProgressStyle::with_template("{msg:<28} {bar:40} {percent:>3} % {eta:>6}")
         .expect("a valid template");
-    ProgressBar::new(length).with_style(style).with_message(what)
+    ProgressBar::new(length)
+        .with_style(style)
+        .with_message(what)
 }

@@ -24,15 +24,32 @@ fn scene() -> FramedScene {
     let cut = FramedObject {
         name: "cut ball".into(),
         surface: Surface::Solid,
-        quadric: Quadric { a, b, c, d, e, f, g, h, i, j },
-        planes: vec![plane([0, 0, -1, 260]), plane([2, 1, -2, 420]), plane([-1, 3, -2, 510])],
+        quadric: Quadric {
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            g,
+            h,
+            i,
+            j,
+        },
+        planes: vec![
+            plane([0, 0, -1, 260]),
+            plane([2, 1, -2, 420]),
+            plane([-1, 3, -2, 510]),
+        ],
         material: 0,
     };
     FramedScene {
         title: "benchmark".into(),
         width: WIDTH,
         height: HEIGHT,
-        projection: Projection::Perspective { distance: integer(DISTANCE) },
+        projection: Projection::Perspective {
+            distance: integer(DISTANCE),
+        },
         objects: vec![cut],
         materials: vec![],
         lights: vec![],
@@ -47,7 +64,8 @@ fn golden(words: &QuadricWords, window: &ScreenBox) -> i64 {
     for y in window.y0..=window.y1 {
         for_each_present(words, &Format::BASE, y, |x, pixel| {
             let [nx, ny, nz] = pixel.normal.map(i64::from);
-            sum = sum.wrapping_add(x ^ pixel.zf ^ pixel.zb ^ i64::from(pixel.number) ^ nx ^ ny ^ nz);
+            sum =
+                sum.wrapping_add(x ^ pixel.zf ^ pixel.zb ^ i64::from(pixel.number) ^ nx ^ ny ^ nz);
         });
     }
     sum
@@ -63,7 +81,11 @@ impl Caster {
     fn new(object: &FramedObject) -> Caster {
         Caster {
             quadric: object.quadric.coefficients().map(to_f64),
-            planes: object.planes.iter().map(|p| p.coefficients().map(to_f64)).collect(),
+            planes: object
+                .planes
+                .iter()
+                .map(|p| p.coefficients().map(to_f64))
+                .collect(),
         }
     }
 
@@ -72,8 +94,14 @@ impl Caster {
     fn first_hit(&self, x: i64, y: i64) -> Option<(f64, usize, [f64; 3])> {
         let [a, b, c, d, e, f, g, h, i, j] = self.quadric;
         let distance = DISTANCE as f64;
-        let [dx, dy, dz] = [(x - i64::from(WIDTH / 2)) as f64, (y - i64::from(HEIGHT / 2)) as f64, distance];
-        let square = (a * dx + 2.0 * d * dy) * dx + (b * dy + 2.0 * f * dz) * dy + (c * dz + 2.0 * e * dx) * dz;
+        let [dx, dy, dz] = [
+            (x - i64::from(WIDTH / 2)) as f64,
+            (y - i64::from(HEIGHT / 2)) as f64,
+            distance,
+        ];
+        let square = (a * dx + 2.0 * d * dy) * dx
+            + (b * dy + 2.0 * f * dz) * dy
+            + (c * dz + 2.0 * e * dx) * dz;
         let half = (g - e * distance) * dx + (h - f * distance) * dy + (i - c * distance) * dz;
         let eye = (c * distance - 2.0 * i) * distance + j;
         let discriminant = half * half - square * eye;
@@ -97,15 +125,27 @@ impl Caster {
         if near > far {
             return None;
         }
-        Some((near, face, self.normal(face, [near * dx, near * dy, near * dz - distance])))
+        Some((
+            near,
+            face,
+            self.normal(face, [near * dx, near * dy, near * dz - distance]),
+        ))
     }
 
     #[inline]
     fn normal(&self, face: usize, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c, d, e, f, g, h, i, _] = self.quadric;
         let normal = match face {
-            0 => [a * x + d * y + e * z + g, d * x + b * y + f * z + h, e * x + f * y + c * z + i],
-            plane => [self.planes[plane - 2][0], self.planes[plane - 2][1], self.planes[plane - 2][2]],
+            0 => [
+                a * x + d * y + e * z + g,
+                d * x + b * y + f * z + h,
+                e * x + f * y + c * z + i,
+            ],
+            plane => [
+                self.planes[plane - 2][0],
+                self.planes[plane - 2][1],
+                self.planes[plane - 2][2],
+            ],
         };
         let length = normal.iter().map(|v| v * v).sum::<f64>().sqrt();
         normal.map(|v| v / length)
@@ -132,8 +172,12 @@ fn benchmark(criterion: &mut Criterion) {
     let caster = Caster::new(&scene.objects[0]);
     let mut group = criterion.benchmark_group("quadric processor, three planes");
     group.throughput(Throughput::Elements(window.pixels()));
-    group.bench_function("golden integer model", |b| b.iter(|| golden(black_box(words), &window)));
-    group.bench_function("floating-point ray caster", |b| b.iter(|| float(black_box(&caster), &window)));
+    group.bench_function("golden integer model", |b| {
+        b.iter(|| golden(black_box(words), &window))
+    });
+    group.bench_function("floating-point ray caster", |b| {
+        b.iter(|| float(black_box(&caster), &window))
+    });
     group.finish();
 }
 

@@ -29,7 +29,10 @@ fn double_cone() -> Quadric {
 #[track_caller]
 fn assert_problem(report: &CheckReport, essential: &str) {
     let problems = &report.objects[0].problems;
-    assert!(problems.iter().any(|p| p.contains(essential)), "'{essential}' not in {problems:?}");
+    assert!(
+        problems.iter().any(|p| p.contains(essential)),
+        "'{essential}' not in {problems:?}"
+    );
 }
 
 #[test]
@@ -37,7 +40,10 @@ fn a_plain_ball_has_no_problem() {
     let report = report(vec![object("ball", Surface::Solid, ball(), &[])]);
     let ball = &report.objects[0];
     assert!(report.ok && ball.problems.is_empty(), "{:?}", ball.problems);
-    assert_eq!((ball.name.as_str(), ball.kind, ball.class), ("ball", "ellipsoid", Class::Side));
+    assert_eq!(
+        (ball.name.as_str(), ball.kind, ball.class),
+        ("ball", "ellipsoid", Class::Side)
+    );
     assert!(ball.pixels > 15_000);
     assert!(report.bounds.depth_lsb <= report.bounds.depth_lsb_closed_form);
     assert!(report.bounds.silhouette_px < 1e-5);
@@ -70,30 +76,53 @@ fn planes_without_effect_are_named() {
 
 #[test]
 fn objects_off_the_screen_and_notes_of_the_preparation_are_told() {
-    let aside = report(vec![object("aside", Surface::Solid, sphere([2000, 0, 300], 100), &[])]);
+    let aside = report(vec![object(
+        "aside",
+        Surface::Solid,
+        sphere([2000, 0, 300], 100),
+        &[],
+    )]);
     assert_problem(&aside, "outside the screen");
     assert_eq!(aside.objects[0].pixels, 0);
     let apart = [[1, 0, 0, 0], [-1, 0, 0, 1]];
-    let empty = report(vec![object("slice", Surface::Patch, sphere([0, 0, 300], 100), &apart)]);
+    let empty = report(vec![object(
+        "slice",
+        Surface::Patch,
+        sphere([0, 0, 300], 100),
+        &apart,
+    )]);
     assert_problem(&empty, "leave nothing");
     assert_eq!(empty.objects[0].pixels, 0);
 }
 
 #[test]
 fn a_solid_before_the_near_end_is_told() {
-    let report = report(vec![object("ball", Surface::Solid, sphere([0, 0, -451], 290), &[])]);
+    let report = report(vec![object(
+        "ball",
+        Surface::Solid,
+        sphere([0, 0, -451], 290),
+        &[],
+    )]);
     assert_problem(&report, "near end");
     assert_eq!(report.widths.needed.sum, Format::BASE.sum);
 }
 
 #[test]
 fn the_apex_of_a_double_cone_is_told_and_bounded() {
-    let report = report(vec![object("hourglass", Surface::Solid, double_cone(), &[[0, 1, 0, -120], [0, -1, 0, -120]])]);
+    let report = report(vec![object(
+        "hourglass",
+        Surface::Solid,
+        double_cone(),
+        &[[0, 1, 0, -120], [0, -1, 0, -120]],
+    )]);
     assert_problem(&report, "no direction");
     let cone = &report.objects[0];
     assert_eq!(cone.kind, "cone");
     assert!(cone.bounds.silhouette_singular);
-    println!("silhouette of a double cone within {:.3} pixels", cone.bounds.silhouette_px);
+    println!(
+        "silhouette of a double cone within {:.3} pixels",
+        cone.bounds.silhouette_px
+    );
     assert!(cone.bounds.silhouette_px < 0.5 && report.ok);
 }
 
@@ -122,7 +151,11 @@ fn contour_points(object: &PreparedObject) -> Vec<([f64; 2], [f64; 2])> {
         let along = q.from_zone(middle, y);
         let [a, b, c] = [along.a, along.d, along.f].map(|v| v as f64);
         let root = (b * b - 4.0 * a * c).sqrt();
-        for u in [-1.0, 1.0].map(|s| (-b + s * root) / (2.0 * a)).into_iter().filter(|u| u.is_finite()) {
+        for u in [-1.0, 1.0]
+            .map(|s| (-b + s * root) / (2.0 * a))
+            .into_iter()
+            .filter(|u| u.is_finite())
+        {
             let x = middle as f64 + u;
             if x < x0 as f64 || x > x1 as f64 {
                 continue;
@@ -137,7 +170,11 @@ fn contour_points(object: &PreparedObject) -> Vec<([f64; 2], [f64; 2])> {
 }
 
 fn exact_sign(object: &PreparedObject, [x, y]: [f64; 2]) -> bool {
-    object.exact.f2.at(&from_f64_exact(x), &from_f64_exact(y)).is_positive()
+    object
+        .exact
+        .f2
+        .at(&from_f64_exact(x), &from_f64_exact(y))
+        .is_positive()
 }
 
 /// From every point of the computed contour the true one is crossed within the stated displacement, along the slope.
@@ -145,10 +182,16 @@ fn exact_sign(object: &PreparedObject, [x, y]: [f64; 2]) -> bool {
 fn the_true_silhouette_lies_within_the_stated_displacement() {
     let egg = whole_quadric([3, 2, 5, 1, -1, 1, -60, 17, -1200, 320_000]);
     for (name, quadric) in [("ball", ball()), ("egg", egg), ("hourglass", double_cone())] {
-        let cuts: &[[i64; 4]] = if name == "hourglass" { &[[0, 1, 0, -120], [0, -1, 0, -120]] } else { &[] };
+        let cuts: &[[i64; 4]] = if name == "hourglass" {
+            &[[0, 1, 0, -120], [0, -1, 0, -120]]
+        } else {
+            &[]
+        };
         for depth in [16, 20, 24] {
-            let scene: FramedScene = scene(vec![object(name, Surface::Solid, quadric.clone(), cuts)]);
-            let prepared = prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
+            let scene: FramedScene =
+                scene(vec![object(name, Surface::Solid, quadric.clone(), cuts)]);
+            let prepared =
+                prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
             let object = &prepared.objects[0];
             let reach = check(&scene, &prepared).bounds.silhouette_px;
             let points = contour_points(object);
@@ -157,7 +200,10 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
                 let at = |s: f64| [x + s * reach * gx, y + s * reach * gy];
                 // The hourglass bound also covers the neighbourhood of the apex, where the slope turns.
                 let crossed = exact_sign(object, at(1.0)) != exact_sign(object, at(-1.0));
-                assert!(crossed || name == "hourglass", "{name}, {depth} bits, ({x}, {y})");
+                assert!(
+                    crossed || name == "hourglass",
+                    "{name}, {depth} bits, ({x}, {y})"
+                );
             }
             println!("{name}, {depth} bits: within {reach:.2e} pixels");
         }
@@ -166,10 +212,16 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
 
 #[test]
 fn longer_words_are_never_worse() {
-    let scene = scene(vec![object("ball", Surface::Solid, ball(), &[[0, 0, -1, 250]])]);
+    let scene = scene(vec![object(
+        "ball",
+        Surface::Solid,
+        ball(),
+        &[[0, 0, -1, 250]],
+    )]);
     let mut last = f64::INFINITY;
     for depth in [16, 20, 24, 28, 32] {
-        let prepared = prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
+        let prepared =
+            prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
         let object = &prepared.objects[0];
         assert!(depth_bound(object, 0, 1 << 20) < 1e4);
         let silhouette = check(&scene, &prepared).bounds.silhouette_px;

@@ -51,13 +51,26 @@ fn point_at(scene: &FramedScene, x: usize, y: usize, depth: f64) -> [f64; 3] {
         Projection::Perspective { distance } => distance,
         Projection::Orthographic { half_depth } => half_depth,
     });
-    scene.projection.antecedent(scene.pixel_centre(x, y), depth * full)
+    scene
+        .projection
+        .antecedent(scene.pixel_centre(x, y), depth * full)
 }
 
 fn quadric_value(object: &FramedObject, p: [f64; 3]) -> f64 {
     let n = gradient(&object.quadric, p);
-    let greatest = object.quadric.coefficients().map(|c| to_f64(c).abs()).into_iter().fold(0.0, f64::max);
-    let [g, h, i, j] = [&object.quadric.g, &object.quadric.h, &object.quadric.i, &object.quadric.j].map(|c| to_f64(c) / greatest);
+    let greatest = object
+        .quadric
+        .coefficients()
+        .map(|c| to_f64(c).abs())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let [g, h, i, j] = [
+        &object.quadric.g,
+        &object.quadric.h,
+        &object.quadric.i,
+        &object.quadric.j,
+    ]
+    .map(|c| to_f64(c) / greatest);
     (n[0] + g) * p[0] + (n[1] + h) * p[1] + (n[2] + i) * p[2] + j
 }
 
@@ -75,12 +88,18 @@ fn quadratic_along(value: impl Fn(f64) -> f64) -> [f64; 3] {
 }
 
 /// Depth fractions of the quadric in order, nothing if there are none, an error if it is unclear.
-fn roots(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Result<Vec<Candidate>, ()> {
+fn roots(
+    scene: &FramedScene,
+    object: &FramedObject,
+    x: usize,
+    y: usize,
+) -> Result<Vec<Candidate>, ()> {
     let weight = |depth: f64| match scene.projection {
         Projection::Perspective { .. } => 1.0 - depth,
         Projection::Orthographic { .. } => 1.0,
     };
-    let value = |depth| quadric_value(object, point_at(scene, x, y, depth)) * weight(depth) * weight(depth);
+    let value =
+        |depth| quadric_value(object, point_at(scene, x, y, depth)) * weight(depth) * weight(depth);
     let [a, b, c] = quadratic_along(value);
     let size = b * b + (4.0 * a * c).abs();
     let discriminant = b * b - 4.0 * a * c;
@@ -92,7 +111,12 @@ fn roots(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Resu
     }
     let mut depths = [-1.0, 1.0].map(|s| (-b + s * discriminant.sqrt()) / (2.0 * a));
     depths.sort_by(f64::total_cmp);
-    Ok((0..2).map(|k| Candidate { depth: depths[k], number: k as u8 }).collect())
+    Ok((0..2)
+        .map(|k| Candidate {
+            depth: depths[k],
+            number: k as u8,
+        })
+        .collect())
 }
 
 fn cast(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Found {
@@ -104,12 +128,17 @@ fn cast(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Found
         Projection::Orthographic { .. } => 1.0,
     };
     let planes = (0..object.planes.len()).filter_map(|i| {
-        let value = |depth: f64| plane_value(object, i, point_at(scene, x, y, depth)) * weight(depth);
+        let value =
+            |depth: f64| plane_value(object, i, point_at(scene, x, y, depth)) * weight(depth);
         let (low, high) = (value(-0.5), value(0.5));
         let depth = -0.5 - low / (high - low);
-        depth.is_finite().then_some(Candidate { depth, number: FACE_PLANE + i as u8 })
+        depth.is_finite().then_some(Candidate {
+            depth,
+            number: FACE_PLANE + i as u8,
+        })
     });
-    let ends = [(-1.0, FACE_NEAR_END), (1.0, 255)].map(|(depth, number)| Candidate { depth, number });
+    let ends =
+        [(-1.0, FACE_NEAR_END), (1.0, 255)].map(|(depth, number)| Candidate { depth, number });
     let mut faces: Vec<Candidate> = quadric.iter().copied().chain(planes).chain(ends).collect();
     faces.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     if faces.windows(2).any(|w| w[1].depth - w[0].depth < 1e-6) {
@@ -121,7 +150,9 @@ fn cast(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Found
     };
     let visible = |depth: f64| (-1.0..1.0).contains(&depth);
     let hit = match object.surface {
-        Surface::Patch => quadric.into_iter().find(|c| visible(c.depth) && kept(c.depth)),
+        Surface::Patch => quadric
+            .into_iter()
+            .find(|c| visible(c.depth) && kept(c.depth)),
         Surface::Solid => faces.windows(2).find_map(|w| {
             let middle = 0.5 * (w[0].depth + w[1].depth);
             let inside = quadric_value(object, point_at(scene, x, y, middle)) <= 0.0;
@@ -144,11 +175,17 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
             .collect();
         for _ in 0..1500 {
             let at = |v: f64, size: u32| ((v + 1.0) * 0.5 * f64::from(size)) as usize;
-            let (x, y) = (at(random.signed(), scene.width), at(random.signed(), scene.height));
+            let (x, y) = (
+                at(random.signed(), scene.width),
+                at(random.signed(), scene.height),
+            );
             for (object, ray) in scene.objects.iter().zip(&rays) {
                 let exact = ray.first_hit(x as i64, y as i64);
                 let depth = |w: &imogene_models::exact::real::SurdReal| {
-                    let fixed: i64 = w.fixed(&BigInt::from(1), &BigInt::from(1), 50).try_into().expect("visible");
+                    let fixed: i64 = w
+                        .fixed(&BigInt::from(1), &BigInt::from(1), 50)
+                        .try_into()
+                        .expect("visible");
                     fixed as f64 / 2f64.powi(50)
                 };
                 match (cast(&scene, object, x, y), exact) {
@@ -183,7 +220,14 @@ fn exact_point(scene: &FramedScene, x: i64, y: i64, depth: &BigRational) -> [Big
 }
 
 /// The value of the face's own equation at a pixel and depth fraction.
-fn face_value(scene: &FramedScene, id: u32, number: u8, x: i64, y: i64, depth: &BigRational) -> BigRational {
+fn face_value(
+    scene: &FramedScene,
+    id: u32,
+    number: u8,
+    x: i64,
+    y: i64,
+    depth: &BigRational,
+) -> BigRational {
     let object = &scene.objects[id as usize];
     let [px, py, pz] = exact_point(scene, x, y, depth);
     match number {
@@ -206,11 +250,13 @@ fn every_visible_point_lies_on_its_face() {
             };
             let (x, y) = (index as i64 % 80, index as i64 / 80);
             let value = |units: i64| {
-                let depth = BigRational::new(BigInt::from(pixel.depth + units), &full << DEPTH_FRACTION);
+                let depth =
+                    BigRational::new(BigInt::from(pixel.depth + units), &full << DEPTH_FRACTION);
                 face_value(&scene, pixel.id, pixel.number, x, y, &depth)
             };
             let (before, after) = (value(-1), value(2));
-            let changes = before.is_zero() || after.is_zero() || before.is_positive() != after.is_positive();
+            let changes =
+                before.is_zero() || after.is_zero() || before.is_positive() != after.is_positive();
             assert!(changes, "{name} ({x}, {y}): {pixel:?}");
             checked += 1;
         }
@@ -221,14 +267,31 @@ fn every_visible_point_lies_on_its_face() {
 /// Balls of radius 25 seen in parallel: at whole points of the circle the depth is a whole number and is met exactly.
 #[test]
 fn rational_roots_are_exact() {
-    let projection = Projection::Orthographic { half_depth: integer(100) };
+    let projection = Projection::Orthographic {
+        half_depth: integer(100),
+    };
     for surface in [Surface::Solid, Surface::Patch] {
-        let scene = scene_of(64, 64, projection.clone(), vec![object("ball", surface, sphere([0, 0, 0], 25), &[])]);
+        let scene = scene_of(
+            64,
+            64,
+            projection.clone(),
+            vec![object("ball", surface, sphere([0, 0, 0], 25), &[])],
+        );
         let ray = RayObject::new(&scene.objects[0], &scene.projection, 64, 64);
-        for (u, v, z) in [(0, 0, 25), (7, 0, 24), (0, -15, 20), (-24, 0, 7), (12, 9, 20), (25, 0, 0)] {
+        for (u, v, z) in [
+            (0, 0, 25),
+            (7, 0, 24),
+            (0, -15, 20),
+            (-24, 0, 7),
+            (12, 9, 20),
+            (25, 0, 0),
+        ] {
             let hit = ray.first_hit(u + 32, v + 32).expect("on the ball");
             // z = 100 (1 + w)
-            assert_eq!(hit.w.cmp_ratio(&BigInt::from(-z - 100), &BigInt::from(100)), Ordering::Equal);
+            assert_eq!(
+                hit.w.cmp_ratio(&BigInt::from(-z - 100), &BigInt::from(100)),
+                Ordering::Equal
+            );
             let depth = fraction(-z, 100);
             assert!(face_value(&scene, 0, hit.number, u + 32, v + 32, &depth).is_zero());
         }

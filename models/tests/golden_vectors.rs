@@ -19,11 +19,21 @@ use num_bigint::BigInt;
 
 fn cut_cylinder(surface: Surface) -> FramedScene {
     let planes = [[0, 0, -1, 250], [0, 1, 0, -80], [0, -1, 0, -80]];
-    scene(vec![object("cylinder", surface, centred([1, 0, 1], [0, 0, 300], 10_000), &planes)])
+    scene(vec![object(
+        "cylinder",
+        surface,
+        centred([1, 0, 1], [0, 0, 300], 10_000),
+        &planes,
+    )])
 }
 
 fn sphere_scene() -> FramedScene {
-    scene(vec![object("sphere", Surface::Solid, sphere([20, -10, 300], 100), &[])])
+    scene(vec![object(
+        "sphere",
+        Surface::Solid,
+        sphere([20, -10, 300], 100),
+        &[],
+    )])
 }
 
 fn words_of(scene: &FramedScene) -> QuadricWords {
@@ -42,16 +52,58 @@ fn root_at(words: &QuadricWords, x: i64, y: i64) -> i64 {
 type Faces = (i64, i64, u8);
 
 /// One row of table 6.7: pixel, root (nothing where f2 < 0), plane depths before saturation, volume, patch.
-type Row = ((i64, i64), Option<i64>, [i64; 3], Option<Faces>, Option<(i64, u8)>);
+type Row = (
+    (i64, i64),
+    Option<i64>,
+    [i64; 3],
+    Option<Faces>,
+    Option<(i64, u8)>,
+);
 
 const MIDDLE: [i64; 3] = [1_677_721, 8_388_496, 8_388_718];
 const CYLINDER_ROWS: [Row; 7] = [
-    ((360, 270), Some(499_321), MIDDLE, Some((1_677_721, 2_396_744, 2)), Some((2_396_744, 1))),
-    ((400, 270), Some(426_971), MIDDLE, Some((1_677_721, 2_324_394, 2)), Some((2_324_394, 1))),
-    ((360, 330), Some(499_321), [1_677_721, 2_097_016, 14_680_198], Some((1_677_721, 2_097_016, 2)), None),
-    ((360, 337), Some(499_321), [1_677_721, 1_363_010, 15_414_204], None, None),
-    ((430, 270), Some(209_952), MIDDLE, Some((1_687_471, 2_107_375, 0)), Some((1_687_471, 0))),
-    ((435, 270), Some(117_101), MIDDLE, Some((1_780_322, 2_014_524, 0)), Some((1_780_322, 0))),
+    (
+        (360, 270),
+        Some(499_321),
+        MIDDLE,
+        Some((1_677_721, 2_396_744, 2)),
+        Some((2_396_744, 1)),
+    ),
+    (
+        (400, 270),
+        Some(426_971),
+        MIDDLE,
+        Some((1_677_721, 2_324_394, 2)),
+        Some((2_324_394, 1)),
+    ),
+    (
+        (360, 330),
+        Some(499_321),
+        [1_677_721, 2_097_016, 14_680_198],
+        Some((1_677_721, 2_097_016, 2)),
+        None,
+    ),
+    (
+        (360, 337),
+        Some(499_321),
+        [1_677_721, 1_363_010, 15_414_204],
+        None,
+        None,
+    ),
+    (
+        (430, 270),
+        Some(209_952),
+        MIDDLE,
+        Some((1_687_471, 2_107_375, 0)),
+        Some((1_687_471, 0)),
+    ),
+    (
+        (435, 270),
+        Some(117_101),
+        MIDDLE,
+        Some((1_780_322, 2_014_524, 0)),
+        Some((1_780_322, 0)),
+    ),
     ((440, 270), None, MIDDLE, None, None),
 ];
 
@@ -86,7 +138,8 @@ fn cylinder_pixels_of_volume_and_patch() {
             Some(root) => assert_eq!(root_at(&volume, x, y), root, "root at ({x}, {y})"),
             None => assert_eq!(radicand_at(&volume, x, y), -18_748_986_486),
         }
-        let wide = [0, 1, 2].map(|i| volume.planes[i].depth.wrapped_at(x, y, Format::BASE.plane) as i64);
+        let wide =
+            [0, 1, 2].map(|i| volume.planes[i].depth.wrapped_at(x, y, Format::BASE.plane) as i64);
         assert_eq!(wide, depths, "plane words at ({x}, {y})");
         let seen = golden_at(&volume, x, y).map(|p| (p.zf, p.zb, p.number));
         assert_eq!(seen, solid, "volume at ({x}, {y})");
@@ -106,16 +159,25 @@ fn cylinder_back_faces() {
 }
 
 /// Half A after all planes, with plane depths from an accumulator of `width` bits: 24 is the naive machine.
-fn chain(words: &QuadricWords, x: i64, y: i64, width: u32) -> imogene_models::unit::interval::Interval {
+fn chain(
+    words: &QuadricWords,
+    x: i64,
+    y: i64,
+    width: u32,
+) -> imogene_models::unit::interval::Interval {
     let format = Format::BASE;
     let f1 = words.f1.wrapped_at(x, y, format.sum) as i64;
     let f2 = radicand_at(words, x, y);
     let r = if f2 < 0 { 0 } else { root_at(words, x, y) };
     let start = halves(words.class, f1 - r, f1 + r, f2 < 0, &format).0;
-    words.planes.iter().enumerate().fold(start, |state, (i, plane)| {
-        let zp = wrap64(plane.depth.wrapped_at(x, y, 64) as i64, width);
-        cut(state, plane.kind, zp, FACE_PLANE + i as u8, false, &format)
-    })
+    words
+        .planes
+        .iter()
+        .enumerate()
+        .fold(start, |state, (i, plane)| {
+            let zp = wrap64(plane.depth.wrapped_at(x, y, 64) as i64, width);
+            cut(state, plane.kind, zp, FACE_PLANE + i as u8, false, &format)
+        })
 }
 
 #[test]
@@ -124,7 +186,10 @@ fn a_plane_accumulator_of_24_bits_loses_the_cylinder_at_the_screen_centre() {
     assert_eq!(words.planes[2].depth.wrapped_at(360, 270, 24), -8_388_498);
     assert!(!chain(&words, 360, 270, 24).is_present(&Format::BASE));
     let whole_line = (260..=460).all(|x| !chain(&words, x, 270, 24).is_present(&Format::BASE));
-    assert!(whole_line, "the naive machine keeps nothing of the line through the centre");
+    assert!(
+        whole_line,
+        "the naive machine keeps nothing of the line through the centre"
+    );
     assert!(chain(&words, 360, 270, Format::BASE.plane).is_present(&Format::BASE));
     assert!(golden_at(&words, 360, 270).is_some());
 }
@@ -147,12 +212,24 @@ fn sphere_after_perspective() {
     assert_eq!(screen.q.coefficients(), expected.each_ref());
 }
 
-/// Pixel, f1, f2, root, front and back depth.
-const SPHERE_ROWS: [((i64, i64), i64, i64, i64, i64, i64); 4] = [
-    ((375, 262), 1_897_417, 249_235_747_241, 499_235, 1_398_182, 2_396_652),
-    ((375, 200), 1_894_317, 86_922_767_447, 294_826, 1_599_491, 2_189_143),
-    ((300, 262), 1_904_917, 10_761_878_741, 103_739, 1_801_178, 2_008_656),
-    ((450, 262), 1_889_917, 16_742_788_241, 129_393, 1_760_524, 2_019_310),
+/// Pixel; then f1, f2, root, front and back depth.
+const SPHERE_ROWS: [((i64, i64), [i64; 5]); 4] = [
+    (
+        (375, 262),
+        [1_897_417, 249_235_747_241, 499_235, 1_398_182, 2_396_652],
+    ),
+    (
+        (375, 200),
+        [1_894_317, 86_922_767_447, 294_826, 1_599_491, 2_189_143],
+    ),
+    (
+        (300, 262),
+        [1_904_917, 10_761_878_741, 103_739, 1_801_178, 2_008_656],
+    ),
+    (
+        (450, 262),
+        [1_889_917, 16_742_788_241, 129_393, 1_760_524, 2_019_310],
+    ),
 ];
 
 #[test]
@@ -168,7 +245,7 @@ fn sphere_words_and_pixels() {
         f: -8_533_734_878_403,
     };
     assert_eq!(words.f2, f2);
-    for ((x, y), f1, f2, root, zf, zb) in SPHERE_ROWS {
+    for ((x, y), [f1, f2, root, zf, zb]) in SPHERE_ROWS {
         assert_eq!(words.f1.wrapped_at(x, y, Format::BASE.sum) as i64, f1);
         assert_eq!(radicand_at(&words, x, y), f2);
         assert_eq!(root_at(&words, x, y), root);
@@ -179,10 +256,19 @@ fn sphere_words_and_pixels() {
 
 /// The exact front depth in depth words, from the reference that solves the ray.
 fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
-    let ray = RayObject::new(&scene.objects[0], &scene.projection, scene.width, scene.height);
+    let ray = RayObject::new(
+        &scene.objects[0],
+        &scene.projection,
+        scene.width,
+        scene.height,
+    );
     let full = BigInt::from(Format::BASE.z_max());
     let hit = ray.first_hit(x, y).expect("the object is seen here");
-    let fixed: i64 = hit.w.fixed(&full, &full, 20).try_into().expect("a visible depth");
+    let fixed: i64 = hit
+        .w
+        .fixed(&full, &full, 20)
+        .try_into()
+        .expect("a visible depth");
     fixed as f64 / f64::from(1 << 20)
 }
 
@@ -194,13 +280,20 @@ fn assert_within_bounds(scene: &FramedScene, object: &PreparedObject, x: i64, y:
     assert!((f1 - at(&object.exact.f1.at(&px, &py))).abs() <= object.bounds.f1);
     assert!((f2 - at(&object.exact.f2.at(&px, &py))).abs() <= object.bounds.f2);
     for (i, plane) in object.words.planes.iter().enumerate() {
-        let off = plane.depth.wrapped_at(x, y, 64) as f64 - at(&object.exact.planes[i].at(&px, &py));
-        assert!(off.abs() <= object.bounds.planes[i], "plane {i} at ({x}, {y})");
+        let off =
+            plane.depth.wrapped_at(x, y, 64) as f64 - at(&object.exact.planes[i].at(&px, &py));
+        assert!(
+            off.abs() <= object.bounds.planes[i],
+            "plane {i} at ({x}, {y})"
+        );
     }
     if let Some(pixel) = golden_at(&object.words, x, y) {
         let bound = imogene_models::check::depth_bound(object, pixel.number, f2 as i64);
         let off = pixel.zf as f64 - exact_front(scene, x, y);
-        assert!(off.abs() <= bound + 1e-5, "depth at ({x}, {y}): {off} beyond {bound}");
+        assert!(
+            off.abs() <= bound + 1e-5,
+            "depth at ({x}, {y}): {off} beyond {bound}"
+        );
     }
 }
 

@@ -19,11 +19,19 @@ const F: Format = Format::BASE;
 
 /// f1 and f2 at a pixel.
 fn values(words: &QuadricWords, x: i64, y: i64) -> (i64, i64) {
-    (words.f1.wrapped_at(x, y, F.sum) as i64, words.f2.wrapped_at(x, y, F.quadratic) as i64)
+    (
+        words.f1.wrapped_at(x, y, F.sum) as i64,
+        words.f2.wrapped_at(x, y, F.quadratic) as i64,
+    )
 }
 
 fn exact_number(scene: &FramedScene, x: i64, y: i64) -> Option<u8> {
-    let ray = RayObject::new(&scene.objects[0], &scene.projection, scene.width, scene.height);
+    let ray = RayObject::new(
+        &scene.objects[0],
+        &scene.projection,
+        scene.width,
+        scene.height,
+    );
     ray.first_hit(x, y).map(|hit| hit.number)
 }
 
@@ -37,7 +45,12 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
     for _ in 0..samples {
         let [a, b, c] = random.direction();
         let cut = [[a, b, c, 0]];
-        let prepared = prepare(&scene(vec![object("ball", Surface::Solid, sphere([0, 0, 0], 40), &cut)]));
+        let prepared = prepare(&scene(vec![object(
+            "ball",
+            Surface::Solid,
+            sphere([0, 0, 0], 40),
+            &cut,
+        )]));
         let object = &prepared.objects[0];
         let plane = &object.words.planes[0];
         let corners = [(0, 0), (719, 0), (0, 539), (719, 539)];
@@ -47,7 +60,11 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
         };
         wrapping += usize::from(corners.iter().any(|&p| leaves(24, p)));
         let ScreenBox { x0, x1, y0, y1 } = object.words.screen_box;
-        assert!([(x0, y0), (x1, y0), (x0, y1), (x1, y1)].iter().all(|&p| !leaves(F.plane, p)));
+        assert!(
+            [(x0, y0), (x1, y0), (x0, y1), (x1, y1)]
+                .iter()
+                .all(|&p| !leaves(F.plane, p))
+        );
         assert!(object.needed.plane <= F.plane);
     }
     let percent = 100.0 * wrapping as f64 / samples as f64;
@@ -58,7 +75,12 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
 /// The near root of a ball that comes close to the viewer lies beyond -2^24: three of the four quadrants of the sum word.
 #[test]
 fn depth_sums_need_two_more_bits_than_the_depth() {
-    let prepared = prepare(&scene(vec![object("ball", Surface::Solid, sphere([0, 0, -451], 290), &[])]));
+    let prepared = prepare(&scene(vec![object(
+        "ball",
+        Surface::Solid,
+        sphere([0, 0, -451], 290),
+        &[],
+    )]));
     let object = &prepared.objects[0];
     let (f1, f2) = values(&object.words, 360, 270);
     let near = f1 - fast_root(f2);
@@ -106,14 +128,32 @@ fn a_cut_wall_does_not_show_the_ghost_behind_the_viewer() {
     let naive = |x, y| {
         let (f1, f2) = values(words, x, y);
         let r = fast_root(f2);
-        let both = Interval { zf: f1 - r, zb: f1 + r, nf: 0, nb: 1 };
-        cut(both, plane.kind, plane.depth.wrapped_at(x, y, F.plane) as i64, FACE_PLANE, true, &F)
+        let both = Interval {
+            zf: f1 - r,
+            zb: f1 + r,
+            nf: 0,
+            nb: 1,
+        };
+        cut(
+            both,
+            plane.kind,
+            plane.depth.wrapped_at(x, y, F.plane) as i64,
+            FACE_PLANE,
+            true,
+            &F,
+        )
     };
-    assert!(golden_at(words, 360, 270).is_some(), "the middle of the wall lies behind the plane");
+    assert!(
+        golden_at(words, 360, 270).is_some(),
+        "the middle of the wall lies behind the plane"
+    );
     let ScreenBox { x0, x1, y0, y1 } = words.screen_box;
     for (x, y) in [(x0, y0), (x1, y1), (x0, y1), (x1, y0)] {
         let ghost = naive(x, y);
-        assert!(ghost.is_present(&F) && ghost.zf > F.z_max(), "the naive chain sees a ghost");
+        assert!(
+            ghost.is_present(&F) && ghost.zf > F.z_max(),
+            "the naive chain sees a ghost"
+        );
         assert!(golden_at(words, x, y).is_none());
         assert_eq!(exact_number(&scene, x, y), None);
     }
@@ -127,8 +167,15 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
     for (zc, loss_percent) in [(1, 50.0), (2, 20.0), (3, 10.0)] {
         let cuts = [[0, 0, -1, -unit * zc], [0, 0, 1, -unit * zc]];
         let quadric = centred([1, 1, -1], [0, 0, 0], unit * unit);
-        let projection = Projection::Orthographic { half_depth: integer(1000) };
-        let scene = scene_of(WIDTH, HEIGHT, projection, vec![object("cap", Surface::Solid, quadric, &cuts)]);
+        let projection = Projection::Orthographic {
+            half_depth: integer(1000),
+        };
+        let scene = scene_of(
+            WIDTH,
+            HEIGHT,
+            projection,
+            vec![object("cap", Surface::Solid, quadric, &cuts)],
+        );
         let words = &prepare(&scene).objects[0].words;
         assert_eq!(words.class, Class::Front);
         let radius = unit * unit * (1 + zc * zc);
@@ -148,7 +195,10 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
         println!("zc = {zc}: the naive rule loses {percent:.2} % of the cap");
         assert!((percent - loss_percent).abs() < 0.2);
         // The rim itself has zero thickness; only there may the count differ.
-        assert!(inside >= cap && inside - cap < 60, "{inside} of {cap} pixels");
+        assert!(
+            inside >= cap && inside - cap < 60,
+            "{inside} of {cap} pixels"
+        );
         let middle = golden_at(words, 360, 270).expect("the middle of the cap");
         assert_eq!(middle.number, FACE_PLANE);
     }
@@ -164,7 +214,15 @@ fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
     let screen = ScreenQuadric::new(&tilted(), &fraction(1, 1000));
     let q = &screen.q;
     let two = integer(2);
-    let of_quadric = [&q.a, &q.b, &(&two * &q.d), &(&two * &q.g), &(&two * &q.h), &q.j].map(|v| v / &q.c);
+    let of_quadric = [
+        &q.a,
+        &q.b,
+        &(&two * &q.d),
+        &(&two * &q.g),
+        &(&two * &q.h),
+        &q.j,
+    ]
+    .map(|v| v / &q.c);
     let z_terms = [&q.e, &q.f, &q.i].map(|v| v / &q.c);
     let solves = |k: i64| {
         let f1 = screen.f1().scaled(&integer(k));
@@ -197,7 +255,12 @@ fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
 /// f1 - r is the nearer root whatever the sign of c'; the source's text has them reversed.
 #[test]
 fn the_near_root_is_the_one_with_the_minus_sign() {
-    let ball = scene(vec![object("ball", Surface::Patch, sphere([20, -10, 300], 100), &[])]);
+    let ball = scene(vec![object(
+        "ball",
+        Surface::Patch,
+        sphere([20, -10, 300], 100),
+        &[],
+    )]);
     for scene in [ball, room(&[])] {
         let words = &prepare(&scene).objects[0].words;
         let (f1, f2) = values(words, 365, 268);
@@ -211,16 +274,31 @@ fn the_near_root_is_the_one_with_the_minus_sign() {
 /// Far from a ball f2 passes -2^47 and the word turns positive: only the screen box keeps the ball from showing there again.
 #[test]
 fn the_screen_box_hides_the_wrapped_discriminant() {
-    let projection = Projection::Perspective { distance: integer(200) };
-    let scene = scene_of(WIDTH, HEIGHT, projection, vec![object("ball", Surface::Solid, sphere([0, 0, 0], 30), &[])]);
+    let projection = Projection::Perspective {
+        distance: integer(200),
+    };
+    let scene = scene_of(
+        WIDTH,
+        HEIGHT,
+        projection,
+        vec![object("ball", Surface::Solid, sphere([0, 0, 0], 30), &[])],
+    );
     let words = &prepare(&scene).objects[0].words;
     let (x, y) = (360 + 300, 270);
     assert!(words.f2.exact_at(x, y) < (-(1i64 << 47)).into());
     assert!(values(words, x, y).1 > 0, "the word has the wrong sign");
     let near = (360 + 275, 270);
-    assert!(values(words, near.0, near.1).1 < 0, "within sqrt(2) D of the centre the sign is right");
+    assert!(
+        values(words, near.0, near.1).1 < 0,
+        "within sqrt(2) D of the centre the sign is right"
+    );
     let mut naive = words.clone();
-    naive.screen_box = ScreenBox { x0: 0, x1: 719, y0: 0, y1: 539 };
+    naive.screen_box = ScreenBox {
+        x0: 0,
+        x1: 719,
+        y0: 0,
+        y1: 539,
+    };
     let ghosts = golden_pixels(&naive) - golden_pixels(words);
     println!("{ghosts} ghost pixels without the screen box");
     assert!(ghosts > 1000);
@@ -243,9 +321,13 @@ fn a_mirrored_cut_keeps_the_mirrored_half() {
         let [a, b, c, d] = left_half.transformed(&mirror).coefficients().map(|v| -v);
         let naive = half_ball(vec![Plane { a, b, c, d }]);
         let front = |words: &QuadricWords, x| golden_at(words, x, 270).map(|p| (p.zf, p.number));
-        let agrees = |words: &QuadricWords| (300..420).all(|x| front(words, x) == front(&seen, 720 - x));
+        let agrees =
+            |words: &QuadricWords| (300..420).all(|x| front(words, x) == front(&seen, 720 - x));
         assert!(agrees(&mirrored), "mirrored pixel by pixel");
-        assert!(!agrees(&naive), "cof(M) p without the sign of det(M) keeps the other half");
+        assert!(
+            !agrees(&naive),
+            "cof(M) p without the sign of det(M) keeps the other half"
+        );
     }
 }
 
@@ -253,22 +335,36 @@ fn a_mirrored_cut_keeps_the_mirrored_half() {
 fn a_plane_through_the_eye_is_a_half_plane_and_keeps_its_own_pixels() {
     let words = half_ball(vec![plane([1, 0, 0, 0])]);
     assert_eq!(words.planes[0].kind, PlaneKind::Perpendicular);
-    let seen: Vec<bool> = [359, 360, 361].map(|x| golden_at(&words, x, 270).is_some()).to_vec();
+    let seen: Vec<bool> = [359, 360, 361]
+        .map(|x| golden_at(&words, x, 270).is_some())
+        .to_vec();
     assert_eq!(seen, [true, true, false]);
 }
 
 /// x <= 0.01 passes 0.01 pixels beside the eye: its depth leaves the plane word, but its half-plane form is proven.
 #[test]
 fn a_plane_nearly_through_the_eye_is_taken_as_a_half_plane_by_proof() {
-    let scene = scene(vec![object("half", Surface::Solid, sphere([0, 0, 300], 100), &[[100, 0, 0, -1]])]);
+    let scene = scene(vec![object(
+        "half",
+        Surface::Solid,
+        sphere([0, 0, 300], 100),
+        &[[100, 0, 0, -1]],
+    )]);
     let prepared = prepare(&scene);
     let object = &prepared.objects[0];
     assert_eq!(object.words.planes[0].kind, PlaneKind::Perpendicular);
-    assert!(object.notes.iter().any(|n| n.contains("steep")), "{:?}", object.notes);
+    assert!(
+        object.notes.iter().any(|n| n.contains("steep")),
+        "{:?}",
+        object.notes
+    );
     // A depth that takes the place of the half-plane would need more bits than the plane word has.
     let slope = fraction(1_000 * 100, 1) * integer(F.z_max()) / integer(1000);
     assert!(slope * integer(70) > integer(1 << (F.plane - 1)));
     for x in 340..380 {
-        assert_eq!(golden_at(&object.words, x, 270).is_some(), exact_number(&scene, x, 270).is_some());
+        assert_eq!(
+            golden_at(&object.words, x, 270).is_some(),
+            exact_number(&scene, x, 270).is_some()
+        );
     }
 }

@@ -23,14 +23,23 @@ fn true_normal(scene: &FramedScene, x: i64, y: i64, depth: i64) -> [f64; 3] {
 /// The normal with the factors' signs lost, as printed.
 fn naive(words: &QuadricWords, x: i64, y: i64, number: u8) -> [i16; 3] {
     let mut printed = words.normal;
-    printed.k = printed.k.map(|k| k.checked_abs().expect("scaled to 15 bits and a sign"));
-    let g = printed.g.map(|g| g.wrapped_at(x, y, F.normal_linear) as i64);
+    printed.k = printed
+        .k
+        .map(|k| k.checked_abs().expect("scaled to 15 bits and a sign"));
+    let g = printed
+        .g
+        .map(|g| g.wrapped_at(x, y, F.normal_linear) as i64);
     let root = fast_root(words.f2.wrapped_at(x, y, F.quadratic) as i64);
     select(number, true, g, root, &printed, &[])
 }
 
 fn off_axis_ball(planes: &[[i64; 4]]) -> FramedScene {
-    scene(vec![object("ball", Surface::Patch, sphere([150, -120, 300], 100), planes)])
+    scene(vec![object(
+        "ball",
+        Surface::Patch,
+        sphere([150, -120, 300], 100),
+        planes,
+    )])
 }
 
 #[test]
@@ -41,7 +50,11 @@ fn factors_of_either_sign_give_the_true_gradient_on_both_faces() {
         let prepared = prepare(&scene);
         let object = &prepared.objects[0];
         let words = &object.words;
-        assert!(words.normal.k.iter().any(|&k| k < 0), "{:?}", words.normal.k);
+        assert!(
+            words.normal.k.iter().any(|&k| k < 0),
+            "{:?}",
+            words.normal.k
+        );
         assert!(words.normal.k.iter().any(|&k| k > 0));
         let (mut worst, mut worst_naive, mut seen) = (0.0f64, 0.0f64, 0);
         for y in (0..i64::from(HEIGHT)).step_by(3) {
@@ -57,14 +70,19 @@ fn factors_of_either_sign_give_the_true_gradient_on_both_faces() {
                 let truth = true_normal(&scene, x, y, pixel.zf);
                 let off = angle_deg(pixel.normal.map(f64::from), truth);
                 let bound = normal_bound(object, number, f2, pixel.normal);
-                assert!(off <= bound + 1e-3, "({x}, {y}): {off} beyond {bound} degrees");
+                assert!(
+                    off <= bound + 1e-3,
+                    "({x}, {y}): {off} beyond {bound} degrees"
+                );
                 let printed = angle_deg(naive(words, x, y, number).map(f64::from), truth);
                 worst_naive = worst_naive.max(printed);
                 worst = worst.max(off);
                 seen += 1;
             }
         }
-        println!("face {number}: worst {worst:.4} degrees, as printed {worst_naive:.1} degrees, {seen} pixels");
+        println!(
+            "face {number}: worst {worst:.4} degrees, as printed {worst_naive:.1} degrees, {seen} pixels"
+        );
         assert!(seen > 100 && worst < 0.05);
         assert!(worst_naive > 5.0);
     }

@@ -10,7 +10,13 @@ use imogene_models::rational::integer;
 use imogene_models::scene::{FramedObject, Projection, Surface};
 
 fn refusal(object: FramedObject) -> PrepareError {
-    refusal_in(Projection::Perspective { distance: integer(1000) }, Format::BASE, object)
+    refusal_in(
+        Projection::Perspective {
+            distance: integer(1000),
+        },
+        Format::BASE,
+        object,
+    )
 }
 
 fn refusal_in(projection: Projection, format: Format, object: FramedObject) -> PrepareError {
@@ -22,13 +28,21 @@ fn refusal_in(projection: Projection, format: Format, object: FramedObject) -> P
 fn assert_says(error: &PrepareError, essentials: &[&str]) {
     let message = error.to_string();
     for essential in essentials {
-        assert!(message.contains(essential), "'{essential}' missing in: {message}");
+        assert!(
+            message.contains(essential),
+            "'{essential}' missing in: {message}"
+        );
     }
 }
 
 #[test]
 fn viewer_inside_a_solid() {
-    let error = refusal(object("room", Surface::Solid, sphere([0, 0, -1000], 700), &[]));
+    let error = refusal(object(
+        "room",
+        Surface::Solid,
+        sphere([0, 0, -1000], 700),
+        &[],
+    ));
     assert!(matches!(error, PrepareError::ViewerInside { .. }));
     assert_says(&error, &["'room'", "viewer is inside", "camera", "patch"]);
 }
@@ -36,7 +50,12 @@ fn viewer_inside_a_solid() {
 /// The same room with the viewer's part cut away is a solid before him, and is drawn.
 #[test]
 fn viewer_in_the_part_that_is_cut_away_is_accepted() {
-    let cut = object("room", Surface::Solid, sphere([0, 0, -1000], 1200), &[[0, 0, -1, 100]]);
+    let cut = object(
+        "room",
+        Surface::Solid,
+        sphere([0, 0, -1000], 1200),
+        &[[0, 0, -1, 100]],
+    );
     let prepared = prepare(&scene(vec![cut]));
     assert!(golden_pixels(&prepared.objects[0].words) > 0);
 }
@@ -44,16 +63,29 @@ fn viewer_in_the_part_that_is_cut_away_is_accepted() {
 #[test]
 fn viewer_exactly_on_the_quadric() {
     for surface in [Surface::Solid, Surface::Patch] {
-        let on = object("ball", surface, sphere([0, 0, -700], 300), &[[0, 0, -1, -600]]);
+        let on = object(
+            "ball",
+            surface,
+            sphere([0, 0, -700], 300),
+            &[[0, 0, -1, -600]],
+        );
         let error = refusal(on);
         assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
-        assert_says(&error, &["'ball'", "exactly on this quadric", "move the camera"]);
+        assert_says(
+            &error,
+            &["'ball'", "exactly on this quadric", "move the camera"],
+        );
     }
 }
 
 #[test]
 fn object_behind_the_viewer() {
-    let error = refusal(object("ball", Surface::Solid, sphere([0, 0, -1500], 100), &[]));
+    let error = refusal(object(
+        "ball",
+        Surface::Solid,
+        sphere([0, 0, -1500], 100),
+        &[],
+    ));
     assert!(matches!(error, PrepareError::BehindViewer { .. }));
     assert_says(&error, &["'ball'", "behind the viewer", "target"]);
 }
@@ -62,35 +94,97 @@ fn object_behind_the_viewer() {
 #[test]
 fn orthographic_view_along_an_asymptotic_direction() {
     let trough = whole_quadric([1, 0, 0, 0, 0, 0, 0, 0, -50, 0]);
-    let projection = Projection::Orthographic { half_depth: integer(500) };
-    let error = refusal_in(projection, Format::BASE, object("trough", Surface::Solid, trough, &[]));
+    let projection = Projection::Orthographic {
+        half_depth: integer(500),
+    };
+    let error = refusal_in(
+        projection,
+        Format::BASE,
+        object("trough", Surface::Solid, trough, &[]),
+    );
     assert!(matches!(error, PrepareError::AsymptoticView { .. }));
-    assert_says(&error, &["'trough'", "asymptotic direction", "turn the object or the camera"]);
+    assert_says(
+        &error,
+        &[
+            "'trough'",
+            "asymptotic direction",
+            "turn the object or the camera",
+        ],
+    );
 }
 
 /// The eye 1 pixel before a wide ball: f1 and the root are many times the viewer distance.
 #[test]
 fn too_large_for_the_format() {
-    let error = refusal(object("globe", Surface::Patch, sphere([0, 0, 5001], 6000), &[]));
-    let PrepareError::TooLarge { needed, available, ref word, .. } = error else {
+    let error = refusal(object(
+        "globe",
+        Surface::Patch,
+        sphere([0, 0, 5001], 6000),
+        &[],
+    ));
+    let PrepareError::TooLarge {
+        needed,
+        available,
+        ref word,
+        ..
+    } = error
+    else {
         panic!("{error}");
     };
     assert!(needed > available);
     let (needed, available) = (needed.to_string(), available.to_string());
     let word = word.clone();
-    assert_says(&error, &["'globe'", "too large for the format", &word, &needed, &available]);
-    assert_says(&error, &["columns 0..719", "lines 0..539", "viewer_distance", "half_depth"]);
+    assert_says(
+        &error,
+        &[
+            "'globe'",
+            "too large for the format",
+            &word,
+            &needed,
+            &available,
+        ],
+    );
+    assert_says(
+        &error,
+        &[
+            "columns 0..719",
+            "lines 0..539",
+            "viewer_distance",
+            "half_depth",
+        ],
+    );
 }
 
 /// A plane that passes so nearly through the viewer that its depth leaves the plane word, and that turns inside the object at column 360.
 #[test]
 fn steep_plane_that_is_no_half_plane() {
     let steep = [100_000, 0, 1, -300];
-    let error = refusal(object("ball", Surface::Solid, sphere([0, 0, 300], 100), &[steep]));
-    let PrepareError::SteepPlane { needed, available, x, .. } = error else {
+    let error = refusal(object(
+        "ball",
+        Surface::Solid,
+        sphere([0, 0, 300], 100),
+        &[steep],
+    ));
+    let PrepareError::SteepPlane {
+        needed,
+        available,
+        x,
+        ..
+    } = error
+    else {
         panic!("{error}");
     };
     assert_eq!((x, available), (360, Format::BASE.plane));
     assert!(needed > available);
-    assert_says(&error, &["'ball'", "cut 0", "through the viewer", "(360, ", "turn the plane", &needed.to_string()]);
+    assert_says(
+        &error,
+        &[
+            "'ball'",
+            "cut 0",
+            "through the viewer",
+            "(360, ",
+            "turn the plane",
+            &needed.to_string(),
+        ],
+    );
 }

@@ -19,20 +19,37 @@ static OBJECTS: LazyLock<Vec<QuadricWords>> = LazyLock::new(|| {
     let objects = vec![
         ball("solid", Surface::Solid),
         ball("patch", Surface::Patch),
-        object("front", Surface::Solid, waist, &[[0, 0, -1, -100], [0, 0, 1, -100]]),
+        object(
+            "front",
+            Surface::Solid,
+            waist,
+            &[[0, 0, -1, -100], [0, 0, 1, -100]],
+        ),
     ];
-    prepare(&scene(objects)).objects.into_iter().map(|o| o.words).collect()
+    prepare(&scene(objects))
+        .objects
+        .into_iter()
+        .map(|o| o.words)
+        .collect()
 });
 
 fn picture(words: &QuadricWords, width: i64, height: i64) -> Vec<Option<ObjectPixel>> {
     let mut pixels = vec![None; (width * height) as usize];
     for y in 0..height {
-        for_each_present(words, &F, y, |x, pixel| pixels[(y * width + x) as usize] = Some(pixel));
+        for_each_present(words, &F, y, |x, pixel| {
+            pixels[(y * width + x) as usize] = Some(pixel)
+        });
     }
     pixels
 }
 
-fn cut_out(whole: &[Option<ObjectPixel>], x0: i64, y0: i64, width: i64, height: i64) -> Vec<Option<ObjectPixel>> {
+fn cut_out(
+    whole: &[Option<ObjectPixel>],
+    x0: i64,
+    y0: i64,
+    width: i64,
+    height: i64,
+) -> Vec<Option<ObjectPixel>> {
     let line = |y: i64| {
         let first = (y * i64::from(WIDTH) + x0) as usize;
         whole[first..first + width as usize].to_vec()

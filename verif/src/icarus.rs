@@ -99,7 +99,9 @@ fn hex(signals: &[Signal], bits: impl Fn(usize, &Signal) -> u64) -> String {
         .as_bytes()
         .chunks(4)
         .map(|nibble| {
-            let value = nibble.iter().fold(0, |acc, b| acc * 2 + u32::from(b - b'0'));
+            let value = nibble
+                .iter()
+                .fold(0, |acc, b| acc * 2 + u32::from(b - b'0'));
             char::from_digit(value, 16).expect("four bits")
         })
         .collect()
@@ -259,7 +261,11 @@ fn list_mismatches(
         }
         report.mismatches += 1;
         if report.first_mismatches.len() < crate::report::KEPT {
-            let undefined = if found.is_none() { " (undefined bits)" } else { "" };
+            let undefined = if found.is_none() {
+                " (undefined bits)"
+            } else {
+                ""
+            };
             report.first_mismatches.push(Mismatch {
                 cycle: cycle as u64,
                 pixel: None,

@@ -17,7 +17,8 @@ pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
         let value = (1u64 << bit).wrapping_add(offset as u64);
         if negate { value.wrapping_neg() } else { value }
     });
-    let scaled = (any::<u64>(), 0..width).prop_map(move |(value, shift)| value >> (64 - width + shift));
+    let scaled =
+        (any::<u64>(), 0..width).prop_map(move |(value, shift)| value >> (64 - width + shift));
     prop_oneof![2 => uniform, 2 => power, 1 => scaled]
         .prop_map(move |bits| signal.value(bits))
         .boxed()
@@ -82,7 +83,19 @@ pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
 /// Depths that meet: a few levels around the ends of the depth word and zero, so that ties are common.
 pub fn depth(width: u32) -> BoxedStrategy<i64> {
     let far = (1i64 << (width - 1)) - 1;
-    let level = select(vec![-far - 1, -far, -far + 1, -2, -1, 0, 1, 2, 3, far - 1, far]);
+    let level = select(vec![
+        -far - 1,
+        -far,
+        -far + 1,
+        -2,
+        -1,
+        0,
+        1,
+        2,
+        3,
+        far - 1,
+        far,
+    ]);
     let any_word = word(&Signal::signed("depth", width));
     prop_oneof![3 => level, 1 => any_word].boxed()
 }

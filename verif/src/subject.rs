@@ -37,6 +37,9 @@ impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Golden for GoldenFn<F> {
     }
 }
 
+/// Random stimulus of about so many clocks, biased to the edges.
+pub type Stimulus = fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>;
+
 /// A unit with both descriptions and a stimulus that reaches its edges.
 pub struct Subject {
     /// Name of the unit, as in `imogene units`.
@@ -50,7 +53,7 @@ pub struct Subject {
     /// A fresh instance of the golden model.
     pub golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
     /// Random stimulus of about this many clocks, biased to the edges.
-    pub stimulus: fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>,
+    pub stimulus: Stimulus,
     /// Options of the command line that give this configuration.
     pub options: String,
 }

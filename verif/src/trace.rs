@@ -122,7 +122,13 @@ impl Trace {
             writer.change_scalar(clock, Value::V1)?;
             for (index, sample) in samples.iter().enumerate() {
                 let group = &self.groups[index];
-                change(&mut writer, group, &variables[index], &before[index], sample)?;
+                change(
+                    &mut writer,
+                    group,
+                    &variables[index],
+                    &before[index],
+                    sample,
+                )?;
                 before[index] = Some(sample.clone());
             }
             writer.timestamp(number * PERIOD + PERIOD / 2)?;

@@ -45,14 +45,20 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     assert!(text.contains(&format!("cycle {}", first.cycle)), "{text}");
 
     let folder = tempfile::tempdir().unwrap();
-    let files = trace.unwrap().write(&folder.path().join("pe1.vcd")).unwrap();
+    let files = trace
+        .unwrap()
+        .write(&folder.path().join("pe1.vcd"))
+        .unwrap();
     let vcd = std::fs::read_to_string(&files[0]).unwrap();
     for name in ["hardware", "golden", "mismatch", "stimulus"] {
         assert!(vcd.contains(name), "the trace has no {name}");
     }
     // The marker of the save file stands at the first mismatch, ten time units a clock.
     let save = std::fs::read_to_string(&files[1]).unwrap();
-    assert!(save.contains(&format!("*-7.0 {}", first.cycle * 10)), "{save}");
+    assert!(
+        save.contains(&format!("*-7.0 {}", first.cycle * 10)),
+        "{save}"
+    );
 }
 
 /// For every unit: hardware whose first output has its lowest bit inverted now and then is found.
@@ -82,7 +88,10 @@ fn every_scoreboard_finds_a_flipped_output_bit() {
 
 fn teapot(width: u32, height: u32) -> PreparedScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
-    let scene = SceneFile::read(&path).unwrap().frame(width, height).unwrap();
+    let scene = SceneFile::read(&path)
+        .unwrap()
+        .frame(width, height)
+        .unwrap();
     prepare(&scene, Format::BASE).unwrap()
 }
 
@@ -135,7 +144,15 @@ fn faults_that_do_not_exist_are_refused() {
             bit: 0,
         }),
     };
-    let outcome = scene::run(&scene, &options, |shape| RustHdl::new(shape).unwrap(), || ());
+    let outcome = scene::run(
+        &scene,
+        &options,
+        |shape| RustHdl::new(shape).unwrap(),
+        || (),
+    );
     let message = outcome.err().unwrap().to_string();
-    assert!(message.contains("99:2:0") && message.contains("accepted"), "{message}");
+    assert!(
+        message.contains("99:2:0") && message.contains("accepted"),
+        "{message}"
+    );
 }

@@ -18,7 +18,11 @@ fn check(name: &str, parameters: Parameters) {
         objects: parameters.objects,
     };
     let emitted = emit(&request).expect("a legal request");
-    let text: String = emitted.files.iter().map(|(_, text)| text.as_str()).collect();
+    let text: String = emitted
+        .files
+        .iter()
+        .map(|(_, text)| text.as_str())
+        .collect();
     let subject = subject(name, parameters).expect("a legal subject");
     let mut pixels = 0;
     for seed in 0..STIMULI {
@@ -33,7 +37,10 @@ fn check(name: &str, parameters: Parameters) {
         pixels += report.pixels;
     }
     // The raster control is stated on every clock, the others from their first pixel on.
-    assert!(pixels >= 2_000, "{name}: only {pixels} pixels were compared");
+    assert!(
+        pixels >= 2_000,
+        "{name}: only {pixels} pixels were compared"
+    );
 }
 
 #[test]

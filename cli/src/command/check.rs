@@ -36,7 +36,10 @@ fn describe(report: &CheckReport) {
         needed.sum, format.sum, needed.quadratic, format.quadratic, needed.plane, format.plane
     ));
     for object in &report.objects {
-        output::text(format!("{}: {}, class {:?}", object.name, object.kind, object.class));
+        output::text(format!(
+            "{}: {}, class {:?}",
+            object.name, object.kind, object.class
+        ));
         for problem in &object.problems {
             output::text(format!("  {problem}"));
         }

@@ -46,9 +46,12 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         ));
     }
     let (mut report, trace) = match options.engine {
-        EngineName::RustHdl => {
-            random::run(&subject, options.clocks, options.seed, options.vcd.is_some())
-        }
+        EngineName::RustHdl => random::run(
+            &subject,
+            options.clocks,
+            options.seed,
+            options.vcd.is_some(),
+        ),
         EngineName::Icarus if options.vcd.is_some() => {
             return Err(Failure::Input(
                 "--vcd is written by the engine rust-hdl; the engine icarus only compares".into(),
@@ -58,7 +61,10 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             let emitted = emit(&emit_request(&options.subject, shape)?).map_err(Failure::input)?;
             let text: String = emitted.files.iter().map(|(_, t)| t.as_str()).collect();
             let stimuli = random::stimuli(&subject, options.clocks, options.seed);
-            (icarus::run_all(&subject, &emitted.top, &text, &stimuli).map_err(Failure::input)?, None)
+            (
+                icarus::run_all(&subject, &emitted.top, &text, &stimuli).map_err(Failure::input)?,
+                None,
+            )
         }
     };
     if let (Some(trace), Some(path)) = (trace, &options.vcd) {

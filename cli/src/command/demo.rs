@@ -67,7 +67,10 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     // Written first: an unwritable folder is found before the long work.
     let (emitted, mut files) = write_verilog(&request, &options.out)?;
 
-    let bar = output::progress(u64::from(SIZE.width * SIZE.height), "hardware in simulation");
+    let bar = output::progress(
+        u64::from(SIZE.width * SIZE.height),
+        "hardware in simulation",
+    );
     let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
     let (mut report, frame) =
         scene::run(&prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;

@@ -90,8 +90,8 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
         fault: None,
     };
     let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
-    let (mut report, frame) = scene::run(prepared, &run_options, engine, || bar.inc(1))
-        .map_err(Failure::input)?;
+    let (mut report, frame) =
+        scene::run(prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
     bar.finish_and_clear();
     report.subject = options.scene.scene.display().to_string();
     report.reproduce = format!("imogene cosim {}", report.subject);

@@ -26,6 +26,8 @@ use rayon::prelude::*;
 
 /// Quarterings of a pixel before a vanishing gradient is believed.
 const DEPTH_OF_SEARCH: u32 = 7;
+/// Cells of one pixel that are examined before the rest of it is taken as flat: where f2 is small on a whole area, finer cells tell nothing.
+const CELL_BUDGET: usize = 400;
 /// Pixels around a cell on which a plane must remove the contour for the cell not to count.
 const SPARE: f64 = 1.5;
 /// Relative allowance for the evaluation of gradients in `f64`.
@@ -42,7 +44,10 @@ pub(super) struct Displacement {
 
 impl Displacement {
     /// Of an object without contour.
-    pub const NONE: Displacement = Displacement { pixels: 0.0, singular: None };
+    pub const NONE: Displacement = Displacement {
+        pixels: 0.0,
+        singular: None,
+    };
 }
 
 /// Bounds the displacement of the contour on the object's screen box.
@@ -104,7 +109,10 @@ struct Survey {
 }
 
 impl Survey {
-    const EMPTY: Survey = Survey { least_gradient: f64::INFINITY, flat: None };
+    const EMPTY: Survey = Survey {
+        least_gradient: f64::INFINITY,
+        flat: None,
+    };
 
     fn merged(self, other: Survey) -> Survey {
         Survey {
@@ -158,7 +166,10 @@ impl<'a> Contour<'a> {
     fn conclude(&self, survey: &Survey) -> Displacement {
         let steep = self.error / survey.least_gradient * (1.0 + FLOAT_MARGIN);
         let Some(Rectangle { low, high }) = survey.flat else {
-            return Displacement { pixels: steep, singular: None };
+            return Displacement {
+                pixels: steep,
+                singular: None,
+            };
         };
         let window = self.words.screen_box;
         let diagonal = ((window.x1 - window.x0) as f64).hypot((window.y1 - window.y0) as f64);
@@ -169,7 +180,10 @@ impl<'a> Contour<'a> {
             diagonal
         };
         let middle = [0, 1].map(|k| (0.5 * (low[k] + high[k])).round() as i64);
-        Displacement { pixels, singular: Some((middle[0], middle[1])) }
+        Displacement {
+            pixels,
+            singular: Some((middle[0], middle[1])),
+        }
     }
 
     fn local(&self, x: i64, y: i64) -> Local {
@@ -187,16 +201,22 @@ impl<'a> Contour<'a> {
     /// What the square of one pixel contributes.
     fn survey(&self, x: i64, y: i64) -> Survey {
         let local = self.local(x, y);
-        let whole = Cell { u: 0.0, v: 0.0, half: 0.5 };
+        let whole = Cell {
+            u: 0.0,
+            v: 0.0,
+            half: 0.5,
+        };
         let mut survey = Survey::EMPTY;
         let mut open = vec![(whole, 0)];
+        let mut examined = 0;
         while let Some((cell, depth)) = open.pop() {
+            examined += 1;
             match self.cell_gradient(&local, cell) {
                 None => {}
                 Some((low, centre)) if low >= 0.5 * centre && low > 0.0 => {
                     survey.least_gradient = survey.least_gradient.min(low);
                 }
-                Some(_) if depth == DEPTH_OF_SEARCH => {
+                Some(_) if depth == DEPTH_OF_SEARCH || examined > CELL_BUDGET => {
                     survey.flat = Rectangle::around_both(survey.flat, Some(cell.at(x, y)));
                 }
                 Some(_) => open.extend(quarters(cell).map(|c| (c, depth + 1))),

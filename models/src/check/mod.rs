@@ -95,7 +95,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
 /// true picture are proven to show the same face of the same object.
 pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
     let line = |y: i64| {
-        let crossing = |window: &ScreenBox| !window.is_empty() && (window.y0..=window.y1).contains(&y);
+        let crossing =
+            |window: &ScreenBox| !window.is_empty() && (window.y0..=window.y1).contains(&y);
         let objects: Vec<_> = prepared
             .objects
             .iter()
@@ -117,23 +118,34 @@ pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
 
 fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
     let greatest = |of: fn(&ObjectBounds) -> f64| {
-        reviews.iter().map(|r| of(&r.report.bounds)).fold(0.0, f64::max)
+        reviews
+            .iter()
+            .map(|r| of(&r.report.bounds))
+            .fold(0.0, f64::max)
     };
-    let mut angles: Vec<f32> = reviews.iter().flat_map(|r| r.angles.iter().copied()).collect();
+    let mut angles: Vec<f32> = reviews
+        .iter()
+        .flat_map(|r| r.angles.iter().copied())
+        .collect();
     SceneBounds {
         depth_lsb: greatest(|b| b.depth_lsb),
         depth_lsb_closed_form: greatest(|b| b.depth_lsb_closed_form),
         silhouette_px: greatest(|b| b.silhouette_px),
         normal_deg: greatest(|b| b.normal_deg),
         normal_deg_999: object::quantile_999(&mut angles),
-        normals_undetermined: reviews.iter().map(|r| r.report.bounds.normals_undetermined).sum(),
+        normals_undetermined: reviews
+            .iter()
+            .map(|r| r.report.bounds.normals_undetermined)
+            .sum(),
     }
 }
 
 fn needed_widths(objects: &[ObjectReport]) -> NeededWidths {
-    objects.iter().fold(NeededWidths::default(), |most, object| NeededWidths {
-        sum: most.sum.max(object.needed.sum),
-        quadratic: most.quadratic.max(object.needed.quadratic),
-        plane: most.plane.max(object.needed.plane),
-    })
+    objects
+        .iter()
+        .fold(NeededWidths::default(), |most, object| NeededWidths {
+            sum: most.sum.max(object.needed.sum),
+            quadratic: most.quadratic.max(object.needed.quadratic),
+            plane: most.plane.max(object.needed.plane),
+        })
 }

@@ -23,12 +23,14 @@ const DROPPED: f64 = 256.0;
 /// Greatest angle, in degrees, between the golden normal of face `number` and the true gradient, at a pixel of the object's screen box where
 /// the f2 accumulator holds `f2`; 180 where the words do not determine the direction.
 pub fn normal_bound(object: &PreparedObject, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
-    let length = normal.map(|v| f64::from(v).powi(2)).iter().sum::<f64>().sqrt();
+    let length = normal
+        .map(|v| f64::from(v).powi(2))
+        .iter()
+        .sum::<f64>()
+        .sqrt();
     match number {
         FACE_NEAR_END => 0.0,
-        FACE_NEAR | FACE_FAR => {
-            angle(quadric_error(object, f2), length * DROPPED)
-        }
+        FACE_NEAR | FACE_FAR => angle(quadric_error(object, f2), length * DROPPED),
         // Constant normals are rounded to the nearest word.
         _ => angle(0.75f64.sqrt(), length),
     }
@@ -47,7 +49,12 @@ fn quadric_error(object: &PreparedObject, f2: i64) -> f64 {
             + (shifted + truncated) / (2.0 * product)
             + DROPPED
     };
-    words.k.map(|k| component(k).powi(2)).iter().sum::<f64>().sqrt()
+    words
+        .k
+        .map(|k| component(k).powi(2))
+        .iter()
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn angle(error: f64, length: f64) -> f64 {

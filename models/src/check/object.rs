@@ -157,7 +157,11 @@ pub(super) fn quantile_999(angles: &mut [f32]) -> f64 {
 }
 
 fn lines(window: &ScreenBox) -> impl ParallelIterator<Item = i64> + use<> {
-    let lines = if window.is_empty() { 0..0 } else { window.y0..window.y1 + 1 };
+    let lines = if window.is_empty() {
+        0..0
+    } else {
+        window.y0..window.y1 + 1
+    };
     lines.into_par_iter()
 }
 
@@ -179,17 +183,28 @@ fn pass_line(object: &PreparedObject, format: &Format, y: i64) -> Findings {
     for x in words.screen_box.x0..=words.screen_box.x1 {
         if let Verdict::Undecided { silhouette, .. } = decide(object, format, x, y) {
             let undecided = &mut found.undecided;
-            *if silhouette { &mut undecided.silhouette } else { &mut undecided.edge } += 1;
+            *if silhouette {
+                &mut undecided.silhouette
+            } else {
+                &mut undecided.edge
+            } += 1;
         }
     }
     found
 }
 
-fn problems(object: &PreparedObject, format: &Format, found: &Findings, silhouette: Displacement) -> Vec<String> {
+fn problems(
+    object: &PreparedObject,
+    format: &Format,
+    found: &Findings,
+    silhouette: Displacement,
+) -> Vec<String> {
     let mut problems = object.notes.clone();
     let window = &object.words.screen_box;
     if found.pixels == 0 && !window.is_empty() {
-        problems.push("no pixel shows it: it falls between the pixels, or its planes leave nothing".into());
+        problems.push(
+            "no pixel shows it: it falls between the pixels, or its planes leave nothing".into(),
+        );
     }
     if found.near_end > 0 {
         problems.push(format!(

@@ -102,7 +102,9 @@ impl Pixel<'_> {
     }
 
     fn plane_range(&self, index: usize) -> Range {
-        let value = self.words.planes[index].depth.wrapped_at(self.x, self.y, self.format.plane);
+        let value = self.words.planes[index]
+            .depth
+            .wrapped_at(self.x, self.y, self.format.plane);
         Range::around(value as i64, self.bounds.planes[index])
     }
 
@@ -141,8 +143,10 @@ impl Pixel<'_> {
 
     /// The ray is kept before the nearest back plane.
     fn exit(&self) -> Range {
-        self.planes_of(PlaneKind::Back)
-            .fold(Range::new(f64::INFINITY, f64::INFINITY), |exit, (_, depth)| exit.min(&depth))
+        self.planes_of(PlaneKind::Back).fold(
+            Range::new(f64::INFINITY, f64::INFINITY),
+            |exit, (_, depth)| exit.min(&depth),
+        )
     }
 
     fn far_end(&self) -> f64 {
@@ -172,7 +176,10 @@ impl Pixel<'_> {
         if self.far.below(&ends) {
             return Verdict::Absent;
         }
-        entries.push(Bounded { number: FACE_NEAR, depth: self.near });
+        entries.push(Bounded {
+            number: FACE_NEAR,
+            depth: self.near,
+        });
         let certain = self.seen() == Some(true) && ends.not_above(&self.far);
         match self.convex(&entries, self.exit()) {
             Verdict::Face(_, depth) if !certain => self.undecided(depth.low),
@@ -192,7 +199,10 @@ impl Pixel<'_> {
         let between = self.near.below(&entry) && entry.below(&self.far);
         if self.seen() == Some(true) && between {
             let mut behind = entries;
-            behind.push(Bounded { number: FACE_FAR, depth: self.far });
+            behind.push(Bounded {
+                number: FACE_FAR,
+                depth: self.far,
+            });
             return self.convex(&behind, self.exit());
         }
         self.undecided(entry.low)
@@ -243,7 +253,10 @@ fn farthest(faces: &[Bounded]) -> Range {
 
 /// The face that is certainly the farthest, if there is one.
 fn winner(faces: &[Bounded]) -> Option<Bounded> {
-    let last = faces.iter().enumerate().max_by(|a, b| a.1.depth.low.total_cmp(&b.1.depth.low));
+    let last = faces
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.depth.low.total_cmp(&b.1.depth.low));
     let (index, best) = last.expect("the near end is always there");
     let alone = faces
         .iter()

@@ -37,7 +37,12 @@ type Affine = [BigRational; 3];
 
 impl RayObject {
     /// Sets up the rays of a screen of `width` x `height` pixels.
-    pub fn new(object: &FramedObject, projection: &Projection, width: u32, height: u32) -> RayObject {
+    pub fn new(
+        object: &FramedObject,
+        projection: &Projection,
+        width: u32,
+        height: u32,
+    ) -> RayObject {
         let (constant, slope) = ray_points(projection, width, height);
         let q = &object.quadric;
         let matrix = [
@@ -240,7 +245,9 @@ fn dot(factors: &[&BigRational; 4], point: &[Affine; 4]) -> Affine {
 }
 
 /// Brings coefficients to integers by one common positive factor.
-fn common_integers<const N: usize, const M: usize>(forms: [[BigRational; N]; M]) -> [[BigInt; N]; M] {
+fn common_integers<const N: usize, const M: usize>(
+    forms: [[BigRational; N]; M],
+) -> [[BigInt; N]; M] {
     let all = || forms.iter().flatten();
     let denominator = all().fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
     let content = all().fold(BigInt::zero(), |acc, c| {
@@ -251,9 +258,10 @@ fn common_integers<const N: usize, const M: usize>(forms: [[BigRational; N]; M])
     } else {
         content
     };
-    forms
-        .each_ref()
-        .map(|form| form.each_ref().map(|c| c.numer() * (&denominator / c.denom()) / &content))
+    forms.each_ref().map(|form| {
+        form.each_ref()
+            .map(|c| c.numer() * (&denominator / c.denom()) / &content)
+    })
 }
 
 fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {

@@ -43,17 +43,13 @@ impl SurdReal {
 
     /// Compares with the rational `n / d`, d > 0.
     pub fn cmp_ratio(&self, n: &BigInt, d: &BigInt) -> Ordering {
-        sign_with_root(
-            &(&self.p * d - n * &self.d),
-            self.s,
-            &(&self.q * d * d),
-        )
+        sign_with_root(&(&self.p * d - n * &self.d), self.s, &(&self.q * d * d))
     }
 
     /// floor((a * self + b) * 2^bits) up to one unit, for a > 0.
     pub fn fixed(&self, a: &BigInt, b: &BigInt, bits: u32) -> BigInt {
         let rational = (a * &self.p + b * &self.d) << bits;
-        let root = (a * a * &self.q << (2 * bits)).sqrt() * self.s;
+        let root = ((a * a * &self.q) << (2 * bits)).sqrt() * self.s;
         num_integer::Integer::div_floor(&(rational + root), &self.d)
     }
 }
@@ -136,7 +132,6 @@ fn sign_with_two_roots(a: &BigInt, s: i32, b: &BigInt, t: i32, c: &BigInt) -> Or
         }
     }
 }
-
 
 #[cfg(test)]
 mod tests {

@@ -45,7 +45,9 @@ pub fn render(
                 let (id, hit) = visible(&objects, x, y)?;
                 let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
                 Some(ExactPixel {
-                    depth: depth.to_i64().expect("visible depths lie in the depth word"),
+                    depth: depth
+                        .to_i64()
+                        .expect("visible depths lie in the depth word"),
                     id,
                     number: hit.number,
                 })
@@ -86,10 +88,9 @@ pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &For
         frame.number[index] = pixel.number;
         let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
         let depth = pixel.depth as f64 / unit * full;
-        let point = scene.projection.antecedent(
-            scene.pixel_centre(index % width, index / width),
-            depth,
-        );
+        let point = scene
+            .projection
+            .antecedent(scene.pixel_centre(index % width, index / width), depth);
         frame.normal[index] = gradients[pixel.id as usize].normal(pixel.number, point);
     }
     frame

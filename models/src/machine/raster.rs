@@ -61,7 +61,16 @@ mod tests {
         let places: Vec<_> = pixels.iter().map(|p| (p.x, p.y)).collect();
         assert_eq!(
             places,
-            [(0, 0), (1, 0), (0, 1), (1, 1), (0, 0), (1, 0), (0, 1), (1, 1)]
+            [
+                (0, 0),
+                (1, 0),
+                (0, 1),
+                (1, 1),
+                (0, 0),
+                (1, 0),
+                (0, 1),
+                (1, 1)
+            ]
         );
         assert_eq!(
             pixels.iter().map(|p| p.start).collect::<Vec<_>>(),

@@ -83,9 +83,8 @@ fn run<const N: usize>(
         let radicand = wrap64(f2.next(), format.quadratic);
         f2.step = f2.step.wrapping_add(second_difference);
         let linear = wrap64(f1.next(), format.sum);
-        let zp: [i64; N] = std::array::from_fn(|i| {
-            saturate(wrap64(depths[i].next(), format.plane), format)
-        });
+        let zp: [i64; N] =
+            std::array::from_fn(|i| saturate(wrap64(depths[i].next(), format.plane), format));
         let normal_linear: [i64; 3] = std::array::from_fn(|k| g[k].next());
         let negative = radicand < 0;
         if negative && !seen_where_negative {
@@ -104,14 +103,7 @@ fn run<const N: usize>(
         }
         let front = merge(a, b);
         if front.is_present(format) {
-            let normal = select(
-                front.nf,
-                true,
-                normal_linear,
-                root,
-                &words.normal,
-                &normals,
-            );
+            let normal = select(front.nf, true, normal_linear, root, &words.normal, &normals);
             sink(
                 x,
                 ObjectPixel {
@@ -160,7 +152,11 @@ mod tests {
             e: (l[1] >> 22) as i128,
             f: (l[2] >> 17) as i128,
         });
-        let normal = ([linear(1 << 22), linear(1 << 22), linear(1 << 22)], any::<[i16; 3]>(), 0u8..16)
+        let normal = (
+            [linear(1 << 22), linear(1 << 22), linear(1 << 22)],
+            any::<[i16; 3]>(),
+            0u8..16,
+        )
             .prop_map(|(g, k, shift)| NormalWords { g, k, shift });
         (
             0usize..4,

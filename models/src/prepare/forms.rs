@@ -70,11 +70,7 @@ impl LinearForm {
 
     /// The sum of two expressions.
     pub fn plus(&self, other: &LinearForm) -> LinearForm {
-        LinearForm::new(
-            &self.a + &other.a,
-            &self.b + &other.b,
-            &self.c + &other.c,
-        )
+        LinearForm::new(&self.a + &other.a, &self.b + &other.b, &self.c + &other.c)
     }
 
     /// Largest magnitude over a box of pixels: a first-degree expression has it in a corner.
@@ -155,9 +151,8 @@ impl QuadraticForm {
             let y = (&self.c * &self.d - &two * &self.a * &self.e) / &determinant;
             points.push((x, y));
         }
-        let inside = |(x, y): &&(BigRational, BigRational)| {
-            *x >= x0 && *x <= x1 && *y >= y0 && *y <= y1
-        };
+        let inside =
+            |(x, y): &&(BigRational, BigRational)| *x >= x0 && *x <= x1 && *y >= y0 && *y <= y1;
         let values: Vec<BigRational> = points
             .iter()
             .filter(inside)

@@ -73,11 +73,7 @@ fn classify(
     let eye = quadric.eye_value();
     // A plane keeps the eye iff its depth factor is not negative: that factor is minus the plane's value at the eye over D.
     let eye_kept = planes.iter().all(|p| !p.c.is_negative());
-    if context.perspective
-        && object.surface == Surface::Solid
-        && !eye.is_positive()
-        && eye_kept
-    {
+    if context.perspective && object.surface == Surface::Solid && !eye.is_positive() && eye_kept {
         return Err(PrepareError::ViewerInside { object: name() });
     }
     if eye.is_zero() {
@@ -178,7 +174,9 @@ fn quadric_words(
         notes: vec![],
     };
     if class == Class::Prism {
-        prepared.notes.push("does not depend on the depth (seen end-on)".into());
+        prepared
+            .notes
+            .push("does not depend on the depth (seen end-on)".into());
         let contour = context
             .to_pixels_quadratic(&quadric.depth_free_part())
             .scaled(&-BigRational::one());
@@ -261,8 +259,8 @@ fn normal_words(
         return;
     }
     let shift = (root_max.bits() as u32).saturating_sub(15);
-    let factor_unit =
-        BigRational::from_integer(BigInt::one() << (shift + PRODUCT_FRACTION)) / &context.depth_scale;
+    let factor_unit = BigRational::from_integer(BigInt::one() << (shift + PRODUCT_FRACTION))
+        / &context.depth_scale;
     let k_max = parts
         .iter()
         .map(|(_, k)| k.abs())

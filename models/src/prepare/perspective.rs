@@ -113,11 +113,7 @@ impl ScreenQuadric {
             (form(&q.a, &q.d, &q.g), q.e.clone()),
             (form(&q.d, &q.b, &q.h), q.f.clone()),
             (
-                form(
-                    &(&q.e + &q.g * k),
-                    &(&q.f + &q.h * k),
-                    &(&q.i + &q.j * k),
-                ),
+                form(&(&q.e + &q.g * k), &(&q.f + &q.h * k), &(&q.i + &q.j * k)),
                 &q.c + &q.i * k,
             ),
         ]

@@ -77,8 +77,8 @@ pub(super) fn prepare_plane(
         x,
         y,
     };
-    let form = perpendicular_if_proven(&value, &projected.c, region, window, context)
-        .map_err(refusal)?;
+    let form =
+        perpendicular_if_proven(&value, &projected.c, region, window, context).map_err(refusal)?;
     Ok(perpendicular(form, normal, anchor, window, context, true))
 }
 
@@ -163,11 +163,7 @@ fn perpendicular_if_proven(
         .unwrap_or((-full, full));
     let middle = from_f64_exact(0.5 * (near + far));
     let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
-    let form = LinearForm::new(
-        value.a.clone(),
-        value.b.clone(),
-        &value.c - gamma * middle,
-    );
+    let form = LinearForm::new(value.a.clone(), value.b.clone(), &value.c - gamma * middle);
     let strip = gamma.abs() * reach;
     for y in window.y0..=window.y1 {
         let line = integer(y);
@@ -186,11 +182,13 @@ fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) ->
         return [window.x0, window.x1];
     }
     let crossing = -(&form.b * line + &form.c) / &form.a;
-    let below = floor(&crossing).to_i64().unwrap_or(if crossing.is_negative() {
-        i64::MIN / 2
-    } else {
-        i64::MAX / 2
-    });
+    let below = floor(&crossing)
+        .to_i64()
+        .unwrap_or(if crossing.is_negative() {
+            i64::MIN / 2
+        } else {
+            i64::MAX / 2
+        });
     [below, below + 1].map(|x| x.clamp(window.x0, window.x1))
 }
 

@@ -74,9 +74,7 @@ impl Region {
     /// A region from exact coefficients; `planes` are kept where they are not positive.
     pub fn new(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
         let q = quadric;
-        let coefficients = [
-            &q.a, &q.b, &q.c, &q.d, &q.e, &q.f, &q.g, &q.h, &q.i, &q.j,
-        ];
+        let coefficients = [&q.a, &q.b, &q.c, &q.d, &q.e, &q.f, &q.g, &q.h, &q.i, &q.j];
         Region {
             quadric: normalised(coefficients),
             planes: planes

@@ -166,17 +166,8 @@ mod tests {
     #[test]
     fn sums_beyond_the_depth_word_saturate_in_order() {
         // -2^23 - 11 863 283 needs 26 bits.
-        let (a, _) = halves(
-            Class::Side,
-            -8_388_607 - 11_863_283,
-            11_863_283,
-            false,
-            &F,
-        );
-        assert_eq!(
-            (a.zf, a.zb, a.nf),
-            (F.z_low(), F.z_max(), FACE_NEAR_END)
-        );
+        let (a, _) = halves(Class::Side, -8_388_607 - 11_863_283, 11_863_283, false, &F);
+        assert_eq!((a.zf, a.zb, a.nf), (F.z_low(), F.z_max(), FACE_NEAR_END));
     }
 
     #[test]

@@ -62,12 +62,7 @@ impl Quadratic {
         Quadratic {
             d: self.d + 2 * self.a * k + self.c * l,
             e: self.e + 2 * self.b * l + self.c * k,
-            f: self.f
-                + self.a * k * k
-                + self.b * l * l
-                + self.c * k * l
-                + self.d * k
-                + self.e * l,
+            f: self.f + self.a * k * k + self.b * l * l + self.c * k * l + self.d * k + self.e * l,
             ..*self
         }
     }

@@ -9,7 +9,9 @@ use imogene_models::object::quadric::{ObjectPixel, QuadricWords};
 use imogene_models::prepare::rounding::Anchor;
 use imogene_models::prepare::{Options, PreparedScene, prepare_with};
 use imogene_models::rational::integer;
-use imogene_models::scene::{FramedObject, FramedScene, Material, Plane, Projection, Quadric, Surface};
+use imogene_models::scene::{
+    FramedObject, FramedScene, Material, Plane, Projection, Quadric, Surface,
+};
 use num_rational::BigRational;
 
 /// The screen of the source machine: its principal point is pixel (360, 270).
@@ -20,7 +22,18 @@ pub const HEIGHT: u32 = 540;
 /// The quadric of coefficients a to j.
 pub fn quadric(coefficients: [BigRational; 10]) -> Quadric {
     let [a, b, c, d, e, f, g, h, i, j] = coefficients;
-    Quadric { a, b, c, d, e, f, g, h, i, j }
+    Quadric {
+        a,
+        b,
+        c,
+        d,
+        e,
+        f,
+        g,
+        h,
+        i,
+        j,
+    }
 }
 
 /// The quadric of whole coefficients a to j.
@@ -58,11 +71,23 @@ pub fn object(name: &str, surface: Surface, quadric: Quadric, planes: &[[i64; 4]
 
 /// A perspective scene of 720 x 540 pixels at 1000 pixels from the viewer.
 pub fn scene(objects: Vec<FramedObject>) -> FramedScene {
-    scene_of(WIDTH, HEIGHT, Projection::Perspective { distance: integer(1000) }, objects)
+    scene_of(
+        WIDTH,
+        HEIGHT,
+        Projection::Perspective {
+            distance: integer(1000),
+        },
+        objects,
+    )
 }
 
 /// A scene without lights.
-pub fn scene_of(width: u32, height: u32, projection: Projection, objects: Vec<FramedObject>) -> FramedScene {
+pub fn scene_of(
+    width: u32,
+    height: u32,
+    projection: Projection,
+    objects: Vec<FramedObject>,
+) -> FramedScene {
     FramedScene {
         title: "test".into(),
         width,
@@ -85,7 +110,9 @@ pub fn scene_of(width: u32, height: u32, projection: Projection, objects: Vec<Fr
 
 /// Prepared as the source does: rounded about the first pixel.
 pub fn prepare_at_origin(scene: &FramedScene) -> PreparedScene {
-    let options = Options { anchor: Some(Anchor::ORIGIN) };
+    let options = Options {
+        anchor: Some(Anchor::ORIGIN),
+    };
     prepare_with(scene, Format::BASE, options).expect("fits the base format")
 }
 

@@ -34,10 +34,8 @@ struct Module<'a> {
 impl<'a> Module<'a> {
     fn new(scope: &'a Scope, lowered: &'a Lowered) -> Result<Self, EmitError> {
         let is_clocked = |target: &str| register_part(scope, lowered, target) == Some("d");
-        let is_hold = |target: &str, value: &Expression| matches!(&value.form, Form::Name(name) if target.strip_suffix("$d") == name.strip_suffix("$q"));
-        let mut clocked = filtered(&lowered.statements, &|target, value| {
-            is_clocked(target) && !is_hold(target, value)
-        });
+        let mut clocked = filtered(&lowered.statements, &|target, _| is_clocked(target));
+        drop_holds(&mut clocked);
         drop_replaced(&mut clocked);
         let free = filtered(&lowered.statements, &|target, _| !is_clocked(target));
         let mut values = BTreeMap::new();
@@ -507,6 +505,39 @@ fn filtered(
         }
     }
     kept
+}
+
+/// Drops the assignments of a register to itself that come before any other: a `reg` holds by nature.
+fn drop_holds(statements: &mut Vec<Statement>) {
+    let mut assigned = HashSet::new();
+    statements.retain(|statement| {
+        let is_hold = match statement {
+            Statement::Assign(target, value) => {
+                let register = target.strip_suffix("$d");
+                let is_own = |name: &String| name.strip_suffix("$q") == register;
+                matches!(&value.form, Form::Name(name) if is_own(name))
+                    && !assigned.contains(target)
+            }
+            Statement::If(..) => false,
+        };
+        if !is_hold {
+            targets(statement, &mut assigned);
+        }
+        !is_hold
+    });
+}
+
+fn targets(statement: &Statement, found: &mut HashSet<String>) {
+    match statement {
+        Statement::Assign(target, _) => {
+            found.insert(target.clone());
+        }
+        Statement::If(_, then, otherwise) => {
+            then.iter()
+                .chain(otherwise)
+                .for_each(|statement| targets(statement, found));
+        }
+    }
 }
 
 /// Drops assignments that a later one replaces in any case.

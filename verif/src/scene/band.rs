@@ -62,7 +62,9 @@ impl Band<'_> {
         let traced = self.trace.map(|request| request.object);
         let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
         let mut expected = Delay::new(first_pixel);
-        let mut recorder = self.trace.map(|request| Recorder::new(request, &self.shape));
+        let mut recorder = self
+            .trace
+            .map(|request| Recorder::new(request, &self.shape));
         let mut report = Report::default();
         let mut frame = Frame::background(width, height, self.scene.format.z_max());
         for clock in 0..pixels + first_pixel {
@@ -81,7 +83,13 @@ impl Band<'_> {
             self.score(&outputs, stated, index, &mut report);
             if let Some(recorder) = &mut recorder {
                 let inside = engine.probe(recorder.object);
-                recorder.clock(&outputs, stated, inside, probe.map(|p| probe_values(&p)), &report);
+                recorder.clock(
+                    &outputs,
+                    stated,
+                    inside,
+                    probe.map(|p| probe_values(&p)),
+                    &report,
+                );
             }
             if outputs.valid && index < pixels {
                 store(&mut frame, index, &outputs, self.scene.format.z_max());

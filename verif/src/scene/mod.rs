@@ -80,7 +80,9 @@ pub enum CosimError {
         limit: u32,
     },
     /// A slot, address or bit that does not exist.
-    #[error("fault {object}:{address}:{bit} names no coefficient bit of this machine; accepted: OBJECT below {objects}, ADDRESS below {addresses}, BIT below the width of that word")]
+    #[error(
+        "fault {object}:{address}:{bit} names no coefficient bit of this machine; accepted: OBJECT below {objects}, ADDRESS below {addresses}, BIT below the width of that word"
+    )]
     Fault {
         /// Slot.
         object: u8,

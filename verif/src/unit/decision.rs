@@ -1,23 +1,21 @@
 //! The visibility node and the decider.
 
+use super::Description;
 use super::Late;
 use crate::signal::Signal;
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
 use imogene_models::machine::decider::{Visible, decide, latency};
-use imogene_rtl::machine::{decider as hardware_decider, visibility_node as hardware_node};
-use imogene_rtl::step::step;
-use imogene_rtl::word::{Int, Word};
 use proptest::prelude::*;
-use rust_hdl::core::prelude::Block;
 
 /// Ports of one input or output.
 const FIELDS: usize = 6;
 
-fn visible_ports(prefix: &str, width: usize) -> Vec<Signal> {
+fn visible_ports(prefix: &str, width: u32) -> Vec<Signal> {
     let name = |field: &str| format!("{prefix}{field}");
     vec![
-        Signal::signed(name("depth"), width as u32),
+        Signal::signed(name("depth"), width),
         Signal::unsigned(name("id"), 8),
         Signal::unsigned(name("number"), 4),
         Signal::signed(name("nx"), 16),
@@ -64,79 +62,31 @@ fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn visibility_node<const W: usize>() -> Subject {
-    Subject {
+pub(super) fn visibility_node(format: Format) -> Description {
+    Description {
         name: "visibility_node".into(),
-        inputs: [visible_ports("a_", W), visible_ports("b_", W)].concat(),
-        outputs: visible_ports("", W),
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware_node::VisibilityNode::<W>::default());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.a_depth.next = Int::new(i[0]);
-                unit.a_id.next = Word::new(i[1] as u64);
-                unit.a_number.next = Word::new(i[2] as u64);
-                unit.a_nx.next = Int::new(i[3]);
-                unit.a_ny.next = Int::new(i[4]);
-                unit.a_nz.next = Int::new(i[5]);
-                unit.b_depth.next = Int::new(i[6]);
-                unit.b_id.next = Word::new(i[7] as u64);
-                unit.b_number.next = Word::new(i[8] as u64);
-                unit.b_nx.next = Int::new(i[9]);
-                unit.b_ny.next = Int::new(i[10]);
-                unit.b_nz.next = Int::new(i[11]);
-                step(unit.as_mut());
-                vec![
-                    unit.depth.val().get(),
-                    unit.id.val().get() as i64,
-                    unit.number.val().get() as i64,
-                    unit.nx.val().get(),
-                    unit.ny.val().get(),
-                    unit.nz.val().get(),
-                ]
-            })
-        }),
+        inputs: [
+            visible_ports("a_", format.depth),
+            visible_ports("b_", format.depth),
+        ]
+        .concat(),
+        outputs: visible_ports("", format.depth),
         golden: Box::new(|| {
             Box::new(GoldenFn(|i: &[i64]| {
                 flat(&decide(&[visible_of(i), visible_of(&i[FIELDS..])]))
             }))
         }),
         stimulus: objects,
-        options: String::new(),
     }
 }
 
-pub(super) fn decider<const W: usize>(inputs: usize) -> Subject {
-    Subject {
+pub(super) fn decider(format: Format, inputs: usize) -> Description {
+    Description {
         name: "decider".into(),
         inputs: (0..inputs)
-            .flat_map(|m| visible_ports(&format!("input_{m}_"), W))
+            .flat_map(|m| visible_ports(&format!("input_{m}_"), format.depth))
             .collect(),
-        outputs: visible_ports("", W),
-        hardware: Box::new(move || {
-            let mut unit = Box::new(hardware_decider::Decider::<W>::new(inputs));
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                for m in 0..inputs {
-                    let v = &i[FIELDS * m..];
-                    unit.input_depth[m].next = Int::new(v[0]);
-                    unit.input_id[m].next = Word::new(v[1] as u64);
-                    unit.input_number[m].next = Word::new(v[2] as u64);
-                    unit.input_nx[m].next = Int::new(v[3]);
-                    unit.input_ny[m].next = Int::new(v[4]);
-                    unit.input_nz[m].next = Int::new(v[5]);
-                }
-                step(unit.as_mut());
-                vec![
-                    unit.depth.val().get(),
-                    unit.id.val().get() as i64,
-                    unit.number.val().get() as i64,
-                    unit.nx.val().get(),
-                    unit.ny.val().get(),
-                    unit.nz.val().get(),
-                ]
-            })
-        }),
+        outputs: visible_ports("", format.depth),
         golden: Box::new(move || {
             // With one input the decider is a wire: the result belongs to the same clock.
             let mut late = Late::new(latency(inputs).max(1) as usize);
@@ -149,6 +99,5 @@ pub(super) fn decider<const W: usize>(inputs: usize) -> Subject {
             }))
         }),
         stimulus: objects,
-        options: String::new(),
     }
 }

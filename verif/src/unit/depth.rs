@@ -1,5 +1,6 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
+use super::Description;
 use super::elementary::flag_ports;
 use super::{Late, any_raster, bit};
 use crate::signal::Signal;
@@ -11,21 +12,17 @@ use imogene_models::unit::interval::{Class, Interval, halves};
 use imogene_models::unit::merge::merge;
 use imogene_models::unit::pe1::{Linear, Pe1};
 use imogene_models::unit::plane_depth::saturate;
-use imogene_rtl::step::step;
-use imogene_rtl::unit as hardware;
-use imogene_rtl::word::{Int, Word};
 use proptest::prelude::*;
-use rust_hdl::core::prelude::Block;
 
-fn depth_port(name: &str, width: usize) -> Signal {
-    Signal::signed(name, width as u32)
+fn depth_port(name: &str, width: u32) -> Signal {
+    Signal::signed(name, width)
 }
 
 fn number_port(name: &str) -> Signal {
     Signal::unsigned(name, 4)
 }
 
-fn half_ports(names: [&str; 4], width: usize) -> Vec<Signal> {
+fn half_ports(names: [&str; 4], width: u32) -> Vec<Signal> {
     vec![
         depth_port(names[0], width),
         number_port(names[1]),
@@ -55,41 +52,19 @@ const KINDS: [PlaneKind; 4] = [
     PlaneKind::Perpendicular,
 ];
 
-pub(super) fn depth_interval<const W: usize, const S: usize>(format: Format) -> Subject {
-    let mut outputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], W);
-    outputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], W));
-    Subject {
+pub(super) fn depth_interval(format: Format) -> Description {
+    let mut outputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], format.depth);
+    outputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], format.depth));
+    Description {
         name: "depth_interval".into(),
         inputs: vec![
-            depth_port("near_sum", S),
-            depth_port("far_sum", S),
+            depth_port("near_sum", format.sum),
+            depth_port("far_sum", format.sum),
             Signal::bit("is_inside"),
             Signal::bit("in_box"),
             Signal::unsigned("object_class", 2),
         ],
         outputs,
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware::depth_interval::DepthInterval::<W, S>::new());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.near_sum.next = Int::new(i[0]);
-                unit.far_sum.next = Int::new(i[1]);
-                unit.is_inside.next = bit(i[2]);
-                unit.in_box.next = bit(i[3]);
-                unit.object_class.next = Word::new(i[4] as u64);
-                step(unit.as_mut());
-                vec![
-                    unit.zf_a.val().get(),
-                    unit.nf_a.val().get() as i64,
-                    unit.zb_a.val().get(),
-                    unit.nb_a.val().get() as i64,
-                    unit.zf_b.val().get(),
-                    unit.nf_b.val().get() as i64,
-                    unit.zb_b.val().get(),
-                    unit.nb_b.val().get() as i64,
-                ]
-            })
-        }),
         golden: Box::new(move || {
             Box::new(GoldenFn(move |i: &[i64]| {
                 let absent = (Interval::absent(&format), Interval::absent(&format));
@@ -102,7 +77,6 @@ pub(super) fn depth_interval<const W: usize, const S: usize>(format: Format) -> 
             }))
         }),
         stimulus: sums,
-        options: String::new(),
     }
 }
 
@@ -131,26 +105,13 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn plane_depth<const W: usize, const P: usize>(format: Format) -> Subject {
+pub(super) fn plane_depth(format: Format) -> Description {
     let mut inputs = flag_ports();
-    inputs.extend(["a", "b", "c"].map(|name| depth_port(name, P)));
-    Subject {
+    inputs.extend(["a", "b", "c"].map(|name| depth_port(name, format.plane)));
+    Description {
         name: "plane_depth".into(),
         inputs,
-        outputs: vec![depth_port("depth", W)],
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware::plane_depth::PlaneDepth::<W, P>::new());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                (unit.valid.next, unit.start.next, unit.line.next) =
-                    (bit(i[0]), bit(i[1]), bit(i[2]));
-                unit.a.next = Int::new(i[3]);
-                unit.b.next = Int::new(i[4]);
-                unit.c.next = Int::new(i[5]);
-                step(unit.as_mut());
-                vec![unit.depth.val().get()]
-            })
-        }),
+        outputs: vec![depth_port("depth", format.depth)],
         golden: Box::new(move || {
             let mut pe: Option<Pe1> = None;
             let mut value = None;
@@ -159,7 +120,7 @@ pub(super) fn plane_depth<const W: usize, const P: usize>(format: Format) -> Sub
                 if bit(i[0]) {
                     if bit(i[1]) {
                         let words = Linear::new(i[3].into(), i[4].into(), i[5].into());
-                        pe = Some(Pe1::object_start(&words, P as u32));
+                        pe = Some(Pe1::object_start(&words, format.plane));
                     } else if bit(i[2])
                         && let Some(pe) = &mut pe
                     {
@@ -171,43 +132,21 @@ pub(super) fn plane_depth<const W: usize, const P: usize>(format: Format) -> Sub
             }))
         }),
         stimulus: any_raster,
-        options: String::new(),
     }
 }
 
-pub(super) fn cut_plane<const W: usize>(format: Format) -> Subject {
+pub(super) fn cut_plane(format: Format) -> Description {
     let mut inputs = vec![
         Signal::unsigned("kind", 2),
         Signal::bit("surface"),
         number_port("number"),
-        depth_port("zp", W),
+        depth_port("zp", format.depth),
     ];
-    inputs.extend(half_ports(["zf", "nf", "zb", "nb"], W));
-    Subject {
+    inputs.extend(half_ports(["zf", "nf", "zb", "nb"], format.depth));
+    Description {
         name: "cut_plane".into(),
         inputs,
-        outputs: half_ports(["cut_zf", "cut_nf", "cut_zb", "cut_nb"], W),
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware::cut_plane::CutPlane::<W>::new());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.kind.next = Word::new(i[0] as u64);
-                unit.surface.next = bit(i[1]);
-                unit.number.next = Word::new(i[2] as u64);
-                unit.zp.next = Int::new(i[3]);
-                unit.zf.next = Int::new(i[4]);
-                unit.nf.next = Word::new(i[5] as u64);
-                unit.zb.next = Int::new(i[6]);
-                unit.nb.next = Word::new(i[7] as u64);
-                step(unit.as_mut());
-                vec![
-                    unit.cut_zf.val().get(),
-                    unit.cut_nf.val().get() as i64,
-                    unit.cut_zb.val().get(),
-                    unit.cut_nb.val().get() as i64,
-                ]
-            })
-        }),
+        outputs: half_ports(["cut_zf", "cut_nf", "cut_zb", "cut_nb"], format.depth),
         golden: Box::new(move || {
             Box::new(GoldenFn(move |i: &[i64]| {
                 let kind = KINDS[i[0] as usize];
@@ -216,7 +155,6 @@ pub(super) fn cut_plane<const W: usize>(format: Format) -> Subject {
             }))
         }),
         stimulus: cuts,
-        options: String::new(),
     }
 }
 
@@ -237,34 +175,13 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn two_volume_merge<const W: usize>() -> Subject {
-    let mut inputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], W);
-    inputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], W));
-    Subject {
+pub(super) fn two_volume_merge(format: Format) -> Description {
+    let mut inputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], format.depth);
+    inputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], format.depth));
+    Description {
         name: "two_volume_merge".into(),
         inputs,
-        outputs: half_ports(["zf", "nf", "zb", "nb"], W),
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware::two_volume_merge::TwoVolumeMerge::<W>::default());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.zf_a.next = Int::new(i[0]);
-                unit.nf_a.next = Word::new(i[1] as u64);
-                unit.zb_a.next = Int::new(i[2]);
-                unit.nb_a.next = Word::new(i[3] as u64);
-                unit.zf_b.next = Int::new(i[4]);
-                unit.nf_b.next = Word::new(i[5] as u64);
-                unit.zb_b.next = Int::new(i[6]);
-                unit.nb_b.next = Word::new(i[7] as u64);
-                step(unit.as_mut());
-                vec![
-                    unit.zf.val().get(),
-                    unit.nf.val().get() as i64,
-                    unit.zb.val().get(),
-                    unit.nb.val().get() as i64,
-                ]
-            })
-        }),
+        outputs: half_ports(["zf", "nf", "zb", "nb"], format.depth),
         golden: Box::new(|| {
             Box::new(GoldenFn(|i: &[i64]| {
                 flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()
@@ -280,6 +197,5 @@ pub(super) fn two_volume_merge<const W: usize>() -> Subject {
             });
             proptest::collection::vec(one, clocks).boxed()
         },
-        options: String::new(),
     }
 }

@@ -1,55 +1,39 @@
 //! PE1 and PE2.
 
+use super::Description;
 use super::{any_raster, bit};
 use crate::signal::Signal;
-use crate::subject::{GoldenFn, Subject};
+use crate::subject::GoldenFn;
 use imogene_models::unit::pe1::{Linear, Pe1};
 use imogene_models::unit::pe2::{Pe2, Quadratic};
-use imogene_rtl::step::step;
-use imogene_rtl::unit::{pe1 as hardware_pe1, pe2 as hardware_pe2};
-use imogene_rtl::word::Int;
-use rust_hdl::core::prelude::Block;
 
 /// The three raster flags.
 pub(super) fn flag_ports() -> Vec<Signal> {
     ["valid", "start", "line"].map(Signal::bit).to_vec()
 }
 
-fn signed_ports(names: &[&str], width: usize) -> Vec<Signal> {
+fn signed_ports(names: &[&str], width: u32) -> Vec<Signal> {
     names
         .iter()
-        .map(|name| Signal::signed(*name, width as u32))
+        .map(|name| Signal::signed(*name, width))
         .collect()
 }
 
-pub(super) fn pe1<const W: usize>() -> Subject {
+pub(super) fn pe1(width: u32) -> Description {
     let mut inputs = flag_ports();
-    inputs.extend(signed_ports(&["a", "b", "c"], W));
-    Subject {
+    inputs.extend(signed_ports(&["a", "b", "c"], width));
+    Description {
         name: "pe1".into(),
         inputs,
-        outputs: signed_ports(&["value"], W),
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware_pe1::Pe1::<W>::default());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                (unit.valid.next, unit.start.next, unit.line.next) =
-                    (bit(i[0]), bit(i[1]), bit(i[2]));
-                unit.a.next = Int::new(i[3]);
-                unit.b.next = Int::new(i[4]);
-                unit.c.next = Int::new(i[5]);
-                step(unit.as_mut());
-                vec![unit.value.val().get()]
-            })
-        }),
-        golden: Box::new(|| {
+        outputs: signed_ports(&["value"], width),
+        golden: Box::new(move || {
             let mut pe: Option<Pe1> = None;
             let mut value = None;
             Box::new(GoldenFn(move |i: &[i64]| {
                 if bit(i[0]) {
                     if bit(i[1]) {
                         let words = Linear::new(i[3].into(), i[4].into(), i[5].into());
-                        pe = Some(Pe1::object_start(&words, W as u32));
+                        pe = Some(Pe1::object_start(&words, width));
                     } else if bit(i[2])
                         && let Some(pe) = &mut pe
                     {
@@ -61,7 +45,6 @@ pub(super) fn pe1<const W: usize>() -> Subject {
             }))
         }),
         stimulus: any_raster,
-        options: String::new(),
     }
 }
 
@@ -81,36 +64,20 @@ fn unconditioned(words: &[i64]) -> Quadratic {
     }
 }
 
-pub(super) fn pe2<const F: usize>() -> Subject {
+pub(super) fn pe2(width: u32) -> Description {
     let mut inputs = flag_ports();
-    inputs.extend(signed_ports(&["a2", "b2", "c", "p0", "i0", "f"], F));
-    Subject {
+    inputs.extend(signed_ports(&["a2", "b2", "c", "p0", "i0", "f"], width));
+    Description {
         name: "pe2".into(),
         inputs,
-        outputs: signed_ports(&["value"], F),
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware_pe2::Pe2::<F>::default());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                (unit.valid.next, unit.start.next, unit.line.next) =
-                    (bit(i[0]), bit(i[1]), bit(i[2]));
-                unit.a2.next = Int::new(i[3]);
-                unit.b2.next = Int::new(i[4]);
-                unit.c.next = Int::new(i[5]);
-                unit.p0.next = Int::new(i[6]);
-                unit.i0.next = Int::new(i[7]);
-                unit.f.next = Int::new(i[8]);
-                step(unit.as_mut());
-                vec![unit.value.val().get()]
-            })
-        }),
-        golden: Box::new(|| {
+        outputs: signed_ports(&["value"], width),
+        golden: Box::new(move || {
             let mut pe: Option<Pe2> = None;
             let mut value = None;
             Box::new(GoldenFn(move |i: &[i64]| {
                 if bit(i[0]) {
                     if bit(i[1]) {
-                        pe = Some(Pe2::object_start(&unconditioned(&i[3..]), F as u32));
+                        pe = Some(Pe2::object_start(&unconditioned(&i[3..]), width));
                     } else if bit(i[2])
                         && let Some(pe) = &mut pe
                     {
@@ -134,6 +101,5 @@ pub(super) fn pe2<const F: usize>() -> Subject {
                 })
                 .boxed()
         },
-        options: String::new(),
     }
 }

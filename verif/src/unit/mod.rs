@@ -8,8 +8,12 @@ mod processor;
 mod raster;
 mod root;
 
-use crate::subject::{Inputs, Subject};
+use crate::signal::Signal;
+use crate::subject::{Golden, Hardware, Inputs, Stimulus, Subject};
 use imogene_models::format::{Format, FormatError};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{Direction, EmitRequest, emit};
+use imogene_rtl::simulator::{UnitSimulator, unit_simulator};
 use thiserror::Error;
 
 /// Parameters of a unit under co-simulation.
@@ -83,14 +87,33 @@ pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError>
     }
     let format = Format::new(parameters.depth_word)?;
     check_range("planes", parameters.planes, 0, 12)?;
-    check_range("rows-per-stage", parameters.rows_per_stage, 1, format.root as usize)?;
+    check_range(
+        "rows-per-stage",
+        parameters.rows_per_stage,
+        1,
+        format.root as usize,
+    )?;
     check_range("objects", parameters.objects, 1, 256)?;
-    Ok(match parameters.depth_word {
-        16 => by_width::<16, 17, 18, 32, 28>(name, parameters),
-        20 => by_width::<20, 21, 22, 40, 32>(name, parameters),
-        24 => by_width::<24, 25, 26, 48, 36>(name, parameters),
-        28 => by_width::<28, 29, 30, 56, 40>(name, parameters),
-        _ => by_width::<32, 33, 34, 64, 44>(name, parameters),
+    let request = EmitRequest {
+        unit: Unit::from_name(name).expect("the names are those of the catalogue"),
+        depth_word: parameters.depth_word as usize,
+        planes: parameters.planes,
+        rows_per_stage: parameters.rows_per_stage,
+        objects: parameters.objects,
+    };
+    let unit = describe(name, format, parameters);
+    let (inputs, outputs) = (unit.inputs.clone(), unit.outputs.clone());
+    Ok(Subject {
+        name: unit.name,
+        inputs: unit.inputs,
+        outputs: unit.outputs,
+        hardware: Box::new(move || Box::new(UnitHardware::new(&request, &inputs, &outputs))),
+        golden: unit.golden,
+        stimulus: unit.stimulus,
+        options: format!(
+            "--format {} --planes {} --rows-per-stage {} --objects {}",
+            parameters.depth_word, parameters.planes, parameters.rows_per_stage, parameters.objects
+        ),
     })
 }
 
@@ -107,31 +130,86 @@ fn check_range(name: &'static str, value: usize, low: usize, high: usize) -> Res
     }
 }
 
-fn by_width<const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize>(
-    name: &str,
-    p: Parameters,
-) -> Subject {
-    let format = Format::new(W as u32).expect("a catalogue format");
-    let mut subject = match name {
-        "pe1" => elementary::pe1::<S>(),
-        "pe2" => elementary::pe2::<F>(),
-        "square_root" => root::square_root::<F, W, W1, S>(p.rows_per_stage),
-        "quadric_pe" => root::quadric_pe::<W, W1, S, F>(format, p.rows_per_stage),
-        "depth_interval" => depth::depth_interval::<W, S>(format),
-        "plane_depth" => depth::plane_depth::<W, P>(format),
-        "cut_plane" => depth::cut_plane::<W>(format),
-        "two_volume_merge" => depth::two_volume_merge::<W>(),
-        "normal_unit" => normal::normal_unit::<W>(p.planes),
-        "quadric_processor" => processor::quadric_processor::<W, W1, S, F, P>(format, p.planes, p.rows_per_stage),
+/// What a file of this module states of a unit; its hardware is the emitted unit of the same name.
+struct Description {
+    name: String,
+    inputs: Vec<Signal>,
+    outputs: Vec<Signal>,
+    golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
+    stimulus: Stimulus,
+}
+
+fn describe(name: &str, format: Format, p: Parameters) -> Description {
+    match name {
+        "pe1" => elementary::pe1(format.sum),
+        "pe2" => elementary::pe2(format.quadratic),
+        "square_root" => root::square_root(format, p.rows_per_stage),
+        "quadric_pe" => root::quadric_pe(format, p.rows_per_stage),
+        "depth_interval" => depth::depth_interval(format),
+        "plane_depth" => depth::plane_depth(format),
+        "cut_plane" => depth::cut_plane(format),
+        "two_volume_merge" => depth::two_volume_merge(format),
+        "normal_unit" => normal::normal_unit(format, p.planes),
+        "quadric_processor" => processor::quadric_processor(format, p.planes, p.rows_per_stage),
         "raster_control" => raster::raster_control(),
-        "visibility_node" => decision::visibility_node::<W>(),
-        _ => decision::decider::<W>(p.objects),
-    };
-    subject.options = format!(
-        "--format {} --planes {} --rows-per-stage {} --objects {}",
-        p.depth_word, p.planes, p.rows_per_stage, p.objects
-    );
-    subject
+        "visibility_node" => decision::visibility_node(format),
+        _ => decision::decider(format, p.objects),
+    }
+}
+
+/// The unit in rust-hdl's simulator, its ports matched by name.
+struct UnitHardware {
+    simulator: Box<dyn UnitSimulator>,
+    inputs: Vec<(usize, Signal)>,
+    outputs: Vec<(usize, Signal)>,
+}
+
+impl UnitHardware {
+    fn new(request: &EmitRequest, inputs: &[Signal], outputs: &[Signal]) -> UnitHardware {
+        let ports = emit(request).expect("a checked request").ports;
+        let place = |signals: &[Signal], direction: Direction| -> Vec<(usize, Signal)> {
+            ports
+                .iter()
+                .filter(|port| port.direction == direction && port.name != "clock")
+                .map(|port| {
+                    let index = signals
+                        .iter()
+                        .position(|s| s.name == port.name)
+                        .unwrap_or_else(|| panic!("no signal for port '{}'", port.name));
+                    let signal = signals[index].clone();
+                    let (width, signed) = (port.width as u32, port.signed);
+                    assert_eq!(
+                        (signal.width, signal.signed),
+                        (width, signed),
+                        "{}",
+                        port.name
+                    );
+                    (index, signal)
+                })
+                .collect()
+        };
+        UnitHardware {
+            simulator: unit_simulator(request).expect("a checked request"),
+            inputs: place(inputs, Direction::Input),
+            outputs: place(outputs, Direction::Output),
+        }
+    }
+}
+
+impl Hardware for UnitHardware {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<i64> {
+        let words: Vec<u64> = self
+            .inputs
+            .iter()
+            .map(|(index, signal)| signal.bits(inputs[*index]))
+            .collect();
+        let found = self.simulator.clock(&words);
+        let mut values = vec![0; self.outputs.len()];
+        for ((index, signal), bits) in self.outputs.iter().zip(found) {
+            values[*index] = signal.value(bits);
+        }
+        values
+    }
 }
 
 /// A port value as a bit.
@@ -155,7 +233,6 @@ impl<T> Late<T> {
         self.delay.push(result)
     }
 }
-
 
 /// A stimulus of raster flags on the first three ports and words on the others.
 fn any_raster(subject: &Subject, clocks: usize) -> proptest::strategy::BoxedStrategy<Vec<Inputs>> {

@@ -1,32 +1,20 @@
 //! The normal unit.
 
+use super::Description;
 use super::elementary::flag_ports;
 use super::{Late, bit};
 use crate::signal::Signal;
 use crate::stimulus::{flags, word};
 use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
 use imogene_models::unit::normal::{NormalWords, select};
 use imogene_models::unit::pe1::{Linear, Pe1};
-use imogene_rtl::step::step;
-use imogene_rtl::unit::normal_unit::NormalUnit;
-use imogene_rtl::word::{Int, Word};
 use proptest::prelude::*;
-use rust_hdl::core::prelude::Block;
 
 /// Words of the quadric's normal, in port order.
 pub(super) const NORMAL_WORDS: [&str; 12] = [
     "gx_a", "gx_b", "gx_c", "gy_a", "gy_b", "gy_c", "gz_a", "gz_b", "gz_c", "kx", "ky", "kz",
 ];
-
-/// Assigns port values, in order, to number ports of a block.
-macro_rules! assign {
-    ($unit:expr, $values:expr, $offset:expr, [$($port:ident),*]) => {{
-        let mut at = $offset;
-        $( $unit.$port.next = Int::new($values[at]); at += 1; )*
-        let _ = at;
-    }};
-}
-pub(super) use assign;
 
 pub(super) fn normal_ports() -> impl Iterator<Item = Signal> {
     NORMAL_WORDS
@@ -45,54 +33,24 @@ mod port {
     pub const PLANES: usize = 19;
 }
 
-pub(super) fn normal_unit<const W: usize>(planes: usize) -> Subject {
+pub(super) fn normal_unit(format: Format, planes: usize) -> Description {
     let mut inputs = flag_ports();
     inputs.extend([
         Signal::unsigned("number", 4),
         Signal::bit("absent"),
-        Signal::unsigned("root", W as u32),
+        Signal::unsigned("root", format.depth),
         Signal::unsigned("shift", 5),
     ]);
     inputs.extend(normal_ports());
     for i in 0..planes {
         inputs.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
     }
-    Subject {
+    Description {
         name: "normal_unit".into(),
         inputs,
         outputs: ["nx", "ny", "nz"]
             .map(|name| Signal::signed(name, 16))
             .to_vec(),
-        hardware: Box::new(move || {
-            let mut unit = Box::new(NormalUnit::<W>::new(planes));
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                (unit.valid.next, unit.start.next, unit.line.next) =
-                    (bit(i[0]), bit(i[1]), bit(i[2]));
-                unit.number.next = Word::new(i[port::NUMBER] as u64);
-                unit.absent.next = bit(i[port::ABSENT]);
-                unit.root.next = Word::new(i[port::ROOT] as u64);
-                unit.shift.next = Word::new(i[port::SHIFT] as u64);
-                assign!(
-                    unit,
-                    i,
-                    port::WORDS,
-                    [gx_a, gx_b, gx_c, gy_a, gy_b, gy_c, gz_a, gz_b, gz_c, kx, ky, kz]
-                );
-                for p in 0..planes {
-                    let at = port::PLANES + 3 * p;
-                    unit.plane_nx[p].next = Int::new(i[at]);
-                    unit.plane_ny[p].next = Int::new(i[at + 1]);
-                    unit.plane_nz[p].next = Int::new(i[at + 2]);
-                }
-                step(unit.as_mut());
-                vec![
-                    unit.nx.val().get(),
-                    unit.ny.val().get(),
-                    unit.nz.val().get(),
-                ]
-            })
-        }),
         golden: Box::new(move || {
             let mut g: Option<[Pe1; 3]> = None;
             let mut late = Late::new(3);
@@ -105,7 +63,6 @@ pub(super) fn normal_unit<const W: usize>(planes: usize) -> Subject {
             }))
         }),
         stimulus: words_held,
-        options: String::new(),
     }
 }
 
@@ -136,8 +93,7 @@ fn golden_clock(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i
 
 /// The words of twelve consecutive ports.
 pub(super) fn normal_words(i: &[i64], shift: i64) -> NormalWords {
-    let linear =
-        |k: usize| Linear::new(i[3 * k].into(), i[3 * k + 1].into(), i[3 * k + 2].into());
+    let linear = |k: usize| Linear::new(i[3 * k].into(), i[3 * k + 1].into(), i[3 * k + 2].into());
     NormalWords {
         g: [linear(0), linear(1), linear(2)],
         k: [9, 10, 11].map(|k| i[k] as i16),

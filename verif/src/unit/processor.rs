@@ -1,7 +1,8 @@
 //! The quadric object processor.
 
+use super::Description;
 use super::elementary::flag_ports;
-use super::normal::{assign, normal_ports, normal_words};
+use super::normal::{normal_ports, normal_words};
 use super::{Late, bit};
 use crate::signal::Signal;
 use crate::stimulus::word;
@@ -14,16 +15,10 @@ use imogene_models::unit::cut_plane::PlaneKind;
 use imogene_models::unit::interval::Class;
 use imogene_models::unit::pe1::Linear;
 use imogene_models::unit::pe2::Quadratic;
-use imogene_rtl::object::quadric_processor::QuadricProcessor;
-use imogene_rtl::step::step;
-use imogene_rtl::word::{Int, Word};
 use proptest::prelude::*;
-use rust_hdl::core::prelude::Block;
 
 /// Where the ports begin, in the order of this subject.
 mod port {
-    pub const X: usize = 3;
-    pub const Y: usize = 4;
     pub const F1: usize = 5;
     pub const F2: usize = 8;
     pub const NORMAL: usize = 14;
@@ -49,51 +44,27 @@ fn ports(format: &Format, planes: usize) -> Vec<Signal> {
     ports.push(Signal::unsigned("shift", 5));
     for i in 0..planes {
         ports.push(Signal::unsigned(format!("plane_{i}_kind"), 2));
-        ports.extend(["a", "b", "c"].map(|n| Signal::signed(format!("plane_{i}_{n}"), format.plane)));
+        ports.extend(
+            ["a", "b", "c"].map(|n| Signal::signed(format!("plane_{i}_{n}"), format.plane)),
+        );
         ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
     }
     ports
 }
 
-pub(super) fn quadric_processor<
-    const W: usize,
-    const W1: usize,
-    const S: usize,
-    const F: usize,
-    const P: usize,
->(
+pub(super) fn quadric_processor(
     format: Format,
     planes: usize,
     rows_per_stage: usize,
-) -> Subject {
+) -> Description {
     let mut outputs = vec![Signal::bit("out_valid")];
     outputs.extend(["zf", "zb"].map(|name| Signal::signed(name, format.depth)));
     outputs.push(Signal::unsigned("number", 4));
     outputs.extend(["nx", "ny", "nz"].map(|name| Signal::signed(name, 16)));
-    Subject {
+    Description {
         name: "quadric_processor".into(),
         inputs: ports(&format, planes),
         outputs,
-        hardware: Box::new(move || {
-            let mut unit = Box::new(QuadricProcessor::<W, W1, S, F, P>::new(
-                planes,
-                rows_per_stage,
-            ));
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                drive(unit.as_mut(), i, planes);
-                step(unit.as_mut());
-                vec![
-                    i64::from(unit.out_valid.val()),
-                    unit.zf.val().get(),
-                    unit.zb.val().get(),
-                    unit.number.val().get() as i64,
-                    unit.nx.val().get(),
-                    unit.ny.val().get(),
-                    unit.nz.val().get(),
-                ]
-            })
-        }),
         golden: Box::new(move || {
             let clocks = latency(&format, planes, rows_per_stage as u32) as usize;
             let mut late = Late::new(clocks);
@@ -108,42 +79,6 @@ pub(super) fn quadric_processor<
             }))
         }),
         stimulus: zones,
-        options: String::new(),
-    }
-}
-
-fn drive<const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize>(
-    unit: &mut QuadricProcessor<W, W1, S, F, P>,
-    i: &[i64],
-    planes: usize,
-) {
-    (unit.valid.next, unit.start.next, unit.line.next) = (bit(i[0]), bit(i[1]), bit(i[2]));
-    unit.x.next = Word::new(i[port::X] as u64);
-    unit.y.next = Word::new(i[port::Y] as u64);
-    assign!(
-        unit,
-        i,
-        port::F1,
-        [
-            f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0, f2_p0, f2_f, gx_a, gx_b, gx_c, gy_a, gy_b,
-            gy_c, gz_a, gz_b, gz_c, kx, ky, kz
-        ]
-    );
-    unit.box_x0.next = Word::new(i[port::BOX] as u64);
-    unit.box_x1.next = Word::new(i[port::BOX + 1] as u64);
-    unit.box_y0.next = Word::new(i[port::BOX + 2] as u64);
-    unit.box_y1.next = Word::new(i[port::BOX + 3] as u64);
-    unit.object_class.next = Word::new(i[port::CLASS] as u64);
-    unit.shift.next = Word::new(i[port::SHIFT] as u64);
-    for p in 0..planes {
-        let at = port::PLANES + port::PLANE * p;
-        unit.plane_kind[p].next = Word::new(i[at] as u64);
-        unit.plane_a[p].next = Int::new(i[at + 1]);
-        unit.plane_b[p].next = Int::new(i[at + 2]);
-        unit.plane_c[p].next = Int::new(i[at + 3]);
-        unit.plane_nx[p].next = Int::new(i[at + 4]);
-        unit.plane_ny[p].next = Int::new(i[at + 5]);
-        unit.plane_nz[p].next = Int::new(i[at + 6]);
     }
 }
 

@@ -1,17 +1,14 @@
 //! The raster control.
 
+use super::Description;
 use super::bit;
 use crate::signal::Signal;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::raster::RasterControl;
-use imogene_rtl::machine::raster_control as hardware;
-use imogene_rtl::step::step;
-use imogene_rtl::word::Word;
 use proptest::prelude::*;
-use rust_hdl::core::prelude::Block;
 
-pub(super) fn raster_control() -> Subject {
-    Subject {
+pub(super) fn raster_control() -> Description {
+    Description {
         name: "raster_control".into(),
         inputs: vec![
             Signal::bit("go"),
@@ -26,24 +23,6 @@ pub(super) fn raster_control() -> Subject {
             Signal::unsigned("y", 12),
             Signal::bit("last"),
         ],
-        hardware: Box::new(|| {
-            let mut unit = Box::new(hardware::RasterControl::new());
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.go.next = bit(i[0]);
-                unit.width.next = Word::new(i[1] as u64);
-                unit.height.next = Word::new(i[2] as u64);
-                step(unit.as_mut());
-                vec![
-                    i64::from(unit.valid.val()),
-                    i64::from(unit.start.val()),
-                    i64::from(unit.line.val()),
-                    unit.x.val().get() as i64,
-                    unit.y.val().get() as i64,
-                    i64::from(unit.last.val()),
-                ]
-            })
-        }),
         golden: Box::new(|| {
             let mut raster = RasterControl::default();
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -62,14 +41,17 @@ pub(super) fn raster_control() -> Subject {
             }))
         }),
         stimulus: zones,
-        options: String::new(),
     }
 }
 
 /// Requests at random times, small zones so that many end, now and then a long line.
 fn zones(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let side = prop_oneof![6 => 1i64..6, 1 => 1i64..40];
-    let one = (prop_oneof![2 => Just(0i64), 1 => Just(1)], side.clone(), side)
+    let one = (
+        prop_oneof![2 => Just(0i64), 1 => Just(1)],
+        side.clone(),
+        side,
+    )
         .prop_map(|(go, width, height)| vec![go, width, height]);
     proptest::collection::vec(one, clocks).boxed()
 }

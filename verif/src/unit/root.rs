@@ -1,61 +1,36 @@
 //! The square root network and the quadric elementary processor around it.
 
+use super::Description;
 use super::elementary::flag_ports;
 use super::{Late, bit};
 use crate::signal::Signal;
-use crate::stimulus::{raster, radicand};
+use crate::stimulus::{radicand, raster};
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::{Format, wrap64};
 use imogene_models::unit::pe1::{Linear, Pe1};
 use imogene_models::unit::pe2::{Pe2, Quadratic};
 use imogene_models::unit::root::restoring_root;
-use imogene_rtl::step::step;
-use imogene_rtl::unit::{quadric_pe as hardware_pe, square_root as hardware_root};
-use imogene_rtl::word::{Int, Word};
 use proptest::strategy::{BoxedStrategy, Strategy};
-use rust_hdl::core::prelude::Block;
 
-pub(super) fn square_root<
-    const F: usize,
-    const K: usize,
-    const K1: usize,
-    const K2: usize,
->(
-    rows_per_stage: usize,
-) -> Subject {
-    Subject {
+pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description {
+    Description {
         name: "square_root".into(),
-        inputs: vec![Signal::unsigned("radicand", F as u32)],
+        inputs: vec![Signal::unsigned("radicand", format.quadratic)],
         outputs: vec![
-            Signal::unsigned("root", K as u32),
-            Signal::unsigned("remainder", K1 as u32),
+            Signal::unsigned("root", format.root),
+            Signal::unsigned("remainder", format.root + 1),
         ],
-        hardware: Box::new(move || {
-            let mut unit = Box::new(hardware_root::SquareRoot::<F, K, K1, K2>::new(
-                rows_per_stage,
-            ));
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                unit.radicand.next = Word::new(i[0] as u64);
-                step(unit.as_mut());
-                vec![
-                    unit.root.val().get() as i64,
-                    unit.remainder.val().get() as i64,
-                ]
-            })
-        }),
         golden: Box::new(move || {
-            let mut late = Late::new(K.div_ceil(rows_per_stage));
+            let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage));
             Box::new(GoldenFn(move |i: &[i64]| {
-                let radicand = u128::from(i[0] as u64) & (u128::MAX >> (128 - F));
-                match late.push(restoring_root(radicand, K as u32)) {
+                let radicand = u128::from(i[0] as u64) & (u128::MAX >> (128 - format.quadratic));
+                match late.push(restoring_root(radicand, format.root)) {
                     Some(r) => vec![Some(r.root as i64), Some(r.remainder as i64)],
                     None => vec![None, None],
                 }
             }))
         }),
         stimulus: radicands,
-        options: String::new(),
     }
 }
 
@@ -68,55 +43,31 @@ const COEFFICIENTS: [&str; 9] = [
     "f1_a", "f1_b", "f1_c", "f2_a2", "f2_b2", "f2_c", "f2_i0", "f2_p0", "f2_f",
 ];
 
-pub(super) fn quadric_pe<const W: usize, const W1: usize, const S: usize, const F: usize>(
-    format: Format,
-    rows_per_stage: usize,
-) -> Subject {
+pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     let mut inputs = flag_ports();
-    inputs.extend(COEFFICIENTS.iter().enumerate().map(|(k, name)| {
-        Signal::signed(*name, if k < 3 { S } else { F } as u32)
-    }));
-    Subject {
+    inputs.extend(
+        COEFFICIENTS.iter().enumerate().map(|(k, name)| {
+            Signal::signed(*name, if k < 3 { format.sum } else { format.quadratic })
+        }),
+    );
+    Description {
         name: "quadric_pe".into(),
         inputs,
         outputs: vec![
-            Signal::signed("near_sum", S as u32),
-            Signal::signed("far_sum", S as u32),
-            Signal::unsigned("root", W as u32),
+            Signal::signed("near_sum", format.sum),
+            Signal::signed("far_sum", format.sum),
+            Signal::unsigned("root", format.root),
             Signal::bit("is_inside"),
+            Signal::bit("late_valid"),
+            Signal::bit("late_start"),
+            Signal::bit("late_line"),
         ],
-        hardware: Box::new(move || {
-            let mut unit = Box::new(hardware_pe::QuadricPe::<W, W1, S, F>::new(rows_per_stage));
-            unit.connect_all();
-            Box::new(move |i: &[i64]| {
-                (unit.valid.next, unit.start.next, unit.line.next) =
-                    (bit(i[0]), bit(i[1]), bit(i[2]));
-                unit.f1_a.next = Int::new(i[3]);
-                unit.f1_b.next = Int::new(i[4]);
-                unit.f1_c.next = Int::new(i[5]);
-                unit.f2_a2.next = Int::new(i[6]);
-                unit.f2_b2.next = Int::new(i[7]);
-                unit.f2_c.next = Int::new(i[8]);
-                unit.f2_i0.next = Int::new(i[9]);
-                unit.f2_p0.next = Int::new(i[10]);
-                unit.f2_f.next = Int::new(i[11]);
-                step(unit.as_mut());
-                vec![
-                    unit.near_sum.val().get(),
-                    unit.far_sum.val().get(),
-                    unit.root.val().get() as i64,
-                    i64::from(unit.is_inside.val()),
-                ]
-            })
-        }),
         golden: Box::new(move || Box::new(GoldenFn(golden_quadric_pe(format, rows_per_stage)))),
         stimulus: coefficients_held,
-        options: String::new(),
     }
 }
 
-/// The f1 processor starts later than the f2 processor, so coefficients must not change between: one set per stimulus, and no clock
-/// without a pixel after the results have begun to matter.
+/// The f1 processor starts later than the f2 processor, so coefficients must not change between: one set per stimulus.
 fn coefficients_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     raster(&subject.inputs, clocks)
         .prop_map(|mut list| {
@@ -137,8 +88,11 @@ fn golden_quadric_pe(
     rows_per_stage: usize,
 ) -> impl FnMut(&[i64]) -> Vec<Option<i64>> {
     let mut processors: Option<(Pe1, Pe2)> = None;
-    let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage) + 2);
+    let root_latency = (format.root as usize).div_ceil(rows_per_stage);
+    let mut late = Late::new(root_latency + 2);
+    let mut late_flags = Late::new(root_latency);
     move |i: &[i64]| {
+        let flags = late_flags.push([i[0], i[1], i[2]]);
         let mut result = None;
         if bit(i[0]) {
             if bit(i[1]) {
@@ -153,10 +107,15 @@ fn golden_quadric_pe(
                 .as_mut()
                 .map(|(f1, f2)| depths(f1.pixel() as i64, f2.pixel(), &format));
         }
-        match late.push(result).flatten() {
+        let depths = match late.push(result).flatten() {
             Some(values) => values.map(Some).to_vec(),
             None => vec![None; 4],
-        }
+        };
+        let flags = match flags {
+            Some(flags) => flags.map(Some).to_vec(),
+            None => vec![None; 3],
+        };
+        [depths, flags].concat()
     }
 }
 

@@ -1,0 +1,233 @@
+//! The commands on real input: files, JSON keys that scripts rely on, exit codes.
+
+mod common;
+
+use common::{imogene, scene};
+use serde_json::Value;
+
+fn json(arguments: &[&str]) -> Value {
+    let output = imogene().args(arguments).arg("--json").output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{arguments:?}: {message}");
+    serde_json::from_slice(&output.stdout).expect("standard output is one JSON document")
+}
+
+fn assert_keys(value: &Value, keys: &[&str]) {
+    for key in keys {
+        assert!(value.get(key).is_some(), "no key '{key}' in {value}");
+    }
+}
+
+const COSIM_KEYS: [&str; 8] = [
+    "engine",
+    "cycles",
+    "pixels",
+    "mismatches",
+    "seconds",
+    "cycles_per_second",
+    "seed",
+    "files",
+];
+
+#[test]
+fn demo_draws_the_teapot_with_no_difference() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("demo");
+    let summary = json(&["demo", "--out", out.to_str().unwrap()]);
+    assert_keys(&summary, &COSIM_KEYS);
+    assert_eq!(summary["mismatches"], 0);
+    assert_eq!(summary["pixels"], 160 * 120);
+    for name in [
+        "image.png",
+        "golden.png",
+        "trace.vcd",
+        "trace.gtkw",
+        "beam.v",
+        "summary.json",
+    ] {
+        assert!(out.join(name).is_file(), "no {name}");
+    }
+    let picture = std::fs::read(out.join("image.png")).unwrap();
+    assert_eq!(picture, std::fs::read(out.join("golden.png")).unwrap());
+    let vcd = std::fs::read_to_string(out.join("trace.vcd")).unwrap();
+    assert!(vcd.contains("processor_0") && vcd.contains("golden") && vcd.contains("hardware"));
+    let written: Value =
+        serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(written["mismatches"], 0);
+}
+
+#[test]
+fn three_models_draw_the_same_molecule() {
+    let folder = tempfile::tempdir().unwrap();
+    let molecule = scene("molecule.toml");
+    let mut pictures = Vec::new();
+    for model in ["golden", "rtl", "exact"] {
+        let path = |name: &str| folder.path().join(format!("{model}-{name}"));
+        let (png, depth, ids, normals) =
+            (path("p.png"), path("d.npy"), path("i.npy"), path("n.npy"));
+        let report = json(&[
+            "render",
+            molecule.to_str().unwrap(),
+            "--model",
+            model,
+            "--size",
+            "40x30",
+            "-o",
+            png.to_str().unwrap(),
+            "--depth",
+            depth.to_str().unwrap(),
+            "--ids",
+            ids.to_str().unwrap(),
+            "--normals",
+            normals.to_str().unwrap(),
+        ]);
+        assert_keys(
+            &report,
+            &["model", "width", "height", "seconds", "pixels_per_second"],
+        );
+        assert_eq!(report["width"], 40);
+        let header = std::fs::read(&depth).unwrap();
+        let text = String::from_utf8_lossy(&header[..80]).into_owned();
+        assert!(text.contains("'<i8'") && text.contains("(30, 40"), "{text}");
+        assert!(normals.is_file());
+        pictures.push((std::fs::read(&png).unwrap(), std::fs::read(&ids).unwrap()));
+    }
+    assert_eq!(
+        pictures[0], pictures[1],
+        "golden and hardware pictures differ"
+    );
+    assert_eq!(
+        pictures[0].1, pictures[2].1,
+        "golden and exact object indices differ"
+    );
+}
+
+#[test]
+fn emit_reports_top_files_latency_and_ports() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let report = json(&[
+        "emit",
+        "quadric_processor",
+        "--planes",
+        "2",
+        "--rows-per-stage",
+        "4",
+        "--out",
+        out,
+    ]);
+    assert_keys(&report, &["top", "files", "latency", "ports"]);
+    assert_eq!(report["latency"], 6 + 2 + 7);
+    let file = report["files"][0].as_str().unwrap();
+    let first = std::fs::read(file).unwrap();
+    json(&[
+        "emit",
+        "quadric_processor",
+        "--planes",
+        "2",
+        "--rows-per-stage",
+        "4",
+        "--out",
+        out,
+    ]);
+    assert_eq!(
+        first,
+        std::fs::read(file).unwrap(),
+        "emission is not deterministic"
+    );
+    let text = String::from_utf8(first).unwrap();
+    assert!(
+        text.contains("imogene emit quadric_processor --format 24 --planes 2 --rows-per-stage 4")
+    );
+}
+
+#[test]
+fn units_prepare_and_check_answer_in_json() {
+    let units = json(&["units"]);
+    assert_eq!(units.as_array().unwrap().len(), 15);
+    let teapot = scene("teapot.toml");
+    let prepared = json(&["prepare", teapot.to_str().unwrap(), "--size", "160x120"]);
+    assert_eq!(prepared["objects"].as_array().unwrap().len(), 10);
+    let checked = json(&["check", teapot.to_str().unwrap(), "--size", "160x120"]);
+    assert_keys(&checked, &["objects", "bounds", "widths", "ok"]);
+    assert_keys(
+        &checked["bounds"],
+        &["depth_lsb", "silhouette_px", "normal_deg"],
+    );
+    assert_keys(
+        &checked["objects"][0],
+        &["name", "kind", "class", "problems"],
+    );
+}
+
+#[test]
+fn cosim_replays_its_seed_and_writes_waveforms() {
+    let folder = tempfile::tempdir().unwrap();
+    let vcd = folder.path().join("pe2.vcd");
+    let arguments = [
+        "cosim",
+        "pe2",
+        "--seed",
+        "42",
+        "--clocks",
+        "3000",
+        "--vcd",
+        vcd.to_str().unwrap(),
+    ];
+    let report = json(&arguments);
+    assert_keys(&report, &COSIM_KEYS);
+    assert_eq!(
+        (&report["seed"], &report["mismatches"]),
+        (&Value::from(42), &Value::from(0))
+    );
+    let first = std::fs::read(&vcd).unwrap();
+    json(&arguments);
+    assert_eq!(
+        first,
+        std::fs::read(&vcd).unwrap(),
+        "the same seed gave another stimulus"
+    );
+    assert!(vcd.with_extension("gtkw").is_file());
+}
+
+#[test]
+fn an_injected_fault_fails_with_exit_code_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let vcd = folder.path().join("fault.vcd");
+    let output = imogene()
+        .arg("cosim")
+        .arg(scene("cone.toml"))
+        .args(["--size", "48x36", "--inject-fault", "0:2:20", "--vcd"])
+        .arg(&vcd)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let message = String::from_utf8(output.stderr).unwrap();
+    for part in [
+        "cycle",
+        "pixel",
+        "hardware",
+        "golden",
+        "fault.vcd",
+        "reproduce",
+    ] {
+        assert!(message.contains(part), "no '{part}' in: {message}");
+    }
+    assert!(vcd.is_file());
+}
+
+#[test]
+fn cosim_of_a_unit_in_icarus() {
+    let report = json(&[
+        "cosim",
+        "cut_plane",
+        "--engine",
+        "icarus",
+        "--clocks",
+        "2000",
+    ]);
+    assert_eq!(
+        (&report["engine"], &report["mismatches"]),
+        (&Value::from("icarus"), &Value::from(0))
+    );
+}

@@ -1,0 +1,16 @@
+//! Shared by the command line tests.
+
+use assert_cmd::Command;
+use std::path::PathBuf;
+
+/// The program.
+pub fn imogene() -> Command {
+    Command::cargo_bin("imogene").expect("the program was built")
+}
+
+/// A scene of the repository.
+pub fn scene(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../scenes")
+        .join(name)
+}
