@@ -145,7 +145,9 @@ impl Trace {
             .file_name()
             .map(|name| name.to_string_lossy().into_owned())
             .unwrap_or_default();
-        let mut text = format!("[dumpfile] \"{file}\"\n[timestart] 0\n*-7.0 ");
+        let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);
+        let mut text =
+            format!("[dumpfile] \"{file}\"\n[timestart] {start}\n[size] 1600 1000\n*-5.5 ");
         // The marker stands at the first mismatch; -1 is no marker.
         text += &first_mismatch.map_or("-1".to_string(), |time| time.to_string());
         text += " -1 -1\n@28\nimogene.clock\n";
@@ -153,11 +155,13 @@ impl Trace {
             let name = &group.name;
             text += &format!("@200\n-{name}\n@28\nimogene.{name}.mismatch\n");
             for signal in &group.stimulus {
-                text += &entry(&format!("imogene.{name}.stimulus"), signal);
+                text += &entry(&format!("imogene.{name}.stimulus"), signal, &signal.name);
             }
             for signal in &group.compared {
-                text += &entry(&format!("imogene.{name}.hardware"), signal);
-                text += &entry(&format!("imogene.{name}.golden"), signal);
+                for side in ["hardware", "golden"] {
+                    let shown = format!("{} {side}", signal.name);
+                    text += &entry(&format!("imogene.{name}.{side}"), signal, &shown);
+                }
             }
         }
         text
@@ -174,8 +178,9 @@ impl Sample {
     }
 }
 
-/// A signal of the save file: decimal for numbers, binary for bits. 420 is signed decimal, 24 decimal, 28 binary.
-fn entry(scope: &str, signal: &Signal) -> String {
+/// A signal of the save file under a name of its own: decimal for numbers, binary for bits. 420 is signed decimal, 24 decimal,
+/// 28 binary.
+fn entry(scope: &str, signal: &Signal, shown: &str) -> String {
     let format = match (signal.width, signal.signed) {
         (1, _) => "@28",
         (_, true) => "@420",
@@ -186,7 +191,7 @@ fn entry(scope: &str, signal: &Signal) -> String {
     } else {
         String::new()
     };
-    format!("{format}\n{scope}.{}{range}\n", signal.name)
+    format!("{format}\n+{{{shown}}} {scope}.{}{range}\n", signal.name)
 }
 
 fn declare(writer: &mut vcd::Writer<impl Write>, group: &Group) -> std::io::Result<Variables> {

@@ -56,7 +56,7 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     // The marker of the save file stands at the first mismatch, ten time units a clock.
     let save = std::fs::read_to_string(&files[1]).unwrap();
     assert!(
-        save.contains(&format!("*-7.0 {}", first.cycle * 10)),
+        save.contains(&format!("*-5.5 {}", first.cycle * 10)),
         "{save}"
     );
 }

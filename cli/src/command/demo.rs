@@ -23,7 +23,7 @@ const SIZE: Size = Size {
     height: 120,
 };
 /// Clocks of waveforms kept.
-const TRACE_CLOCKS: u64 = 4_000;
+const TRACE_CLOCKS: u64 = 1_600;
 /// Object whose processor is traced: the body of the pot.
 const TRACED: usize = 0;
 

@@ -13,6 +13,7 @@ use imogene_models::machine::frame::Frame;
 use imogene_models::object::load::{LoadWord, load_words};
 use imogene_models::object::quadric::QuadricWords;
 use imogene_models::prepare::PreparedScene;
+use std::ops::Range;
 
 /// Clocks recorded after the first mismatch, when that lies beyond the window asked for.
 const AFTER_MISMATCH: u64 = 200;
@@ -64,7 +65,7 @@ impl Band<'_> {
         let mut expected = Delay::new(first_pixel);
         let mut recorder = self
             .trace
-            .map(|request| Recorder::new(request, &self.shape));
+            .map(|request| Recorder::new(request, &self.shape, self.trace_start(request, width)));
         let mut report = Report::default();
         let mut frame = Frame::background(width, height, self.scene.format.z_max());
         for clock in 0..pixels + first_pixel {
@@ -88,7 +89,7 @@ impl Band<'_> {
                     stated,
                     inside,
                     probe.map(|p| probe_values(&p)),
-                    &report,
+                    &mut report,
                 );
             }
             if outputs.valid && index < pixels {
@@ -98,6 +99,11 @@ impl Band<'_> {
             report.cycles += 1;
         }
         (report, frame, recorder.map(|r| r.trace))
+    }
+
+    /// First clock of the waveforms: the middle line of the traced object.
+    fn trace_start(&self, request: &TraceRequest, width: usize) -> u64 {
+        (super::middle_line(&self.objects[request.object]) * width) as u64
     }
 
     fn load(&self, engine: &mut impl Engine) {
@@ -191,14 +197,14 @@ fn store(frame: &mut Frame, index: usize, outputs: &MachineOutputs, z_max: i64) 
 struct Recorder {
     trace: Trace,
     object: usize,
-    until: u64,
+    window: Range<u64>,
     signals: Vec<ProbeSignal>,
     delays: Vec<Delay<Option<i64>>>,
     mismatch_seen: bool,
 }
 
 impl Recorder {
-    fn new(request: &TraceRequest, shape: &MachineShape) -> Recorder {
+    fn new(request: &TraceRequest, shape: &MachineShape, from: u64) -> Recorder {
         let signals = processor_signals(shape);
         let mut outputs = vec![Signal::bit("valid")];
         outputs.extend(output_signals(shape.depth_word));
@@ -217,7 +223,7 @@ impl Recorder {
         Recorder {
             trace: Trace::new(groups),
             object: request.object,
-            until: request.clocks,
+            window: from..from + request.clocks,
             delays: signals.iter().map(|s| Delay::new(s.offset)).collect(),
             signals,
             mismatch_seen: false,
@@ -230,7 +236,7 @@ impl Recorder {
         stated: Option<Visible>,
         inside: Vec<i64>,
         probe: Option<Vec<i64>>,
-        report: &Report,
+        report: &mut Report,
     ) {
         let golden: Vec<Option<i64>> = (0..self.signals.len())
             .map(|k| {
@@ -238,9 +244,11 @@ impl Recorder {
                 self.delays[k].push(value).flatten()
             })
             .collect();
+        self.score(&inside, &golden, report);
         if report.mismatches > 0 && !self.mismatch_seen {
             self.mismatch_seen = true;
-            self.until = self.until.max(report.cycles + AFTER_MISMATCH);
+            let end = report.cycles + AFTER_MISMATCH;
+            self.window = self.window.start.min(report.cycles)..self.window.end.max(end);
         }
         let machine = Sample {
             stimulus: vec![],
@@ -260,10 +268,25 @@ impl Recorder {
             golden,
         };
         let samples = vec![machine, processor];
-        if report.cycles < self.until {
+        if self.window.contains(&report.cycles) {
             self.trace.record(report.cycles, samples);
         } else {
             self.trace.remember(report.cycles, samples);
+        }
+    }
+    /// The inside of the traced processor counts like the outputs of the machine.
+    fn score(&self, inside: &[i64], golden: &[Option<i64>], report: &mut Report) {
+        let cycle = report.cycles;
+        for ((probe, &hardware), golden) in self.signals.iter().zip(inside).zip(golden) {
+            let Some(golden) = *golden else { continue };
+            let mismatch = || Mismatch {
+                cycle,
+                pixel: None,
+                signal: format!("processor_{}.{}", self.object, probe.signal.name),
+                hardware,
+                golden,
+            };
+            report.compare(mismatch, hardware == golden);
         }
     }
 }

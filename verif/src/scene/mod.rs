@@ -28,7 +28,7 @@ pub struct TraceRequest {
     pub path: PathBuf,
     /// Slot whose inside is traced.
     pub object: usize,
-    /// Clocks recorded from the beginning; the clocks around the first mismatch are always recorded.
+    /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always recorded.
     pub clocks: u64,
 }
 
@@ -50,7 +50,7 @@ pub struct Options {
     pub rows_per_stage: usize,
     /// Bands, each with a thread of its own.
     pub bands: usize,
-    /// Waveforms of the first band.
+    /// Waveforms of the band that holds the middle of the traced object.
     pub trace: Option<TraceRequest>,
     /// Fault put into the hardware.
     pub fault: Option<Fault>,
@@ -160,6 +160,13 @@ pub fn run<E: Engine>(
     let (width, height) = (scene.width as usize, scene.height as usize);
     let started = Instant::now();
     let bands = split(height, options.bands);
+    let traced_band = options.trace.as_ref().map_or(0, |request| {
+        let middle = middle_line(&scene.objects[request.object].words);
+        bands
+            .iter()
+            .rposition(|&(first, _)| first <= middle)
+            .unwrap_or(0)
+    });
     let run_band = |index: usize, first: usize, lines: usize| {
         let objects: Vec<QuadricWords> = scene
             .objects
@@ -180,7 +187,7 @@ pub fn run<E: Engine>(
             first_line: first,
             lines,
             fault: options.fault,
-            trace: options.trace.as_ref().filter(|_| index == 0),
+            trace: options.trace.as_ref().filter(|_| index == traced_band),
         }
         .run(&mut engine(&shape), &pixel_done)
     };
@@ -237,6 +244,12 @@ fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimEr
         }
     }
     Ok(())
+}
+
+/// The middle line of an object on the screen.
+fn middle_line(words: &QuadricWords) -> usize {
+    let b = &words.screen_box;
+    ((b.y0 + b.y1) / 2).max(0) as usize
 }
 
 /// First line and number of lines of each band.
