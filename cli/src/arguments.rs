@@ -36,6 +36,8 @@ pub enum Command {
     Cosim(Cosim),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
     Check(Check),
+    /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table.
+    Synth(Synth),
 }
 
 /// Arguments of `demo`.
@@ -180,6 +182,34 @@ pub struct Cosim {
     /// Flip one bit of one coefficient word in the hardware, to see it found.
     #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
     pub inject_fault: Option<FaultArgument>,
+}
+
+/// Arguments of `synth`.
+#[derive(Debug, Args)]
+pub struct Synth {
+    /// Unit, as listed by `imogene units`.
+    #[arg(required_unless_present = "table")]
+    pub unit: Option<String>,
+    /// Device: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k, xilinx7, gowin, or transistors.
+    #[arg(long, value_name = "T", required_unless_present = "table")]
+    pub target: Option<String>,
+    /// Seeds of place and route; 0 measures no clock.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub seeds: usize,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Make the resource table of the documentation instead; it fixes units, targets and seeds itself.
+    #[arg(long, conflicts_with_all = ["unit", "target", "seeds"])]
+    pub table: bool,
+    /// File of the table.
+    #[arg(
+        long,
+        value_name = "FILE.md",
+        requires = "table",
+        default_value = "docs/resources.md"
+    )]
+    pub out: PathBuf,
 }
 
 /// A picture size.

@@ -20,6 +20,7 @@ fn main() -> ExitCode {
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
         Command::Check(options) => command::check::run(options, json),
+        Command::Synth(options) => command::synth::run(options, json),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

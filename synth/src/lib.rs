@@ -1,1 +1,30 @@
-//! imogene-synth
+//! Synthesis of the emitted Verilog with open tools: Yosys for resources, nextpnr for the clock.
+//!
+//! Two runs make a report, because one cannot be honest about both questions:
+//!
+//! * **resources** come from the unit alone, without anything around it;
+//! * **Fmax** comes from the unit inside a [`harness`] that registers every input and output. A unit alone meets ports on both
+//!   sides, and paths from or to a port do not count as register-to-register paths: it would look faster than it is.
+//!
+//! Place and route depends on its seed, so Fmax is the median of several.
+#![warn(missing_docs)]
+
+mod cache;
+mod error;
+mod flow;
+pub mod harness;
+mod nextpnr;
+mod report;
+pub mod table;
+mod target;
+mod tools;
+mod workspace;
+mod yosys;
+
+pub use cache::digest;
+pub use error::SynthError;
+pub use flow::{Options, synthesise};
+pub use nextpnr::{CriticalPath, RouteReport};
+pub use report::{SeedResult, SynthReport};
+pub use target::Target;
+pub use yosys::{CellCounts, Resources};

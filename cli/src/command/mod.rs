@@ -6,6 +6,7 @@ pub mod demo;
 pub mod emit;
 pub mod prepare;
 pub mod render;
+pub mod synth;
 pub mod units;
 
 use crate::arguments::{Scene, Shape, Size};
@@ -78,7 +79,10 @@ fn verdict(report: &Report) -> Result<(), Failure> {
         return Ok(());
     }
     if report.mismatches == 0 {
-        return Err(Failure::Check(format!("{}: nothing was compared", report.subject)));
+        return Err(Failure::Check(format!(
+            "{}: nothing was compared",
+            report.subject
+        )));
     }
     let mut text = format!(
         "{}: {} values differ between hardware and golden model",

@@ -8,6 +8,7 @@ mod check;
 mod error;
 mod file;
 mod frame;
+mod keys;
 mod transform;
 
 pub use check::{

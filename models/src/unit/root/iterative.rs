@@ -7,7 +7,7 @@ use super::Root;
 pub struct IterativeOutputs {
     /// Digits are being found; `start` is ignored.
     pub busy: bool,
-    /// Root and remainder are those of the last accepted radicand, since this edge.
+    /// This edge found the last digit: root and remainder are complete. High for one clock.
     pub done: bool,
     /// Root, complete while not busy.
     pub root: u64,

@@ -1,0 +1,87 @@
+//! `imogene synth`.
+
+use super::emit_request;
+use crate::arguments::Synth;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::picture::write_whole;
+use imogene_synth::{Options, SynthReport, Target, synthesise, table};
+use std::io::Write;
+
+/// Synthesises a unit, or makes the resource table.
+pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
+    match (&options.unit, &options.target) {
+        (Some(unit), Some(target)) => run_unit(unit, target, options, json),
+        _ => run_table(options, json),
+    }
+}
+
+fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
+    let request = emit_request(unit, options.shape)?;
+    let target = Target::from_name(target).map_err(Failure::input)?;
+    let seeds = options.seeds;
+    let report = synthesise(&request, target, &Options { seeds }).map_err(Failure::input)?;
+    if json {
+        output::json(&report);
+    } else {
+        output::text(describe(&report));
+    }
+    Ok(())
+}
+
+fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
+    let rows = table::rows();
+    let bar = output::progress(rows.len() as u64, "synthesis");
+    let table = table::make(&rows, |_| bar.inc(1)).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    let text = table.markdown();
+    write_whole(&options.out, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    if json {
+        output::json(&table.reports());
+    } else {
+        output::text(format!("wrote {}", options.out.display()));
+    }
+    Ok(())
+}
+
+/// A report as text.
+fn describe(report: &SynthReport) -> String {
+    let mut lines = vec![format!("{} for {}", report.unit, report.target)];
+    let mut line = |name: &str, value: Option<String>| {
+        lines.extend(value.map(|value| format!("  {name:<12} {value}")));
+    };
+    let count = |value: Option<u64>| value.map(|value| value.to_string());
+    line("LUT", count(report.lut));
+    line("FF", count(report.ff));
+    line("carry", count(report.carry));
+    line("DSP", count(report.dsp));
+    line("BRAM", count(report.bram));
+    line("logic cells", count(report.logic_cells));
+    line("transistors", count(report.transistors));
+    line("does not fit", report.does_not_fit.clone());
+    line(
+        "Fmax",
+        report
+            .fmax_mhz
+            .map(|fmax| format!("{fmax:.1} MHz, median of {} seeds", report.seeds.len())),
+    );
+    let path = report
+        .median_seed()
+        .and_then(|run| run.critical_path.as_ref());
+    line(
+        "slowest path",
+        path.map(|path| {
+            format!(
+                "{} -> {} ({:.2} ns logic, {:.2} ns routing)",
+                path.from, path.to, path.logic_ns, path.routing_ns
+            )
+        }),
+    );
+    let tools: Vec<String> = report
+        .tools
+        .iter()
+        .map(|(tool, version)| format!("{tool} {version}"))
+        .collect();
+    line("tools", Some(tools.join(", ")));
+    lines.join("\n")
+}

@@ -1,0 +1,65 @@
+//! Why a unit could not be synthesised.
+
+use crate::target::Target;
+use imogene_rtl::emit::EmitError;
+use std::path::Path;
+use thiserror::Error;
+
+/// A synthesis that did not happen.
+#[derive(Debug, Error)]
+pub enum SynthError {
+    /// The unit cannot be emitted.
+    #[error("{0}")]
+    Emit(#[from] EmitError),
+    /// No target has this name.
+    #[error("there is no target `{name}`; the targets are {}", Target::names().join(", "))]
+    Target {
+        /// The name asked for.
+        name: String,
+    },
+    /// A tool is not installed.
+    #[error(
+        "`{tool}` is not installed (Python package {package}); `scripts/setup --synth` installs it, or set {} to the folder \
+         that holds it",
+        crate::tools::FOLDER_VARIABLE
+    )]
+    MissingTool {
+        /// Program looked for.
+        tool: &'static str,
+        /// Package that contains it.
+        package: &'static str,
+    },
+    /// A tool ran and failed.
+    #[error("{tool} failed: {message}")]
+    Tool {
+        /// Program.
+        tool: String,
+        /// Last lines of what it said.
+        message: String,
+    },
+    /// The report of a tool is not as expected.
+    #[error("the report of {tool} cannot be read: {problem}")]
+    Report {
+        /// Program.
+        tool: &'static str,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A file could not be read or written.
+    #[error("{path}: {source}")]
+    File {
+        /// The file.
+        path: String,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}
+
+impl SynthError {
+    pub(crate) fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        move |source| Self::File {
+            path: path.display().to_string(),
+            source,
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Packing, placing and routing with nextpnr, and its report.
+
+use crate::error::SynthError;
+use crate::target::PlaceAndRoute;
+use crate::tools::Tool;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+/// The slowest path from a register to a register.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CriticalPath {
+    /// Cell the path starts at.
+    pub from: String,
+    /// Cell the path ends at.
+    pub to: String,
+    /// Delay in cells, set-up included, in nanoseconds.
+    pub logic_ns: f64,
+    /// Delay in wires, in nanoseconds.
+    pub routing_ns: f64,
+}
+
+/// What nextpnr reports.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RouteReport {
+    /// Cells used and available, by type.
+    pub utilisation: BTreeMap<String, (u64, u64)>,
+    /// Register-to-register clock in MHz; none after packing alone.
+    pub fmax_mhz: Option<f64>,
+    /// The path that limits it.
+    pub critical_path: Option<CriticalPath>,
+}
+
+impl RouteReport {
+    /// The cells the device has too few of, but for pins.
+    pub(crate) fn excess(&self) -> Option<String> {
+        let is_pin = |name: &str| name.ends_with("_IO");
+        let mut cells = self.utilisation.iter();
+        let (name, (used, available)) =
+            cells.find(|(name, (used, available))| used > available && !is_pin(name))?;
+        Some(format!("{used} {name} of {available}"))
+    }
+}
+
+/// How far a run goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Run {
+    Pack,
+    Route { seed: usize },
+}
+
+/// Runs nextpnr on a netlist of the folder.
+pub(crate) fn run(
+    tool: &Tool,
+    device: &PlaceAndRoute,
+    folder: &Path,
+    netlist: &str,
+    run: Run,
+) -> Result<RouteReport, SynthError> {
+    let name = match run {
+        Run::Pack => format!("{netlist}.pack.report"),
+        Run::Route { seed } => format!("{netlist}.{seed}.report"),
+    };
+    let mut command = Command::new(&tool.path);
+    command
+        .current_dir(folder)
+        .args(device.arguments)
+        .args(["--json", netlist, "--report", &name, "-q"])
+        .args(["--freq", &device.goal_mhz.to_string()])
+        .arg("--timing-allow-fail");
+    match run {
+        Run::Pack => command.arg("--pack-only"),
+        Run::Route { seed } => command.args(["--seed", &seed.to_string()]),
+    };
+    let output = command.output().map_err(SynthError::file(&tool.path))?;
+    if !output.status.success() {
+        return Err(SynthError::Tool {
+            tool: tool.name.to_owned(),
+            message: crate::flow::last_lines(&String::from_utf8_lossy(&output.stderr)),
+        });
+    }
+    let path = folder.join(name);
+    let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
+    parse_report(&text)
+}
+
+#[derive(Deserialize)]
+struct Document {
+    critical_paths: Vec<ReportedPath>,
+    fmax: BTreeMap<String, Achieved>,
+    utilization: BTreeMap<String, Used>,
+}
+
+#[derive(Deserialize)]
+struct Achieved {
+    achieved: f64,
+}
+
+#[derive(Deserialize)]
+struct Used {
+    used: u64,
+    available: u64,
+}
+
+#[derive(Deserialize)]
+struct ReportedPath {
+    from: String,
+    to: String,
+    path: Vec<Value>,
+}
+
+/// Reads a report of nextpnr.
+pub(crate) fn parse_report(text: &str) -> Result<RouteReport, SynthError> {
+    let document: Document = serde_json::from_str(text).map_err(|error| SynthError::Report {
+        tool: "nextpnr",
+        problem: error.to_string(),
+    })?;
+    let slowest = document.fmax.values().map(|clock| clock.achieved);
+    let utilisation = document.utilization.into_iter();
+    Ok(RouteReport {
+        utilisation: utilisation
+            .map(|(name, cells)| (name, (cells.used, cells.available)))
+            .collect(),
+        fmax_mhz: slowest.reduce(f64::min).map(thousandths),
+        critical_path: document
+            .critical_paths
+            .iter()
+            .find(|path| path.is_between_registers())
+            .map(ReportedPath::summary),
+    })
+}
+
+impl ReportedPath {
+    /// Both ends on the same clock edge; a path from or to a pin is `<async>` at one end.
+    fn is_between_registers(&self) -> bool {
+        self.from == self.to && self.from.starts_with("posedge")
+    }
+
+    fn summary(&self) -> CriticalPath {
+        let cell = |step: Option<&Value>, end: &str| {
+            let name = step.and_then(|step| step[end]["cell"].as_str());
+            name.unwrap_or_default().to_owned()
+        };
+        let (mut logic_ns, mut routing_ns) = (0.0, 0.0);
+        for step in &self.path {
+            let delay = step["delay"].as_f64().unwrap_or_default();
+            if step["type"] == "routing" {
+                routing_ns += delay;
+            } else {
+                logic_ns += delay;
+            }
+        }
+        CriticalPath {
+            from: cell(self.path.first(), "from"),
+            to: cell(self.path.last(), "to"),
+            logic_ns: thousandths(logic_ns),
+            routing_ns: thousandths(routing_ns),
+        }
+    }
+}
+
+/// The tool works in single precision; the digits behind are none of its figures.
+fn thousandths(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ECP5: &str = include_str!("../tests/data/raster_control.ecp5.report.json");
+    const ICE40: &str = include_str!("../tests/data/raster_control.ice40.report.json");
+    const PACKED: &str = include_str!("../tests/data/raster_control.ice40.pack.json");
+
+    #[test]
+    fn the_clock_and_its_path_are_read() {
+        let report = parse_report(ECP5).expect("a recorded report");
+        assert_eq!(report.fmax_mhz, Some(124.008));
+        assert_eq!(
+            report.critical_path,
+            Some(CriticalPath {
+                from: "unit.kept_x_TRELLIS_FF_Q_7".into(),
+                to: "unit.kept_last_TRELLIS_FF_Q".into(),
+                logic_ns: 2.761,
+                routing_ns: 5.303,
+            })
+        );
+        let report = parse_report(ICE40).expect("a recorded report");
+        assert_eq!(report.fmax_mhz, Some(115.58));
+    }
+
+    #[test]
+    fn the_path_explains_the_clock() {
+        for text in [ECP5, ICE40] {
+            let report = parse_report(text).expect("a recorded report");
+            let path = report.critical_path.expect("a path between registers");
+            let period = 1000.0 / report.fmax_mhz.expect("a clock");
+            assert!((path.logic_ns + path.routing_ns - period).abs() < 0.01);
+        }
+    }
+
+    #[test]
+    fn packing_alone_has_no_clock() {
+        let report = parse_report(PACKED).expect("a recorded report");
+        assert_eq!(report.fmax_mhz, None);
+        assert_eq!(report.critical_path, None);
+        assert_eq!(report.utilisation["ICESTORM_LC"].1, 7680);
+    }
+
+    #[test]
+    fn too_many_cells_are_an_excess_and_too_many_pins_are_not() {
+        let mut report = parse_report(PACKED).expect("a recorded report");
+        report.utilisation.insert("SB_IO".into(), (300, 206));
+        assert_eq!(report.excess(), None);
+        report
+            .utilisation
+            .insert("ICESTORM_LC".into(), (9000, 7680));
+        assert_eq!(report.excess().as_deref(), Some("9000 ICESTORM_LC of 7680"));
+    }
+
+    #[test]
+    fn a_report_that_is_none_is_refused() {
+        assert!(parse_report("").is_err());
+        assert!(parse_report("{\"fmax\": 1}").is_err());
+    }
+}

@@ -1,0 +1,100 @@
+//! The result of a synthesis.
+
+use crate::nextpnr::CriticalPath;
+use crate::yosys::CellCounts;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// One run of place and route.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SeedResult {
+    /// Seed.
+    pub seed: usize,
+    /// Register-to-register clock in MHz.
+    pub fmax_mhz: f64,
+    /// The path that limits it.
+    pub critical_path: Option<CriticalPath>,
+}
+
+/// The result of a synthesis; the keys of its JSON are stable.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SynthReport {
+    /// Unit.
+    pub unit: String,
+    /// Target.
+    pub target: String,
+    /// Depth word and parameters of the unit, by option of the command line.
+    pub parameters: BTreeMap<String, usize>,
+    /// Latency in clocks.
+    pub latency: usize,
+    /// Look-up tables of logic; none for transistors.
+    pub lut: Option<u64>,
+    /// Flip-flops.
+    pub ff: Option<u64>,
+    /// Carry cells of the family.
+    pub carry: Option<u64>,
+    /// Multiplier cells.
+    pub dsp: Option<u64>,
+    /// Block memories.
+    pub bram: Option<u64>,
+    /// Logic cells after packing: look-up tables, carry chains and what packing adds; none where nothing is packed.
+    pub logic_cells: Option<u64>,
+    /// Transistors in static CMOS gates, for the target `transistors` alone.
+    pub transistors: Option<u64>,
+    /// Median over the seeds of the register-to-register clock in MHz, unit in its register harness.
+    pub fmax_mhz: Option<f64>,
+    /// What keeps the unit in its harness from fitting the device.
+    pub does_not_fit: Option<String>,
+    /// Every run of place and route.
+    pub seeds: Vec<SeedResult>,
+    /// Clock asked for in MHz.
+    pub goal_mhz: Option<u32>,
+    /// Cells of the unit by type, as Yosys counts them.
+    pub cells: CellCounts,
+    /// Tools and versions.
+    pub tools: BTreeMap<String, String>,
+    /// Digest of the Verilog.
+    pub verilog: String,
+    /// Seconds the tools took when the figures were made.
+    pub seconds: f64,
+}
+
+impl SynthReport {
+    /// The run whose clock is the median.
+    pub fn median_seed(&self) -> Option<&SeedResult> {
+        self.seeds
+            .iter()
+            .find(|run| Some(run.fmax_mhz) == self.fmax_mhz)
+    }
+}
+
+/// Median; the lower one of an even number, so that it is always a clock that was reached.
+pub(crate) fn median(seeds: &[SeedResult]) -> Option<f64> {
+    let mut clocks: Vec<f64> = seeds.iter().map(|run| run.fmax_mhz).collect();
+    clocks.sort_by(f64::total_cmp);
+    clocks.get(clocks.len().checked_sub(1)? / 2).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn runs(clocks: &[f64]) -> Vec<SeedResult> {
+        let numbered = clocks.iter().enumerate();
+        numbered
+            .map(|(seed, &fmax_mhz)| SeedResult {
+                seed,
+                fmax_mhz,
+                critical_path: None,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_median_is_a_clock_that_was_reached() {
+        assert_eq!(median(&runs(&[])), None);
+        assert_eq!(median(&runs(&[80.0])), Some(80.0));
+        assert_eq!(median(&runs(&[90.0, 70.0, 80.0])), Some(80.0));
+        assert_eq!(median(&runs(&[90.0, 70.0])), Some(70.0));
+    }
+}

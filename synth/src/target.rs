@@ -1,0 +1,188 @@
+//! The targets: a device, its synthesis command and its place and route command.
+
+use crate::error::SynthError;
+
+/// What a unit is synthesised for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// Lattice iCE40 HX8K.
+    Ice40Hx8k,
+    /// Lattice iCE40 UltraPlus 5K.
+    Ice40Up5k,
+    /// Lattice ECP5, 45k cells, speed grade 6.
+    Ecp5With45k,
+    /// Lattice ECP5, 85k cells, speed grade 6.
+    Ecp5With85k,
+    /// Xilinx 7 series; resources only.
+    Xilinx7,
+    /// Gowin GW1N and GW2A; resources only.
+    Gowin,
+    /// Static CMOS gates; transistors only.
+    Transistors,
+}
+
+/// Architecture of a device, which names its cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Family {
+    Ice40,
+    Ecp5,
+    Xilinx7,
+    Gowin,
+    Gates,
+}
+
+/// How a device is placed and routed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PlaceAndRoute {
+    /// Device, package and pins.
+    pub arguments: &'static [&'static str],
+    /// Clock asked for in MHz: out of reach, so that the tool never stops improving early.
+    pub goal_mhz: u32,
+    /// Name of a logic cell in the utilisation.
+    pub logic_cell: &'static str,
+}
+
+impl Target {
+    /// All targets.
+    pub const ALL: [Self; 7] = [
+        Self::Ice40Hx8k,
+        Self::Ice40Up5k,
+        Self::Ecp5With45k,
+        Self::Ecp5With85k,
+        Self::Xilinx7,
+        Self::Gowin,
+        Self::Transistors,
+    ];
+
+    /// Name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ice40Hx8k => "ice40-hx8k",
+            Self::Ice40Up5k => "ice40-up5k",
+            Self::Ecp5With45k => "ecp5-45k",
+            Self::Ecp5With85k => "ecp5-85k",
+            Self::Xilinx7 => "xilinx7",
+            Self::Gowin => "gowin",
+            Self::Transistors => "transistors",
+        }
+    }
+
+    /// The names of all targets.
+    pub fn names() -> Vec<&'static str> {
+        Self::ALL.iter().map(|target| target.name()).collect()
+    }
+
+    /// The target of a name.
+    ///
+    /// # Errors
+    ///
+    /// When there is none; the error lists the names.
+    pub fn from_name(name: &str) -> Result<Self, SynthError> {
+        let found = Self::ALL.into_iter().find(|target| target.name() == name);
+        found.ok_or_else(|| SynthError::Target {
+            name: name.to_owned(),
+        })
+    }
+
+    pub(crate) const fn family(self) -> Family {
+        match self {
+            Self::Ice40Hx8k | Self::Ice40Up5k => Family::Ice40,
+            Self::Ecp5With45k | Self::Ecp5With85k => Family::Ecp5,
+            Self::Xilinx7 => Family::Xilinx7,
+            Self::Gowin => Family::Gowin,
+            Self::Transistors => Family::Gates,
+        }
+    }
+
+    /// Commands that synthesise the module `top` and leave only cells of the target.
+    pub(crate) fn synthesis(self, top: &str) -> String {
+        match self {
+            Self::Ice40Hx8k => format!("synth_ice40 -top {top}"),
+            Self::Ice40Up5k => format!("synth_ice40 -device u -dsp -top {top}"),
+            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -top {top}"),
+            Self::Xilinx7 => format!("synth_xilinx -family xc7 -flatten -noiopad -top {top}"),
+            Self::Gowin => format!("synth_gowin -noiopads -top {top}"),
+            // Enables become gates, for a plain flip-flop is the only one whose transistors are known; an `opt` after
+            // dfflegalize would take them back.
+            Self::Transistors => format!(
+                "synth -flatten -top {top}; dfflegalize -cell $_DFF_P_ 01; techmap; abc -g cmos; opt_clean"
+            ),
+        }
+    }
+
+    /// Options of the Yosys command `stat`.
+    pub(crate) const fn statistics(self) -> &'static str {
+        match self {
+            Self::Transistors => "stat -tech cmos -json",
+            _ => "stat -json",
+        }
+    }
+
+    /// How the target is placed and routed; none where only resources are reported.
+    pub(crate) const fn place_and_route(self) -> Option<PlaceAndRoute> {
+        let (arguments, goal_mhz): (&[&str], u32) = match self {
+            Self::Ice40Hx8k => (
+                &["--hx8k", "--package", "ct256", "--pcf-allow-unconstrained"],
+                300,
+            ),
+            Self::Ice40Up5k => (
+                &["--up5k", "--package", "sg48", "--pcf-allow-unconstrained"],
+                100,
+            ),
+            Self::Ecp5With45k => (
+                &[
+                    "--45k",
+                    "--package",
+                    "CABGA381",
+                    "--speed",
+                    "6",
+                    "--lpf-allow-unconstrained",
+                ],
+                300,
+            ),
+            Self::Ecp5With85k => (
+                &[
+                    "--85k",
+                    "--package",
+                    "CABGA381",
+                    "--speed",
+                    "6",
+                    "--lpf-allow-unconstrained",
+                ],
+                300,
+            ),
+            Self::Xilinx7 | Self::Gowin | Self::Transistors => return None,
+        };
+        let logic_cell = match self.family() {
+            Family::Ice40 => "ICESTORM_LC",
+            _ => "TRELLIS_COMB",
+        };
+        Some(PlaceAndRoute {
+            arguments,
+            goal_mhz,
+            logic_cell,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_back_to_targets() {
+        for target in Target::ALL {
+            assert_eq!(Target::from_name(target.name()).expect("a target"), target);
+        }
+    }
+
+    #[test]
+    fn an_unknown_target_is_answered_with_the_names() {
+        let error = Target::from_name("ice41").expect_err("no target");
+        let message = error.to_string();
+        assert!(message.contains("ice41"), "{message}");
+        for name in Target::names() {
+            assert!(message.contains(name), "{message}");
+        }
+    }
+}

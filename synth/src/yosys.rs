@@ -1,0 +1,207 @@
+//! Synthesis with Yosys, and its cell statistics.
+
+use crate::error::SynthError;
+use crate::target::Family;
+use crate::tools::Tool;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+/// Cells by type, as Yosys counts them.
+pub type CellCounts = BTreeMap<String, u64>;
+
+/// Resources of a design, before packing.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Resources {
+    /// Look-up tables of logic, of any size; those of carry chains are not among them.
+    pub lut: u64,
+    /// Flip-flops.
+    pub ff: u64,
+    /// Carry cells, of the size of the family (1 bit iCE40 and Gowin, 2 bits ECP5, 4 bits Xilinx).
+    pub carry: u64,
+    /// Multiplier cells.
+    pub dsp: u64,
+    /// Block memories.
+    pub bram: u64,
+}
+
+/// Statistics of one Yosys run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Statistics {
+    pub cells: CellCounts,
+    pub transistors: Option<u64>,
+}
+
+/// Runs a script in a folder; file names in it are relative to the folder.
+pub(crate) fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
+    let log = folder.join("yosys.log");
+    let output = Command::new(&tool.path)
+        .current_dir(folder)
+        .args(["-q", "-l", "yosys.log", "-p", script])
+        .output()
+        .map_err(SynthError::file(&tool.path))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let logged = std::fs::read_to_string(log).unwrap_or_default();
+    Err(SynthError::Tool {
+        tool: tool.name.to_owned(),
+        message: crate::flow::last_lines(if said.trim().is_empty() {
+            &logged
+        } else {
+            &said
+        }),
+    })
+}
+
+/// Reads what `stat -json` wrote.
+pub(crate) fn parse_statistics(text: &str) -> Result<Statistics, SynthError> {
+    let bad = |problem: String| SynthError::Report {
+        tool: "yosys",
+        problem,
+    };
+    // `tee` may put the heading of the command before the document.
+    let start = text
+        .find('{')
+        .ok_or_else(|| bad("no JSON document".into()))?;
+    let document: Value =
+        serde_json::from_str(&text[start..]).map_err(|error| bad(error.to_string()))?;
+    let design = &document["design"];
+    let cells = CellCounts::deserialize(&design["num_cells_by_type"])
+        .map_err(|error| bad(format!("design.num_cells_by_type: {error}")))?;
+    let transistors = match &design["estimated_num_transistors"] {
+        Value::Null => None,
+        // A number followed by `+` leaves cells out.
+        Value::String(count) => Some(
+            count
+                .parse()
+                .map_err(|_| bad(format!("`{count}` transistors do not count every cell")))?,
+        ),
+        other => return Err(bad(format!("{other} transistors"))),
+    };
+    Ok(Statistics { cells, transistors })
+}
+
+/// Sums cells into resources; gates have none.
+pub(crate) fn resources(family: Family, cells: &CellCounts) -> Resources {
+    let sum = |names: &dyn Fn(&str) -> bool| -> u64 {
+        let matching = cells.iter().filter(|(name, _)| names(name));
+        matching.map(|(_, count)| count).sum()
+    };
+    let starts = |prefixes: &'static [&'static str]| {
+        move |name: &str| prefixes.iter().any(|prefix| name.starts_with(prefix))
+    };
+    let [lut, ff, carry, dsp, bram]: [&'static [&'static str]; 5] = match family {
+        Family::Ice40 => [
+            &["SB_LUT4"],
+            &["SB_DFF"],
+            &["SB_CARRY"],
+            &["SB_MAC16"],
+            &["SB_RAM40_4K", "SB_SPRAM256KA"],
+        ],
+        Family::Ecp5 => [
+            &["LUT4"],
+            &["TRELLIS_FF"],
+            &["CCU2C"],
+            &["MULT18X18D", "ALU54B"],
+            &["DP16KD", "PDPW16KD"],
+        ],
+        // Shift registers and memories of a few words sit in look-up tables.
+        Family::Xilinx7 => [
+            &["LUT", "SRL", "RAM32", "RAM64", "RAM128", "RAM256"],
+            &["FD"],
+            &["CARRY4"],
+            &["DSP48"],
+            &["RAMB"],
+        ],
+        Family::Gowin => [
+            &["LUT", "RAM16"],
+            &["DFF"],
+            &["ALU"],
+            &["MULT", "ALU54"],
+            &["DP", "SDP", "SP", "ROM", "pROM"],
+        ],
+        Family::Gates => return Resources::default(),
+    };
+    // By whole name: Gowin's ALU is a carry cell, its ALU54D belongs to a multiplier.
+    let is_carry = |name: &str| carry.contains(&name);
+    Resources {
+        lut: sum(&starts(lut)),
+        ff: sum(&starts(ff)),
+        carry: sum(&is_carry),
+        dsp: sum(&starts(dsp)),
+        bram: sum(&starts(bram)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ICE40: &str = include_str!("../tests/data/normal_unit.ice40.stat.json");
+    const ECP5: &str = include_str!("../tests/data/normal_unit.ecp5.stat.json");
+    const XILINX: &str = include_str!("../tests/data/normal_unit.xilinx.stat.json");
+    const GOWIN: &str = include_str!("../tests/data/normal_unit.gowin.stat.json");
+    const GATES: &str = include_str!("../tests/data/pe1.transistors.stat.json");
+
+    fn recorded(family: Family, text: &str) -> [u64; 5] {
+        let statistics = parse_statistics(text).expect("a recorded report");
+        let Resources {
+            lut,
+            ff,
+            carry,
+            dsp,
+            bram,
+        } = resources(family, &statistics.cells);
+        [lut, ff, carry, dsp, bram]
+    }
+
+    #[test]
+    fn recorded_statistics_are_summed() {
+        assert_eq!(recorded(Family::Ice40, ICE40), [3011, 525, 369, 0, 0]);
+        assert_eq!(recorded(Family::Ecp5, ECP5), [627, 525, 153, 3, 0]);
+        assert_eq!(recorded(Family::Xilinx7, XILINX), [609, 510, 78, 3, 0]);
+        assert_eq!(recorded(Family::Gowin, GOWIN), [590, 525, 306, 3, 0]);
+        assert_eq!(recorded(Family::Gates, GATES), [0; 5]);
+    }
+
+    #[test]
+    fn cells_of_memories_and_multipliers_are_told_from_carry_cells() {
+        let cells = |names: &[&str]| names.iter().map(|name| ((*name).to_owned(), 1)).collect();
+        let gowin = resources(
+            Family::Gowin,
+            &cells(&["ALU", "ALU54D", "SDPB", "RAM16SDP4"]),
+        );
+        assert_eq!(
+            (gowin.carry, gowin.dsp, gowin.bram, gowin.lut),
+            (1, 1, 1, 1)
+        );
+        let ecp5 = resources(Family::Ecp5, &cells(&["DP16KD", "MULT18X18D"]));
+        assert_eq!((ecp5.bram, ecp5.dsp), (1, 1));
+    }
+
+    #[test]
+    fn recorded_transistors_are_read() {
+        let statistics = parse_statistics(GATES).expect("a recorded report");
+        assert_eq!(statistics.transistors, Some(5066));
+        let ecp5 = parse_statistics(ECP5).expect("a recorded report");
+        assert_eq!(ecp5.transistors, None);
+    }
+
+    #[test]
+    fn transistors_that_leave_cells_out_are_refused() {
+        let text = GATES.replace("\"5066\"", "\"5066+\"");
+        let error = parse_statistics(&text).expect_err("an incomplete count");
+        assert!(error.to_string().contains("5066+"), "{error}");
+    }
+
+    #[test]
+    fn a_report_that_is_none_is_refused() {
+        for text in ["", "ERROR: no such module", "{", "{}"] {
+            assert!(parse_statistics(text).is_err(), "{text}");
+        }
+    }
+}

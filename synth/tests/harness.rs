@@ -1,0 +1,73 @@
+//! The register harness is Verilog that fits every unit.
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit};
+use imogene_synth::harness;
+use std::process::Command;
+
+fn emitted(unit: Unit) -> Emitted {
+    emit(&EmitRequest::new(unit)).expect("the base request is legal")
+}
+
+#[test]
+fn every_port_is_connected_once() {
+    for unit in Unit::ALL {
+        let unit = emitted(unit);
+        let text = harness::verilog(&unit);
+        for port in &unit.ports {
+            let connection = format!(".{}(", port.name);
+            assert_eq!(text.matches(&connection).count(), 1, "{connection}\n{text}");
+        }
+    }
+}
+
+#[test]
+fn the_registers_have_a_bit_for_every_bit_of_a_port() {
+    let unit = emitted(Unit::Pe1);
+    let bits = |direction| -> usize {
+        let ports = unit.ports.iter().filter(|port| port.direction == direction);
+        ports.map(|port| port.width).sum()
+    };
+    let text = harness::verilog(&unit);
+    // The clock is an input that is not in the chain.
+    let inputs = bits(Direction::Input) - 1;
+    assert!(
+        text.contains(&format!("reg  [{}:0] inputs", inputs - 1)),
+        "{text}"
+    );
+    assert!(
+        text.contains(&format!("reg  [{}:0] outputs", bits(Direction::Output) - 1)),
+        "{text}"
+    );
+}
+
+#[test]
+fn icarus_accepts_it_without_a_warning() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for unit in [
+        Unit::Pe1,
+        Unit::QuadricPe,
+        Unit::NormalUnit,
+        Unit::Decider,
+        Unit::RasterControl,
+    ] {
+        let unit = emitted(unit);
+        let mut text = harness::verilog(&unit);
+        for (_, file) in &unit.files {
+            text += file;
+        }
+        let path = folder.path().join("harness.v");
+        std::fs::write(&path, text).expect("a file");
+        let output = Command::new("iverilog")
+            .args(["-g2005", "-Wall", "-t", "null", "-s", harness::TOP])
+            .arg(&path)
+            .output()
+            .expect("iverilog is installed by scripts/setup");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() && said.is_empty(),
+            "{}: {said}",
+            unit.top
+        );
+    }
+}
