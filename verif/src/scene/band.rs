@@ -63,9 +63,7 @@ impl Band<'_> {
         let traced = self.trace.map(|request| request.object);
         let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
         let mut expected = Delay::new(first_pixel);
-        let mut recorder = self
-            .trace
-            .map(|request| Recorder::new(request, &self.shape, self.trace_start(request, width)));
+        let mut recorder = self.trace.map(|request| Recorder::new(request, self));
         let mut report = Report::default();
         let mut frame = Frame::background(width, height, self.scene.format.z_max());
         for clock in 0..pixels + first_pixel {
@@ -84,13 +82,9 @@ impl Band<'_> {
             self.score(&outputs, stated, index, &mut report);
             if let Some(recorder) = &mut recorder {
                 let inside = engine.probe(recorder.object);
-                recorder.clock(
-                    &outputs,
-                    stated,
-                    inside,
-                    probe.map(|p| probe_values(&p)),
-                    &mut report,
-                );
+                let golden = recorder.align(probe.map(|p| probe_values(&p)));
+                self.score_inside(recorder, clock, &inside, &golden, &mut report);
+                recorder.clock(&outputs, stated, inside, golden, &report);
             }
             if outputs.valid && index < pixels {
                 store(&mut frame, index, &outputs, self.scene.format.z_max());
@@ -101,9 +95,13 @@ impl Band<'_> {
         (report, frame, recorder.map(|r| r.trace))
     }
 
-    /// First clock of the waveforms: the middle line of the traced object.
-    fn trace_start(&self, request: &TraceRequest, width: usize) -> u64 {
-        (super::middle_line(&self.objects[request.object]) * width) as u64
+    /// Column and line on the screen of the pixel with this index in the band.
+    fn pixel(&self, index: usize) -> (i64, i64) {
+        let width = self.scene.width as usize;
+        (
+            (index % width) as i64,
+            (self.first_line + index / width) as i64,
+        )
     }
 
     fn load(&self, engine: &mut impl Engine) {
@@ -130,13 +128,7 @@ impl Band<'_> {
         index: usize,
         report: &mut Report,
     ) {
-        let width = self.scene.width as usize;
-        let pixel = stated.map(|_| {
-            (
-                (index % width) as i64,
-                (self.first_line + index / width) as i64,
-            )
-        });
+        let pixel = stated.map(|_| self.pixel(index));
         let cycle = report.cycles;
         let mut compare = |signal: &str, hardware: i64, golden: i64| {
             let mismatch = || Mismatch {
@@ -158,6 +150,31 @@ impl Band<'_> {
                 compare(&signal.name, hardware, golden);
             }
             report.pixels += 1;
+        }
+    }
+}
+
+impl Band<'_> {
+    /// The inside of the traced processor counts like the outputs of the machine.
+    fn score_inside(
+        &self,
+        recorder: &Recorder,
+        clock: usize,
+        inside: &[i64],
+        golden: &[Option<i64>],
+        report: &mut Report,
+    ) {
+        let cycle = report.cycles;
+        for ((probe, &hardware), golden) in recorder.signals.iter().zip(inside).zip(golden) {
+            let Some(golden) = *golden else { continue };
+            let mismatch = || Mismatch {
+                cycle,
+                pixel: Some(self.pixel(clock - probe.offset)),
+                signal: format!("processor_{}.{}", recorder.object, probe.signal.name),
+                hardware,
+                golden,
+            };
+            report.compare(mismatch, hardware == golden);
         }
     }
 }
@@ -204,10 +221,13 @@ struct Recorder {
 }
 
 impl Recorder {
-    fn new(request: &TraceRequest, shape: &MachineShape, from: u64) -> Recorder {
-        let signals = processor_signals(shape);
+    fn new(request: &TraceRequest, band: &Band) -> Recorder {
+        let signals = processor_signals(&band.shape);
+        // The middle line of the traced object.
+        let line = super::middle_line(&band.objects[request.object]) as u64;
+        let from = line * u64::from(band.scene.width);
         let mut outputs = vec![Signal::bit("valid")];
-        outputs.extend(output_signals(shape.depth_word));
+        outputs.extend(output_signals(band.shape.depth_word));
         let groups = vec![
             Group {
                 name: "beam".into(),
@@ -230,21 +250,23 @@ impl Recorder {
         }
     }
 
+    /// The golden values that belong to the present clock, each delayed by its signal's place in the pipeline.
+    fn align(&mut self, probe: Option<Vec<i64>>) -> Vec<Option<i64>> {
+        self.delays
+            .iter_mut()
+            .enumerate()
+            .map(|(k, delay)| delay.push(probe.as_ref().map(|values| values[k])).flatten())
+            .collect()
+    }
+
     fn clock(
         &mut self,
         outputs: &MachineOutputs,
         stated: Option<Visible>,
         inside: Vec<i64>,
-        probe: Option<Vec<i64>>,
-        report: &mut Report,
+        golden: Vec<Option<i64>>,
+        report: &Report,
     ) {
-        let golden: Vec<Option<i64>> = (0..self.signals.len())
-            .map(|k| {
-                let value = probe.as_ref().map(|values| values[k]);
-                self.delays[k].push(value).flatten()
-            })
-            .collect();
-        self.score(&inside, &golden, report);
         if report.mismatches > 0 && !self.mismatch_seen {
             self.mismatch_seen = true;
             let end = report.cycles + AFTER_MISMATCH;
@@ -272,21 +294,6 @@ impl Recorder {
             self.trace.record(report.cycles, samples);
         } else {
             self.trace.remember(report.cycles, samples);
-        }
-    }
-    /// The inside of the traced processor counts like the outputs of the machine.
-    fn score(&self, inside: &[i64], golden: &[Option<i64>], report: &mut Report) {
-        let cycle = report.cycles;
-        for ((probe, &hardware), golden) in self.signals.iter().zip(inside).zip(golden) {
-            let Some(golden) = *golden else { continue };
-            let mismatch = || Mismatch {
-                cycle,
-                pixel: None,
-                signal: format!("processor_{}.{}", self.object, probe.signal.name),
-                hardware,
-                golden,
-            };
-            report.compare(mismatch, hardware == golden);
         }
     }
 }
