@@ -26,6 +26,8 @@ pub enum Command {
     Demo(Demo),
     /// List every unit: parameters with legal ranges, latency, sources.
     Units,
+    /// Measure the family of square root networks: error, steps, depth of a test sphere, cost.
+    Roots(Roots),
     /// Write the Verilog of one unit or of the whole machine.
     Emit(Emit),
     /// Draw a scene with the exact reference, the golden model or the hardware in simulation.
@@ -38,6 +40,14 @@ pub enum Command {
     Check(Check),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table.
     Synth(Synth),
+}
+
+/// Arguments of `roots`.
+#[derive(Debug, Args)]
+pub struct Roots {
+    /// Depth word in bits, that is the root's: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
 }
 
 /// Arguments of `demo`.
@@ -206,7 +216,7 @@ pub struct Synth {
     #[arg(
         long,
         value_name = "FILE.md",
-        requires = "table",
+        conflicts_with = "unit",
         default_value = "docs/resources.md"
     )]
     pub out: PathBuf,

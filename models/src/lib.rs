@@ -1,6 +1,6 @@
 //! Golden integer models, exact references and scene preparation of imogene.
 //!
-//! The golden model ([`unit`], [`object`], [`machine`]) is written from the specification in `docs/architecture.md` and equals the
+//! The golden model ([`unit`](mod@unit), [`object`], [`machine`]) is written from the specification in `docs/architecture.md` and equals the
 //! hardware bit for bit and clock for clock. The exact reference ([`exact`]) solves each pixel in big integers by another
 //! route and is the truth that both are measured against. [`prepare`] turns a [`scene`] into the integer words that
 //! golden model and hardware are loaded with.

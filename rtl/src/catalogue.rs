@@ -10,8 +10,20 @@ pub enum Unit {
     Pe1,
     /// Second-degree elementary processor, at the width of a quadratic.
     Pe2,
-    /// Square root network.
+    /// Square root network, restoring.
     SquareRoot,
+    /// Square root network, non-restoring.
+    SquareRootNonRestoring,
+    /// Square root by one row, digit after digit.
+    SquareRootIterative,
+    /// Upper half of the rows of the square root network.
+    SquareRootRows,
+    /// Leading half of the digits of the square root.
+    SquareRootLeading,
+    /// Piecewise linear square root, corrected twice.
+    SquareRootLinear,
+    /// Piecewise quadratic square root, corrected once.
+    SquareRootQuadratic,
     /// Two depths of a quadric.
     QuadricPe,
     /// Depth of a cut plane.
@@ -78,12 +90,28 @@ const OBJECTS: Parameter = Parameter {
     most: Some(MOST_OBJECTS),
 };
 
+/// Corrections of [`Unit::SquareRootLinear`], the fewest that stay under 1 %; so simulated in section 4.1.2.
+pub const LINEAR_CORRECTIONS: usize = 2;
+/// Corrections of [`Unit::SquareRootQuadratic`], likewise.
+pub const QUADRATIC_CORRECTIONS: usize = 1;
+
+/// Digits that [`Unit::SquareRootRows`] and [`Unit::SquareRootLeading`] keep: half of them, as in the experiment of section B.10.
+pub const fn kept_digits(depth_word: usize) -> usize {
+    depth_word / 2
+}
+
 impl Unit {
     /// All units, from the smallest to the machine.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 21] = [
         Self::Pe1,
         Self::Pe2,
         Self::SquareRoot,
+        Self::SquareRootNonRestoring,
+        Self::SquareRootIterative,
+        Self::SquareRootRows,
+        Self::SquareRootLeading,
+        Self::SquareRootLinear,
+        Self::SquareRootQuadratic,
         Self::QuadricPe,
         Self::PlaneDepth,
         Self::CutPlane,
@@ -104,6 +132,12 @@ impl Unit {
             Self::Pe1 => "pe1",
             Self::Pe2 => "pe2",
             Self::SquareRoot => "square_root",
+            Self::SquareRootNonRestoring => "square_root_non_restoring",
+            Self::SquareRootIterative => "square_root_iterative",
+            Self::SquareRootRows => "square_root_rows",
+            Self::SquareRootLeading => "square_root_leading",
+            Self::SquareRootLinear => "square_root_linear",
+            Self::SquareRootQuadratic => "square_root_quadratic",
             Self::QuadricPe => "quadric_pe",
             Self::PlaneDepth => "plane_depth",
             Self::CutPlane => "cut_plane",
@@ -138,8 +172,21 @@ impl Unit {
             Self::Pe2 => {
                 "value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f by additions alone, one pixel per clock"
             }
-            Self::SquareRoot => {
+            Self::SquareRoot | Self::SquareRootNonRestoring => {
                 "root = floor(sqrt(radicand)) and remainder = radicand - root^2, one result per clock"
+            }
+            Self::SquareRootIterative => {
+                "root = floor(sqrt(radicand)) and remainder = radicand - root^2, one digit per clock"
+            }
+            Self::SquareRootRows => "the upper half of the digits of floor(sqrt(radicand))",
+            Self::SquareRootLeading => {
+                "the leading significant digits of floor(sqrt(radicand)), half as many as the root has"
+            }
+            Self::SquareRootLinear => {
+                "an approximate square root by straight lines and two corrections, monotone"
+            }
+            Self::SquareRootQuadratic => {
+                "an approximate square root by parabolas and one correction"
             }
             Self::QuadricPe => {
                 "the two depths f1 - r and f1 + r of a quadric, with r = floor(sqrt(f2))"
@@ -166,7 +213,13 @@ impl Unit {
     pub const fn source(self) -> &'static str {
         match self {
             Self::Pe1 | Self::Pe2 => "Nyiri 1994, 2.3.2 and B.2.1",
-            Self::SquareRoot => "Nyiri 1994, 2.3.3",
+            Self::SquareRoot
+            | Self::SquareRootNonRestoring
+            | Self::SquareRootIterative
+            | Self::SquareRootRows
+            | Self::SquareRootLinear
+            | Self::SquareRootQuadratic => "Nyiri 1994, 2.3.3",
+            Self::SquareRootLeading => "Nyiri 1994, B.10",
             Self::QuadricPe
             | Self::PlaneDepth
             | Self::CutPlane
@@ -183,7 +236,11 @@ impl Unit {
     /// The parameters the unit has besides the format.
     pub const fn parameters(self) -> &'static [Parameter] {
         match self {
-            Self::SquareRoot | Self::QuadricPe => &[ROWS],
+            Self::SquareRoot
+            | Self::SquareRootNonRestoring
+            | Self::SquareRootRows
+            | Self::SquareRootLeading
+            | Self::QuadricPe => &[ROWS],
             Self::NormalUnit | Self::CoefficientStore => &[PLANES],
             Self::QuadricProcessor => &[PLANES, ROWS],
             Self::Decider => &[OBJECTS],
@@ -208,7 +265,11 @@ impl Unit {
     /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects.
     pub const fn latency_formula(self) -> &'static str {
         match self {
-            Self::SquareRoot => "ceil(W / R)",
+            Self::SquareRoot | Self::SquareRootNonRestoring => "ceil(W / R)",
+            Self::SquareRootIterative => "W",
+            Self::SquareRootRows => "ceil((W / 2) / R)",
+            Self::SquareRootLeading => "ceil((W / 2) / R) + 2",
+            Self::SquareRootLinear | Self::SquareRootQuadratic => "5",
             Self::QuadricPe => "ceil(W / R) + 2",
             Self::PlaneDepth => "2",
             Self::NormalUnit => "3",
@@ -222,9 +283,15 @@ impl Unit {
     /// Latency in clocks.
     pub const fn latency(self, shape: &Shape) -> usize {
         let root = shape.depth_word.div_ceil(shape.rows_per_stage);
+        let half_root = kept_digits(shape.depth_word).div_ceil(shape.rows_per_stage);
         let tree = shape.objects.next_power_of_two().trailing_zeros() as usize;
         match self {
-            Self::SquareRoot => root,
+            Self::SquareRoot | Self::SquareRootNonRestoring => root,
+            Self::SquareRootIterative => shape.depth_word,
+            Self::SquareRootRows => half_root,
+            Self::SquareRootLeading => half_root + 2,
+            Self::SquareRootLinear => 1 + 2 * LINEAR_CORRECTIONS,
+            Self::SquareRootQuadratic => 3 + 2 * QUADRATIC_CORRECTIONS,
             Self::QuadricPe => root + 2,
             Self::PlaneDepth => 2,
             Self::NormalUnit => 3,

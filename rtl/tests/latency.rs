@@ -1,6 +1,6 @@
 //! The latency formulas, measured: an impulse at the input, and the clock at which the output answers.
 
-use imogene_rtl::catalogue::{Shape, Unit};
+use imogene_rtl::catalogue::{LINEAR_CORRECTIONS, QUADRATIC_CORRECTIONS, Shape, Unit, kept_digits};
 use imogene_rtl::machine::beam::Beam;
 use imogene_rtl::machine::coefficient_store::CoefficientStore;
 use imogene_rtl::machine::decider::Decider;
@@ -16,6 +16,12 @@ use imogene_rtl::unit::pe2::Pe2;
 use imogene_rtl::unit::plane_depth::PlaneDepth;
 use imogene_rtl::unit::quadric_pe::QuadricPe;
 use imogene_rtl::unit::square_root::SquareRoot;
+use imogene_rtl::unit::square_root_iterative::SquareRootIterative;
+use imogene_rtl::unit::square_root_leading::SquareRootLeading;
+use imogene_rtl::unit::square_root_linear::SquareRootLinear;
+use imogene_rtl::unit::square_root_non_restoring::SquareRootNonRestoring;
+use imogene_rtl::unit::square_root_quadratic::SquareRootQuadratic;
+use imogene_rtl::unit::square_root_rows::SquareRootRows;
 use imogene_rtl::unit::two_volume_merge::TwoVolumeMerge;
 use imogene_rtl::word::{Int, Word};
 
@@ -191,6 +197,62 @@ fn root_network_and_quadric_pe() {
         });
         assert_eq!(beside, depths);
     }
+}
+
+/// Drives the radicand of a root unit and reads its root.
+macro_rules! measured_root {
+    ($block:expr) => {
+        measured(
+            $block,
+            |unit, on| unit.radicand.next = Word::new(if on { 1 << 30 } else { 0 }),
+            |unit| unit.root.val().get() as i64,
+        )
+    };
+}
+
+#[test]
+fn root_family() {
+    type NonRestoring = SquareRootNonRestoring<32, W, 17, 18>;
+    type Rows = SquareRootRows<32, W, 17, 18>;
+    type Leading = SquareRootLeading<32, W, 17, 18>;
+    type Iterative = SquareRootIterative<32, W, 17, 18>;
+    type Lines = SquareRootLinear<32, W, 17>;
+    type Parabolas = SquareRootQuadratic<32, W, 17, 28>;
+    for rows in [1, 3, 5, 8, 16] {
+        let found = measured_root!(NonRestoring::new(rows));
+        let expected = formula(Unit::SquareRootNonRestoring, 0, rows, 1);
+        assert_eq!((found, found), (NonRestoring::latency(rows), expected));
+        for kept in 1..=W {
+            let found = measured_root!(Rows::new(kept, rows));
+            assert_eq!(found, Rows::latency(kept, rows));
+            let found = measured_root!(Leading::new(kept, rows));
+            assert_eq!(found, Leading::latency(kept, rows));
+        }
+        let expected = formula(Unit::SquareRootRows, 0, rows, 1);
+        assert_eq!(Rows::latency(kept_digits(W), rows), expected);
+        let expected = formula(Unit::SquareRootLeading, 0, rows, 1);
+        assert_eq!(Leading::latency(kept_digits(W), rows), expected);
+    }
+    for corrections in 0..=3 {
+        let found = measured_root!(Lines::new(corrections));
+        assert_eq!(found, Lines::latency(corrections));
+        let found = measured_root!(Parabolas::new(corrections));
+        assert_eq!(found, Parabolas::latency(corrections));
+    }
+    let expected = formula(Unit::SquareRootLinear, 0, 1, 1);
+    assert_eq!(Lines::latency(LINEAR_CORRECTIONS), expected);
+    let expected = formula(Unit::SquareRootQuadratic, 0, 1, 1);
+    assert_eq!(Parabolas::latency(QUADRATIC_CORRECTIONS), expected);
+    let found = measured(
+        Iterative::new(),
+        |unit, on| {
+            unit.start.next = on;
+            unit.radicand.next = Word::new(1);
+        },
+        |unit| unit.done.val().into(),
+    );
+    let expected = formula(Unit::SquareRootIterative, 0, 1, 1);
+    assert_eq!((found, found), (Iterative::latency(), expected));
 }
 
 #[test]

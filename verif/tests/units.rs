@@ -51,13 +51,20 @@ fn every_unit_at_every_format() {
 }
 
 #[test]
-fn root_network_at_all_rows_per_stage() {
+fn root_networks_at_all_rows_per_stage() {
     for rows_per_stage in 1..=24 {
         let parameters = Parameters {
             rows_per_stage,
             ..Parameters::default()
         };
-        check("square_root", parameters, CLOCKS);
+        for name in [
+            "square_root",
+            "square_root_non_restoring",
+            "square_root_rows",
+            "square_root_leading",
+        ] {
+            check(name, parameters, CLOCKS);
+        }
     }
 }
 

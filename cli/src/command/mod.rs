@@ -6,6 +6,7 @@ pub mod demo;
 pub mod emit;
 pub mod prepare;
 pub mod render;
+pub mod roots;
 pub mod synth;
 pub mod units;
 

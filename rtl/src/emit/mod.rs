@@ -12,7 +12,7 @@ mod names;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{Shape, Unit};
+use crate::catalogue::{LINEAR_CORRECTIONS, QUADRATIC_CORRECTIONS, Shape, Unit, kept_digits};
 use crate::format::{DEPTH_WORDS, MOST_OBJECTS, MOST_PLANES};
 use crate::kernel::Ports;
 use crate::machine::beam::Beam;
@@ -30,6 +30,12 @@ use crate::unit::pe2::Pe2;
 use crate::unit::plane_depth::PlaneDepth;
 use crate::unit::quadric_pe::QuadricPe;
 use crate::unit::square_root::SquareRoot;
+use crate::unit::square_root_iterative::SquareRootIterative;
+use crate::unit::square_root_leading::SquareRootLeading;
+use crate::unit::square_root_linear::SquareRootLinear;
+use crate::unit::square_root_non_restoring::SquareRootNonRestoring;
+use crate::unit::square_root_quadratic::SquareRootQuadratic;
+use crate::unit::square_root_rows::SquareRootRows;
 use crate::unit::two_volume_merge::TwoVolumeMerge;
 use collect::{Scope, collect};
 use rust_hdl::core::prelude::AtomKind;
@@ -328,6 +334,22 @@ fn with_block_of_format<
         Unit::Pe1 => task.run(Pe1::<S>::default()),
         Unit::Pe2 => task.run(Pe2::<F>::default()),
         Unit::SquareRoot => task.run(SquareRoot::<F, W, W1, S>::new(rows_per_stage)),
+        Unit::SquareRootNonRestoring => {
+            task.run(SquareRootNonRestoring::<F, W, W1, S>::new(rows_per_stage))
+        }
+        Unit::SquareRootIterative => task.run(SquareRootIterative::<F, W, W1, S>::new()),
+        Unit::SquareRootRows => task.run(SquareRootRows::<F, W, W1, S>::new(
+            kept_digits(W),
+            rows_per_stage,
+        )),
+        Unit::SquareRootLeading => task.run(SquareRootLeading::<F, W, W1, S>::new(
+            kept_digits(W),
+            rows_per_stage,
+        )),
+        Unit::SquareRootLinear => task.run(SquareRootLinear::<F, W, W1>::new(LINEAR_CORRECTIONS)),
+        Unit::SquareRootQuadratic => task.run(SquareRootQuadratic::<F, W, W1, P>::new(
+            QUADRATIC_CORRECTIONS,
+        )),
         Unit::QuadricPe => task.run(QuadricPe::<W, W1, S, F>::new(rows_per_stage)),
         Unit::PlaneDepth => task.run(PlaneDepth::<W, P>::new()),
         Unit::CutPlane => task.run(CutPlane::<W>::new()),

@@ -49,7 +49,7 @@ block! {
 }
 
 impl<const F: usize, const K: usize, const K1: usize, const K2: usize> SquareRootRow<F, K, K1, K2> {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             pairs: Signal::default(),
             root: Signal::default(),
@@ -141,7 +141,7 @@ block! {
 impl<const F: usize, const K: usize, const K1: usize, const K2: usize>
     SquareRootStage<F, K, K1, K2>
 {
-    fn new(rows: usize) -> Self {
+    pub(super) fn new(rows: usize) -> Self {
         Self {
             clock: Signal::default(),
             pairs: Signal::default(),

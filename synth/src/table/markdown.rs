@@ -21,25 +21,60 @@ const SOURCE_TRANSISTORS: [(&str, &str, u64, u64, u64); 3] = [
     ("square_root", "root", 96_598, 48, 48),
 ];
 
+const UNITS: &str = "
+## Every unit
+
+Base format 24, 3 cut planes, 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
+and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
+unit, and is not measured.
+";
+
+const PLANES: &str = "
+## Object processor and its cut planes
+
+A plane adds a pipeline stage like those of the others; the clock is measured at 3 planes, above.
+";
+
+const ROWS: &str = "
+## Root network and its register stages
+
+The radicand has 48 bits, the root 24. 24 rows per stage are the whole network between two registers.
+";
+
+const TRANSISTORS: &str = "
+## Transistors
+
+Static CMOS gates of Yosys (`stat -tech cmos`: flip-flop 16, inverter 2, 2-input NAND or NOR 4, XOR 12), beside Table 5.10 of the
+source (ES2 SOLO 1400, library ECPD15).
+
+| unit | bits here | transistors here | per bit | bits there | transistors there | per bit |
+|---|---|---|---|---|---|---|
+";
+
+const COMPARABILITY: &str = "
+The two columns are comparable in kind, not in detail. The source counts library cells of its time, a full adder of 36 and a
+flip-flop of 26 transistors; here there are neither adder cells nor pass gates, and the flip-flop is cheaper. PE1 has 24 bits there
+and 26 here, as wide as a depth sum. The root here has a register stage per row and hands on its remainder.
+";
+
 /// The whole page.
 pub fn write(table: &Table) -> String {
     let mut text = heading(table);
-    text += "\n## Every unit\n\nBase format 24, 3 cut planes, 1 row per stage, 4 objects.\n";
+    text += UNITS;
+    text += &block_memory(table);
     for target in super::DEVICES {
-        text += &devices(table, Section::Units, target, &|report| report.unit.clone());
+        text += &devices(table, Section::Units, target, &|report| {
+            format!("`{}`", report.unit)
+        });
     }
-    text += "\n## The quadric core\n\n";
-    text += "`quadric_pe` is the heart of every object: two elementary processors, the root and the two sums that give both depths \
-             of a\nquadric on every pixel.\n\n";
-    text += &core(table);
-    text += "\n## Object processor and its cut planes\n";
+    text += PLANES;
     text += &devices(table, Section::Planes, Target::Ecp5With45k, &|report| {
         format!(
             "`quadric_processor`, {} planes",
             report.parameters["planes"]
         )
     });
-    text += "\n## Root network and its register stages\n\nThe radicand has 48 bits, the root 24.\n";
+    text += ROWS;
     for target in super::DEVICES {
         text += &devices(table, Section::Rows, target, &|report| {
             format!("{} rows per stage", report.parameters["rows-per-stage"])
@@ -62,16 +97,17 @@ fn heading(table: &Table) -> String {
         "# Resources
 
 Made by `imogene synth --table`, which writes this page; `scripts/setup --synth` installs the tools. One row alone:
-`imogene synth UNIT --target T`, such as `imogene synth quadric_pe --target ecp5-45k`.
+`imogene synth UNIT --target T`, such as `imogene synth quadric_pe --target ecp5-45k`, with the parameters of `imogene emit`.
 
 * Tools: {}.
-* Devices: `ecp5-45k` is the LFE5U-45F, package CABGA381, speed grade 6; `ice40-hx8k` the iCE40HX8K, package ct256.
-* Resources are those of the unit alone. LUT: look-up tables of logic, carry chains not among them; carry: cells of carry chains
-  (2 bits each on ECP5, 1 bit on iCE40); cells: logic cells after packing (TRELLIS_COMB, ICESTORM_LC), where carry chains and
-  flip-flops without a look-up table count too on iCE40, and carry chains with 2 per carry cell on ECP5. No unit uses block memory.
-* Fmax is the median of {} seeds of place and route, with {} MHz asked for, of the unit in a harness that registers every input and
-  output, so that every path is from register to register. Worst-case corner of the tools, as they report it.
-* Draws: the largest picture at 60 pictures per second whose pixel clock is not above Fmax, one pixel per clock.
+* `ecp5-45k`: Lattice LFE5U-45F, package CABGA381, speed grade 6. `ice40-hx8k`: Lattice iCE40HX8K, package ct256.
+* Resources are those of the unit alone. **LUT** counts look-up tables of logic, without carry chains; **carry** counts carry cells
+  (2 bits each on ECP5, 1 bit on iCE40); **cells** counts logic cells after packing: TRELLIS_COMB on ECP5, of which a carry cell
+  takes 2, and ICESTORM_LC on iCE40, where a flip-flop without a look-up table takes one too.
+* **Fmax** is that of the unit in a harness that registers every input and output, so that every path goes from register to
+  register: median of {} seeds of place and route, {} MHz asked for, worst case of the tools.
+* **Draws** is the largest picture at 60 pictures per second whose pixel clock is within Fmax, one pixel per clock.
+* **Slowest path** is that of the median seed; `inputs` and `results` are registers of the harness or nets to them.
 * Verilog: {}
 ",
         tools.join(", "),
@@ -83,6 +119,27 @@ Made by `imogene synth --table`, which writes this page; `scripts/setup --synth`
     )
 }
 
+/// Block memory has no column while no unit uses any.
+fn block_memory(table: &Table) -> String {
+    let reports = table.reports().into_iter();
+    let users: Vec<String> = reports
+        .filter(|report| report.bram > Some(0))
+        .map(|report| {
+            format!(
+                "`{}` for {}: {}",
+                report.unit,
+                report.target,
+                count(report.bram)
+            )
+        })
+        .collect();
+    if users.is_empty() {
+        "No unit uses block memory.\n".to_owned()
+    } else {
+        format!("Block memories: {}.\n", users.join(", "))
+    }
+}
+
 fn devices(
     table: &Table,
     section: Section,
@@ -90,14 +147,14 @@ fn devices(
     name: &dyn Fn(&SynthReport) -> String,
 ) -> String {
     let mut text = format!(
-        "\n### {}\n\n| unit | latency | LUT | FF | carry | DSP | cells | Fmax | draws |\n",
+        "\n### {}\n\n| unit | latency | LUT | FF | carry | DSP | cells | Fmax | draws | slowest path |\n",
         target.name()
     );
-    text += "|---|---|---|---|---|---|---|---|---|\n";
+    text += "|---|---|---|---|---|---|---|---|---|---|\n";
     for report in table.section(section, target) {
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             name(report),
             report.latency,
             count(report.lut),
@@ -107,6 +164,7 @@ fn devices(
             count(report.logic_cells),
             clock(report),
             draws(report),
+            path(report),
         );
     }
     text
@@ -132,46 +190,34 @@ fn draws(report: &SynthReport) -> &'static str {
         .map_or("-", |(_, format)| format)
 }
 
-/// The quadric core, with the path that limits it.
-fn core(table: &Table) -> String {
-    let mut text = String::new();
-    for target in super::DEVICES {
-        let mut reports = table.section(Section::Units, target);
-        let Some(report) = reports.find(|report| report.unit == "quadric_pe") else {
-            continue;
-        };
-        let _ = write!(
-            text,
-            "* `{}`: {} cells, {} FF, {} DSP, {} block memories, {}",
-            target.name(),
-            count(report.logic_cells),
-            count(report.ff),
-            count(report.dsp),
-            count(report.bram),
-            clock(report),
-        );
-        let path = report
-            .median_seed()
-            .and_then(|run| run.critical_path.as_ref());
-        if let Some(path) = path {
-            let _ = write!(
-                text,
-                ";\n  slowest path `{}` to `{}`, {:.2} ns in cells and {:.2} ns in wires",
-                path.from, path.to, path.logic_ns, path.routing_ns
-            );
-        }
-        text += ".\n";
-    }
-    text
+fn path(report: &SynthReport) -> String {
+    let path = report
+        .median_seed()
+        .and_then(|run| run.critical_path.as_ref());
+    path.map_or_else(
+        || "-".to_owned(),
+        |path| {
+            format!(
+                "`{}` to `{}`, {:.1} ns in cells, {:.1} ns in wires",
+                register(&path.from),
+                register(&path.to),
+                path.logic_ns,
+                path.routing_ns
+            )
+        },
+    )
+}
+
+/// Name of the register of a cell; the tools add to it how the cell was made.
+fn register(cell: &str) -> &str {
+    let name = cell.strip_prefix("unit.").unwrap_or(cell);
+    let ends = ["_TRELLIS_FF", "_SB_DFF", "_SB_LUT4", "_LUT4", "_CCU2C"];
+    let end = ends.iter().filter_map(|end| name.find(end)).min();
+    &name[..end.unwrap_or(name.len())]
 }
 
 fn transistors(table: &Table) -> String {
-    let mut text = "\n## Transistors\n\n\
-        Static CMOS gates of Yosys (`stat -tech cmos`: flip-flop 16, inverter 2, 2-input NAND or NOR 4, XOR 12), beside Table 5.10 \
-        of the\nsource (ES2 SOLO 1400, library ECPD15).\n\n\
-        | unit | bits here | transistors here | per bit | bits there | transistors there | per bit |\n\
-        |---|---|---|---|---|---|---|\n"
-        .to_owned();
+    let mut text = TRANSISTORS.to_owned();
     for report in table.section(Section::Transistors, Target::Transistors) {
         let here = report.transistors.unwrap_or_default();
         let source = SOURCE_TRANSISTORS.iter().find(|row| row.0 == report.unit);
@@ -185,8 +231,24 @@ fn transistors(table: &Table) -> String {
             None => writeln!(text, "| `{}` | - | {here} | - | - | - | - |", report.unit),
         };
     }
-    text + "\nThe two columns are comparable in kind, not in detail. The source counts library cells of its time: full adder 36, \
-        flip-flop 26\ntransistors, and so on; the gates here have neither adder cells nor pass gates, and a cheaper flip-flop. PE1 has 24 bits \
-        there and 26 here,\nas wide as a depth sum. The registers differ too: the root here has one register stage per row and hands \
-        on its\nremainder.\n"
+    text + COMPARABILITY
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_names_registers() {
+        assert_eq!(
+            register("unit.f2.first_step_TRELLIS_FF_Q_4"),
+            "f2.first_step"
+        );
+        assert_eq!(
+            register("unit.f2.line_value_SB_DFFE_Q_44_D_SB_LUT4_O_LC"),
+            "f2.line_value"
+        );
+        assert_eq!(register("inputs_SB_DFFE_Q_DFFLC"), "inputs");
+        assert_eq!(register("plain"), "plain");
+    }
 }

@@ -1,4 +1,4 @@
-//! Every unit as a [`Subject`](crate::subject::Subject): ports, hardware, golden model, stimulus; one file per group of units.
+//! Every unit as a [`Subject`]: ports, hardware, golden model, stimulus; one file per group of units.
 
 mod decision;
 mod depth;
@@ -7,6 +7,7 @@ mod normal;
 mod processor;
 mod raster;
 mod root;
+mod root_family;
 
 use crate::signal::Signal;
 use crate::subject::{Golden, Hardware, Inputs, Stimulus, Subject};
@@ -64,10 +65,16 @@ pub enum UnitError {
 }
 
 /// Units that can be co-simulated on their own.
-pub const NAMES: [&str; 13] = [
+pub const NAMES: [&str; 19] = [
     "pe1",
     "pe2",
     "square_root",
+    "square_root_non_restoring",
+    "square_root_iterative",
+    "square_root_rows",
+    "square_root_leading",
+    "square_root_linear",
+    "square_root_quadratic",
     "quadric_pe",
     "depth_interval",
     "plane_depth",
@@ -144,6 +151,12 @@ fn describe(name: &str, format: Format, p: Parameters) -> Description {
         "pe1" => elementary::pe1(format.sum),
         "pe2" => elementary::pe2(format.quadratic),
         "square_root" => root::square_root(format, p.rows_per_stage),
+        "square_root_non_restoring" => root_family::non_restoring(format, p.rows_per_stage),
+        "square_root_iterative" => root_family::iterative(format),
+        "square_root_rows" => root_family::rows(format, p.rows_per_stage),
+        "square_root_leading" => root_family::leading(format, p.rows_per_stage),
+        "square_root_linear" => root_family::linear(format),
+        "square_root_quadratic" => root_family::quadratic(format),
         "quadric_pe" => root::quadric_pe(format, p.rows_per_stage),
         "depth_interval" => depth::depth_interval(format),
         "plane_depth" => depth::plane_depth(format),

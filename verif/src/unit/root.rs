@@ -34,7 +34,7 @@ pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description 
     }
 }
 
-fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+pub(super) fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let one = radicand(&subject.inputs[0]).prop_map(|value| vec![value]);
     proptest::collection::vec(one, clocks).boxed()
 }

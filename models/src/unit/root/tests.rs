@@ -71,10 +71,10 @@ fn all_radicands() {
 #[test]
 fn decision_boundaries_of_48_bits() {
     let stride = if is_full_run() { 1 } else { 61 };
-    (1..1u128 << 24)
-        .collect::<Vec<_>>()
+    (1..1u64 << 24)
         .into_par_iter()
         .filter(|n| n % stride == 1 % stride || *n > (1 << 24) - 1000)
+        .map(u128::from)
         .for_each(|n| {
             for radicand in [n * n - 1, n * n, n * n + 2 * n] {
                 for method in EXACT {
