@@ -99,9 +99,7 @@ impl Target {
         match self {
             Self::Ice40Hx8k => format!("synth_ice40 -top {top}"),
             Self::Ice40Up5k => format!("synth_ice40 -device u -dsp -top {top}"),
-            // With wide look-up tables the mapper pulls a comparison into every bit of the multiplexer it steers: up to four
-            // times the cells.
-            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -nowidelut -top {top}"),
+            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -top {top}"),
             Self::Xilinx7 => format!("synth_xilinx -family xc7 -flatten -noiopad -top {top}"),
             Self::Gowin => format!("synth_gowin -noiopads -top {top}"),
             // Enables become gates, for a plain flip-flop is the only one whose transistors are known; an `opt` after

@@ -22,11 +22,16 @@ const SOURCE_TRANSISTORS: [(&str, &str, u64, u64, u64); 3] = [
 ];
 
 const UNITS: &str = "
-## Every unit
+## Every unit of the machine
 
 Base format 24, 3 cut planes, 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
 and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
-unit, and is not measured.
+unit, and is not measured. The other forms of the root are in [root-network.md](root-network.md).
+
+On ECP5, Yosys joins look-up tables to wider ones. That speeds up the elementary processors, but alone in a netlist a multiplexer
+that a comparison steers (`cut_plane`, `two_volume_merge`, `visibility_node`, `decider`) draws the comparison into each of its bits
+and takes several times the cells of iCE40; the option `-nowidelut` of `synth_ecp5` prevents it, at the cost of the clock of the
+quadric core.
 ";
 
 const PLANES: &str = "
