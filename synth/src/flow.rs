@@ -3,7 +3,7 @@
 use crate::cache::{Entry, digest};
 use crate::error::SynthError;
 use crate::nextpnr::{self, RouteReport, Run};
-use crate::report::{SeedResult, SynthReport, median};
+use crate::report::{SeedResult, SynthReport, median, thousandths};
 use crate::target::{Family, PlaceAndRoute, Target};
 use crate::tools::{Program, Tool};
 use crate::{harness, yosys};
@@ -73,7 +73,7 @@ pub fn synthesise(
     if let (Some(router), Some(device)) = (&router, target.place_and_route()) {
         bench.clock(router, &device, options, &mut report)?;
     }
-    report.seconds = start.elapsed().as_secs_f64();
+    report.seconds = thousandths(start.elapsed().as_secs_f64());
     entry.store(&report)?;
     Ok(report)
 }

@@ -1,6 +1,7 @@
 //! Packing, placing and routing with nextpnr, and its report.
 
 use crate::error::SynthError;
+use crate::report::thousandths;
 use crate::target::PlaceAndRoute;
 use crate::tools::Tool;
 use serde::{Deserialize, Serialize};
@@ -159,11 +160,6 @@ impl ReportedPath {
             routing_ns: thousandths(routing_ns),
         }
     }
-}
-
-/// The tool works in single precision; the digits behind are none of its figures.
-fn thousandths(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0
 }
 
 #[cfg(test)]

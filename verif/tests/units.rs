@@ -6,13 +6,18 @@ use imogene_verif::unit::{NAMES, Parameters, subject};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-/// Stimuli per configuration.
-const CASES: u32 = 24;
+/// Stimuli per configuration; `scripts/test --full` asks for more.
+fn cases() -> u32 {
+    std::env::var("IMOGENE_CASES").map_or(24, |text| {
+        text.parse()
+            .expect("IMOGENE_CASES is a number of stimuli per configuration")
+    })
+}
 
 fn check(name: &str, parameters: Parameters, clocks: usize) {
     let subject = subject(name, parameters).expect("a unit in its legal range");
     let mut runner = TestRunner::new(Config {
-        cases: CASES,
+        cases: cases(),
         // Replayable without files: proptest prints the minimal stimulus, and the seed of a run is fixed below.
         failure_persistence: None,
         ..Config::default()

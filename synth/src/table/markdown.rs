@@ -32,6 +32,7 @@ On ECP5, Yosys joins look-up tables to wider ones. That speeds up the elementary
 that a comparison steers (`cut_plane`, `two_volume_merge`, `visibility_node`, `decider`) draws the comparison into each of its bits
 and takes several times the cells of iCE40; the option `-nowidelut` of `synth_ecp5` prevents it, at the cost of the clock of the
 quadric core.
+
 ";
 
 const PLANES: &str = "
@@ -59,7 +60,8 @@ source (ES2 SOLO 1400, library ECPD15).
 const COMPARABILITY: &str = "
 The two columns are comparable in kind, not in detail. The source counts library cells of its time, a full adder of 36 and a
 flip-flop of 26 transistors; here there are neither adder cells nor pass gates, and the flip-flop is cheaper. PE1 has 24 bits there
-and 26 here, as wide as a depth sum. The root here has a register stage per row and hands on its remainder.
+and 26 here, as wide as a depth sum. An elementary processor here holds still on a clock without a pixel, which costs gates in every
+bit of its registers. The root here has a register stage per row and hands on its remainder.
 ";
 
 /// The whole page.
@@ -72,18 +74,28 @@ pub fn write(table: &Table) -> String {
             format!("`{}`", report.unit)
         });
     }
+    text += &reading(table);
     text += PLANES;
-    text += &devices(table, Section::Planes, Target::Ecp5With45k, &|report| {
-        format!(
-            "`quadric_processor`, {} planes",
-            report.parameters["planes"]
-        )
-    });
+    text += &devices(
+        table,
+        Section::Planes,
+        Target::Ecp5With45k,
+        &|report| match report.parameters["planes"] {
+            1 => "`quadric_processor`, 1 plane".to_owned(),
+            planes => format!("`quadric_processor`, {planes} planes"),
+        },
+    );
     text += ROWS;
     for target in super::DEVICES {
-        text += &devices(table, Section::Rows, target, &|report| {
-            format!("{} rows per stage", report.parameters["rows-per-stage"])
-        });
+        text += &devices(
+            table,
+            Section::Rows,
+            target,
+            &|report| match report.parameters["rows-per-stage"] {
+                1 => "1 row per stage".to_owned(),
+                rows => format!("{rows} rows per stage"),
+            },
+        );
     }
     text += &transistors(table);
     text
@@ -122,6 +134,33 @@ Made by `imogene synth --table`, which writes this page; `scripts/setup --synth`
             .map_or(0, |device| device.goal_mhz),
         table.digest,
     )
+}
+
+/// What the figures of the core and of the whole object processor come to.
+fn reading(table: &Table) -> String {
+    let mut text = "\n### Reading\n\n".to_owned();
+    for target in super::DEVICES {
+        for unit in ["quadric_pe", "quadric_processor"] {
+            let mut reports = table.section(Section::Units, target);
+            let Some(report) = reports.find(|report| report.unit == unit) else {
+                continue;
+            };
+            let _ = writeln!(
+                text,
+                "* `{unit}` on {}: {} cells, {} DSP, {}; draws {}.",
+                target.name(),
+                count(report.logic_cells),
+                count(report.dsp),
+                clock(report),
+                draws(report)
+            );
+        }
+    }
+    text + "
+The core is limited by the accumulators of PE2, whose sum of 48 bits has to be ready for the next pixel and so cannot be pipelined.
+The object processor is limited by the cut plane, a comparison that steers a multiplexer in one clock, and by the normal unit, a
+product and a negation in one clock; neither is in a loop.
+"
 }
 
 /// Block memory has no column while no unit uses any.
@@ -181,7 +220,7 @@ fn count(value: Option<u64>) -> String {
 
 fn clock(report: &SynthReport) -> String {
     match (&report.does_not_fit, report.fmax_mhz) {
-        (Some(excess), _) => format!("does not fit: {excess}"),
+        (Some(excess), _) => format!("does not fit, {excess} with the harness"),
         (None, Some(fmax)) => format!("{fmax:.1} MHz"),
         (None, None) => "not measured".to_owned(),
     }
