@@ -30,7 +30,9 @@ pub struct Pe1<const W: usize> {
     pub c: Signal<In, Int<W>>,
     /// The polynomial.
     pub value: Signal<Out, Int<W>>,
+    first: Signal<Local, Bit>,
     next_line: Signal<Local, Int<W>>,
+    line_begin: Signal<Local, Int<W>>,
     next_pixel: Signal<Local, Int<W>>,
     kept_a: DFF<Int<W>>,
     kept_b: DFF<Int<W>>,
@@ -42,7 +44,7 @@ pub struct Pe1<const W: usize> {
 block! {
     [const W: usize] Pe1 [W]
     inputs { clock, valid, start, line, a, b, c }
-    parts { value, next_line, next_pixel, kept_a, kept_b, line_value, pixel_value }
+    parts { value, first, next_line, line_begin, next_pixel, kept_a, kept_b, line_value, pixel_value }
     data { }
 }
 
@@ -60,15 +62,21 @@ impl<const W: usize> Logic for Pe1<W> {
         dff_setup!(self, clock, kept_a, kept_b, line_value, pixel_value);
         self.next_line.next = self.line_value.q.val() + self.kept_b.q.val();
         self.next_pixel.next = self.pixel_value.q.val() + self.kept_a.q.val();
+        // The first pixel of a line takes what the line begins with: one selection behind each sum.
+        self.first.next = self.start.val() | self.line.val();
+        if self.start.val() {
+            self.line_begin.next = self.c.val();
+        } else {
+            self.line_begin.next = self.next_line.val();
+        }
         if self.valid.val() {
             if self.start.val() {
                 self.kept_a.d.next = self.a.val();
                 self.kept_b.d.next = self.b.val();
-                self.line_value.d.next = self.c.val();
-                self.pixel_value.d.next = self.c.val();
-            } else if self.line.val() {
-                self.line_value.d.next = self.next_line.val();
-                self.pixel_value.d.next = self.next_line.val();
+            }
+            if self.first.val() {
+                self.line_value.d.next = self.line_begin.val();
+                self.pixel_value.d.next = self.line_begin.val();
             } else {
                 self.pixel_value.d.next = self.next_pixel.val();
             }

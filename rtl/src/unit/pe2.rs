@@ -39,11 +39,15 @@ pub struct Pe2<const F: usize> {
     pub f: Signal<In, Int<F>>,
     /// The polynomial.
     pub value: Signal<Out, Int<F>>,
+    first: Signal<Local, Bit>,
     next_pixel: Signal<Local, Int<F>>,
     next_pixel_step: Signal<Local, Int<F>>,
     next_line: Signal<Local, Int<F>>,
     next_line_step: Signal<Local, Int<F>>,
     next_first_step: Signal<Local, Int<F>>,
+    line_begin: Signal<Local, Int<F>>,
+    line_begin_step: Signal<Local, Int<F>>,
+    first_begin_step: Signal<Local, Int<F>>,
     kept_a2: DFF<Int<F>>,
     kept_b2: DFF<Int<F>>,
     kept_c: DFF<Int<F>>,
@@ -58,8 +62,8 @@ pub struct Pe2<const F: usize> {
 block! {
     [const F: usize] Pe2 [F]
     inputs { clock, valid, start, line, a2, b2, c, p0, i0, f }
-    parts { value, next_pixel, next_pixel_step, next_line, next_line_step, next_first_step,
-        kept_a2, kept_b2, kept_c, line_value, line_step, first_step, pixel_step, pixel_value }
+    parts { value, first, next_pixel, next_pixel_step, next_line, next_line_step,
+        next_first_step, line_begin, line_begin_step, first_begin_step, kept_a2, kept_b2, kept_c, line_value, line_step, first_step, pixel_step, pixel_value }
     data { }
 }
 
@@ -91,22 +95,29 @@ impl<const F: usize> Logic for Pe2<F> {
         self.next_line.next = self.line_value.q.val() + self.line_step.q.val();
         self.next_line_step.next = self.line_step.q.val() + self.kept_b2.q.val();
         self.next_first_step.next = self.first_step.q.val() + self.kept_c.q.val();
+        // The first pixel of a line takes what the line begins with: one selection behind each sum.
+        self.first.next = self.start.val() | self.line.val();
+        if self.start.val() {
+            self.line_begin.next = self.f.val();
+            self.line_begin_step.next = self.i0.val();
+            self.first_begin_step.next = self.p0.val();
+        } else {
+            self.line_begin.next = self.next_line.val();
+            self.line_begin_step.next = self.next_line_step.val();
+            self.first_begin_step.next = self.next_first_step.val();
+        }
         if self.valid.val() {
             if self.start.val() {
                 self.kept_a2.d.next = self.a2.val();
                 self.kept_b2.d.next = self.b2.val();
                 self.kept_c.d.next = self.c.val();
-                self.line_value.d.next = self.f.val();
-                self.pixel_value.d.next = self.f.val();
-                self.line_step.d.next = self.i0.val();
-                self.first_step.d.next = self.p0.val();
-                self.pixel_step.d.next = self.p0.val();
-            } else if self.line.val() {
-                self.line_value.d.next = self.next_line.val();
-                self.pixel_value.d.next = self.next_line.val();
-                self.line_step.d.next = self.next_line_step.val();
-                self.first_step.d.next = self.next_first_step.val();
-                self.pixel_step.d.next = self.next_first_step.val();
+            }
+            if self.first.val() {
+                self.line_value.d.next = self.line_begin.val();
+                self.pixel_value.d.next = self.line_begin.val();
+                self.line_step.d.next = self.line_begin_step.val();
+                self.first_step.d.next = self.first_begin_step.val();
+                self.pixel_step.d.next = self.first_begin_step.val();
             } else {
                 self.pixel_value.d.next = self.next_pixel.val();
                 self.pixel_step.d.next = self.next_pixel_step.val();

@@ -50,6 +50,7 @@ pub struct SquareRootIterative<const F: usize, const K: usize, const K1: usize, 
     one: Constant<Word<6>>,
     no_digits: Constant<Word<K>>,
     no_remainder: Constant<Word<K1>>,
+    all_live: Constant<Word<K2>>,
     _asleep: bool,
 }
 
@@ -58,7 +59,7 @@ block! {
     inputs { clock, start, radicand }
     parts { busy, done, root, remainder, is_busy, begins, current, works, less, row,
         pairs_left, kept_root, kept_remainder, digits_left, kept_done, all_digits, none,
-        one, no_digits, no_remainder }
+        one, no_digits, no_remainder, all_live }
     data {  }
 }
 
@@ -99,6 +100,7 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize>
             one: constant(1),
             no_digits: constant(0),
             no_remainder: constant(0),
+            all_live: constant((1 << K) - 1),
             _asleep: false,
         }
     }
@@ -145,6 +147,7 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize> Logic
             self.row.remainder.next = self.kept_remainder.q.val();
             self.current.next = self.digits_left.q.val();
         }
+        self.row.live.next = self.all_live.val();
         self.works.next = self.begins.val() | self.is_busy.val();
         self.less.next = self.current.val() - self.one.val();
         self.kept_done.d.next = self.current.val() == self.one.val();

@@ -2,7 +2,7 @@
 
 use super::delay::WordDelay;
 use super::root_length::RootLength;
-use super::square_root::SquareRootStage;
+use super::square_root::SquareRoot;
 use crate::kernel::*;
 
 /// Gives the `kept` leading significant digits of `floor(sqrt(radicand))`, the lower digits zero; shorter roots are exact.
@@ -28,30 +28,25 @@ pub struct SquareRootLeading<const F: usize, const K: usize, const K1: usize, co
     places: Signal<Local, Word<6>>,
     wide_places: Signal<Local, Word<7>>,
     doubled_places: Signal<Local, Word<7>>,
-    digits: Signal<Local, Word<K>>,
     aligned: Signal<Local, Word<K>>,
     measured: RootLength<F>,
     normal: DFF<Word<F>>,
     kept_places: DFF<Word<6>>,
-    network: Vec<SquareRootStage<F, K, K1, K2>>,
+    network: SquareRoot<F, K, K1, K2>,
     beside: WordDelay<Word<6>>,
     kept_root: DFF<Word<K>>,
     all_digits: Constant<Word<6>>,
     by_one: Constant<Word<2>>,
-    no_digits: Constant<Word<K>>,
-    no_remainder: Constant<Word<K1>>,
     missing: Constant<Word<8>>,
-    _count: usize,
     _asleep: bool,
 }
 
 block! {
     [const F: usize, const K: usize, const K1: usize, const K2: usize] SquareRootLeading [F, K, K1, K2]
     inputs { clock, radicand }
-    parts { root, places, wide_places, doubled_places, digits, aligned, measured, normal,
-        kept_places, network, beside, kept_root, all_digits, by_one, no_digits,
-        no_remainder, missing }
-    data { _count }
+    parts { root, places, wide_places, doubled_places, aligned, measured, normal, kept_places,
+        network, beside, kept_root, all_digits, by_one, missing }
+    data { }
 }
 
 impl<const F: usize, const K: usize, const K1: usize, const K2: usize>
@@ -63,17 +58,6 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize>
     ///
     /// When the widths do not fit each other, or a count is not in `1..=K`.
     pub fn new(kept: usize, rows_per_stage: usize) -> Self {
-        assert!(
-            F == 2 * K && K1 == K + 1 && K2 == K + 2,
-            "widths of the root network"
-        );
-        assert!(
-            (1..=K).contains(&rows_per_stage),
-            "rows per stage are 1 to {K}"
-        );
-        assert!((1..=K).contains(&kept), "kept digits are 1 to {K}");
-        let count = kept.div_ceil(rows_per_stage);
-        let rows = |stage: usize| rows_per_stage.min(kept - stage * rows_per_stage);
         Self {
             clock: Signal::default(),
             radicand: Signal::default(),
@@ -81,22 +65,16 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize>
             places: Signal::default(),
             wide_places: Signal::default(),
             doubled_places: Signal::default(),
-            digits: Signal::default(),
             aligned: Signal::default(),
             measured: RootLength::new(),
             normal: DFF::default(),
             kept_places: DFF::default(),
-            network: (0..count)
-                .map(|stage| SquareRootStage::new(rows(stage)))
-                .collect(),
-            beside: WordDelay::new(count),
+            network: SquareRoot::of_digits(kept, rows_per_stage),
+            beside: WordDelay::new(kept.div_ceil(rows_per_stage)),
             kept_root: DFF::default(),
             all_digits: constant(K as u64),
             by_one: constant(1),
-            no_digits: constant(0),
-            no_remainder: constant(0),
             missing: constant((K - kept) as u64),
-            _count: count,
             _asleep: false,
         }
     }
@@ -113,7 +91,7 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize> Logic
     #[hdl_gen]
     fn update(&mut self) {
         comment!("square_root_leading");
-        clock!(self, clock, normal, kept_places, beside, kept_root);
+        clock!(self, clock, normal, kept_places, beside, network, kept_root);
         self.measured.radicand.next = self.radicand.val();
         self.places.next = self.all_digits.val() - self.measured.length.val();
         self.wide_places.next = bit_cast::<7, 6>(self.places.val());
@@ -121,20 +99,8 @@ impl<const F: usize, const K: usize, const K1: usize, const K2: usize> Logic
         self.normal.d.next = self.radicand.val() << self.doubled_places.val();
         self.kept_places.d.next = self.places.val();
         self.beside.word.next = self.kept_places.q.val();
-        self.network[0].clock.next = self.clock.val();
-        self.network[0].pairs.next = self.normal.q.val();
-        self.network[0].root.next = self.no_digits.val();
-        self.network[0].remainder.next = self.no_remainder.val();
-        for i in 1..self._count {
-            self.network[i].clock.next = self.clock.val();
-            self.network[i].pairs.next = self.network[i - 1].next_pairs.val();
-            self.network[i].root.next = self.network[i - 1].next_root.val();
-            self.network[i].remainder.next = self.network[i - 1].next_remainder.val();
-        }
-        for i in 0..self._count {
-            self.digits.next = self.network[i].next_root.val();
-        }
-        self.aligned.next = self.digits.val() << self.missing.val();
+        self.network.radicand.next = self.normal.q.val();
+        self.aligned.next = self.network.root.val() << self.missing.val();
         self.kept_root.d.next = self.aligned.val() >> self.beside.late.val();
         self.root.next = self.kept_root.q.val();
     }
