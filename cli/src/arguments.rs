@@ -73,6 +73,12 @@ pub struct Shape {
     /// Object slots of a machine, or inputs of a decider, 1 to 256.
     #[arg(long, default_value_t = 4, value_name = "M")]
     pub objects: usize,
+    /// Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2].
+    #[arg(long, value_name = "D")]
+    pub digits: Option<usize>,
+    /// Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2.
+    #[arg(long, value_name = "C")]
+    pub corrections: Option<usize>,
 }
 
 /// Arguments of `emit`.
@@ -166,7 +172,7 @@ pub enum EngineName {
 /// Arguments of `cosim`.
 #[derive(Debug, Args)]
 pub struct Cosim {
-    /// Scene file, or a unit as listed by `imogene units`.
+    /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
     pub subject: String,
     /// What runs the hardware.
     #[arg(long, value_enum, default_value_t = EngineName::RustHdl)]

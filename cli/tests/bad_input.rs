@@ -207,7 +207,7 @@ fn unwritable_output_folder() {
 fn usage_and_parameters_out_of_range() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let runs: [(Vec<&str>, &[&str]); 8] = [
+    let runs: [(Vec<&str>, &[&str]); 10] = [
         (vec!["emit", "pe3", "--out", out], &["pe3", "pe2"]),
         (
             vec!["emit", "pe1", "--format", "23", "--out", out],
@@ -220,6 +220,14 @@ fn usage_and_parameters_out_of_range() {
         (
             vec!["emit", "square_root", "--rows-per-stage", "0", "--out", out],
             &["0", "24"],
+        ),
+        (
+            vec!["emit", "square_root_rows", "--digits", "25", "--out", out],
+            &["digits", "25", "1 to 24"],
+        ),
+        (
+            vec!["cosim", "pe1", "--corrections", "1"],
+            &["pe1", "corrections"],
         ),
         (
             vec!["emit", "beam", "--objects", "257", "--out", out],

@@ -1,7 +1,7 @@
 //! The units: names, parameters, latencies, sources.
 
 use crate::emit::EmitError;
-use crate::format::{MOST_OBJECTS, MOST_PLANES};
+use crate::format::{MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES};
 
 /// A unit that can be emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -16,13 +16,13 @@ pub enum Unit {
     SquareRootNonRestoring,
     /// Square root by one row, digit after digit.
     SquareRootIterative,
-    /// Upper half of the rows of the square root network.
+    /// First rows of the square root network.
     SquareRootRows,
-    /// Leading half of the digits of the square root.
+    /// Leading significant digits of the square root.
     SquareRootLeading,
-    /// Piecewise linear square root, corrected twice.
+    /// Piecewise linear square root with corrections.
     SquareRootLinear,
-    /// Piecewise quadratic square root, corrected once.
+    /// Piecewise quadratic square root with corrections.
     SquareRootQuadratic,
     /// Two depths of a quadric.
     QuadricPe,
@@ -48,19 +48,6 @@ pub enum Unit {
     CoefficientStore,
     /// Beam machine.
     Beam,
-}
-
-/// Parameters of a unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shape {
-    /// Depth word `W`.
-    pub depth_word: usize,
-    /// Cut planes.
-    pub planes: usize,
-    /// Rows of the root network between registers.
-    pub rows_per_stage: usize,
-    /// Object slots.
-    pub objects: usize,
 }
 
 /// A parameter of a unit, besides the format.
@@ -90,15 +77,16 @@ const OBJECTS: Parameter = Parameter {
     most: Some(MOST_OBJECTS),
 };
 
-/// Corrections of [`Unit::SquareRootLinear`], the fewest that stay under 1 %; so simulated in section 4.1.2.
-pub const LINEAR_CORRECTIONS: usize = 2;
-/// Corrections of [`Unit::SquareRootQuadratic`], likewise.
-pub const QUADRATIC_CORRECTIONS: usize = 1;
-
-/// Digits that [`Unit::SquareRootRows`] and [`Unit::SquareRootLeading`] keep: half of them, as in the experiment of section B.10.
-pub const fn kept_digits(depth_word: usize) -> usize {
-    depth_word / 2
-}
+const DIGITS: Parameter = Parameter {
+    option: "digits",
+    least: 1,
+    most: None,
+};
+const CORRECTIONS: Parameter = Parameter {
+    option: "corrections",
+    least: 0,
+    most: Some(MOST_CORRECTIONS),
+};
 
 impl Unit {
     /// All units, from the smallest to the machine.
@@ -178,16 +166,16 @@ impl Unit {
             Self::SquareRootIterative => {
                 "root = floor(sqrt(radicand)) and remainder = radicand - root^2, one digit per clock"
             }
-            Self::SquareRootRows => "the upper half of the digits of floor(sqrt(radicand))",
+            Self::SquareRootRows => {
+                "the upper digits of floor(sqrt(radicand)), the lower ones zero"
+            }
             Self::SquareRootLeading => {
-                "the leading significant digits of floor(sqrt(radicand)), half as many as the root has"
+                "the leading significant digits of floor(sqrt(radicand)), the lower ones zero"
             }
             Self::SquareRootLinear => {
-                "an approximate square root by straight lines and two corrections, monotone"
+                "an approximate square root by straight lines and corrections, monotone"
             }
-            Self::SquareRootQuadratic => {
-                "an approximate square root by parabolas and one correction"
-            }
+            Self::SquareRootQuadratic => "an approximate square root by parabolas and corrections",
             Self::QuadricPe => {
                 "the two depths f1 - r and f1 + r of a quadric, with r = floor(sqrt(f2))"
             }
@@ -236,11 +224,9 @@ impl Unit {
     /// The parameters the unit has besides the format.
     pub const fn parameters(self) -> &'static [Parameter] {
         match self {
-            Self::SquareRoot
-            | Self::SquareRootNonRestoring
-            | Self::SquareRootRows
-            | Self::SquareRootLeading
-            | Self::QuadricPe => &[ROWS],
+            Self::SquareRoot | Self::SquareRootNonRestoring | Self::QuadricPe => &[ROWS],
+            Self::SquareRootRows | Self::SquareRootLeading => &[DIGITS, ROWS],
+            Self::SquareRootLinear | Self::SquareRootQuadratic => &[CORRECTIONS],
             Self::NormalUnit | Self::CoefficientStore => &[PLANES],
             Self::QuadricProcessor => &[PLANES, ROWS],
             Self::Decider => &[OBJECTS],
@@ -249,27 +235,15 @@ impl Unit {
         }
     }
 
-    /// Options of the command line and their values.
-    pub fn options(self, shape: &Shape) -> Vec<(&'static str, usize)> {
-        let value = |parameter: &Parameter| match parameter.option {
-            "planes" => shape.planes,
-            "rows-per-stage" => shape.rows_per_stage,
-            _ => shape.objects,
-        };
-        self.parameters()
-            .iter()
-            .map(|parameter| (parameter.option, value(parameter)))
-            .collect()
-    }
-
-    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects.
+    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections.
     pub const fn latency_formula(self) -> &'static str {
         match self {
             Self::SquareRoot | Self::SquareRootNonRestoring => "ceil(W / R)",
             Self::SquareRootIterative => "W",
-            Self::SquareRootRows => "ceil((W / 2) / R)",
-            Self::SquareRootLeading => "ceil((W / 2) / R) + 2",
-            Self::SquareRootLinear | Self::SquareRootQuadratic => "5",
+            Self::SquareRootRows => "ceil(D / R)",
+            Self::SquareRootLeading => "ceil(D / R) + 2",
+            Self::SquareRootLinear => "1 + 2 C",
+            Self::SquareRootQuadratic => "3 + 2 C",
             Self::QuadricPe => "ceil(W / R) + 2",
             Self::PlaneDepth => "2",
             Self::NormalUnit => "3",
@@ -277,28 +251,6 @@ impl Unit {
             Self::Decider => "ceil(log2 M)",
             Self::Beam => "1 + (ceil(W / R) + N + 7) + ceil(log2 M)",
             _ => "1",
-        }
-    }
-
-    /// Latency in clocks.
-    pub const fn latency(self, shape: &Shape) -> usize {
-        let root = shape.depth_word.div_ceil(shape.rows_per_stage);
-        let half_root = kept_digits(shape.depth_word).div_ceil(shape.rows_per_stage);
-        let tree = shape.objects.next_power_of_two().trailing_zeros() as usize;
-        match self {
-            Self::SquareRoot | Self::SquareRootNonRestoring => root,
-            Self::SquareRootIterative => shape.depth_word,
-            Self::SquareRootRows => half_root,
-            Self::SquareRootLeading => half_root + 2,
-            Self::SquareRootLinear => 1 + 2 * LINEAR_CORRECTIONS,
-            Self::SquareRootQuadratic => 3 + 2 * QUADRATIC_CORRECTIONS,
-            Self::QuadricPe => root + 2,
-            Self::PlaneDepth => 2,
-            Self::NormalUnit => 3,
-            Self::QuadricProcessor => root + shape.planes + 7,
-            Self::Decider => tree,
-            Self::Beam => 1 + (root + shape.planes + 7) + tree,
-            _ => 1,
         }
     }
 }

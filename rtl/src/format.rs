@@ -14,6 +14,9 @@ pub const MOST_PLANES: usize = 12;
 /// Most objects of one machine.
 pub const MOST_OBJECTS: usize = 256;
 
+/// Most corrections behind an approximate square root.
+pub const MOST_CORRECTIONS: usize = 2;
+
 /// Bits of a depth sum of a format.
 pub const fn depth_sum(depth_word: usize) -> usize {
     depth_word + 2

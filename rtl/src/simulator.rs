@@ -222,11 +222,11 @@ pub fn beam_simulator(
     rows_per_stage: usize,
 ) -> Result<Box<dyn BeamSimulator>, EmitError> {
     EmitRequest {
-        unit: Unit::Beam,
         depth_word,
         planes,
         rows_per_stage,
         objects,
+        ..EmitRequest::new(Unit::Beam)
     }
     .check()?;
     for_format!(depth_word, beam(objects, planes, rows_per_stage))

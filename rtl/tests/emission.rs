@@ -16,11 +16,11 @@ fn requests() -> Vec<EmitRequest> {
         (32, 12, 4, 5),
     ];
     let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
-        unit,
         depth_word,
         planes,
         rows_per_stage,
         objects,
+        ..EmitRequest::new(unit)
     };
     Unit::ALL
         .into_iter()
@@ -183,6 +183,23 @@ fn bad_requests_name_the_value_and_the_range() {
         })
         .contains("257")
     );
+    let short = EmitRequest {
+        digits: Some(25),
+        ..EmitRequest::new(Unit::SquareRootRows)
+    };
+    assert!(refused(short).contains("digits = 25 is out of range; legal values are 1 to 24"));
+    let corrected = EmitRequest {
+        corrections: Some(3),
+        ..EmitRequest::new(Unit::SquareRootLinear)
+    };
+    assert!(
+        refused(corrected).contains("corrections = 3 is out of range; legal values are 0 to 2")
+    );
+    let foreign = EmitRequest {
+        corrections: Some(1),
+        ..good
+    };
+    assert!(refused(foreign).contains("the unit `beam` has no parameter `corrections`"));
     let unit = Unit::from_name("pe3").unwrap_err();
     assert!(matches!(&unit, EmitError::Unit { name } if name == "pe3"));
     assert!(unit.to_string().contains("quadric_processor"));

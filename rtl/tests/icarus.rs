@@ -154,8 +154,7 @@ fn compare_processor(depth_word: usize, planes: usize, rows_per_stage: usize) {
         depth_word,
         planes,
         rows_per_stage,
-        objects: 1,
-        unit: Unit::QuadricProcessor,
+        ..EmitRequest::new(Unit::QuadricProcessor)
     };
     let found = icarus(
         &format!("processor-{depth_word}-{planes}-{rows_per_stage}"),
@@ -231,7 +230,7 @@ fn beam_agrees() {
         planes,
         rows_per_stage,
         objects,
-        unit: Unit::Beam,
+        ..EmitRequest::new(Unit::Beam)
     };
     let found = icarus("beam", &request, &stimulus);
     assert_eq!(found.len(), expected.len());
@@ -254,11 +253,11 @@ fn every_unit_agrees() {
             (32, 2, 7, 5),
         ] {
             let request = EmitRequest {
-                unit,
                 depth_word,
                 planes,
                 rows_per_stage,
                 objects,
+                ..EmitRequest::new(unit)
             };
             let mut random = Random(unit as u64 * 100 + depth_word as u64);
             let mut simulator = unit_simulator(&request).unwrap();

@@ -1,6 +1,7 @@
 //! The latency formulas, measured: an impulse at the input, and the clock at which the output answers.
 
-use imogene_rtl::catalogue::{LINEAR_CORRECTIONS, QUADRATIC_CORRECTIONS, Shape, Unit, kept_digits};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::EmitRequest;
 use imogene_rtl::machine::beam::Beam;
 use imogene_rtl::machine::coefficient_store::CoefficientStore;
 use imogene_rtl::machine::decider::Decider;
@@ -54,14 +55,19 @@ fn measured<B: Clocked>(
     panic!("the block does not answer");
 }
 
-/// The formula of the catalogue.
-fn formula(unit: Unit, planes: usize, rows_per_stage: usize, objects: usize) -> usize {
-    unit.latency(&Shape {
+fn request(unit: Unit, planes: usize, rows_per_stage: usize, objects: usize) -> EmitRequest {
+    EmitRequest {
         depth_word: W,
         planes,
         rows_per_stage,
         objects,
-    })
+        ..EmitRequest::new(unit)
+    }
+}
+
+/// The formula of the catalogue.
+fn formula(unit: Unit, planes: usize, rows_per_stage: usize, objects: usize) -> usize {
+    request(unit, planes, rows_per_stage, objects).latency()
 }
 
 #[test]
@@ -223,26 +229,45 @@ fn root_family() {
         let expected = formula(Unit::SquareRootNonRestoring, 0, rows, 1);
         assert_eq!((found, found), (NonRestoring::latency(rows), expected));
         for kept in 1..=W {
+            let expected = |unit| {
+                let digits = Some(kept);
+                EmitRequest {
+                    digits,
+                    ..request(unit, 0, rows, 1)
+                }
+                .latency()
+            };
             let found = measured_root!(Rows::new(kept, rows));
-            assert_eq!(found, Rows::latency(kept, rows));
+            let latency = Rows::latency(kept, rows);
+            assert_eq!((found, found), (latency, expected(Unit::SquareRootRows)));
             let found = measured_root!(Leading::new(kept, rows));
-            assert_eq!(found, Leading::latency(kept, rows));
+            let latency = Leading::latency(kept, rows);
+            assert_eq!((found, found), (latency, expected(Unit::SquareRootLeading)));
         }
-        let expected = formula(Unit::SquareRootRows, 0, rows, 1);
-        assert_eq!(Rows::latency(kept_digits(W), rows), expected);
-        let expected = formula(Unit::SquareRootLeading, 0, rows, 1);
-        assert_eq!(Leading::latency(kept_digits(W), rows), expected);
     }
-    for corrections in 0..=3 {
-        let found = measured_root!(Lines::new(corrections));
-        assert_eq!(found, Lines::latency(corrections));
-        let found = measured_root!(Parabolas::new(corrections));
-        assert_eq!(found, Parabolas::latency(corrections));
+    for count in 0..=2 {
+        let expected = |unit| {
+            let corrections = Some(count);
+            EmitRequest {
+                corrections,
+                ..request(unit, 0, 1, 1)
+            }
+            .latency()
+        };
+        let found = measured_root!(Lines::new(count));
+        assert_eq!(
+            (found, found),
+            (Lines::latency(count), expected(Unit::SquareRootLinear))
+        );
+        let found = measured_root!(Parabolas::new(count));
+        assert_eq!(
+            (found, found),
+            (
+                Parabolas::latency(count),
+                expected(Unit::SquareRootQuadratic)
+            )
+        );
     }
-    let expected = formula(Unit::SquareRootLinear, 0, 1, 1);
-    assert_eq!(Lines::latency(LINEAR_CORRECTIONS), expected);
-    let expected = formula(Unit::SquareRootQuadratic, 0, 1, 1);
-    assert_eq!(Parabolas::latency(QUADRATIC_CORRECTIONS), expected);
     let found = measured(
         Iterative::new(),
         |unit, on| {

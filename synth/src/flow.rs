@@ -7,7 +7,6 @@ use crate::report::{SeedResult, SynthReport, median, thousandths};
 use crate::target::{Family, PlaceAndRoute, Target};
 use crate::tools::{Program, Tool};
 use crate::{harness, yosys};
-use imogene_rtl::catalogue::Shape;
 use imogene_rtl::emit::{EmitRequest, Emitted, emit};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -79,15 +78,8 @@ pub fn synthesise(
 }
 
 fn parameters(request: &EmitRequest) -> BTreeMap<String, usize> {
-    let shape = Shape {
-        depth_word: request.depth_word,
-        planes: request.planes,
-        rows_per_stage: request.rows_per_stage,
-        objects: request.objects,
-    };
-    let options = request.unit.options(&shape);
     std::iter::once(("format", request.depth_word))
-        .chain(options)
+        .chain(request.options())
         .map(|(option, value)| (option.to_owned(), value))
         .collect()
 }

@@ -1,7 +1,7 @@
 //! The emitted Verilog of every unit in Icarus Verilog against golden vectors. Needs the package 'iverilog' and fails without it.
 
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_rtl::emit::emit;
 use imogene_verif::icarus;
 use imogene_verif::unit::{NAMES, Parameters, subject};
 
@@ -10,13 +10,8 @@ const CLOCKS: usize = 450;
 const STIMULI: u64 = 6;
 
 fn check(name: &str, parameters: Parameters) {
-    let request = EmitRequest {
-        unit: Unit::from_name(name).expect("a unit of the catalogue"),
-        depth_word: parameters.depth_word as usize,
-        planes: parameters.planes,
-        rows_per_stage: parameters.rows_per_stage,
-        objects: parameters.objects,
-    };
+    let unit = Unit::from_name(name).expect("a unit of the catalogue");
+    let request = parameters.request(unit);
     let emitted = emit(&request).expect("a legal request");
     let text: String = emitted
         .files
@@ -61,6 +56,7 @@ fn units_of_the_narrowest_and_widest_format() {
                     planes: 1,
                     rows_per_stage: 3,
                     objects: 5,
+                    ..Parameters::default()
                 },
             );
         }

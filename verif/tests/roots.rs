@@ -1,4 +1,4 @@
-//! The parameters of the root networks that the catalogue fixes: any number of digits kept, any number of corrections, against the golden
+//! The parameters of the root networks, beyond the catalogue too: any number of digits kept, any number of corrections, against the golden
 //! model on every radicand of a spread that holds each length and each decision boundary.
 
 use imogene_models::unit::root::{Method, root};

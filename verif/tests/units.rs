@@ -74,6 +74,29 @@ fn root_networks_at_all_rows_per_stage() {
 }
 
 #[test]
+fn shortened_and_corrected_roots_of_every_parameter() {
+    for digits in 1..=24 {
+        let parameters = Parameters {
+            digits: Some(digits),
+            rows_per_stage: 3,
+            ..Parameters::default()
+        };
+        for name in ["square_root_rows", "square_root_leading"] {
+            check(name, parameters, CLOCKS);
+        }
+    }
+    for corrections in 0..=2 {
+        let parameters = Parameters {
+            corrections: Some(corrections),
+            ..Parameters::default()
+        };
+        for name in ["square_root_linear", "square_root_quadratic"] {
+            check(name, parameters, CLOCKS);
+        }
+    }
+}
+
+#[test]
 fn processors_with_0_to_12_planes() {
     for planes in 0..=12 {
         for rows_per_stage in [1, 5, 24] {

@@ -62,6 +62,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
             planes: shape.planes,
             rows_per_stage: shape.rows_per_stage,
             objects: shape.objects,
+            digits: None,
+            corrections: None,
         },
     )?;
     // Written first: an unwritable folder is found before the long work.

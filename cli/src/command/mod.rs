@@ -4,6 +4,7 @@ pub mod check;
 pub mod cosim;
 pub mod demo;
 pub mod emit;
+pub mod extremes;
 pub mod prepare;
 pub mod render;
 pub mod roots;
@@ -47,6 +48,8 @@ fn emit_request(name: &str, shape: Shape) -> Result<EmitRequest, Failure> {
         planes: shape.planes,
         rows_per_stage: shape.rows_per_stage,
         objects: shape.objects,
+        digits: shape.digits,
+        corrections: shape.corrections,
     })
 }
 

@@ -42,7 +42,9 @@ pub fn run(json: bool) -> Result<(), Failure> {
             unit.source
         ));
     }
-    output::text("W depth word (--format), R rows per stage, N planes, M objects");
+    output::text(
+        "W depth word (--format), R rows per stage, N planes, M objects, D digits, C corrections",
+    );
     Ok(())
 }
 

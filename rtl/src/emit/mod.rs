@@ -5,15 +5,16 @@
 //! text is not used: it drops widths and precedence. The same request gives the same text, byte for byte.
 
 mod collect;
+mod error;
 mod lower;
 mod merge;
 mod module;
 mod names;
+mod request;
 #[cfg(test)]
 mod tests;
 
-use crate::catalogue::{LINEAR_CORRECTIONS, QUADRATIC_CORRECTIONS, Shape, Unit, kept_digits};
-use crate::format::{DEPTH_WORDS, MOST_OBJECTS, MOST_PLANES};
+use crate::catalogue::Unit;
 use crate::kernel::Ports;
 use crate::machine::beam::Beam;
 use crate::machine::coefficient_store::CoefficientStore;
@@ -38,93 +39,10 @@ use crate::unit::square_root_quadratic::SquareRootQuadratic;
 use crate::unit::square_root_rows::SquareRootRows;
 use crate::unit::two_volume_merge::TwoVolumeMerge;
 use collect::{Scope, collect};
+pub use error::EmitError;
+pub use request::EmitRequest;
 use rust_hdl::core::prelude::AtomKind;
-use std::fmt::{self, Write};
-
-/// What to emit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EmitRequest {
-    /// The unit.
-    pub unit: Unit,
-    /// Depth word `W` of the format.
-    pub depth_word: usize,
-    /// Cut planes of an object, 0 to 12.
-    pub planes: usize,
-    /// Rows of the root network between registers, 1 to `W`.
-    pub rows_per_stage: usize,
-    /// Object slots, 1 to 256.
-    pub objects: usize,
-}
-
-impl EmitRequest {
-    /// A unit at the base format 24, with 3 planes, 1 row per stage and 4 objects.
-    pub fn new(unit: Unit) -> Self {
-        Self {
-            unit,
-            depth_word: 24,
-            planes: 3,
-            rows_per_stage: 1,
-            objects: 4,
-        }
-    }
-
-    fn shape(&self) -> Shape {
-        Shape {
-            depth_word: self.depth_word,
-            planes: self.planes,
-            rows_per_stage: self.rows_per_stage,
-            objects: self.objects,
-        }
-    }
-
-    /// Checks every parameter against its legal range.
-    pub fn check(&self) -> Result<(), EmitError> {
-        check_format(self.depth_word)?;
-        check_range("planes", self.planes, 0, MOST_PLANES)?;
-        check_range("rows per stage", self.rows_per_stage, 1, self.depth_word)?;
-        check_range("objects", self.objects, 1, MOST_OBJECTS)
-    }
-
-    /// The command line that makes the same text.
-    pub fn command(&self) -> String {
-        let mut command = format!(
-            "imogene emit {} --format {}",
-            self.unit.name(),
-            self.depth_word
-        );
-        for (option, value) in self.unit.options(&self.shape()) {
-            let _ = write!(command, " --{option} {value}");
-        }
-        command + " --out DIR"
-    }
-}
-
-/// Refuses a format outside the catalogue.
-fn check_format(depth_word: usize) -> Result<(), EmitError> {
-    if DEPTH_WORDS.contains(&depth_word) {
-        Ok(())
-    } else {
-        Err(EmitError::Format { value: depth_word })
-    }
-}
-
-fn check_range(
-    parameter: &'static str,
-    value: usize,
-    least: usize,
-    most: usize,
-) -> Result<(), EmitError> {
-    if (least..=most).contains(&value) {
-        Ok(())
-    } else {
-        Err(EmitError::Range {
-            parameter,
-            value,
-            least,
-            most,
-        })
-    }
-}
+use std::fmt::Write;
 
 /// Direction of a port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -163,92 +81,6 @@ pub struct Emitted {
     pub modules: usize,
 }
 
-/// Why a unit cannot be emitted or simulated.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum EmitError {
-    /// The format is not in the catalogue.
-    Format {
-        /// The depth word asked for.
-        value: usize,
-    },
-    /// A parameter is out of its legal range.
-    Range {
-        /// The parameter.
-        parameter: &'static str,
-        /// The value asked for.
-        value: usize,
-        /// Least legal value.
-        least: usize,
-        /// Greatest legal value.
-        most: usize,
-    },
-    /// No unit has this name.
-    Unit {
-        /// The name asked for.
-        name: String,
-    },
-    /// A block is not written as the emitter needs it; a defect of this crate.
-    Block {
-        /// The block, name or expression.
-        place: String,
-        /// What is wrong with it.
-        problem: String,
-    },
-}
-
-impl EmitError {
-    fn block(place: &str, problem: &str) -> Self {
-        Self::Block {
-            place: place.to_owned(),
-            problem: problem.to_owned(),
-        }
-    }
-
-    fn nested(operator: &str) -> Self {
-        Self::block(
-            operator,
-            "has operands of different types, or other than names and constants",
-        )
-    }
-}
-
-impl fmt::Display for EmitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Format { value } => {
-                let legal: Vec<_> = DEPTH_WORDS.iter().map(usize::to_string).collect();
-                write!(
-                    f,
-                    "format {value} is not in the catalogue; legal formats are {}",
-                    legal.join(", ")
-                )
-            }
-            Self::Range {
-                parameter,
-                value,
-                least,
-                most,
-            } => {
-                write!(
-                    f,
-                    "{parameter} = {value} is out of range; legal values are {least} to {most}"
-                )
-            }
-            Self::Unit { name } => {
-                let legal: Vec<_> = Unit::ALL.iter().map(|unit| unit.name()).collect();
-                write!(
-                    f,
-                    "there is no unit `{name}`; the units are {}",
-                    legal.join(", ")
-                )
-            }
-            Self::Block { place, problem } => write!(f, "`{place}` {problem}"),
-        }
-    }
-}
-
-impl std::error::Error for EmitError {}
-
 /// Calls a function with the widths `W, W1, S, F, P` of a format of the catalogue as its const parameters,
 /// and after them a type, if one is given in brackets. The function returns a
 /// `Result` with an [`EmitError`], which is also the answer to any other depth word.
@@ -276,7 +108,7 @@ pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
     let modules = merge::modules(&scope)?;
     let top = request.unit.name().to_owned();
     let ports = ports(&scope);
-    let latency = request.unit.latency(&request.shape());
+    let latency = request.latency();
     let mut text = header(request, &ports, latency);
     for (name, body) in &modules {
         let _ = write!(text, "\nmodule {name}{body}\nendmodule\n");
@@ -339,16 +171,18 @@ fn with_block_of_format<
         }
         Unit::SquareRootIterative => task.run(SquareRootIterative::<F, W, W1, S>::new()),
         Unit::SquareRootRows => task.run(SquareRootRows::<F, W, W1, S>::new(
-            kept_digits(W),
+            request.digits(),
             rows_per_stage,
         )),
         Unit::SquareRootLeading => task.run(SquareRootLeading::<F, W, W1, S>::new(
-            kept_digits(W),
+            request.digits(),
             rows_per_stage,
         )),
-        Unit::SquareRootLinear => task.run(SquareRootLinear::<F, W, W1>::new(LINEAR_CORRECTIONS)),
+        Unit::SquareRootLinear => {
+            task.run(SquareRootLinear::<F, W, W1>::new(request.corrections()))
+        }
         Unit::SquareRootQuadratic => task.run(SquareRootQuadratic::<F, W, W1, P>::new(
-            QUADRATIC_CORRECTIONS,
+            request.corrections(),
         )),
         Unit::QuadricPe => task.run(QuadricPe::<W, W1, S, F>::new(rows_per_stage)),
         Unit::PlaneDepth => task.run(PlaneDepth::<W, P>::new()),
@@ -390,7 +224,7 @@ fn header(request: &EmitRequest, ports: &[Port], latency: usize) -> String {
     let _ = writeln!(text, "// {}: {}", unit.name(), unit.contract());
     let _ = writeln!(text, "//");
     let _ = writeln!(text, "// parameters: format {}", request.depth_word);
-    for (option, value) in unit.options(&request.shape()) {
+    for (option, value) in request.options() {
         let _ = writeln!(text, "//             {} {value}", option.replace('-', " "));
     }
     let _ = writeln!(

@@ -13,7 +13,7 @@ use crate::signal::Signal;
 use crate::subject::{Golden, Hardware, Inputs, Stimulus, Subject};
 use imogene_models::format::{Format, FormatError};
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Direction, EmitRequest, emit};
+use imogene_rtl::emit::{Direction, EmitError, EmitRequest, emit};
 use imogene_rtl::simulator::{UnitSimulator, unit_simulator};
 use thiserror::Error;
 
@@ -28,6 +28,25 @@ pub struct Parameters {
     pub rows_per_stage: usize,
     /// Inputs of the decider.
     pub objects: usize,
+    /// Digits that a shortened square root keeps; the unit's own choice if not given.
+    pub digits: Option<usize>,
+    /// Corrections of an approximate square root; the unit's own choice if not given.
+    pub corrections: Option<usize>,
+}
+
+impl Parameters {
+    /// The unit of these parameters, to be emitted.
+    pub fn request(&self, unit: Unit) -> EmitRequest {
+        EmitRequest {
+            unit,
+            depth_word: self.depth_word as usize,
+            planes: self.planes,
+            rows_per_stage: self.rows_per_stage,
+            objects: self.objects,
+            digits: self.digits,
+            corrections: self.corrections,
+        }
+    }
 }
 
 impl Default for Parameters {
@@ -37,6 +56,8 @@ impl Default for Parameters {
             planes: 3,
             rows_per_stage: 1,
             objects: 4,
+            digits: None,
+            corrections: None,
         }
     }
 }
@@ -50,18 +71,9 @@ pub enum UnitError {
     /// Not a format.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// A count out of its range.
-    #[error("{name} is {value}; accepted: {low} to {high}")]
-    Range {
-        /// Option.
-        name: &'static str,
-        /// Given value.
-        value: usize,
-        /// Least accepted.
-        low: usize,
-        /// Greatest accepted.
-        high: usize,
-    },
+    /// A parameter out of its range, or one that the unit does not have.
+    #[error("{0}")]
+    Parameter(EmitError),
 }
 
 /// Units that can be co-simulated on their own.
@@ -93,22 +105,10 @@ pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError>
         return Err(UnitError::Unknown(name.to_string()));
     }
     let format = Format::new(parameters.depth_word)?;
-    check_range("planes", parameters.planes, 0, 12)?;
-    check_range(
-        "rows-per-stage",
-        parameters.rows_per_stage,
-        1,
-        format.root as usize,
-    )?;
-    check_range("objects", parameters.objects, 1, 256)?;
-    let request = EmitRequest {
-        unit: Unit::from_name(name).expect("the names are those of the catalogue"),
-        depth_word: parameters.depth_word as usize,
-        planes: parameters.planes,
-        rows_per_stage: parameters.rows_per_stage,
-        objects: parameters.objects,
-    };
-    let unit = describe(name, format, parameters);
+    let unit = Unit::from_name(name).expect("the names are those of the catalogue");
+    let request = parameters.request(unit);
+    request.check().map_err(UnitError::Parameter)?;
+    let unit = describe(&request, format);
     let (inputs, outputs) = (unit.inputs.clone(), unit.outputs.clone());
     Ok(Subject {
         name: unit.name,
@@ -117,24 +117,17 @@ pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError>
         hardware: Box::new(move || Box::new(UnitHardware::new(&request, &inputs, &outputs))),
         golden: unit.golden,
         stimulus: unit.stimulus,
-        options: format!(
-            "--format {} --planes {} --rows-per-stage {} --objects {}",
-            parameters.depth_word, parameters.planes, parameters.rows_per_stage, parameters.objects
-        ),
+        options: options(&request),
     })
 }
 
-fn check_range(name: &'static str, value: usize, low: usize, high: usize) -> Result<(), UnitError> {
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(UnitError::Range {
-            name,
-            value,
-            low,
-            high,
-        })
+/// The options that the unit has, as on the command line.
+fn options(request: &EmitRequest) -> String {
+    let mut text = format!("--format {}", request.depth_word);
+    for (option, value) in request.options() {
+        text += &format!(" --{option} {value}");
     }
+    text
 }
 
 /// What a file of this module states of a unit; its hardware is the emitted unit of the same name.
@@ -146,17 +139,17 @@ struct Description {
     stimulus: Stimulus,
 }
 
-fn describe(name: &str, format: Format, p: Parameters) -> Description {
-    match name {
+fn describe(p: &EmitRequest, format: Format) -> Description {
+    match p.unit.name() {
         "pe1" => elementary::pe1(format.sum),
         "pe2" => elementary::pe2(format.quadratic),
         "square_root" => root::square_root(format, p.rows_per_stage),
         "square_root_non_restoring" => root_family::non_restoring(format, p.rows_per_stage),
         "square_root_iterative" => root_family::iterative(format),
-        "square_root_rows" => root_family::rows(format, p.rows_per_stage),
-        "square_root_leading" => root_family::leading(format, p.rows_per_stage),
-        "square_root_linear" => root_family::linear(format),
-        "square_root_quadratic" => root_family::quadratic(format),
+        "square_root_rows" => root_family::rows(format, p.digits() as u32, p.rows_per_stage),
+        "square_root_leading" => root_family::leading(format, p.digits() as u32, p.rows_per_stage),
+        "square_root_linear" => root_family::linear(format, p.corrections() as u32),
+        "square_root_quadratic" => root_family::quadratic(format, p.corrections() as u32),
         "quadric_pe" => root::quadric_pe(format, p.rows_per_stage),
         "depth_interval" => depth::depth_interval(format),
         "plane_depth" => depth::plane_depth(format),

@@ -10,30 +10,24 @@ use imogene_models::unit::root::iterative::IterativeRoot;
 use imogene_models::unit::root::{Method, root};
 use proptest::prelude::*;
 
-/// Corrections of the emitted approximations.
-const LINEAR: Method = Method::Linear { corrections: 2 };
-const QUADRATIC: Method = Method::Quadratic { corrections: 1 };
-
 pub(super) fn non_restoring(format: Format, rows_per_stage: usize) -> Description {
     network(format, Method::NonRestoring, rows_per_stage)
 }
 
-pub(super) fn rows(format: Format, rows_per_stage: usize) -> Description {
-    let kept = format.root / 2;
+pub(super) fn rows(format: Format, kept: u32, rows_per_stage: usize) -> Description {
     network(format, Method::Rows { kept }, rows_per_stage)
 }
 
-pub(super) fn leading(format: Format, rows_per_stage: usize) -> Description {
-    let kept = format.root / 2;
+pub(super) fn leading(format: Format, kept: u32, rows_per_stage: usize) -> Description {
     network(format, Method::Leading { kept }, rows_per_stage)
 }
 
-pub(super) fn linear(format: Format) -> Description {
-    network(format, LINEAR, 1)
+pub(super) fn linear(format: Format, corrections: u32) -> Description {
+    network(format, Method::Linear { corrections }, 1)
 }
 
-pub(super) fn quadratic(format: Format) -> Description {
-    network(format, QUADRATIC, 1)
+pub(super) fn quadratic(format: Format, corrections: u32) -> Description {
+    network(format, Method::Quadratic { corrections }, 1)
 }
 
 /// A free running member: one radicand and one result each clock.

@@ -1,0 +1,152 @@
+//! A unit with its parameters: legal ranges, latency, and the command line that emits it.
+
+use super::EmitError;
+use crate::catalogue::Unit;
+use crate::format::{DEPTH_WORDS, MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES};
+use std::fmt::Write;
+
+/// What to emit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EmitRequest {
+    /// The unit.
+    pub unit: Unit,
+    /// Depth word `W` of the format.
+    pub depth_word: usize,
+    /// Cut planes of an object, 0 to 12.
+    pub planes: usize,
+    /// Rows of the root network between registers, 1 to `W`.
+    pub rows_per_stage: usize,
+    /// Object slots, 1 to 256.
+    pub objects: usize,
+    /// Digits that a shortened square root keeps, 1 to `W`; half of them if not given, as in the experiment of section B.10.
+    pub digits: Option<usize>,
+    /// Corrections of an approximate square root, 0 to 2; if not given, the fewest that stay under 1 % (section 4.1.2).
+    pub corrections: Option<usize>,
+}
+
+impl EmitRequest {
+    /// A unit at the base format 24, with 3 planes, 1 row per stage and 4 objects.
+    pub fn new(unit: Unit) -> Self {
+        Self {
+            unit,
+            depth_word: 24,
+            planes: 3,
+            rows_per_stage: 1,
+            objects: 4,
+            digits: None,
+            corrections: None,
+        }
+    }
+
+    /// Digits that the unit keeps.
+    pub fn digits(&self) -> usize {
+        self.digits.unwrap_or(self.depth_word / 2)
+    }
+
+    /// Corrections that the unit makes.
+    pub fn corrections(&self) -> usize {
+        let fewest = if self.unit == Unit::SquareRootLinear {
+            2
+        } else {
+            1
+        };
+        self.corrections.unwrap_or(fewest)
+    }
+
+    /// Checks every parameter against its legal range.
+    pub fn check(&self) -> Result<(), EmitError> {
+        check_format(self.depth_word)?;
+        check_range("planes", self.planes, 0, MOST_PLANES)?;
+        check_range("rows per stage", self.rows_per_stage, 1, self.depth_word)?;
+        check_range("objects", self.objects, 1, MOST_OBJECTS)?;
+        check_range("digits", self.digits(), 1, self.depth_word)?;
+        check_range("corrections", self.corrections(), 0, MOST_CORRECTIONS)?;
+        let given = [("digits", self.digits), ("corrections", self.corrections)];
+        let has = |name| self.unit.parameters().iter().any(|p| p.option == name);
+        match given
+            .iter()
+            .find(|(name, value)| value.is_some() && !has(*name))
+        {
+            Some((parameter, _)) => Err(EmitError::Foreign {
+                parameter,
+                unit: self.unit.name(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Options of the command line and their values.
+    pub fn options(&self) -> Vec<(&'static str, usize)> {
+        let value = |option| match option {
+            "planes" => self.planes,
+            "rows-per-stage" => self.rows_per_stage,
+            "digits" => self.digits(),
+            "corrections" => self.corrections(),
+            _ => self.objects,
+        };
+        let parameters = self.unit.parameters().iter();
+        parameters.map(|p| (p.option, value(p.option))).collect()
+    }
+
+    /// Latency in clocks.
+    pub fn latency(&self) -> usize {
+        let root = self.depth_word.div_ceil(self.rows_per_stage);
+        let short_root = self.digits().div_ceil(self.rows_per_stage);
+        let tree = self.objects.next_power_of_two().trailing_zeros() as usize;
+        match self.unit {
+            Unit::SquareRoot | Unit::SquareRootNonRestoring => root,
+            Unit::SquareRootIterative => self.depth_word,
+            Unit::SquareRootRows => short_root,
+            Unit::SquareRootLeading => short_root + 2,
+            Unit::SquareRootLinear => 1 + 2 * self.corrections(),
+            Unit::SquareRootQuadratic => 3 + 2 * self.corrections(),
+            Unit::QuadricPe => root + 2,
+            Unit::PlaneDepth => 2,
+            Unit::NormalUnit => 3,
+            Unit::QuadricProcessor => root + self.planes + 7,
+            Unit::Decider => tree,
+            Unit::Beam => 1 + (root + self.planes + 7) + tree,
+            _ => 1,
+        }
+    }
+
+    /// The command line that makes the same text.
+    pub fn command(&self) -> String {
+        let mut command = format!(
+            "imogene emit {} --format {}",
+            self.unit.name(),
+            self.depth_word
+        );
+        for (option, value) in self.options() {
+            let _ = write!(command, " --{option} {value}");
+        }
+        command + " --out DIR"
+    }
+}
+
+/// Refuses a format outside the catalogue.
+fn check_format(depth_word: usize) -> Result<(), EmitError> {
+    if DEPTH_WORDS.contains(&depth_word) {
+        Ok(())
+    } else {
+        Err(EmitError::Format { value: depth_word })
+    }
+}
+
+fn check_range(
+    parameter: &'static str,
+    value: usize,
+    least: usize,
+    most: usize,
+) -> Result<(), EmitError> {
+    if (least..=most).contains(&value) {
+        Ok(())
+    } else {
+        Err(EmitError::Range {
+            parameter,
+            value,
+            least,
+            most,
+        })
+    }
+}
