@@ -5,6 +5,7 @@
 //! [`trace`] writes the waveforms of both.
 
 pub mod engine;
+pub mod extremes;
 pub mod icarus;
 pub mod random;
 pub mod report;

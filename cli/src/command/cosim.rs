@@ -1,6 +1,6 @@
 //! `imogene cosim`.
 
-use super::{describe, emit_request, frame_scene, threads, verdict};
+use super::{describe, emit_request, extremes, frame_scene, threads, verdict};
 use crate::arguments::{Cosim, EngineName};
 use crate::failure::Failure;
 use crate::output;
@@ -18,6 +18,9 @@ const TRACE_CLOCKS: u64 = 2_000;
 
 /// Compares hardware and golden model.
 pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
+    if extremes::is_meant(&options.subject) {
+        return extremes::run(&options.subject, json);
+    }
     let report = if unit::NAMES.contains(&options.subject.as_str()) {
         run_unit(options)?
     } else {
@@ -38,6 +41,8 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         planes: shape.planes,
         rows_per_stage: shape.rows_per_stage,
         objects: shape.objects,
+        digits: shape.digits,
+        corrections: shape.corrections,
     };
     let subject = unit::subject(&options.subject, parameters).map_err(Failure::input)?;
     if options.inject_fault.is_some() {

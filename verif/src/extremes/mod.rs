@@ -1,0 +1,181 @@
+//! Named cases at the extremes of numbers and geometry, each with a stated result (sections 17 and 13.8 of the restatement of the source).
+//!
+//! A scene runs through the hardware, which must equal the golden machine on every clock, and its picture must be the exact one at every
+//! pixel that the words decide, with every depth within its proven bound; then the statement of the case itself is checked. A scene that
+//! cannot be drawn must be refused with a message that says why. A unit runs over a stimulus written for the case.
+
+mod pictures;
+mod scenes;
+mod units;
+
+use crate::engine::rust_hdl::RustHdl;
+use crate::report::Report;
+use crate::scene::{self, Options};
+use crate::subject::{Inputs, Subject};
+use crate::unit::{Parameters, subject};
+use imogene_models::format::Format;
+use imogene_models::prepare::prepare;
+use imogene_models::scene::{FramedScene, SceneFile};
+use pictures::Pictures;
+use serde::Serialize;
+
+/// What is run, and what must come of it.
+enum Case {
+    /// A scene that is drawn, and what its picture must show.
+    Drawn {
+        text: &'static str,
+        claim: fn(&Pictures) -> Result<(), String>,
+    },
+    /// A scene that is drawn, but of which the check says that its silhouette has no bound.
+    Flagged { text: &'static str },
+    /// A scene that is refused with a message that holds these words.
+    Refused {
+        text: &'static str,
+        says: &'static [&'static str],
+    },
+    /// A stimulus of a unit.
+    Unit {
+        unit: &'static str,
+        stimulus: fn(&Subject) -> Vec<Inputs>,
+    },
+}
+
+/// A named case.
+pub struct Extreme {
+    /// Name, without `extremes/`.
+    pub name: &'static str,
+    /// Item of the list of extremes: of section 17, or 13.8.
+    pub item: &'static str,
+    /// What happens, and why that is right.
+    pub outcome: &'static str,
+    case: Case,
+}
+
+/// What came of a case.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// Name, with `extremes/`.
+    pub name: String,
+    /// What had to happen.
+    pub outcome: &'static str,
+    /// It happened.
+    pub held: bool,
+    /// The refusal that came, or what went wrong.
+    pub detail: String,
+    /// The co-simulation, if one ran.
+    pub cosimulation: Option<Report>,
+}
+
+/// All cases.
+pub fn all() -> impl Iterator<Item = &'static Extreme> {
+    scenes::CASES.iter().chain(units::CASES)
+}
+
+/// A case by its name, without `extremes/`.
+pub fn find(name: &str) -> Option<&'static Extreme> {
+    all().find(|extreme| extreme.name == name)
+}
+
+impl Extreme {
+    /// Runs the case.
+    pub fn run(&self) -> Finding {
+        let (report, result) = match &self.case {
+            Case::Drawn { text, claim } => self.draw(text, *claim),
+            Case::Flagged { text } => self.flag(text),
+            Case::Refused { text, says } => (None, self.refuse(text, says)),
+            Case::Unit { unit, stimulus } => drive(unit, *stimulus),
+        };
+        let (held, detail) = match result {
+            Ok(detail) => (true, detail),
+            Err(detail) => (false, detail),
+        };
+        Finding {
+            name: format!("extremes/{}", self.name),
+            outcome: self.outcome,
+            held,
+            detail,
+            cosimulation: report,
+        }
+    }
+
+    fn framed(&self, text: &str) -> Result<FramedScene, String> {
+        let file = SceneFile::parse(text, self.name).map_err(|e| e.to_string())?;
+        file.frame(file.image.width, file.image.height)
+            .map_err(|e| e.to_string())
+    }
+
+    fn draw(
+        &self,
+        text: &str,
+        claim: fn(&Pictures) -> Result<(), String>,
+    ) -> (Option<Report>, Result<String, String>) {
+        match self.cosimulate(text) {
+            Err(refusal) => (None, Err(refusal)),
+            Ok((report, pictures)) => {
+                let result = agreement(&report)
+                    .and_then(|()| pictures.agree())
+                    .and_then(|()| claim(&pictures))
+                    .map(|()| String::new());
+                (Some(report), result)
+            }
+        }
+    }
+
+    fn flag(&self, text: &str) -> (Option<Report>, Result<String, String>) {
+        match self.cosimulate(text) {
+            Err(refusal) => (None, Err(refusal)),
+            Ok((report, pictures)) => {
+                let result = agreement(&report).and_then(|()| pictures.unbounded());
+                (Some(report), result)
+            }
+        }
+    }
+
+    fn cosimulate(&self, text: &str) -> Result<(Report, Pictures), String> {
+        let framed = self.framed(text)?;
+        let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
+        let options = Options {
+            rows_per_stage: 1,
+            bands: 2,
+            trace: None,
+            fault: None,
+        };
+        let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+        let (mut report, frame) =
+            scene::run(&prepared, &options, engine, || ()).map_err(|e| e.to_string())?;
+        report.subject = format!("extremes/{}", self.name);
+        report.reproduce = format!("imogene cosim extremes/{}", self.name);
+        Ok((report, Pictures::new(framed, prepared, frame)))
+    }
+
+    /// The scene must be refused, and the refusal must say why.
+    fn refuse(&self, text: &str, says: &[&str]) -> Result<String, String> {
+        let prepared = self
+            .framed(text)
+            .and_then(|framed| prepare(&framed, Format::BASE).map_err(|e| e.to_string()));
+        match prepared {
+            Ok(_) => Err("the scene was accepted".into()),
+            Err(message) if says.iter().all(|part| message.contains(part)) => Ok(message),
+            Err(message) => Err(format!("refused for another reason: {message}")),
+        }
+    }
+}
+
+/// Runs a unit over its stimulus.
+fn drive(
+    unit: &str,
+    stimulus: fn(&Subject) -> Vec<Inputs>,
+) -> (Option<Report>, Result<String, String>) {
+    let subject = subject(unit, Parameters::default()).expect("a unit of the catalogue");
+    let (report, _) = subject.run(&stimulus(&subject), false);
+    let result = agreement(&report).map(|()| String::new());
+    (Some(report), result)
+}
+
+fn agreement(report: &Report) -> Result<(), String> {
+    match report.first_mismatches.first() {
+        Some(first) => Err(first.to_string()),
+        None if report.passed() => Ok(()),
+        None => Err("nothing was compared".into()),
+    }
+}

@@ -1,0 +1,307 @@
+//! Extremes of single units: the words themselves at their ends.
+
+use super::{Case, Extreme};
+use crate::signal::Signal;
+use crate::subject::{Inputs, Subject};
+
+pub const CASES: &[Extreme] = &[
+    Extreme {
+        name: "f2-at-the-ends-of-its-word",
+        item: "17.3",
+        outcome: "f2 = 0, 1, 2^47 - 1: inside, with the roots 0, 1 and 11863283; f2 = -1, -2^47: outside. Presence is the sign bit, so that zero is inside.",
+        case: Case::Unit {
+            unit: "quadric_pe",
+            stimulus: f2_ends,
+        },
+    },
+    Extreme {
+        name: "smallest-radicands",
+        item: "17.10",
+        outcome: "Radicands 0 to 15 in the piecewise linear root: the floors of short words take over from the percentages; hardware and golden model floor at the same places.",
+        case: Case::Unit {
+            unit: "square_root_linear",
+            stimulus: smallest_radicands,
+        },
+    },
+    Extreme {
+        name: "radicands-at-powers-of-four",
+        item: "17.10",
+        outcome: "4^m - 1, 4^m, 4^m + 1 and the same of 2 * 4^m, up to the top bit: the places where the pair of octaves of an approximation changes.",
+        case: Case::Unit {
+            unit: "square_root_quadratic",
+            stimulus: powers_of_four,
+        },
+    },
+    Extreme {
+        name: "squares-and-their-neighbours",
+        item: "17.10",
+        outcome: "n^2 - 1, n^2, n^2 + 2n at both ends of the root and at every power of two: the only places where floor(sqrt) can step wrongly.",
+        case: Case::Unit {
+            unit: "square_root",
+            stimulus: squares,
+        },
+    },
+    Extreme {
+        name: "plane-ties",
+        item: "17.6",
+        outcome: "zp = zf, zp = zb, zf = zb, all three equal, at both ends of the word, for every kind of plane: the tests are closed, so a face in the plane stays.",
+        case: Case::Unit {
+            unit: "cut_plane",
+            stimulus: plane_ties,
+        },
+    },
+    Extreme {
+        name: "plane-slope-of-one",
+        item: "17.5",
+        outcome: "A plane of slope 0, +1 and -1 of the last place: depth steps by exactly one word a pixel through zero.",
+        case: Case::Unit {
+            unit: "plane_depth",
+            stimulus: plane_slopes,
+        },
+    },
+    Extreme {
+        name: "plane-past-its-word",
+        item: "17.5",
+        outcome: "A plane whose depth runs over both ends of the depth word: it is clamped one below the near end and at the far end, its sign kept, so that it removes all or nothing instead of wrapping.",
+        case: Case::Unit {
+            unit: "plane_depth",
+            stimulus: plane_past_its_word,
+        },
+    },
+    Extreme {
+        name: "lines-after-the-last",
+        item: "17.12",
+        outcome: "Line steps after the last line of a zone go on with the polynomial modulo 2^48: nothing but a start loads anew.",
+        case: Case::Unit {
+            unit: "pe2",
+            stimulus: lines_after_the_last,
+        },
+    },
+    Extreme {
+        name: "normal-without-length",
+        item: "17.15",
+        outcome: "K = 0 and g = 0 on every component, at every root: the normal is (0, 0, 0), an apex; with the greatest negative words the sum wraps as stated and nothing else happens.",
+        case: Case::Unit {
+            unit: "normal_unit",
+            stimulus: normal_words,
+        },
+    },
+    Extreme {
+        name: "roots-past-the-depth-word",
+        item: "17.4",
+        outcome: "f1 - r and f1 + r at and beside both ends of the depth word in all four classes: clamped where a solid reaches past an end, absent where all of it lies beyond.",
+        case: Case::Unit {
+            unit: "depth_interval",
+            stimulus: past_the_depth_word,
+        },
+    },
+];
+
+/// The least and greatest words of a signed port, and those about zero.
+fn ends(signal: &Signal) -> [i64; 7] {
+    let half = 1i64 << (signal.width - 1);
+    [-half, -half + 1, -1, 0, 1, half - 2, half - 1]
+}
+
+/// Inputs with some ports set and the others zero.
+fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
+    let value = |signal: &Signal| {
+        let found = set.iter().find(|(name, _)| *name == signal.name);
+        found.map_or(0, |&(_, value)| value)
+    };
+    debug_assert!(
+        set.iter()
+            .all(|(name, _)| subject.inputs.iter().any(|s| s.name == *name))
+    );
+    subject.inputs.iter().map(value).collect()
+}
+
+/// Clocks that carry nothing, until the last result is out.
+fn flushed(subject: &Subject, mut stimulus: Vec<Inputs>) -> Vec<Inputs> {
+    stimulus.extend(std::iter::repeat_n(inputs(subject, &[]), 40));
+    stimulus
+}
+
+fn f2_ends(subject: &Subject) -> Vec<Inputs> {
+    // The f1 processor starts later than the f2 processor, so each start is followed by a pause.
+    let starts = [0, 1, (1 << 47) - 1, -1, -(1 << 47)]
+        .iter()
+        .flat_map(|&f2| {
+            let start = [("valid", 1), ("start", 1), ("f2_f", f2)];
+            let pause = [("f2_f", f2)];
+            std::iter::once(inputs(subject, &start))
+                .chain(std::iter::repeat_n(inputs(subject, &pause), 40))
+        });
+    starts.collect()
+}
+
+fn radicands(subject: &Subject, values: impl Iterator<Item = u64>) -> Vec<Inputs> {
+    let one = |value: u64| inputs(subject, &[("radicand", value as i64)]);
+    flushed(subject, values.map(one).collect())
+}
+
+fn smallest_radicands(subject: &Subject) -> Vec<Inputs> {
+    radicands(subject, 0..16)
+}
+
+fn powers_of_four(subject: &Subject) -> Vec<Inputs> {
+    let octaves = (0..48).flat_map(|place| {
+        let power = 1u64 << place;
+        [power - 1, power, power + 1]
+    });
+    radicands(subject, octaves.chain([(1 << 48) - 1]))
+}
+
+fn squares(subject: &Subject) -> Vec<Inputs> {
+    let roots = (0..24).flat_map(|place| {
+        let power = 1u64 << place;
+        [power - 1, power, power + 1]
+    });
+    let last = (1u64 << 24) - 1;
+    let around = |n: u64| [(n * n).saturating_sub(1), n * n, n * n + 2 * n];
+    radicands(subject, roots.chain([last - 1, last]).flat_map(around))
+}
+
+fn plane_ties(subject: &Subject) -> Vec<Inputs> {
+    let words = ends(&subject.inputs[3]);
+    let mut stimulus = Vec::new();
+    for kind in 0..4 {
+        for surface in 0..2 {
+            for zf in words {
+                for zb in words.into_iter().filter(|zb| *zb >= zf) {
+                    for zp in words {
+                        let set = [
+                            ("kind", kind),
+                            ("surface", surface),
+                            ("number", 5),
+                            ("zp", zp),
+                            ("zf", zf),
+                            ("zb", zb),
+                            ("nb", 1),
+                        ];
+                        stimulus.push(inputs(subject, &set));
+                    }
+                }
+            }
+        }
+    }
+    stimulus
+}
+
+/// One line of `pixels` pixels of a plane.
+fn plane_line(subject: &Subject, a: i64, c: i64, pixels: usize) -> Vec<Inputs> {
+    let start = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
+    let next = inputs(subject, &[("valid", 1)]);
+    std::iter::once(start)
+        .chain(std::iter::repeat_n(next, pixels - 1))
+        .collect()
+}
+
+fn plane_slopes(subject: &Subject) -> Vec<Inputs> {
+    let lines = [(0, 0), (1, -20), (-1, 20)];
+    let lines = lines
+        .iter()
+        .flat_map(|&(a, c)| plane_line(subject, a, c, 41));
+    flushed(subject, lines.collect())
+}
+
+fn plane_past_its_word(subject: &Subject) -> Vec<Inputs> {
+    let far = 1i64 << 23;
+    let through = (far - 1) / 40;
+    let lines = [
+        (1, far - 20),
+        (-1, 20 - far),
+        (through, -2 * far),
+        (-through, 2 * far),
+        (0, (1 << 35) - 1),
+        (0, -(1 << 35)),
+    ];
+    let lines = lines
+        .iter()
+        .flat_map(|&(a, c)| plane_line(subject, a, c, 200));
+    flushed(subject, lines.collect())
+}
+
+fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
+    let words = [
+        ("a2", 6),
+        ("b2", -10),
+        ("c", 7),
+        ("p0", 1 << 40),
+        ("i0", -(1 << 45)),
+        ("f", (1 << 47) - 5),
+    ];
+    let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, &words].concat());
+    let line = std::iter::once(with(&[("valid", 1), ("line", 1)]))
+        .chain(std::iter::repeat_n(with(&[("valid", 1)]), 3));
+    let first = with(&[("valid", 1), ("start", 1)]);
+    std::iter::once(first)
+        .chain(std::iter::repeat_n(line, 64).flatten())
+        .collect()
+}
+
+fn normal_words(subject: &Subject) -> Vec<Inputs> {
+    let mut stimulus = Vec::new();
+    for (g, k) in [
+        (0, 0),
+        (0, -(1 << 15)),
+        (-(1 << 23), 0),
+        (-(1 << 23), -(1 << 15)),
+        ((1 << 23) - 1, -(1 << 15)),
+    ] {
+        for root in [0, 1, (1 << 24) - 1] {
+            for number in [0, 1, 2, 15] {
+                let set = [
+                    ("valid", 1),
+                    ("start", 1),
+                    ("number", number),
+                    ("root", root),
+                    ("gx_c", g),
+                    ("gy_c", g),
+                    ("gz_c", g),
+                    ("kx", k),
+                    ("ky", k),
+                    ("kz", k),
+                ];
+                stimulus.push(inputs(subject, &set));
+            }
+        }
+    }
+    flushed(subject, stimulus)
+}
+
+fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
+    let far = (1i64 << 23) - 1;
+    let depths = [
+        -(1 << 25),
+        -far - 2,
+        -far - 1,
+        -far,
+        -far + 1,
+        -1,
+        0,
+        1,
+        far - 1,
+        far,
+        far + 1,
+        (1 << 25) - 1,
+    ];
+    let mut stimulus = Vec::new();
+    for class in 0..4 {
+        for (place, &near) in depths.iter().enumerate() {
+            for &far in &depths[place..] {
+                for inside in 0..2 {
+                    let set = [
+                        ("near_sum", near),
+                        ("far_sum", far),
+                        ("is_inside", inside),
+                        ("in_box", 1),
+                        ("object_class", class),
+                    ];
+                    stimulus.push(inputs(subject, &set));
+                }
+            }
+        }
+    }
+    flushed(subject, stimulus)
+}
