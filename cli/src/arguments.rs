@@ -92,6 +92,9 @@ pub struct Emit {
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,
+    /// One file for each module, and UNIT.f that lists them, instead of the one file UNIT.v.
+    #[arg(long)]
+    pub split: bool,
 }
 
 /// Which model draws.

@@ -142,6 +142,25 @@ fn emit_reports_top_files_latency_and_ports() {
 }
 
 #[test]
+fn emit_split_writes_each_module_once_and_lists_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let report = json(&["emit", "quadric_pe", "--split", "--out", out]);
+    let list = std::fs::read_to_string(folder.path().join("quadric_pe.f")).unwrap();
+    assert_eq!(list.lines().last(), Some("quadric_pe.v"));
+    assert_eq!(
+        list.lines().count() as u64,
+        report["modules"].as_u64().unwrap()
+    );
+    for file in list.lines() {
+        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let module = file.strip_suffix(".v").unwrap();
+        assert_eq!(text.matches("\nmodule ").count(), 1, "{file}");
+        assert!(text.contains(&format!("\nmodule {module} (")), "{file}");
+    }
+}
+
+#[test]
 fn units_prepare_and_check_answer_in_json() {
     let units = json(&["units"]);
     let names: Vec<&str> = units

@@ -10,15 +10,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let directory = std::env::args().nth(1);
     for unit in Unit::ALL {
         let emitted = emit(&EmitRequest::new(unit))?;
-        for (name, text) in &emitted.files {
-            println!(
-                "{name}: {} lines, {} modules",
-                text.lines().count(),
-                emitted.modules
-            );
-            if let Some(directory) = &directory {
-                std::fs::write(Path::new(directory).join(name), text)?;
-            }
+        let text = emitted.bundle();
+        println!(
+            "{}: {} lines, {} modules",
+            emitted.top,
+            text.lines().count(),
+            emitted.modules.len()
+        );
+        if let Some(directory) = &directory {
+            std::fs::write(
+                Path::new(directory).join(format!("{}.v", emitted.top)),
+                text,
+            )?;
         }
     }
     Ok(())

@@ -37,11 +37,7 @@ pub fn synthesise(
     options: &Options,
 ) -> Result<SynthReport, SynthError> {
     let emitted = emit(request)?;
-    let text: String = emitted
-        .files
-        .iter()
-        .map(|(_, text)| text.as_str())
-        .collect();
+    let text = emitted.bundle();
     let yosys = Program::Yosys.find()?;
     let router = Program::router(target.family())
         .map(Program::find)

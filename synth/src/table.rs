@@ -171,10 +171,8 @@ pub fn is_current(text: &str) -> Result<bool, SynthError> {
 fn verilog_digest(rows: &[Row]) -> Result<String, SynthError> {
     let mut all = String::new();
     for row in rows {
-        for (_, text) in emit(&row.request)?.files {
-            all += &digest(&text);
-            all += "\n";
-        }
+        all += &digest(&emit(&row.request)?.bundle());
+        all += "\n";
     }
     Ok(digest(&all))
 }

@@ -53,9 +53,7 @@ fn icarus_accepts_it_without_a_warning() {
     ] {
         let unit = emitted(unit);
         let mut text = harness::verilog(&unit);
-        for (_, file) in &unit.files {
-            text += file;
-        }
+        text += &unit.bundle();
         let path = folder.path().join("harness.v");
         std::fs::write(&path, text).expect("a file");
         let output = Command::new("iverilog")

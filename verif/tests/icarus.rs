@@ -13,11 +13,7 @@ fn check(name: &str, parameters: Parameters) {
     let unit = Unit::from_name(name).expect("a unit of the catalogue");
     let request = parameters.request(unit);
     let emitted = emit(&request).expect("a legal request");
-    let text: String = emitted
-        .files
-        .iter()
-        .map(|(_, text)| text.as_str())
-        .collect();
+    let text = emitted.bundle();
     let subject = subject(name, parameters).expect("a legal subject");
     let mut pixels = 0;
     for seed in 0..STIMULI {

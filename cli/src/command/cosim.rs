@@ -64,7 +64,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         }
         EngineName::Icarus => {
             let emitted = emit(&emit_request(&options.subject, shape)?).map_err(Failure::input)?;
-            let text: String = emitted.files.iter().map(|(_, t)| t.as_str()).collect();
+            let text = emitted.bundle();
             let stimuli = random::stimuli(&subject, options.clocks, options.seed);
             (
                 icarus::run_all(&subject, &emitted.top, &text, &stimuli).map_err(Failure::input)?,

@@ -32,13 +32,13 @@ struct PortEntry {
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     let request = emit_request(&options.unit, options.shape)?;
-    let (emitted, files) = write_verilog(&request, &options.out)?;
+    let (emitted, files) = write_verilog(&request, &options.out, options.split)?;
     let report = EmitReport {
         unit: request.unit.name(),
         top: emitted.top.clone(),
         files,
         latency: emitted.latency,
-        modules: emitted.modules,
+        modules: emitted.modules.len(),
         ports: emitted.ports.iter().map(port).collect(),
     };
     if json {
@@ -58,14 +58,23 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Emits and writes; returns what was emitted and the files.
+/// Emits and writes one file, or one for each module and a list of them; returns what was emitted and the files.
 pub fn write_verilog(
     request: &EmitRequest,
     folder: &Path,
+    split: bool,
 ) -> Result<(Emitted, Vec<PathBuf>), Failure> {
     let emitted = emit(request).map_err(Failure::input)?;
+    let texts = if split {
+        let mut texts = emitted.files();
+        let names: Vec<String> = texts.iter().map(|(name, _)| format!("{name}\n")).collect();
+        texts.push((format!("{}.f", emitted.top), names.concat()));
+        texts
+    } else {
+        vec![(format!("{}.v", emitted.top), emitted.bundle())]
+    };
     let mut files = Vec::new();
-    for (name, text) in &emitted.files {
+    for (name, text) in &texts {
         let path = folder.join(name);
         write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
         files.push(path);

@@ -52,11 +52,8 @@ impl EmitError {
         }
     }
 
-    pub(super) fn nested(operator: &str) -> Self {
-        Self::block(
-            operator,
-            "has operands of different types, or other than names and constants",
-        )
+    pub(super) fn mixed(operator: &str) -> Self {
+        Self::block(operator, "has operands of types that do not go together")
     }
 }
 

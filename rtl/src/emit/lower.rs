@@ -1,8 +1,8 @@
 //! From rust-hdl's expression tree to typed expressions over resolved names.
 //!
 //! rust-hdl prints its tree token by token, without Verilog's rules of width and precedence, so that its text and its simulation
-//! can differ. Here every expression carries the width and sign Rust gave it, and a form in which Verilog would compute with
-//! another width is refused: the operands of an arithmetic operation or comparison must be names or constants.
+//! can differ. Here every expression carries the width and sign Rust gave it, and where Verilog would compute a part of it with
+//! another width or sign, that part gets a wire of its own type: the operands of arithmetic, comparisons and cuts are names or constants.
 
 use super::EmitError;
 use super::collect::Scope;
@@ -59,12 +59,6 @@ pub struct Expression {
     pub of: Type,
 }
 
-impl Expression {
-    fn is_operand(&self) -> bool {
-        matches!(self.form, Form::Name(_) | Form::Literal(_))
-    }
-}
-
 /// A statement over resolved names; loops are unrolled.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Statement {
@@ -75,6 +69,8 @@ pub enum Statement {
 /// Names and statements of one module.
 pub struct Lowered {
     pub names: HashMap<String, Name>,
+    /// Local signals that the kernel does not name: parts of its expressions, in the order they are needed.
+    pub terms: Vec<String>,
     pub statements: Vec<Statement>,
 }
 
@@ -82,11 +78,15 @@ pub struct Lowered {
 pub fn lower(scope: &Scope, code: &VerilogBlock) -> Result<Lowered, EmitError> {
     let mut lowering = Lowering {
         names: names(scope),
+        terms: Vec::new(),
+        pending: Vec::new(),
+        branches: 0,
         loops: Vec::new(),
     };
     let statements = lowering.block(code)?;
     Ok(Lowered {
         names: lowering.names,
+        terms: lowering.terms,
         statements,
     })
 }
@@ -128,6 +128,10 @@ fn names(scope: &Scope) -> HashMap<String, Name> {
 
 struct Lowering {
     names: HashMap<String, Name>,
+    terms: Vec<String>,
+    /// Assignments of terms, to stand before the statement in work, outside of all branches.
+    pending: Vec<Statement>,
+    branches: usize,
     loops: Vec<(String, u64)>,
 }
 
@@ -140,9 +144,55 @@ impl Lowering {
     fn block(&mut self, code: &VerilogBlock) -> Result<Vec<Statement>, EmitError> {
         let mut statements = Vec::new();
         for statement in code {
-            statements.extend(self.statement(statement)?);
+            let lowered = self.statement(statement)?;
+            if self.branches == 0 {
+                statements.append(&mut self.pending);
+            }
+            statements.extend(lowered);
         }
         Ok(statements)
+    }
+
+    /// Gives a part of an expression a wire of its own.
+    fn term(&mut self, value: Expression) -> Expression {
+        let of = value.of;
+        let free = |number: &usize| !self.names.contains_key(&format!("term_{number}"));
+        let number = (self.terms.len() + 1..)
+            .find(free)
+            .expect("numbers do not end");
+        let name = format!("term_{number}");
+        let role = Role::Local;
+        self.names.insert(name.clone(), Name { role, of });
+        self.terms.push(name.clone());
+        self.pending.push(Statement::Assign(name.clone(), value));
+        Expression {
+            form: Form::Name(name),
+            of,
+        }
+    }
+
+    /// The expression as a name or constant of its type.
+    fn operand(&mut self, value: Expression) -> Expression {
+        let is_plain = match &value.form {
+            Form::Name(name) => self.names[name].of.signed == value.of.signed,
+            Form::Literal(_) => true,
+            _ => false,
+        };
+        if is_plain { value } else { self.term(value) }
+    }
+
+    /// The expression as a name.
+    fn named(&mut self, value: Expression) -> String {
+        match self.operand(value) {
+            Expression {
+                form: Form::Name(name),
+                ..
+            } => name,
+            constant => match self.term(constant).form {
+                Form::Name(name) => name,
+                _ => unreachable!("a term is a name"),
+            },
+        }
     }
 
     fn statement(&mut self, statement: &VerilogStatement) -> Result<Vec<Statement>, EmitError> {
@@ -174,22 +224,28 @@ impl Lowering {
 
     fn conditional(&mut self, conditional: &VerilogConditional) -> Result<Statement, EmitError> {
         let condition = self.expression(&conditional.test)?;
-        let then = self.block(&conditional.then)?;
+        self.branches += 1;
+        let then = self.block(&conditional.then);
         let otherwise = match &conditional.otherwise {
-            VerilogBlockOrConditional::Block(block) => self.block(block)?,
-            VerilogBlockOrConditional::Conditional(statement) => self.statement(statement)?,
-            VerilogBlockOrConditional::None => Vec::new(),
+            VerilogBlockOrConditional::Block(block) => self.block(block),
+            VerilogBlockOrConditional::Conditional(statement) => self.statement(statement),
+            VerilogBlockOrConditional::None => Ok(Vec::new()),
         };
+        self.branches -= 1;
+        let (then, otherwise) = (then?, otherwise?);
         Ok(Statement::If(condition, then, otherwise))
     }
 
     fn assignment(
-        &self,
+        &mut self,
         target: &VerilogExpression,
         value: &VerilogExpression,
     ) -> Result<Statement, EmitError> {
         let target = self.name(target)?;
-        let value = self.expression(value)?;
+        let mut value = self.expression(value)?;
+        if self.branches > 0 && is_product(&value) {
+            value = self.term(value);
+        }
         let width = self.of(&target)?.width;
         if value.of.width != width {
             return Err(EmitError::block(
@@ -244,13 +300,8 @@ impl Lowering {
         Ok(value as usize)
     }
 
-    fn bits(
-        &self,
-        of: &VerilogExpression,
-        low: usize,
-        width: usize,
-    ) -> Result<Expression, EmitError> {
-        let of = self.name(of)?;
+    /// Some bits of a name, a number with a sign if the name is one, as the word types have it.
+    fn bits(&self, of: String, low: usize, width: usize) -> Result<Expression, EmitError> {
         let whole = self.of(&of)?;
         if low + width > whole.width {
             return Err(EmitError::block(&of, "is cut beyond its width"));
@@ -264,20 +315,19 @@ impl Lowering {
                 low,
             }
         };
+        let signed = whole.signed;
         Ok(Expression {
             form,
-            of: Type {
-                width,
-                signed: false,
-            },
+            of: Type { width, signed },
         })
     }
 
-    fn cast(&self, of: &VerilogExpression, width: usize) -> Result<Expression, EmitError> {
-        let name = self.name(of)?;
+    fn cast(&mut self, of: &VerilogExpression, width: usize) -> Result<Expression, EmitError> {
+        let of = self.expression(of)?;
+        let name = self.named(of);
         let whole = self.of(&name)?;
         if width <= whole.width {
-            return self.bits(of, 0, width);
+            return self.bits(name, 0, width);
         }
         Ok(Expression {
             form: Form::Extended(name, whole),
@@ -288,7 +338,7 @@ impl Lowering {
         })
     }
 
-    fn expression(&self, expression: &VerilogExpression) -> Result<Expression, EmitError> {
+    fn expression(&mut self, expression: &VerilogExpression) -> Result<Expression, EmitError> {
         match expression {
             VerilogExpression::Signal(path) => {
                 let name = self.resolved(path)?;
@@ -312,8 +362,8 @@ impl Lowering {
             VerilogExpression::Signed(inner) => Ok(read_as(self.expression(inner)?, true)),
             VerilogExpression::Unsigned(inner) => Ok(read_as(self.expression(inner)?, false)),
             VerilogExpression::Cast(inner, width) => self.cast(inner, *width),
-            VerilogExpression::Slice(of, width, low) => self.bits(of, self.index(low)?, *width),
-            VerilogExpression::Index(of, place) => self.bits(of, self.index(place)?, 1),
+            VerilogExpression::Slice(of, width, low) => self.cut(of, low, *width),
+            VerilogExpression::Index(of, place) => Ok(read_as(self.cut(of, place, 1)?, false)),
             VerilogExpression::Unary(operation, operand) => self.unary(operation, operand),
             VerilogExpression::Binary(left, operation, right) => {
                 self.binary(left, operation, right)
@@ -325,12 +375,24 @@ impl Lowering {
         }
     }
 
+    fn cut(
+        &mut self,
+        of: &VerilogExpression,
+        low: &VerilogExpression,
+        width: usize,
+    ) -> Result<Expression, EmitError> {
+        let low = self.index(low)?;
+        let of = self.expression(of)?;
+        let name = self.named(of);
+        self.bits(name, low, width)
+    }
+
     fn unary(
-        &self,
+        &mut self,
         operation: &VerilogOpUnary,
         operand: &VerilogExpression,
     ) -> Result<Expression, EmitError> {
-        let operand = self.expression(operand)?;
+        let mut operand = self.expression(operand)?;
         let (operator, of) = match operation {
             VerilogOpUnary::Not => ("~", operand.of),
             VerilogOpUnary::Neg => ("-", operand.of),
@@ -338,8 +400,8 @@ impl Lowering {
             VerilogOpUnary::Any => ("|", BIT),
             VerilogOpUnary::Xor => ("^", BIT),
         };
-        if operator == "-" && !operand.is_operand() {
-            return Err(EmitError::nested(operator));
+        if operator == "-" || is_product(&operand) {
+            operand = self.operand(operand);
         }
         Ok(Expression {
             form: Form::Unary(operator, Box::new(operand)),
@@ -348,37 +410,46 @@ impl Lowering {
     }
 
     fn binary(
-        &self,
+        &mut self,
         left: &VerilogExpression,
         operation: &VerilogOp,
         right: &VerilogExpression,
     ) -> Result<Expression, EmitError> {
-        let left = self.expression(left)?;
-        let right = self.expression(right)?;
+        let mut left = self.expression(left)?;
+        let mut right = self.expression(right)?;
         let operator = operator(operation);
+        let is_bitwise = matches!(operator, "&" | "|" | "^");
+        if !is_bitwise || is_product(&left) || is_product(&right) {
+            left = self.operand(left);
+            right = self.operand(right);
+        }
         let same_width = left.of.width == right.of.width;
-        let operands = left.is_operand() && right.is_operand();
         let same_type = left.of == right.of;
         let of = match operator {
             "&" | "|" | "^" if same_width => Type {
                 width: left.of.width,
                 signed: left.of.signed && right.of.signed,
             },
-            "==" | "!=" if operands && same_width => BIT,
-            "<" | "<=" | ">" | ">=" if operands && same_type => BIT,
-            "+" | "-" if operands && same_type => left.of,
-            "<<" | ">>" if operands && !left.of.signed => left.of,
-            "*" if operands && same_type => Type {
+            "==" | "!=" if same_type => BIT,
+            "<" | "<=" | ">" | ">=" if same_type => BIT,
+            "+" | "-" if same_type => left.of,
+            "<<" | ">>" if !left.of.signed => left.of,
+            "*" if same_type => Type {
                 width: 2 * left.of.width,
                 signed: left.of.signed,
             },
-            _ => return Err(EmitError::nested(operator)),
+            _ => return Err(EmitError::mixed(operator)),
         };
         Ok(Expression {
             form: Form::Binary(Box::new(left), operator, Box::new(right)),
             of,
         })
     }
+}
+
+/// A product takes its width from its context, so it must stand alone.
+fn is_product(value: &Expression) -> bool {
+    matches!(value.form, Form::Binary(_, "*", _))
 }
 
 fn read_as(expression: Expression, signed: bool) -> Expression {

@@ -3,6 +3,7 @@
 use super::EmitError;
 use super::collect::{Kernel, Scope};
 use super::module::{body, is_port};
+use super::names::check_identifier;
 use rust_hdl::core::prelude::AtomKind;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -27,7 +28,10 @@ impl Merger {
     /// Number of the module of a scope; its sub-blocks come first.
     fn module(&mut self, scope: &Scope) -> Result<usize, EmitError> {
         let unit = match &scope.kernel {
-            Ok(Kernel::Statements { unit, .. }) => unit.clone(),
+            Ok(Kernel::Statements { unit, .. }) => {
+                check_identifier(unit)?;
+                unit.clone()
+            }
             Ok(Kernel::Register) => {
                 return Err(EmitError::block(&scope.instance, "is a bare register"));
             }

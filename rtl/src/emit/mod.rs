@@ -41,7 +41,7 @@ use crate::unit::two_volume_merge::TwoVolumeMerge;
 use collect::{Scope, collect};
 pub use error::EmitError;
 pub use request::EmitRequest;
-use rust_hdl::core::prelude::AtomKind;
+use rust_hdl::core::prelude::{AtomKind, Block};
 use std::fmt::Write;
 
 /// Direction of a port.
@@ -71,15 +71,47 @@ pub struct Port {
 pub struct Emitted {
     /// Name of the top module.
     pub top: String,
-    /// Names and texts of the files.
-    pub files: Vec<(String, String)>,
+    /// Comment that states parameters, latency, ports and the command that makes the text.
+    pub header: String,
+    /// Names and texts of the modules, leaves first, the top module last.
+    pub modules: Vec<(String, String)>,
     /// Ports of the top module, in its order.
     pub ports: Vec<Port>,
     /// Clocks from the first input of a computation to its result.
     pub latency: usize,
-    /// Modules in the files.
-    pub modules: usize,
 }
+
+impl Emitted {
+    /// All modules as the text of one file.
+    pub fn bundle(&self) -> String {
+        let mut text = self.header.clone();
+        for (_, module) in &self.modules {
+            text.push('\n');
+            text += module;
+        }
+        text
+    }
+
+    /// One file for each module, by name, leaves first: the form in which every linter finds each module where it looks for it.
+    pub fn files(&self) -> Vec<(String, String)> {
+        let text = |name: &str, module: &str| {
+            if name == self.top {
+                format!("{}\n{module}", self.header)
+            } else {
+                format!(
+                    "// {name}: part of {}; see there.\n// SPDX-License-Identifier: {LICENCE}\n\n{module}",
+                    self.top
+                )
+            }
+        };
+        let files = self.modules.iter();
+        files
+            .map(|(name, module)| (format!("{name}.v"), text(name, module)))
+            .collect()
+    }
+}
+
+const LICENCE: &str = "MIT OR Apache-2.0";
 
 /// Calls a function with the widths `W, W1, S, F, P` of a format of the catalogue as its const parameters,
 /// and after them a type, if one is given in brackets. The function returns a
@@ -105,21 +137,32 @@ macro_rules! for_format {
 /// When a parameter is out of its legal range; the error names the value and the range.
 pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
     let scope = with_block(request, Collect)?;
-    let modules = merge::modules(&scope)?;
-    let top = request.unit.name().to_owned();
     let ports = ports(&scope);
     let latency = request.latency();
-    let mut text = header(request, &ports, latency);
-    for (name, body) in &modules {
-        let _ = write!(text, "\nmodule {name}{body}\nendmodule\n");
-    }
     Ok(Emitted {
-        files: vec![(format!("{top}.v"), text)],
-        top,
+        top: request.unit.name().to_owned(),
+        header: header(request, &ports, latency),
+        modules: module_texts(merge::modules(&scope)?),
         ports,
         latency,
-        modules: modules.len(),
     })
+}
+
+/// Emits the modules of any block written as those of this crate: names and texts, leaves first.
+///
+/// # Errors
+///
+/// When rust-hdl's checks fail, or the block uses a form that the emitter does not take; the error names it.
+pub fn emit_block<B: Block>(block: B) -> Result<Vec<(String, String)>, EmitError> {
+    Ok(module_texts(merge::modules(&collect(block)?)?))
+}
+
+fn module_texts(modules: Vec<(String, String)>) -> Vec<(String, String)> {
+    let text = |(name, body): (String, String)| {
+        let text = format!("module {name}{body}\nendmodule\n");
+        (name, text)
+    };
+    modules.into_iter().map(text).collect()
 }
 
 /// What is done with the block of a unit, whatever its type.
@@ -253,6 +296,6 @@ fn header(request: &EmitRequest, ports: &[Port], latency: usize) -> String {
     }
     let _ = writeln!(text, "//");
     let _ = writeln!(text, "// Made by: {}", request.command());
-    let _ = writeln!(text, "// SPDX-License-Identifier: MIT OR Apache-2.0");
+    let _ = writeln!(text, "// SPDX-License-Identifier: {LICENCE}");
     text
 }

@@ -3,10 +3,17 @@
 //! Signals become `assign`s whose value is worked out over all branches, so that nothing depends on when a simulator wakes a
 //! block; registers become `reg`s in one clocked block with the branches of the kernel.
 
+mod flow;
+mod print;
+
 use super::EmitError;
 use super::collect::{Kernel, Net, Scope};
 use super::lower::{Expression, Form, Lowered, Role, Statement, Type, lower};
 use super::names::{check_identifier, instance, signal};
+use flow::{
+    check_order, drop_holds, drop_replaced, execute, filtered, ones, read, read_statements,
+};
+use print::{number, port, section, shape};
 use rust_hdl::core::prelude::AtomKind;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write;
@@ -28,7 +35,8 @@ struct Module<'a> {
     /// Names that another name stands for.
     aliases: HashMap<String, String>,
     clocked: Vec<Statement>,
-    used: HashSet<String>,
+    /// Names that are read, with ones at the bits that are.
+    used: HashMap<String, u64>,
 }
 
 impl<'a> Module<'a> {
@@ -47,11 +55,11 @@ impl<'a> Module<'a> {
             values,
             aliases: HashMap::new(),
             clocked,
-            used: HashSet::new(),
+            used: HashMap::new(),
         };
         module.check_clocks()?;
         module.find_aliases();
-        module.find_used();
+        module.drop_unread();
         module.check_identifiers()?;
         Ok(module)
     }
@@ -99,17 +107,33 @@ impl<'a> Module<'a> {
             .map_or(name, |source| self.source(source))
     }
 
-    fn find_used(&mut self) {
-        let mut used = HashSet::new();
-        for value in self.values.values() {
-            read(value, &mut |name| {
-                used.insert(self.source(name).to_owned());
-            });
+    /// Leaves out local signals that nothing reads, and what only they read.
+    fn drop_unread(&mut self) {
+        loop {
+            self.used = self.find_used();
+            let unread = |name: &String| {
+                self.lowered.names[name].role == Role::Local && !self.used.contains_key(name)
+            };
+            let Some(name) = self.values.keys().find(|name| unread(name)).cloned() else {
+                return;
+            };
+            self.values.remove(&name);
         }
-        read_statements(&self.clocked, &mut |name| {
-            used.insert(self.source(name).to_owned());
-        });
-        self.used = used;
+    }
+
+    fn find_used(&self) -> HashMap<String, u64> {
+        let mut used = HashMap::new();
+        let mut note = |name: &str, bits: u64| {
+            *used.entry(self.source(name).to_owned()).or_default() |= bits;
+        };
+        for value in self.values.values() {
+            read(value, &mut note);
+        }
+        read_statements(&self.clocked, &mut note);
+        if !self.clocked.is_empty() {
+            note("clock", 1);
+        }
+        used
     }
 
     fn check_identifiers(&self) -> Result<(), EmitError> {
@@ -139,17 +163,15 @@ impl<'a> Module<'a> {
         match self.lowered.names[name].role {
             Role::Constant(_) => self.is_parameter(name),
             Role::ChildInput(_) => self.needs_wire(name),
-            Role::ChildOutput(child) => {
-                !self.scope.children[child].is_register() && self.used.contains(name)
-            }
-            Role::Local => !self.aliases.contains_key(name),
+            Role::ChildOutput(child) => !self.scope.children[child].is_register(),
+            Role::Local => self.values.contains_key(name),
             Role::Input | Role::Output => true,
         }
     }
 
     /// A constant printed by name.
     fn is_parameter(&self, name: &str) -> bool {
-        self.used.contains(name)
+        self.used.contains_key(name)
             && !name.contains('$')
             && matches!(self.lowered.names[name].role, Role::Constant(_))
     }
@@ -160,16 +182,25 @@ impl<'a> Module<'a> {
         self.values.get(name).is_some_and(|value| !simple(value))
     }
 
+    /// An output of a sub-block that nothing reads; linters let a wire be unread whose name says so.
+    fn is_left_open(&self, name: &str) -> bool {
+        let is_output = matches!(self.lowered.names[name].role, Role::ChildOutput(_));
+        is_output && !self.used.contains_key(name)
+    }
+
     fn identifier(&self, name: &str) -> String {
         let name = self.source(name);
         match self.lowered.names[name].role {
             Role::ChildInput(child) | Role::ChildOutput(child) => {
                 let child = &self.scope.children[child];
                 let prefix = instance(&child.instance);
+                let port = &name[child.instance.len() + 1..];
                 if child.is_register() {
                     prefix
+                } else if self.is_left_open(name) {
+                    format!("unused_{prefix}_{}", signal(port))
                 } else {
-                    format!("{prefix}_{}", signal(&name[child.instance.len() + 1..]))
+                    format!("{prefix}_{}", signal(port))
                 }
             }
             Role::Constant(value) if name.contains('$') => {
@@ -185,6 +216,7 @@ impl<'a> Module<'a> {
         self.declarations(&mut text);
         self.instances(&mut text, child_module)?;
         self.assignments(&mut text)?;
+        self.unused_bits(&mut text);
         self.clocked_block(&mut text);
         Ok(text)
     }
@@ -223,6 +255,14 @@ impl<'a> Module<'a> {
             if self.is_declared(&net.name) {
                 lines.push(self.wire(&net.name));
             }
+        }
+        for name in self
+            .lowered
+            .terms
+            .iter()
+            .filter(|name| self.is_declared(name))
+        {
+            lines.push(self.wire(name));
         }
         for child in &self.scope.children {
             for net in child
@@ -303,8 +343,7 @@ impl<'a> Module<'a> {
                     .ok_or_else(|| EmitError::block(&name, "is not driven"))?;
                 self.print(value)
             }
-            _ if self.used.contains(&name) => self.identifier(&name),
-            _ => String::new(),
+            _ => self.identifier(&name),
         };
         Ok(format!("        .{}({value})", signal(&net.name)))
     }
@@ -334,7 +373,13 @@ impl<'a> Module<'a> {
                 Role::Local | Role::Output
             ) && self.is_declared(&net.name)
         });
-        let mut assigned: Vec<_> = own.map(|net| net.name.clone()).collect();
+        let terms = self
+            .lowered
+            .terms
+            .iter()
+            .filter(|name| self.is_declared(name));
+        let mut assigned: Vec<_> = terms.cloned().collect();
+        assigned.extend(own.map(|net| net.name.clone()));
         for child in &self.scope.children {
             let inputs = child
                 .nets
@@ -346,6 +391,61 @@ impl<'a> Module<'a> {
         assigned
     }
 
+    /// Names the bits that nothing reads, so that a linter knows that this is meant.
+    fn unused_bits(&self, text: &mut String) {
+        let own = self.scope.nets.iter().filter(|net| {
+            matches!(
+                self.lowered.names[&net.name].role,
+                Role::Input | Role::Local
+            )
+        });
+        let mut names: Vec<_> = own.map(|net| net.name.clone()).collect();
+        names.extend(self.lowered.terms.iter().cloned());
+        for child in &self.scope.children {
+            let ports = child
+                .nets
+                .iter()
+                .map(|net| format!("{}${}", child.instance, net.name));
+            names.extend(ports.filter(|name| {
+                self.lowered
+                    .names
+                    .get(name)
+                    .is_some_and(|n| matches!(n.role, Role::ChildOutput(_)))
+            }));
+        }
+        let mut parts = Vec::new();
+        for name in names {
+            if !self.is_declared(&name) && register_part(self.scope, self.lowered, &name).is_none()
+            {
+                continue;
+            }
+            if self.is_left_open(&name) {
+                continue;
+            }
+            let width = self.lowered.names[&name].of.width;
+            let unread = ones(width) & !self.used.get(&name).copied().unwrap_or(0);
+            parts.extend(ranges(unread).map(|(high, low)| self.slice(&name, high, low)));
+        }
+        if !parts.is_empty() {
+            section(
+                text,
+                &[format!(
+                    "wire unused_bits = &{{1'b0, {}}};",
+                    parts.join(", ")
+                )],
+            );
+        }
+    }
+
+    fn slice(&self, name: &str, high: usize, low: usize) -> String {
+        let identifier = self.identifier(name);
+        match (self.lowered.names[name].of.width, high == low) {
+            (width, _) if high - low + 1 == width => identifier,
+            (_, true) => format!("{identifier}[{low}]"),
+            (_, false) => format!("{identifier}[{high}:{low}]"),
+        }
+    }
+
     fn clocked_block(&self, text: &mut String) {
         if self.clocked.is_empty() {
             return;
@@ -353,119 +453,6 @@ impl<'a> Module<'a> {
         text.push_str("\n    always @(posedge clock) begin\n");
         self.print_statements(&self.clocked, 2, text);
         text.push_str("    end\n");
-    }
-
-    fn print_statements(&self, statements: &[Statement], depth: usize, text: &mut String) {
-        let indent = "    ".repeat(depth);
-        for statement in statements {
-            match statement {
-                Statement::Assign(target, value) => {
-                    let _ = writeln!(
-                        text,
-                        "{indent}{} <= {};",
-                        self.identifier(target),
-                        self.print(value)
-                    );
-                }
-                Statement::If(condition, then, otherwise) => {
-                    text.push_str(&indent);
-                    self.print_if(condition, then, otherwise, depth, text);
-                }
-            }
-        }
-    }
-
-    fn print_if(
-        &self,
-        condition: &Expression,
-        then: &[Statement],
-        otherwise: &[Statement],
-        depth: usize,
-        text: &mut String,
-    ) {
-        let indent = "    ".repeat(depth);
-        let _ = writeln!(text, "if ({}) begin", self.print(condition));
-        self.print_statements(then, depth + 1, text);
-        match otherwise {
-            [] => {
-                let _ = writeln!(text, "{indent}end");
-            }
-            [Statement::If(condition, then, otherwise)] => {
-                let _ = write!(text, "{indent}end else ");
-                self.print_if(condition, then, otherwise, depth, text);
-            }
-            _ => {
-                let _ = writeln!(text, "{indent}end else begin");
-                self.print_statements(otherwise, depth + 1, text);
-                let _ = writeln!(text, "{indent}end");
-            }
-        }
-    }
-
-    /// A choice over several lines, anything else on one.
-    fn print_choice(&self, value: &Expression, depth: usize) -> String {
-        let Form::Choice(condition, then, otherwise) = &value.form else {
-            return self.print(value);
-        };
-        let indent = "    ".repeat(depth + 1);
-        let then = match then.form {
-            Form::Choice(..) => format!("({})", self.print_choice(then, depth + 1)),
-            _ => self.print(then),
-        };
-        let space = match otherwise.form {
-            Form::Choice(..) => format!("\n{indent}"),
-            _ => " ".to_owned(),
-        };
-        format!(
-            "{} ? {then} :{space}{}",
-            self.print_operand(condition),
-            self.print_choice(otherwise, depth)
-        )
-    }
-
-    fn print(&self, value: &Expression) -> String {
-        match &value.form {
-            Form::Name(name) => self.identifier(name),
-            Form::Literal(literal) => number(*literal, value.of),
-            Form::Binary(left, operator, right) => {
-                format!(
-                    "{} {operator} {}",
-                    self.print_operand(left),
-                    self.print_operand(right)
-                )
-            }
-            Form::Unary(operator, operand) => format!("{operator}{}", self.print_operand(operand)),
-            Form::Bits { of, high, low } if high == low => {
-                format!("{}[{low}]", self.identifier(of))
-            }
-            Form::Bits { of, high, low } => format!("{}[{high}:{low}]", self.identifier(of)),
-            Form::Extended(name, from) => {
-                let name = self.identifier(name);
-                let added = value.of.width - from.width;
-                if from.signed {
-                    format!("{{{{{added}{{{name}[{}]}}}}, {name}}}", from.width - 1)
-                } else {
-                    format!(
-                        "{{{}, {name}}}",
-                        number(
-                            0,
-                            Type {
-                                width: added,
-                                signed: false
-                            }
-                        )
-                    )
-                }
-            }
-            Form::Choice(..) => self.print_choice(value, 1),
-        }
-    }
-
-    fn print_operand(&self, value: &Expression) -> String {
-        match value.form {
-            Form::Binary(..) | Form::Choice(..) => format!("({})", self.print(value)),
-            _ => self.print(value),
-        }
     }
 }
 
@@ -481,202 +468,15 @@ fn register_part<'n>(scope: &Scope, lowered: &Lowered, name: &'n str) -> Option<
     }
 }
 
-/// The statements that assign a wanted target, in their branches.
-fn filtered(
-    statements: &[Statement],
-    wanted: &dyn Fn(&str, &Expression) -> bool,
-) -> Vec<Statement> {
-    let mut kept = Vec::new();
-    for statement in statements {
-        match statement {
-            Statement::Assign(target, value) if wanted(target, value) => {
-                kept.push(statement.clone())
-            }
-            Statement::Assign(..) => {}
-            Statement::If(condition, then, otherwise) => {
-                let then = filtered(then, wanted);
-                let otherwise = filtered(otherwise, wanted);
-                match (then.is_empty(), otherwise.is_empty()) {
-                    (true, true) => {}
-                    (true, false) => kept.push(Statement::If(opposite(condition), otherwise, then)),
-                    (false, _) => kept.push(Statement::If(condition.clone(), then, otherwise)),
-                }
-            }
-        }
-    }
-    kept
-}
-
-/// Drops the assignments of a register to itself that come before any other: a `reg` holds by nature.
-fn drop_holds(statements: &mut Vec<Statement>) {
-    let mut assigned = HashSet::new();
-    statements.retain(|statement| {
-        let is_hold = match statement {
-            Statement::Assign(target, value) => {
-                let register = target.strip_suffix("$d");
-                let is_own = |name: &String| name.strip_suffix("$q") == register;
-                matches!(&value.form, Form::Name(name) if is_own(name))
-                    && !assigned.contains(target)
-            }
-            Statement::If(..) => false,
-        };
-        if !is_hold {
-            targets(statement, &mut assigned);
-        }
-        !is_hold
-    });
-}
-
-fn targets(statement: &Statement, found: &mut HashSet<String>) {
-    match statement {
-        Statement::Assign(target, _) => {
-            found.insert(target.clone());
-        }
-        Statement::If(_, then, otherwise) => {
-            then.iter()
-                .chain(otherwise)
-                .for_each(|statement| targets(statement, found));
-        }
-    }
-}
-
-/// Drops assignments that a later one replaces in any case.
-fn drop_replaced(statements: &mut Vec<Statement>) {
-    let mut last = HashMap::new();
-    for (place, statement) in statements.iter().enumerate() {
-        if let Statement::Assign(target, _) = statement {
-            last.insert(target.clone(), place);
-        }
-    }
-    let mut place = 0;
-    statements.retain(|statement| {
-        place += 1;
-        !matches!(statement, Statement::Assign(target, _) if last[target] >= place)
-    });
-}
-
-fn opposite(condition: &Expression) -> Expression {
-    Expression {
-        form: Form::Unary("~", Box::new(condition.clone())),
-        of: condition.of,
-    }
-}
-
-/// Works out the value every target has in the end; a later assignment replaces an earlier one.
-fn execute(
-    statements: &[Statement],
-    values: &mut BTreeMap<String, Expression>,
-) -> Result<(), EmitError> {
-    for statement in statements {
-        match statement {
-            Statement::Assign(target, value) => {
-                values.insert(target.clone(), value.clone());
-            }
-            Statement::If(condition, then, otherwise) => {
-                let mut then_values = values.clone();
-                execute(then, &mut then_values)?;
-                let mut other_values = values.clone();
-                execute(otherwise, &mut other_values)?;
-                *values = joined(condition, then_values, other_values)?;
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Refuses a local signal that is assigned after it was read: the reader in the simulation saw a value that no wire has.
-fn check_order(
-    statements: &[Statement],
-    lowered: &Lowered,
-    seen: &mut HashSet<String>,
-) -> Result<(), EmitError> {
-    for statement in statements {
-        match statement {
-            Statement::Assign(target, value) => {
-                read(value, &mut |name| {
-                    seen.insert(name.to_owned());
-                });
-                if lowered.names[target].role == Role::Local && seen.contains(target) {
-                    return Err(EmitError::block(target, "is assigned after it was read"));
-                }
-            }
-            Statement::If(condition, then, otherwise) => {
-                read(condition, &mut |name| {
-                    seen.insert(name.to_owned());
-                });
-                check_order(then, lowered, seen)?;
-                check_order(otherwise, lowered, seen)?;
-            }
-        }
-    }
-    Ok(())
-}
-
-fn joined(
-    condition: &Expression,
-    then: BTreeMap<String, Expression>,
-    mut otherwise: BTreeMap<String, Expression>,
-) -> Result<BTreeMap<String, Expression>, EmitError> {
-    let mut values = BTreeMap::new();
-    for (target, value) in then {
-        let other = otherwise
-            .remove(&target)
-            .ok_or_else(|| EmitError::block(&target, "is a latch"))?;
-        let value = if value == other {
-            value
-        } else {
-            if multiplies(&value) || multiplies(&other) {
-                return Err(EmitError::nested("*"));
-            }
-            let of = value.of;
-            let form = Form::Choice(
-                Box::new(condition.clone()),
-                Box::new(value),
-                Box::new(other),
-            );
-            Expression { form, of }
-        };
-        values.insert(target, value);
-    }
-    match otherwise.into_keys().next() {
-        Some(target) => Err(EmitError::block(&target, "is a latch")),
-        None => Ok(values),
-    }
-}
-
-/// A product takes its width from its context, so it must stand alone.
-fn multiplies(value: &Expression) -> bool {
-    matches!(value.form, Form::Binary(_, "*", _))
-}
-
-fn read(value: &Expression, found: &mut dyn FnMut(&str)) {
-    match &value.form {
-        Form::Name(name) | Form::Bits { of: name, .. } | Form::Extended(name, _) => found(name),
-        Form::Literal(_) => {}
-        Form::Unary(_, operand) => read(operand, found),
-        Form::Binary(left, _, right) => {
-            read(left, found);
-            read(right, found);
-        }
-        Form::Choice(condition, then, otherwise) => {
-            read(condition, found);
-            read(then, found);
-            read(otherwise, found);
-        }
-    }
-}
-
-fn read_statements(statements: &[Statement], found: &mut dyn FnMut(&str)) {
-    for statement in statements {
-        match statement {
-            Statement::Assign(_, value) => read(value, found),
-            Statement::If(condition, then, otherwise) => {
-                read(condition, found);
-                read_statements(then, found);
-                read_statements(otherwise, found);
-            }
-        }
-    }
+/// The runs of ones in a word, each as its highest and lowest bit, from the top.
+fn ranges(mut bits: u64) -> impl Iterator<Item = (usize, usize)> {
+    std::iter::from_fn(move || {
+        let high = (bits != 0).then(|| 63 - bits.leading_zeros() as usize)?;
+        let run = (bits << (63 - high)).leading_ones() as usize;
+        let low = high + 1 - run;
+        bits &= !(ones(run) << low);
+        Some((high, low))
+    })
 }
 
 /// The signal is a port of its block.
@@ -685,48 +485,4 @@ pub fn is_port(net: &Net) -> bool {
         net.kind,
         AtomKind::InputParameter | AtomKind::OutputParameter
     )
-}
-
-fn port(net: &Net) -> String {
-    let direction = if net.kind == AtomKind::InputParameter {
-        "input "
-    } else {
-        "output"
-    };
-    let of = Type {
-        width: net.width,
-        signed: net.signed,
-    };
-    format!("{direction} wire {}{}", shape(of), signal(&net.name))
-}
-
-/// Sign and range before a name, with a space behind.
-fn shape(of: Type) -> String {
-    let signed = if of.signed { "signed " } else { "" };
-    match of.width {
-        1 if !of.signed => String::new(),
-        width => format!("{signed}[{}:0] ", width - 1),
-    }
-}
-
-/// A sized number. The most negative one has no positive counterpart and is written in hexadecimal.
-fn number(value: u64, of: Type) -> String {
-    let width = of.width;
-    let sign = 1_u64 << (width - 1);
-    match (of.signed, value & sign != 0) {
-        (false, _) => format!("{width}'d{value}"),
-        (true, false) => format!("{width}'sd{value}"),
-        (true, true) if value == sign => format!("{width}'sh{value:x}"),
-        (true, true) => format!("-{width}'sd{}", (sign - 1) - (value & (sign - 1)) + 1),
-    }
-}
-
-fn section(text: &mut String, lines: &[String]) {
-    if lines.is_empty() {
-        return;
-    }
-    text.push('\n');
-    for line in lines {
-        let _ = writeln!(text, "    {line}");
-    }
 }

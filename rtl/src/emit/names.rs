@@ -32,38 +32,13 @@ pub fn instance(name: &str) -> String {
     name.replace('$', "_")
 }
 
-/// Words of Verilog, SystemVerilog and VHDL that a signal of this crate might be called by oversight.
-const RESERVED: [&str; 24] = [
-    "array",
-    "begin",
-    "bit",
-    "block",
-    "buffer",
-    "class",
-    "component",
-    "config",
-    "constant",
-    "edge",
-    "end",
-    "entity",
-    "input",
-    "inside",
-    "label",
-    "module",
-    "output",
-    "range",
-    "reg",
-    "register",
-    "signal",
-    "table",
-    "type",
-    "wire",
-];
+/// The reserved words of Verilog-2005, SystemVerilog-2012 and VHDL-93, one a line.
+const RESERVED: &str = include_str!("reserved_words.txt");
 
 /// Refuses an identifier that a Verilog or VHDL tool would refuse.
 pub fn check_identifier(name: &str) -> Result<(), EmitError> {
     let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    if plain && !RESERVED.contains(&name) {
+    if plain && !RESERVED.lines().any(|word| word == name) {
         Ok(())
     } else {
         Err(EmitError::block(name, "is no portable identifier"))

@@ -54,9 +54,19 @@ pub fn run(tool: &str, package: &str, arguments: &[&str]) -> Output {
     }
 }
 
+/// Writes a unit as one file in a directory of its own.
 pub fn write(name: &str, emitted: &Emitted) -> PathBuf {
+    let file = directory(name).join(format!("{}.v", emitted.top));
+    std::fs::write(&file, emitted.bundle()).unwrap();
+    file
+}
+
+/// Writes a unit as one file for each module in an empty directory of its own.
+pub fn write_split(name: &str, emitted: &Emitted) -> PathBuf {
     let directory = directory(name);
-    for (file, text) in &emitted.files {
+    std::fs::remove_dir_all(&directory).unwrap();
+    std::fs::create_dir(&directory).unwrap();
+    for (file, text) in emitted.files() {
         std::fs::write(directory.join(file), text).unwrap();
     }
     directory
@@ -65,7 +75,8 @@ pub fn write(name: &str, emitted: &Emitted) -> PathBuf {
 /// Output words, in the order of the ports, after each clock of the emitted Verilog in Icarus Verilog.
 pub fn icarus(name: &str, request: &EmitRequest, stimulus: &[Vec<u64>]) -> Vec<Vec<u64>> {
     let emitted = emit(request).unwrap();
-    let directory = write(name, &emitted);
+    let file = write(name, &emitted);
+    let directory = file.parent().expect("a file lies in a directory");
     let path = |file: &str| directory.join(file).to_str().unwrap().to_owned();
     std::fs::write(path("stimulus.hex"), stimulus_text(stimulus)).unwrap();
     std::fs::write(
@@ -81,7 +92,7 @@ pub fn icarus(name: &str, request: &EmitRequest, stimulus: &[Vec<u64>]) -> Vec<V
             "-o",
             &path("bench.vvp"),
             &path("bench.v"),
-            &path(&emitted.files[0].0),
+            file.to_str().unwrap(),
         ],
     );
     assert!(
