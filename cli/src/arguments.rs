@@ -119,6 +119,9 @@ pub struct Scene {
     /// Depth word in bits: 16, 20, 24, 28 or 32.
     #[arg(long, default_value_t = 24, value_name = "W")]
     pub format: u32,
+    /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
+    #[arg(long, default_value = "0:0", value_name = "G1:G2")]
+    pub guards: Guards,
 }
 
 /// Arguments of `render`.
@@ -249,6 +252,27 @@ impl FromStr for Size {
             .and_then(|(w, h)| Some((parse(w)?, parse(h)?)))
             .map(|(width, height)| Size { width, height })
             .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
+    }
+}
+
+/// Guard bits of f1 and f2.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Guards {
+    /// Of f1.
+    pub linear: u32,
+    /// Of f2.
+    pub quadratic: u32,
+}
+
+impl FromStr for Guards {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Guards, String> {
+        let parse = |part: &str| part.parse::<u32>().ok();
+        text.split_once(':')
+            .and_then(|(linear, quadratic)| Some((parse(linear)?, parse(quadratic)?)))
+            .map(|(linear, quadratic)| Guards { linear, quadratic })
+            .ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
     }
 }
 

@@ -249,3 +249,36 @@ fn usage_and_parameters_out_of_range() {
     }
     assert_eq!(files_below(folder.path()), Vec::<std::path::PathBuf>::new());
 }
+
+/// The message with which a command refuses guard bits.
+fn guards_refusal(arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let output = imogene()
+        .args(["render", "--size", "32x24", "-o"])
+        .arg(folder.path().join("picture.png"))
+        .arg(scene("cone"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        files_below(folder.path()).is_empty(),
+        "something was written"
+    );
+    message
+}
+
+#[test]
+fn guard_bits_that_cannot_be_had_are_refused() {
+    let refused = |arguments: &[&str], parts: &[&str]| {
+        assert_mentions(&guards_refusal(arguments), parts);
+    };
+    refused(&["--guards", "3"], &["expected G1:G2"]);
+    refused(&["--guards", "17:0"], &["at most 16"]);
+    refused(&["--guards", "0:4", "--format", "32"], &["64", "at most 0"]);
+    refused(
+        &["--guards", "2:4", "--model", "rtl"],
+        &["no guard bits", "--model golden"],
+    );
+}

@@ -258,3 +258,20 @@ fn cosim_of_a_unit_in_icarus() {
         (&Value::from("icarus"), &Value::from(0))
     );
 }
+
+#[test]
+fn guard_bits_sharpen_the_bounds_of_a_check() {
+    let cone = scene("cone");
+    let depth = |guards: &str| {
+        let report = json(&[
+            "check",
+            cone.to_str().unwrap(),
+            "--size",
+            "96x72",
+            "--guards",
+            guards,
+        ]);
+        report["objects"][0]["bounds"]["f2"].as_f64().unwrap()
+    };
+    assert!(depth("2:4") < depth("0:0") / 4.0);
+}

@@ -69,6 +69,21 @@ pub fn to_f64(value: &BigRational) -> f64 {
         .expect("every big rational has a nearest f64, infinite at worst")
 }
 
+/// The least `f64` that is not below `value`.
+pub fn to_f64_up(value: &BigRational) -> f64 {
+    let nearest = to_f64(value);
+    if nearest.is_finite() && from_f64_exact(nearest) < *value {
+        nearest.next_up()
+    } else {
+        nearest
+    }
+}
+
+/// 2^`exponent`.
+pub fn power_of_two(exponent: u32) -> BigRational {
+    BigRational::from_integer(BigInt::from(1) << exponent)
+}
+
 /// The largest integer that is not above `value`.
 pub fn floor(value: &BigRational) -> BigInt {
     value.floor().to_integer()
@@ -118,6 +133,17 @@ mod tests {
         assert_eq!(to_f64(&near_third), 1.0 / 3.0);
         let seven = BigRational::new(&huge * BigInt::from(7) + BigInt::from(1), huge);
         assert_eq!(to_f64(&seven), 7.0);
+    }
+
+    #[test]
+    fn bounds_are_rounded_upwards() {
+        let third = fraction(1, 3);
+        let up = to_f64_up(&third);
+        assert!(from_f64_exact(up) > third && from_f64_exact(up.next_down()) < third);
+        let minus = to_f64_up(&-&third);
+        assert!(from_f64_exact(minus) > -&third && from_f64_exact(minus.next_down()) < -third);
+        assert_eq!(to_f64_up(&integer(5)), 5.0);
+        assert_eq!(power_of_two(70), integer(1 << 35) * integer(1 << 35));
     }
 
     #[test]

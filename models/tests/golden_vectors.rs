@@ -8,7 +8,7 @@ use imogene_models::format::{Format, wrap64};
 use imogene_models::object::quadric::QuadricWords;
 use imogene_models::prepare::PreparedObject;
 use imogene_models::prepare::perspective::ScreenQuadric;
-use imogene_models::rational::{fraction, integer, to_f64};
+use imogene_models::rational::{fraction, from_f64_exact, integer};
 use imogene_models::scene::{FramedScene, Surface};
 use imogene_models::unit::cut_plane::{PlaneKind, cut};
 use imogene_models::unit::interval::{FACE_PLANE, halves};
@@ -16,6 +16,8 @@ use imogene_models::unit::pe1::Linear;
 use imogene_models::unit::pe2::Quadratic;
 use imogene_models::unit::root::restoring_root;
 use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Signed;
 
 fn cut_cylinder(surface: Surface) -> FramedScene {
     let planes = [[0, 0, -1, 250], [0, 1, 0, -80], [0, -1, 0, -80]];
@@ -273,22 +275,36 @@ fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
 }
 
 fn assert_within_bounds(scene: &FramedScene, object: &PreparedObject, x: i64, y: i64) {
-    let at = |v: &num_rational::BigRational| to_f64(v);
     let (px, py) = (integer(x), integer(y));
-    let f1 = object.words.f1.wrapped_at(x, y, 64) as f64;
-    let f2 = object.words.f2.wrapped_at(x, y, 64) as f64;
-    assert!((f1 - at(&object.exact.f1.at(&px, &py))).abs() <= object.bounds.f1);
-    assert!((f2 - at(&object.exact.f2.at(&px, &py))).abs() <= object.bounds.f2);
-    for (i, plane) in object.words.planes.iter().enumerate() {
-        let off =
-            plane.depth.wrapped_at(x, y, 64) as f64 - at(&object.exact.planes[i].at(&px, &py));
-        assert!(
-            off.abs() <= object.bounds.planes[i],
-            "plane {i} at ({x}, {y})"
-        );
+    let holds = |computed: BigInt, exact: BigRational, bound: f64, what: &str| {
+        let off = (BigRational::from_integer(computed) - exact).abs();
+        assert!(off <= from_f64_exact(bound), "{what} at ({x}, {y})");
+    };
+    let (words, exact, bounds) = (&object.words, &object.exact, &object.bounds);
+    if !words.screen_box.contains(x, y) {
+        // The bounds are those of the box.
+        assert!(golden_at(words, x, y).is_none());
+        return;
+    }
+    holds(
+        words.f1.exact_at(x, y),
+        exact.f1.at(&px, &py),
+        bounds.f1,
+        "f1",
+    );
+    holds(
+        words.f2.exact_at(x, y),
+        exact.f2.at(&px, &py),
+        bounds.f2,
+        "f2",
+    );
+    for (i, plane) in words.planes.iter().enumerate() {
+        let value = exact.planes[i].at(&px, &py);
+        holds(plane.depth.exact_at(x, y), value, bounds.planes[i], "plane");
     }
     if let Some(pixel) = golden_at(&object.words, x, y) {
-        let bound = imogene_models::check::depth_bound(object, pixel.number, f2 as i64);
+        let bound =
+            imogene_models::check::depth_bound(object, pixel.number, radicand_at(words, x, y));
         let off = pixel.zf as f64 - exact_front(scene, x, y);
         assert!(
             off.abs() <= bound + 1e-5,

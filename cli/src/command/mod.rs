@@ -11,7 +11,7 @@ pub mod roots;
 pub mod synth;
 pub mod units;
 
-use crate::arguments::{Scene, Shape, Size};
+use crate::arguments::{Guards, Scene, Shape, Size};
 use crate::failure::Failure;
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare};
@@ -23,7 +23,7 @@ use imogene_verif::report::Report;
 /// A scene file in the camera frame and prepared for a format.
 fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     let file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
-    frame_scene(&file, scene.size, scene.format)
+    frame_guarded(&file, scene.size, scene.format, scene.guards)
 }
 
 fn frame_scene(
@@ -31,7 +31,19 @@ fn frame_scene(
     size: Option<Size>,
     format: u32,
 ) -> Result<(FramedScene, PreparedScene), Failure> {
+    frame_guarded(file, size, format, Guards::default())
+}
+
+fn frame_guarded(
+    file: &SceneFile,
+    size: Option<Size>,
+    format: u32,
+    guards: Guards,
+) -> Result<(FramedScene, PreparedScene), Failure> {
     let format = Format::new(format).map_err(Failure::input)?;
+    let format = format
+        .with_guards(guards.linear, guards.quadratic)
+        .map_err(Failure::input)?;
     let (width, height) = match size {
         Some(size) => (size.width, size.height),
         None => (file.image.width, file.image.height),

@@ -18,7 +18,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         json!({
             "name": o.name,
             "words": o.words,
-            "preconditioned_f2": o.words.f2.preconditioned(scene.format.quadratic),
+            "preconditioned_f2": o.words.f2.preconditioned(scene.format.pe2_width()),
             "load_words": load_words(&o.words, &scene.format, planes),
             "needed_bits": o.needed,
             "rounding_bounds": o.bounds,
@@ -37,10 +37,12 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     output::text(format!(
-        "{} x {} pixels, depth word {}, {:.6} depth words per pixel",
+        "{} x {} pixels, depth word {}, guard bits {}:{}, {:.6} depth words per pixel",
         scene.width,
         scene.height,
         scene.format.depth,
+        scene.format.guard_linear,
+        scene.format.guard_quadratic,
         to_f64(&scene.depth_scale)
     ));
     for o in &scene.objects {

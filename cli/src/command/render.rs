@@ -81,6 +81,11 @@ pub fn golden_frame(prepared: &PreparedScene) -> Frame {
 }
 
 fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+    if prepared.format.has_guards() {
+        return Err(Failure::Input(
+            "the hardware has no guard bits; give --guards 0:0, or --model golden or exact".into(),
+        ));
+    }
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
     let bar = output::progress(pixels, "hardware in simulation");
     let run_options = scene::Options {

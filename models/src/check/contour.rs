@@ -1,6 +1,6 @@
 //! How far the silhouette of the golden picture can be from the true one.
 //!
-//! Let `|f2' - f2| <= e2` on the screen box, true at every point of its rectangle, and let the gradient of f2' be nowhere shorter than G
+//! Let f2' be the value of the second-degree processor with its guard bits: dropping them keeps its sign. Let `|f2' - f2| <= e2` on the screen box, true at every point of its rectangle, and let the gradient of f2' be nowhere shorter than G
 //! in the band `|f2'| <= e2`. A point of the true contour f2 = 0 lies in the band; along the steepest slope of f2' towards zero f2' changes
 //! by at least G per pixel, so the computed contour, or the box's edge, is met within e2 / G pixels. From a point of the computed contour
 //! the steepest slope leads within e2 / G pixels to f2' = e2, where f2 >= 0, and to f2' = -e2, where f2 <= 0: the true contour is
@@ -122,10 +122,12 @@ impl Survey {
     }
 }
 
+/// All values of f2 in units of the last guard bit.
 struct Contour<'a> {
     object: &'a PreparedObject,
     words: &'a QuadricWords,
     format: &'a Format,
+    /// e2.
     error: f64,
     second: [f64; 3],
 }
@@ -143,7 +145,7 @@ impl<'a> Contour<'a> {
             object,
             words: &object.words,
             format,
-            error: object.bounds.f2,
+            error: object.bounds.f2 * f64::from(1u32 << format.guard_quadratic),
             second: [q.a as f64, q.b as f64, q.c as f64],
         }
     }
@@ -190,7 +192,7 @@ impl<'a> Contour<'a> {
         let q = &self.words.f2;
         let (px, py) = (i128::from(x), i128::from(y));
         Local {
-            value: q.wrapped_at(x, y, self.format.quadratic) as f64,
+            value: q.wrapped_at(x, y, self.format.pe2_width()) as f64,
             gradient: [
                 (2 * q.a * px + q.c * py + q.d) as f64,
                 (2 * q.b * py + q.c * px + q.e) as f64,
@@ -244,12 +246,15 @@ impl<'a> Contour<'a> {
     /// True if some plane certainly removes the contour around this pixel. On the contour the depth is f1.
     fn is_removed(&self, x: i64, y: i64) -> bool {
         // In the band the depth differs from f1 by the root of up to 2 e2.
-        let slack = self.object.bounds.f1 + (2.0 * self.error).sqrt() + 1.0;
+        let slack = self.object.bounds.f1 + (2.0 * self.object.bounds.f2).sqrt() + 1.0;
+        // All in units of the last guard bit of f1, which the planes do not have.
+        let guards = self.format.guard_linear;
         let f1 = &self.words.f1;
         let planes = self.words.planes.iter().zip(&self.object.bounds.planes);
         let solid_inside_out = self.words.class == Class::Front;
         planes.into_iter().any(|(plane, bound)| {
-            let p = &plane.depth;
+            let [pa, pb, pc] =
+                [plane.depth.a, plane.depth.b, plane.depth.c].map(|word| word << guards);
             let (sign, reference) = match plane.kind {
                 PlaneKind::Perpendicular => (1, None),
                 _ if solid_inside_out || self.words.class == Class::Prism => return false,
@@ -260,10 +265,10 @@ impl<'a> Contour<'a> {
             // Kept where `sign * (p - f1)` is not negative.
             let (ra, rb, rc) = reference.map_or((0, 0, 0), |f| (f.a, f.b, f.c));
             let value = |a: i128, b: i128, c: i128| a * i128::from(x) + b * i128::from(y) + c;
-            let at = sign * value(p.a - ra, p.b - rb, p.c - rc);
-            let reach = SPARE * ((p.a - ra) as f64).abs() + SPARE * ((p.b - rb) as f64).abs();
+            let at = sign * value(pa - ra, pb - rb, pc - rc);
+            let reach = SPARE * ((pa - ra) as f64).abs() + SPARE * ((pb - rb) as f64).abs();
             let error = bound + if reference.is_some() { slack } else { 0.0 };
-            (at as f64) + reach + error < 0.0
+            (at as f64) + reach + error * f64::from(1u32 << guards) < 0.0
         })
     }
 }

@@ -1,13 +1,26 @@
 //! How far a computed depth can be from the true one, and between which values the true one lies.
 //!
-//! The computed words satisfy `|f1' - f1| <= e1`, `|f2' - f2| <= e2`, `|zp' - zp| <= ep` on the screen box, by the rounding of the coefficients.
-//! Hence at a pixel where both f2 and f2' are not negative, `sqrt(f2)` lies between `sqrt(max(0, f2' - e2))` and
-//! `sqrt(f2' + e2)`, and the depth `f1 -+ sqrt(f2)` differs from `f1' -+ floor(sqrt(f2'))` by at most e1 plus the distance of
-//! `floor(sqrt(f2'))` from the farther of these two: the floor of the root is included.
+//! Let q1 and q2 be the values of the two elementary processors with their guard bits, `|q1 - f1| <= e1` and `|q2 - f2| <= e2` on the screen box by the
+//! rounding of the coefficients, and `f1' = floor(q1)`, `f2' = floor(q2)`, `r = floor(sqrt(f2'))`. The error of a depth is a sum of four terms:
+//!
+//! ```text
+//! (f1' -+ r) - (f1 -+ sqrt(f2)) = (q1 - f1)                   f1 coefficients   within e1
+//!                               + (f1' - q1)                  truncation        in -(1 - 2^-g1) .. 0
+//!                               -+ (sqrt(q2) - sqrt(f2))      f2 coefficients, through the root
+//!                               -+ (r - sqrt(q2))             floor of the root in (-1, 0]
+//! ```
+//!
+//! Dropping the guard bits of f2 costs nothing of its own: `floor(sqrt(floor(q))) = floor(sqrt(q))` for every real q that is not negative, because a root
+//! is at least n if and only if its radicand is at least the integer n^2. Nor does it matter that f1 drops its guard bits before r is added:
+//! r is an integer.
+//!
+//! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from f2': `sqrt(f2)` lies between
+//! `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these from r counts.
 
 use crate::prepare::{PreparedObject, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use crate::unit::root::fast_root;
+use serde::Serialize;
 
 /// Relative allowance for the rounding of a square root and the additions around it in `f64`.
 const FLOAT_MARGIN: f64 = 8.0 * f64::EPSILON;
@@ -27,6 +40,11 @@ impl Range {
     /// The values within `error` of a computed integer.
     pub fn around(value: i64, error: f64) -> Range {
         Range::new(value as f64 - error, value as f64 + error)
+    }
+
+    /// The values from which a computed integer can come, that is within `error` of a number of which up to `dropped` was dropped downwards.
+    pub fn of_dropped(value: i64, error: f64, dropped: f64) -> Range {
+        Range::new(value as f64 - error, value as f64 + dropped + error)
     }
 
     /// Certainly smaller.
@@ -50,49 +68,108 @@ impl Range {
     }
 }
 
-/// Where `sqrt(f2)` lies if the computed value is `f2` with the rounding bound `e2`; a negative f2 counts as zero.
-pub(super) fn root_range(f2: i64, e2: f64) -> Range {
-    let low = (f2 as f64 - e2).max(0.0).sqrt();
-    let high = (f2 as f64 + e2).max(0.0).sqrt();
+/// Where `sqrt(f2)` lies if the computed value is `f2`; a negative true f2 counts as zero.
+pub(super) fn root_range(f2: i64, bounds: &RoundingBounds) -> Range {
+    let low = (f2 as f64 - bounds.f2).max(0.0).sqrt();
+    let high = (f2 as f64 + bounds.dropped_f2 + bounds.f2).max(0.0).sqrt();
     Range::new(low * (1.0 - FLOAT_MARGIN), high * (1.0 + FLOAT_MARGIN))
 }
 
 /// Greatest distance of the integer root of a computed `f2` from the true root.
-pub(super) fn root_error(f2: i64, e2: f64) -> f64 {
+pub(super) fn root_error(f2: i64, bounds: &RoundingBounds) -> f64 {
     let root = fast_root(f2.max(0)) as f64;
-    let range = root_range(f2, e2);
+    let range = root_range(f2, bounds);
     (range.high - root).max(root - range.low)
 }
 
 /// The ranges of the two roots `f1 -+ sqrt(f2)`; the computed roots, with their floor, lie in them too.
 pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, Range) {
-    let root = root_range(f2, bounds.f2);
+    let root = root_range(f2, bounds);
     let lowest = root.low.min(fast_root(f2.max(0)) as f64);
-    let f1 = Range::around(f1, bounds.f1);
+    let f1 = Range::of_dropped(f1, bounds.f1, bounds.dropped_f1);
     (
         Range::new(f1.low - root.high, f1.high - lowest),
         Range::new(f1.low + lowest, f1.high + root.high),
     )
 }
 
+/// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DepthTerms {
+    /// Rounding of the coefficients of f1.
+    pub linear: f64,
+    /// Guard bits of f1 that are dropped.
+    pub truncation: f64,
+    /// Rounding of the coefficients of f2, through the root.
+    pub quadratic: f64,
+    /// Floor of the root: at most this, and less unless it is zero.
+    pub root_floor: f64,
+}
+
+impl DepthTerms {
+    /// The sum of the terms.
+    pub fn sum(&self) -> f64 {
+        self.linear + self.truncation + self.quadratic + self.root_floor
+    }
+}
+
+/// Bounds of the terms where the f2 processor hands on `f2`, not negative.
+///
+/// With q between f2 and `f2 + (1 - 2^-g2)`: below the root `sqrt(q) - sqrt(q - e2)` falls with q, and is `sqrt(q)` where q < e2; above it
+/// `sqrt(q + e2) - sqrt(q)` falls with q.
+pub fn depth_terms(bounds: &RoundingBounds, f2: i64) -> DepthTerms {
+    let (low, high) = (f2 as f64, f2 as f64 + bounds.dropped_f2);
+    let error = bounds.f2;
+    let below = if low >= error {
+        difference_of_roots(low, error)
+    } else {
+        high.min(error).sqrt()
+    };
+    let above = difference_of_roots(low + error, error);
+    DepthTerms {
+        linear: bounds.f1,
+        truncation: bounds.dropped_f1,
+        quadratic: below.max(above) * (1.0 + FLOAT_MARGIN),
+        root_floor: 1.0,
+    }
+}
+
+/// `sqrt(high) - sqrt(high - step)` without cancellation.
+fn difference_of_roots(high: f64, step: f64) -> f64 {
+    if step == 0.0 {
+        return 0.0;
+    }
+    // The difference under the second root is taken a little too small, which makes the quotient a little too great.
+    let low = (high - step - high * FLOAT_MARGIN).max(0.0);
+    step / (high.sqrt() + low.sqrt())
+}
+
 /// Greatest distance, in depth words, of the golden depth of face `number` from the true depth of that face, at a pixel of the object's
-/// screen box where the f2 accumulator holds `f2` (of no meaning for a plane or the near end).
+/// screen box where the f2 processor hands on `f2` (of no meaning for a plane or the near end).
 pub fn depth_bound(object: &PreparedObject, number: u8, f2: i64) -> f64 {
     face_bound(&object.bounds, number, f2)
 }
 
 pub(super) fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
-    match number {
-        FACE_NEAR | FACE_FAR => bounds.f1 + root_error(f2, bounds.f2),
-        FACE_NEAR_END => 0.0,
-        _ => bounds.planes[usize::from(number - FACE_PLANE)],
-    }
+    let root = fast_root(f2.max(0)) as f64;
+    let range = root_range(f2, bounds);
+    let (above, below) = (range.high - root, root - range.low);
+    let dropped = bounds.dropped_f1;
+    // Truncation and floor of the root have opposite signs on the near face and the same on the far one.
+    let rooted = match number {
+        FACE_NEAR => above.max(below + dropped),
+        FACE_FAR => below.max(above + dropped),
+        FACE_NEAR_END => return 0.0,
+        _ => return bounds.planes[usize::from(number - FACE_PLANE)],
+    };
+    (bounds.f1 + rooted) * (1.0 + FLOAT_MARGIN)
 }
 
-/// The worst depth bound at any pixel, in closed form: `sqrt(f2' + e2) - sqrt(f2')` is greatest at f2' = 0, and
-/// `sqrt(f2') - sqrt(f2' - e2)` at f2' = e2; both are then sqrt(e2). The floor of the root adds one.
+/// The worst depth bound at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 - e2)` at
+/// q2 = e2; both are then sqrt(e2). The floor of the root adds one, the dropped guard bits of f1 less than one.
 pub(super) fn worst_case(bounds: &RoundingBounds) -> f64 {
-    let root = bounds.f1 + bounds.f2.sqrt() + 1.0;
+    let root = bounds.f1 + bounds.dropped_f1 + bounds.f2.sqrt() + 1.0;
+    let root = root * (1.0 + FLOAT_MARGIN);
     bounds.planes.iter().copied().fold(root, f64::max)
 }
 
@@ -101,21 +178,48 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    fn of_f2(f2: f64, guards: u32) -> RoundingBounds {
+        RoundingBounds {
+            f2,
+            ..RoundingBounds::of_format(
+                &crate::format::Format::BASE.with_guards(2, guards).unwrap(),
+            )
+        }
+    }
+
     proptest! {
-        /// The claim of the module: for a true f2 anywhere within the bound, the integer root is within `root_error`.
+        /// For a true f2 anywhere within the bound, the integer root is within `root_error`, and the error through the root within its term.
         #[test]
-        fn root_error_covers_every_true_radicand(f2 in 0i64..1 << 47, e2 in 0.0f64..1e6, part in -1.0f64..=1.0) {
-            let truth = f2 as f64 + part * e2;
+        fn root_error_covers_every_true_radicand(
+            wide in 0i64..1 << 47, narrow in 0i64..1000, small in any::<bool>(), e2 in 0.0f64..1e6, part in -1.0f64..=1.0, guards in 0u32..8, low in 0.0f64..1.0
+        ) {
+            let f2 = if small { narrow } else { wide };
+            let bounds = of_f2(if small { e2 / 1000.0 } else { e2 }, guards);
+            let kept = f2 as f64 + low * bounds.dropped_f2;
+            let truth = kept + part * bounds.f2;
             prop_assume!(truth >= 0.0);
             let off = (fast_root(f2) as f64 - truth.sqrt()).abs();
-            prop_assert!(off <= root_error(f2, e2) + 1e-6);
+            prop_assert!(off <= root_error(f2, &bounds) + 1e-6);
+            let through = (kept.sqrt() - truth.sqrt()).abs();
+            prop_assert!(through <= depth_terms(&bounds, f2).quadratic + 1e-6);
+        }
+
+        #[test]
+        fn the_face_bound_is_at_most_the_sum_of_its_terms(f2 in 0i64..1 << 47, e1 in 0.0f64..1e3, e2 in 0.0f64..1e6, guards in 0u32..8) {
+            let bounds = RoundingBounds { f1: e1, ..of_f2(e2, guards) };
+            let terms = depth_terms(&bounds, f2);
+            for face in [FACE_NEAR, FACE_FAR] {
+                let bound = face_bound(&bounds, face, f2);
+                prop_assert!(bound <= terms.sum() + 1e-6, "{bound} beyond {terms:?}");
+                prop_assert!(bound <= worst_case(&bounds) + 1e-6);
+            }
         }
     }
 
     #[test]
     fn an_exact_radicand_leaves_only_the_floor() {
-        assert!(root_error(16, 0.0) < 1e-9);
-        assert!(root_error(24, 0.0) < 0.9);
-        assert!(root_error(0, 100.0) >= 10.0);
+        assert!(root_error(16, &of_f2(0.0, 0)) < 1e-9);
+        assert!(root_error(24, &of_f2(0.0, 0)) < 0.9);
+        assert!(root_error(0, &of_f2(100.0, 0)) >= 10.0);
     }
 }

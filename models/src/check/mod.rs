@@ -11,7 +11,7 @@ mod normal;
 mod object;
 mod verdict;
 
-pub use depth::depth_bound;
+pub use depth::{DepthTerms, depth_bound, depth_terms};
 pub use kind::quadric_kind;
 pub use normal::normal_bound;
 pub use object::{ObjectBounds, ObjectReport, Undecided};

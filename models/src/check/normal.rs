@@ -12,39 +12,58 @@
 //! most `asin(E / L)` away from the true one. Where E >= L the direction is not determined.
 
 use super::depth::root_error;
-use crate::prepare::PreparedObject;
+use crate::prepare::{PreparedObject, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
-use crate::unit::normal::PRODUCT_FRACTION;
+use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
 use crate::unit::root::fast_root;
 
 /// Last bits of the linear part that the result drops.
 const DROPPED: f64 = 256.0;
+/// Relative allowance for the arithmetic in `f64`.
+const FLOAT_MARGIN: f64 = 32.0 * f64::EPSILON;
 
 /// Greatest angle, in degrees, between the golden normal of face `number` and the true gradient, at a pixel of the object's screen box where
-/// the f2 accumulator holds `f2`; 180 where the words do not determine the direction.
+/// the f2 processor hands on `f2`; 180 where the words do not determine the direction.
 pub fn normal_bound(object: &PreparedObject, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
-    let length = normal
-        .map(|v| f64::from(v).powi(2))
-        .iter()
-        .sum::<f64>()
-        .sqrt();
     match number {
         FACE_NEAR_END => 0.0,
-        FACE_NEAR | FACE_FAR => angle(quadric_error(object, f2), length * DROPPED),
+        FACE_NEAR | FACE_FAR => degrees(quadric_sine(
+            &object.words.normal,
+            &object.bounds,
+            f2,
+            normal,
+        )),
         // Constant normals are rounded to the nearest word.
-        _ => angle(0.75f64.sqrt(), length),
+        _ => degrees(0.75f64.sqrt() / length(normal)),
     }
 }
 
-fn quadric_error(object: &PreparedObject, f2: i64) -> f64 {
-    let words = &object.words.normal;
+/// Greatest sine of the angle between a quadric's golden normal and the true gradient; the direction is not determined if it is not below 1.
+pub(super) fn quadric_sine(
+    words: &NormalWords,
+    bounds: &RoundingBounds,
+    f2: i64,
+    normal: [i16; 3],
+) -> f64 {
+    quadric_error(words, bounds, f2) / (length(normal) * DROPPED) * (1.0 + FLOAT_MARGIN)
+}
+
+fn length(normal: [i16; 3]) -> f64 {
+    normal
+        .map(|v| f64::from(v).powi(2))
+        .iter()
+        .sum::<f64>()
+        .sqrt()
+}
+
+fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
     let unit = f64::from(1u32 << words.shift);
     let root = fast_root(f2.max(0));
     let shifted = (root >> words.shift) as f64;
-    let truncated = 1.0 - 1.0 / unit + root_error(f2, object.bounds.f2) / unit;
+    let truncated = 1.0 - 1.0 / unit + root_error(f2, bounds) / unit;
     let product = f64::from(1u32 << PRODUCT_FRACTION);
     let component = |k: i16| {
-        object.bounds.normal
+        bounds.normal
             + f64::from(k).abs() * truncated / product
             + (shifted + truncated) / (2.0 * product)
             + DROPPED
@@ -57,9 +76,9 @@ fn quadric_error(object: &PreparedObject, f2: i64) -> f64 {
         .sqrt()
 }
 
-fn angle(error: f64, length: f64) -> f64 {
-    if error < length {
-        (error / length).asin().to_degrees()
+fn degrees(sine: f64) -> f64 {
+    if sine < 1.0 {
+        sine.asin().to_degrees()
     } else {
         180.0
     }

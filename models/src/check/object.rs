@@ -169,7 +169,7 @@ fn pass_line(object: &PreparedObject, format: &Format, y: i64) -> Findings {
     let words = &object.words;
     let mut found = Findings::default();
     for_each_present(words, format, y, |x, pixel| {
-        let f2 = words.f2.wrapped_at(x, y, format.quadratic) as i64;
+        let f2 = words.f2_at(x, y, format);
         found.pixels += 1;
         found.near_end += usize::from(pixel.number == FACE_NEAR_END);
         found.depth = found.depth.max(depth_bound(object, pixel.number, f2));

@@ -50,8 +50,8 @@ pub(super) fn decide(object: &PreparedObject, format: &Format, x: i64, y: i64) -
         return Verdict::Absent;
     }
     let words = &object.words;
-    let f1 = words.f1.wrapped_at(x, y, format.sum) as i64;
-    let f2 = words.f2.wrapped_at(x, y, format.quadratic) as i64;
+    let f1 = words.f1_at(x, y, format);
+    let f2 = words.f2_at(x, y, format);
     let (near, far) = face_ranges(f1, f2, &object.bounds);
     let pixel = Pixel {
         words,
@@ -86,7 +86,7 @@ impl Pixel<'_> {
 
     /// Some(true) if f2 is certainly not negative, Some(false) if it certainly is.
     fn seen(&self) -> Option<bool> {
-        let f2 = Range::around(self.f2, self.bounds.f2);
+        let f2 = Range::of_dropped(self.f2, self.bounds.f2, self.bounds.dropped_f2);
         if f2.low >= 0.0 {
             Some(true)
         } else {

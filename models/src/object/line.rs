@@ -80,9 +80,9 @@ fn run<const N: usize>(
     let seen_where_negative = words.class == Class::Front;
     let patch = words.class == Class::Patch;
     for x in x0..=window.x1 {
-        let radicand = wrap64(f2.next(), format.quadratic);
+        let radicand = format.drop_quadratic(wrap64(f2.next(), format.pe2_width()));
         f2.step = f2.step.wrapping_add(second_difference);
-        let linear = wrap64(f1.next(), format.sum);
+        let linear = format.drop_linear(wrap64(f1.next(), format.pe1_width()));
         let zp: [i64; N] =
             std::array::from_fn(|i| saturate(wrap64(depths[i].next(), format.plane), format));
         let normal_linear: [i64; 3] = std::array::from_fn(|k| g[k].next());
@@ -183,8 +183,12 @@ mod tests {
 
     proptest! {
         #[test]
-        fn lines_equal_the_processor_pixel_by_pixel(words in words(), depth in 0usize..5) {
-            let format = Format::new(Format::CATALOGUE[depth]).unwrap();
+        fn lines_equal_the_processor_pixel_by_pixel(words in words(), depth in 0usize..5, guards in [0u32..=16, 0u32..=16]) {
+            let base = Format::new(Format::CATALOGUE[depth]).unwrap();
+            // The 32-bit word leaves no room for guard bits of f2, and the 28-bit word for 8.
+            let quadratic = guards[1].min(64 - base.quadratic);
+            let linear = guards[0].min(base.quadratic + quadratic - base.sum);
+            let format = base.with_guards(linear, quadratic).unwrap();
             let mut processor = QuadricProcessor::zone_start(&words, &format);
             for y in 0..20 {
                 if y > 0 {

@@ -24,10 +24,10 @@ const PLANE_WORDS: u8 = 7;
 /// All words of an object for one zone, by ascending address; absent planes up to `planes` are written as kind none.
 pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<LoadWord> {
     let mut list = List(Vec::new());
-    list.linear(&words.f1, format.sum);
-    let f2 = words.f2.preconditioned(format.quadratic);
+    list.linear(&words.f1, format.pe1_width());
+    let f2 = words.f2.preconditioned(format.pe2_width());
     for value in [f2.a2, f2.b2, f2.c, f2.i0, f2.p0, f2.f] {
-        list.push(value, format.quadratic);
+        list.push(value, format.pe2_width());
     }
     for g in &words.normal.g {
         list.linear(g, format.normal_linear);
@@ -117,5 +117,11 @@ mod tests {
         assert_eq!(list[22].bits, 5 | 7 << 12);
         assert_eq!(list[23].bits, 2);
         assert_eq!((list[24].bits, list[24].width), (0, 2));
+
+        let guarded = Format::BASE.with_guards(3, 4).unwrap();
+        let list = load_words(&words, &guarded, 1);
+        assert_eq!((list[0].bits, list[0].width), ((1 << 29) - 1, 29));
+        assert_eq!((list[8].bits, list[8].width), ((1 << 52) - 1, 52));
+        assert_eq!((list[9].width, list[24].width), (24, 2));
     }
 }

@@ -90,9 +90,9 @@ pub struct QuadricWords {
     pub class: Class,
     /// Where the object can be on the screen; outside it is absent whatever the accumulators hold.
     pub screen_box: ScreenBox,
-    /// Linear part of the depth.
+    /// Linear part of the depth, in units of `2^-g1` depth words.
     pub f1: Linear,
-    /// Discriminant part of the depth; its sign is the silhouette.
+    /// Discriminant part of the depth, in units of `2^-g2` of its last bit; its sign is the silhouette.
     pub f2: Quadratic,
     /// Normal of the quadric.
     pub normal: NormalWords,
@@ -101,6 +101,18 @@ pub struct QuadricWords {
 }
 
 impl QuadricWords {
+    /// f1 at a pixel of the zone, guard bits dropped.
+    #[inline]
+    pub fn f1_at(&self, x: i64, y: i64, format: &Format) -> i64 {
+        format.drop_linear(self.f1.wrapped_at(x, y, format.pe1_width()) as i64)
+    }
+
+    /// f2 at a pixel of the zone, guard bits dropped.
+    #[inline]
+    pub fn f2_at(&self, x: i64, y: i64, format: &Format) -> i64 {
+        format.drop_quadratic(self.f2.wrapped_at(x, y, format.pe2_width()) as i64)
+    }
+
     /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
     ///
     /// The integers are moved, not rounded again, so every pixel keeps its value.
@@ -133,9 +145,9 @@ pub struct ObjectPixel {
 /// Every value inside the processor at one pixel, under the names of the hardware; for traces and for finding a fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Probe {
-    /// Value of the f1 processor.
+    /// Value of the f1 processor, guard bits dropped.
     pub f1: i64,
-    /// Value of the f2 processor.
+    /// Value of the f2 processor, guard bits dropped.
     pub f2: i64,
     /// Root of f2; of no meaning where f2 is negative.
     pub root: i64,
@@ -183,8 +195,8 @@ impl QuadricProcessor {
             format: *format,
             words: words.clone(),
             normals: words.planes.iter().map(|p| p.normal).collect(),
-            f1: Pe1::object_start(&words.f1, format.sum),
-            f2: Pe2::object_start(&words.f2, format.quadratic),
+            f1: Pe1::object_start(&words.f1, format.pe1_width()),
+            f2: Pe2::object_start(&words.f2, format.pe2_width()),
             planes: words
                 .planes
                 .iter()
@@ -212,8 +224,8 @@ impl QuadricProcessor {
     /// The values of the next pixel of the line, with everything in between.
     pub fn probe(&mut self) -> Probe {
         let format = &self.format;
-        let f1 = self.f1.pixel() as i64;
-        let f2 = self.f2.pixel();
+        let f1 = format.drop_linear(self.f1.pixel() as i64);
+        let f2 = format.drop_quadratic(self.f2.pixel() as i64);
         let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
         let root = restoring_root(radicand, format.root).root as i64;
         let near = wrap64(f1 - root, format.sum);
@@ -237,7 +249,7 @@ impl QuadricProcessor {
         self.x += 1;
         Probe {
             f1,
-            f2: f2 as i64,
+            f2,
             root,
             near,
             far,

@@ -2,6 +2,8 @@
 
 use crate::object::quadric::ScreenBox;
 use crate::rational::integer;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -68,6 +70,16 @@ impl LinearForm {
         LinearForm::new(&self.a * k, &self.b * k, &self.c * k)
     }
 
+    /// The expression that coefficient words stand for.
+    pub fn of_words(words: &Linear) -> LinearForm {
+        LinearForm::new(whole(words.a), whole(words.b), whole(words.c))
+    }
+
+    /// The difference of two expressions.
+    pub fn minus(&self, other: &LinearForm) -> LinearForm {
+        LinearForm::new(&self.a - &other.a, &self.b - &other.b, &self.c - &other.c)
+    }
+
     /// The sum of two expressions.
     pub fn plus(&self, other: &LinearForm) -> LinearForm {
         LinearForm::new(&self.a + &other.a, &self.b + &other.b, &self.c + &other.c)
@@ -127,6 +139,36 @@ impl QuadraticForm {
         }
     }
 
+    /// The expression that coefficient words stand for.
+    pub fn of_words(words: &Quadratic) -> QuadraticForm {
+        QuadraticForm {
+            a: whole(words.a),
+            b: whole(words.b),
+            c: whole(words.c),
+            d: whole(words.d),
+            e: whole(words.e),
+            f: whole(words.f),
+        }
+    }
+
+    /// The difference of two expressions.
+    pub fn minus(&self, other: &QuadraticForm) -> QuadraticForm {
+        QuadraticForm {
+            a: &self.a - &other.a,
+            b: &self.b - &other.b,
+            c: &self.c - &other.c,
+            d: &self.d - &other.d,
+            e: &self.e - &other.e,
+            f: &self.f - &other.f,
+        }
+    }
+
+    /// Largest magnitude over the rectangle of a box of pixels.
+    pub fn max_abs_on(&self, window: &ScreenBox) -> BigRational {
+        let (least, greatest) = self.range_on(window);
+        least.abs().max(greatest.abs())
+    }
+
     /// Least and greatest value over the rectangle of a box of pixels: they lie in a corner, on an edge where the derivative
     /// along the edge is zero, or where both derivatives are zero.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
@@ -162,6 +204,10 @@ impl QuadraticForm {
         let greatest = values.iter().max().expect("corners are inside").clone();
         (least, greatest)
     }
+}
+
+fn whole(value: i128) -> BigRational {
+    BigRational::from_integer(value.into())
 }
 
 fn corners(window: &ScreenBox) -> [(BigRational, BigRational); 4] {

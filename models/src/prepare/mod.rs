@@ -54,7 +54,7 @@ pub struct PreparedObject {
     pub notes: Vec<String>,
 }
 
-/// The expressions in depth words, before rounding, in pixel columns and lines.
+/// The expressions in depth words without guard bits, before rounding, in pixel columns and lines.
 #[derive(Clone, Debug)]
 pub struct ExactForms {
     /// Linear part of the depth.
@@ -65,20 +65,39 @@ pub struct ExactForms {
     pub planes: Vec<LinearForm>,
 }
 
-/// Greatest distance of each rounded expression from the exact one on the screen box, in its last bit.
+/// Greatest distance of each rounded expression from the exact one on the screen box, in the last bit of the word without guard bits.
+///
+/// These are maxima of the true residuals of the coefficients, exact and then rounded up to `f64`. The guard bits, which f1 and f2 drop
+/// downwards at the outputs of their processors, take up to `dropped_f1` and `dropped_f2` more.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct RoundingBounds {
-    /// Of f1.
+    /// Of f1 with its guard bits.
     pub f1: f64,
-    /// Of f2.
+    /// Of f2 with its guard bits.
     pub f2: f64,
     /// Of each plane.
     pub planes: Vec<f64>,
-    /// Of the linear part of each normal component.
+    /// Of the linear part of each normal component: the greatest of the three.
     pub normal: f64,
+    /// Most that dropping the guard bits takes from f1: `1 - 2^-g1`.
+    pub dropped_f1: f64,
+    /// Most that dropping the guard bits takes from f2: `1 - 2^-g2`. The root does not feel it: `floor(sqrt(floor(q))) = floor(sqrt(q))`.
+    pub dropped_f2: f64,
 }
 
-/// Two's complement bits that hold the true value on every pixel of the screen box.
+impl RoundingBounds {
+    /// Bounds of a format before any coefficient is known: only the guard bits that it drops.
+    pub fn of_format(format: &Format) -> RoundingBounds {
+        let dropped = |guards: u32| 1.0 - 0.5f64.powi(guards as i32);
+        RoundingBounds {
+            dropped_f1: dropped(format.guard_linear),
+            dropped_f2: dropped(format.guard_quadratic),
+            ..RoundingBounds::default()
+        }
+    }
+}
+
+/// Two's complement bits, guard bits not counted, that hold the true value on every pixel of the screen box.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct NeededWidths {
     /// f1 - r and f1 + r.

@@ -4,16 +4,17 @@ use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::perspective::{ScreenQuadric, project_plane};
 use super::planes::{prepare_plane, signed_bits};
-use super::rounding::{Anchor, Unrepresentable, round_linear, round_quadratic};
+use super::rounding::{
+    Anchor, Unrepresentable, linear_error, quadratic_error, round_linear, round_quadratic,
+};
 use super::screen_box::{Cell, Existence, Region};
 use super::{Context, ExactForms, NeededWidths, PreparedObject, RoundingBounds};
-use crate::format::word_max;
+use crate::format::{Format, word_max};
 use crate::object::quadric::{QuadricWords, ScreenBox};
-use crate::rational::{integer, to_f64};
+use crate::rational::{integer, power_of_two, to_f64, to_f64_up};
 use crate::scene::{FramedObject, Plane, Surface};
 use crate::unit::interval::Class;
 use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
-use crate::unit::pe2::Quadratic;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -169,7 +170,7 @@ fn quadric_words(
             f2: QuadraticForm::zero(),
             planes: vec![],
         },
-        bounds: RoundingBounds::default(),
+        bounds: RoundingBounds::of_format(&context.format),
         needed: NeededWidths::default(),
         notes: vec![],
     };
@@ -192,19 +193,8 @@ fn quadric_words(
             .to_pixels_quadratic(&quadric.f2())
             .scaled(&(scale * scale));
     }
-    let unrepresentable =
-        |word: &'static str, bits: u32| move |u: Unrepresentable| (word, u.value.abs(), bits);
-    let rounded = round_linear(&prepared.exact.f1, anchor)
-        .map_err(unrepresentable("f1", context.format.sum))
-        .and_then(|f1| {
-            round_quadratic(&prepared.exact.f2, anchor)
-                .map(|f2| (f1, f2))
-                .map_err(unrepresentable("f2", context.format.quadratic))
-        });
-    let (f1, f2) = rounded.map_err(|(word, value, bits)| refusal(word, &value, bits))?;
-    (prepared.words.f1, prepared.words.f2) = (f1, f2);
-    prepared.bounds.f1 = anchor.linear_bound(window);
-    prepared.bounds.f2 = anchor.quadratic_bound(window);
+    round(&mut prepared, anchor, &context.format)
+        .map_err(|(word, value, bits)| refusal(word, &value, bits))?;
     let root_max = prove_widths(&mut prepared, &refusal, context)?;
     if class != Class::Prism {
         normal_words(&mut prepared, quadric, &root_max, anchor, context);
@@ -212,23 +202,50 @@ fn quadric_words(
     Ok(prepared)
 }
 
+/// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with the word, the value and
+/// the width available.
+fn round(
+    prepared: &mut PreparedObject,
+    anchor: Anchor,
+    format: &Format,
+) -> Result<(), (&'static str, BigRational, u32)> {
+    let unrepresentable = |word, guards: u32, bits| {
+        move |u: Unrepresentable| (word, u.value.abs() / power_of_two(guards), bits)
+    };
+    let (g1, g2) = (format.guard_linear, format.guard_quadratic);
+    let (exact, window) = (&prepared.exact, &prepared.words.screen_box);
+    let f1 = round_linear(&exact.f1.scaled(&power_of_two(g1)), anchor)
+        .map_err(unrepresentable("f1", g1, format.sum))?;
+    let f2 = round_quadratic(&exact.f2.scaled(&power_of_two(g2)), anchor)
+        .map_err(unrepresentable("f2", g2, format.quadratic))?;
+    prepared.bounds.f1 = to_f64_up(&linear_error(&f1, &exact.f1, g1, window));
+    prepared.bounds.f2 = to_f64_up(&quadratic_error(&f2, &exact.f2, g2, window));
+    (prepared.words.f1, prepared.words.f2) = (f1, f2);
+    Ok(())
+}
+
 /// Proves on the rounded integers that f2, and f1 -+ r, stay within their words on the box; returns the greatest root.
+///
+/// The values are those with guard bits. Dropping them downwards adds less than one to a magnitude, which rounding the magnitude up to an
+/// integer covers; and if that integer fits `S` or `F` bits, the value with its guard bits fits the processor.
 fn prove_widths(
     prepared: &mut PreparedObject,
     refusal: &dyn Fn(&str, &BigRational, u32) -> PrepareError,
     context: &Context,
 ) -> Result<BigInt, PrepareError> {
     let window = prepared.words.screen_box;
-    let (least, greatest) = rational_form(&prepared.words.f2).range_on(&window);
+    let unit = |guards: u32| power_of_two(guards).recip();
+    let f2 =
+        QuadraticForm::of_words(&prepared.words.f2).scaled(&unit(context.format.guard_quadratic));
+    let (least, greatest) = f2.range_on(&window);
     let magnitude = least.abs().max(greatest.abs());
     prepared.needed.quadratic = signed_bits(&magnitude);
     if prepared.needed.quadratic > context.format.quadratic {
         return Err(refusal("f2", &magnitude, context.format.quadratic));
     }
     let root_max: BigInt = greatest.max(BigRational::zero()).ceil().to_integer().sqrt() + 1;
-    let f1 = prepared.words.f1;
-    let linear = LinearForm::new(whole(f1.a), whole(f1.b), whole(f1.c));
-    let sum = linear.max_abs_on(&window) + BigRational::from_integer(root_max.clone());
+    let f1 = LinearForm::of_words(&prepared.words.f1).scaled(&unit(context.format.guard_linear));
+    let sum = f1.max_abs_on(&window) + BigRational::from_integer(root_max.clone());
     prepared.needed.sum = signed_bits(&sum);
     if prepared.needed.sum > context.format.sum {
         return Err(refusal("f1 + sqrt(f2)", &sum, context.format.sum));
@@ -273,9 +290,10 @@ fn normal_words(
     }
     let words = &mut prepared.words.normal;
     words.shift = shift as u8;
-    words.g = parts
+    let linear = parts.each_ref().map(|(g, _)| g.scaled(&scale));
+    words.g = linear
         .each_ref()
-        .map(|(g, _)| round_linear(&g.scaled(&scale), anchor).expect("scaled to 22 bits"));
+        .map(|g| round_linear(g, anchor).expect("scaled to 22 bits"));
     words.k = parts.each_ref().map(|(_, k)| {
         (k * &scale * &factor_unit)
             .round()
@@ -283,7 +301,11 @@ fn normal_words(
             .to_i16()
             .expect("scaled to 16 bits")
     });
-    prepared.bounds.normal = anchor.linear_bound(&window);
+    let errors = words.g.iter().zip(&linear);
+    let greatest = errors
+        .map(|(word, exact)| linear_error(word, exact, 0, &window))
+        .max();
+    prepared.bounds.normal = to_f64_up(&greatest.expect("three components"));
 }
 
 /// A contour has a free scale: the greatest magnitude fills half the word.
@@ -323,20 +345,5 @@ fn log2(magnitude: &BigRational) -> f64 {
         to_f64(magnitude).log2()
     } else {
         bits as f64
-    }
-}
-
-fn whole(value: i128) -> BigRational {
-    BigRational::from_integer(value.into())
-}
-
-fn rational_form(q: &Quadratic) -> QuadraticForm {
-    QuadraticForm {
-        a: whole(q.a),
-        b: whole(q.b),
-        c: whole(q.c),
-        d: whole(q.d),
-        e: whole(q.e),
-        f: whole(q.f),
     }
 }

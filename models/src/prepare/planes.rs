@@ -3,11 +3,11 @@
 use super::Context;
 use super::error::PrepareError;
 use super::forms::LinearForm;
-use super::rounding::{Anchor, round_linear};
+use super::rounding::{Anchor, linear_error, round_linear};
 use super::screen_box::Region;
 use crate::format::word_max;
 use crate::object::quadric::{PlaneWords, ScreenBox};
-use crate::rational::{floor, from_f64_exact, integer, round_half_up};
+use crate::rational::{floor, from_f64_exact, integer, round_half_up, to_f64_up};
 use crate::scene::Plane;
 use crate::unit::cut_plane::PlaneKind;
 use num_bigint::BigInt;
@@ -63,8 +63,8 @@ pub(super) fn prepare_plane(
                 depth: word,
                 normal,
             },
+            bound: to_f64_up(&linear_error(&word, &depth, 0, window)),
             exact: depth,
-            bound: anchor.linear_bound(window),
             needed,
             steep: false,
         });
@@ -111,11 +111,11 @@ fn perpendicular(
 ) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
     let whole = value.scaled(&integer_scale(&value));
-    let (exact, bound) = if whole.max_abs_on(window) <= limit {
-        (whole, 0.0)
+    let exact = if whole.max_abs_on(window) <= limit {
+        whole
     } else {
         let scale = limit / (integer(2) * value.max_abs_on(window));
-        (value.scaled(&scale), anchor.linear_bound(window))
+        value.scaled(&scale)
     };
     let depth = round_linear(&exact, anchor).expect("scaled to the plane word");
     PreparedPlane {
@@ -125,8 +125,8 @@ fn perpendicular(
             normal,
         },
         needed: signed_bits(&exact.max_abs_on(window)),
+        bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
         exact,
-        bound,
         steep,
     }
 }

@@ -2,10 +2,14 @@
 //!
 //! Factors are rounded in coordinates centred on an anchor pixel and then moved to the screen origin as exact integers. The error at a
 //! pixel therefore grows with its distance from the anchor, not from the screen's corner.
+//!
+//! Two bounds hold for that error on a box. [`Anchor::linear_bound`] and [`Anchor::quadratic_bound`] are known before any coefficient is: half a bit for
+//! each factor, times what it is multiplied with. [`linear_error`] and [`quadratic_error`] are the exact greatest error of given words:
+//! the residual, rounded minus exact factor, is itself an expression of the same degree, and its range on the box is known exactly.
 
 use super::forms::{LinearForm, QuadraticForm};
 use crate::object::quadric::ScreenBox;
-use crate::rational::{integer, round_half_up};
+use crate::rational::{integer, power_of_two, round_half_up};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use num_rational::BigRational;
@@ -41,14 +45,15 @@ impl Anchor {
         )
     }
 
-    /// Greatest rounding error of a first-degree expression on the box, in units of its last bit: half a bit for each factor,
-    /// times the distance it is multiplied with.
+    /// Greatest rounding error of any first-degree expression on the box, in units of its last bit: half a bit for each factor,
+    /// times the distance it is multiplied with. If the box reaches N columns and N lines from the anchor this is the source's (2N + 1) / 2.
     pub fn linear_bound(&self, window: &ScreenBox) -> f64 {
         let (u, v) = self.reach(window);
         0.5 * (u + v + 1.0)
     }
 
-    /// Greatest rounding error of a second-degree expression on the box, in units of its last bit.
+    /// Greatest rounding error of any second-degree expression on the box, in units of its last bit. If the box reaches N columns and N lines
+    /// from the anchor this is the source's (3 N^2 + 2N + 1) / 2.
     pub fn quadratic_bound(&self, window: &ScreenBox) -> f64 {
         let (u, v) = self.reach(window);
         0.5 * (u * u + v * v + u * v + u + v + 1.0)
@@ -93,6 +98,30 @@ pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic
     Ok(rounded.from_zone(-anchor.x, -anchor.y))
 }
 
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+pub fn linear_error(
+    words: &Linear,
+    exact: &LinearForm,
+    guards: u32,
+    window: &ScreenBox,
+) -> BigRational {
+    let unit = power_of_two(guards).recip();
+    let residual = LinearForm::of_words(words).scaled(&unit).minus(exact);
+    residual.max_abs_on(window)
+}
+
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+pub fn quadratic_error(
+    words: &Quadratic,
+    exact: &QuadraticForm,
+    guards: u32,
+    window: &ScreenBox,
+) -> BigRational {
+    let unit = power_of_two(guards).recip();
+    let residual = QuadraticForm::of_words(words).scaled(&unit).minus(exact);
+    residual.max_abs_on(window)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,27 +133,54 @@ mod tests {
         crate::rational::to_f64(value)
     }
 
+    #[test]
+    fn bounds_before_the_coefficients_are_those_of_the_source() {
+        for n in [720, 1024] {
+            let window = ScreenBox {
+                x0: 0,
+                x1: n,
+                y0: 0,
+                y1: n,
+            };
+            let n = n as f64;
+            assert_eq!(Anchor::ORIGIN.linear_bound(&window), (2.0 * n + 1.0) / 2.0);
+            assert_eq!(
+                Anchor::ORIGIN.quadratic_bound(&window),
+                (3.0 * n * n + 2.0 * n + 1.0) / 2.0
+            );
+        }
+    }
+
     proptest! {
+        /// At every pixel the error is at most the exact maximum, which is at most the bound known beforehand.
         #[test]
-        fn rounding_stays_within_its_bound_on_every_pixel(
-            n in proptest::array::uniform6(-1_000_000i64..1_000_000), d in 1i64..1000, x0 in 0i64..500, y0 in 0i64..500, w in 1i64..30, h in 1i64..30
+        fn rounding_stays_within_its_bounds_on_every_pixel(
+            n in proptest::array::uniform6(-1_000_000i64..1_000_000), d in 1i64..1000, guards in 0u32..=8,
+            x0 in 0i64..500, y0 in 0i64..500, w in 1i64..12, h in 1i64..12
         ) {
             let window = ScreenBox { x0, x1: x0 + w, y0, y1: y0 + h };
             let anchor = Anchor::middle_of(&window);
+            let unit = power_of_two(guards);
             let [a, b, c, dd, e, f] = n.map(|n| fraction(n, d));
             let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
             let quadratic = QuadraticForm { a, b, c, d: dd, e, f };
-            let l = round_linear(&linear, anchor).unwrap();
-            let q = round_quadratic(&quadratic, anchor).unwrap();
-            for x in [x0, anchor.x, x0 + w] {
-                for y in [y0, anchor.y, y0 + h] {
+            let l = round_linear(&linear.scaled(&unit), anchor).unwrap();
+            let q = round_quadratic(&quadratic.scaled(&unit), anchor).unwrap();
+            let error = linear_error(&l, &linear, guards, &window);
+            let error2 = quadratic_error(&q, &quadratic, guards, &window);
+            prop_assert!(to_f64(&(&error * &unit)) <= anchor.linear_bound(&window));
+            prop_assert!(to_f64(&(&error2 * &unit)) <= anchor.quadratic_bound(&window));
+            let mut worst = integer(0);
+            for x in x0..=x0 + w {
+                for y in y0..=y0 + h {
                     let (px, py) = (integer(x), integer(y));
-                    let off = BigRational::from_integer(l.exact_at(x, y)) - linear.at(&px, &py);
-                    prop_assert!(to_f64(&off.abs()) <= anchor.linear_bound(&window));
-                    let off = BigRational::from_integer(q.exact_at(x, y)) - quadratic.at(&px, &py);
-                    prop_assert!(to_f64(&off.abs()) <= anchor.quadratic_bound(&window));
+                    let off = BigRational::from_integer(l.exact_at(x, y)) / &unit - linear.at(&px, &py);
+                    worst = worst.max(off.abs());
+                    let off = BigRational::from_integer(q.exact_at(x, y)) / &unit - quadratic.at(&px, &py);
+                    prop_assert!(off.abs() <= error2);
                 }
             }
+            prop_assert_eq!(worst, error);
         }
     }
 }
