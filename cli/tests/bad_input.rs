@@ -256,7 +256,7 @@ fn guards_refusal(arguments: &[&str]) -> String {
     let output = imogene()
         .args(["render", "--size", "32x24", "-o"])
         .arg(folder.path().join("picture.png"))
-        .arg(scene("cone"))
+        .arg(scene("cone.toml"))
         .args(arguments)
         .output()
         .unwrap();

@@ -261,7 +261,7 @@ fn cosim_of_a_unit_in_icarus() {
 
 #[test]
 fn guard_bits_sharpen_the_bounds_of_a_check() {
-    let cone = scene("cone");
+    let cone = scene("cone.toml");
     let depth = |guards: &str| {
         let report = json(&[
             "check",

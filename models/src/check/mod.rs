@@ -9,12 +9,15 @@ mod depth;
 mod kind;
 mod normal;
 mod object;
+mod silhouette;
+pub mod trial;
 mod verdict;
 
 pub use depth::{DepthTerms, depth_bound, depth_terms};
 pub use kind::quadric_kind;
 pub use normal::normal_bound;
 pub use object::{ObjectBounds, ObjectReport, Undecided};
+pub use silhouette::displacement_at;
 
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;

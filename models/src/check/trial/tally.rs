@@ -1,0 +1,207 @@
+//! What the trial counts: every comparison of an error with its bound, decided exactly.
+
+use serde::Serialize;
+
+/// An error below this part of its bound is within it whatever the rounding of the few operations in `f64` that computed both (each of them
+/// relative to the term it makes); above it the comparison is made in exact integers.
+const CLEARLY_WITHIN: f64 = 1.0 - 1e-9;
+/// Violations that are kept for the report.
+const KEPT: usize = 8;
+
+/// The terms whose bounds are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Term {
+    /// Coefficient rounding of f1, in depth words.
+    Linear,
+    /// Coefficient rounding of f2, in its last bit.
+    QuadraticValue,
+    /// Coefficient rounding of f2 through the root, in depth words.
+    QuadraticRoot,
+    /// Floor of the root, in depth words.
+    RootFloor,
+    /// Dropped guard bits of f1, in depth words.
+    Truncation,
+    /// The whole depth error of a near or far face, in depth words.
+    Depth,
+    /// The same against the bound without a pixel's f2.
+    DepthClosedForm,
+    /// Displacement of the silhouette, in pixels.
+    Silhouette,
+    /// Sine of the angle of a normal.
+    Normal,
+    /// Residual bound of f1 against the bound before the coefficients are known.
+    LinearBeforehand,
+    /// Residual bound of f2 against the bound before the coefficients are known.
+    QuadraticBeforehand,
+}
+
+impl Term {
+    /// Every term in the order of reports.
+    pub const ALL: [Term; 11] = [
+        Term::Linear,
+        Term::QuadraticValue,
+        Term::QuadraticRoot,
+        Term::RootFloor,
+        Term::Truncation,
+        Term::Depth,
+        Term::DepthClosedForm,
+        Term::Silhouette,
+        Term::Normal,
+        Term::LinearBeforehand,
+        Term::QuadraticBeforehand,
+    ];
+
+    /// What is bounded, for a person.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Term::Linear => "f1 coefficients",
+            Term::QuadraticValue => "f2 coefficients",
+            Term::QuadraticRoot => "f2 through the root",
+            Term::RootFloor => "floor of the root",
+            Term::Truncation => "dropped guards",
+            Term::Depth => "depth",
+            Term::DepthClosedForm => "depth, closed form",
+            Term::Silhouette => "silhouette",
+            Term::Normal => "normal",
+            Term::LinearBeforehand => "f1, beforehand",
+            Term::QuadraticBeforehand => "f2, beforehand",
+        }
+    }
+}
+
+/// An error beyond its bound.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Violation {
+    /// Which bound.
+    pub term: Term,
+    /// Number of the case, which with the seed makes it again.
+    pub case: u64,
+    /// Pixel.
+    pub pixel: (i64, i64),
+    /// What was observed.
+    pub observed: f64,
+    /// What was stated.
+    pub bound: f64,
+}
+
+/// How a bound fared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Fared {
+    /// Comparisons made.
+    pub comparisons: u64,
+    /// Greatest ratio of an error to its bound.
+    pub tightness: f64,
+    /// The error where that was.
+    pub observed: f64,
+    /// The bound where that was.
+    pub bound: f64,
+}
+
+impl Fared {
+    fn add(&mut self, observed: f64, bound: f64) {
+        self.comparisons += 1;
+        if bound > 0.0 && observed / bound > self.tightness {
+            *self = Fared {
+                comparisons: self.comparisons,
+                tightness: observed / bound,
+                observed,
+                bound,
+            };
+        }
+    }
+
+    fn merged(self, other: Fared) -> Fared {
+        let tighter = if other.tightness > self.tightness {
+            other
+        } else {
+            self
+        };
+        Fared {
+            comparisons: self.comparisons + other.comparisons,
+            ..tighter
+        }
+    }
+}
+
+/// The count of one run, or part of one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    /// Compare everything in exact integers.
+    pub always_exactly: bool,
+    /// The case at hand.
+    pub case: u64,
+    /// Pixels visited.
+    pub pixels: u64,
+    /// Comparisons that were made in exact integers.
+    pub decided_exactly: u64,
+    /// Errors beyond their bounds.
+    pub violated: u64,
+    /// The first of them.
+    pub violations: Vec<Violation>,
+    /// Pixels at which the computed sign of f2 differs from the true one.
+    pub signs: u64,
+    /// Normals whose direction the words do not determine.
+    pub undetermined: u64,
+    fared: [Fared; Term::ALL.len()],
+}
+
+impl Tally {
+    /// Nothing counted yet.
+    pub fn new(always_exactly: bool) -> Tally {
+        Tally {
+            always_exactly,
+            ..Tally::default()
+        }
+    }
+
+    /// Compares an error with its bound. `exactly` makes the same comparison in integers and is asked whenever `f64` cannot tell.
+    pub fn compare(
+        &mut self,
+        term: Term,
+        pixel: (i64, i64),
+        (observed, bound): (f64, f64),
+        exactly: impl FnOnce() -> bool,
+    ) {
+        self.fared[term as usize].add(observed, bound);
+        let clear = observed < bound * CLEARLY_WITHIN;
+        if clear && !self.always_exactly {
+            return;
+        }
+        self.decided_exactly += 1;
+        if exactly() {
+            return;
+        }
+        self.violated += 1;
+        if self.violations.len() < KEPT {
+            self.violations.push(Violation {
+                term,
+                case: self.case,
+                pixel,
+                observed,
+                bound,
+            });
+        }
+    }
+
+    /// How a term's bound fared.
+    pub fn fared(&self, term: Term) -> Fared {
+        self.fared[term as usize]
+    }
+
+    /// The count of both.
+    pub fn merged(mut self, other: Tally) -> Tally {
+        self.pixels += other.pixels;
+        self.decided_exactly += other.decided_exactly;
+        self.violated += other.violated;
+        self.violations.extend(other.violations);
+        self.violations.sort_by_key(|v| v.case);
+        self.violations.truncate(KEPT);
+        self.signs += other.signs;
+        self.undetermined += other.undetermined;
+        for (mine, others) in self.fared.iter_mut().zip(other.fared) {
+            *mine = mine.merged(others);
+        }
+        self
+    }
+}
