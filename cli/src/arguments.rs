@@ -38,6 +38,8 @@ pub enum Command {
     Cosim(Cosim),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
     Check(Check),
+    /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
+    Bounds(Bounds),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table.
     Synth(Synth),
 }
@@ -164,6 +166,42 @@ pub struct Check {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
+}
+
+/// Arguments of `bounds`.
+#[derive(Debug, Args)]
+pub struct Bounds {
+    /// Scene files (TOML); without any, the bounds are tried on random cases.
+    pub scenes: Vec<PathBuf>,
+    /// Random cases at each format.
+    #[arg(
+        long,
+        default_value_t = 100_000,
+        value_name = "N",
+        conflicts_with = "scenes"
+    )]
+    pub cases: u64,
+    /// Seed of the random cases.
+    #[arg(long, default_value_t = 1, conflicts_with = "scenes")]
+    pub seed: u64,
+    /// Picture sizes in pixels.
+    #[arg(
+        long,
+        value_name = "WxH",
+        value_delimiter = ',',
+        default_value = "160x120,320x240,640x480,1024x768",
+        requires = "scenes"
+    )]
+    pub sizes: Vec<Size>,
+    /// Depth words in bits.
+    #[arg(
+        long,
+        value_name = "W",
+        value_delimiter = ',',
+        default_value = "16,20,24",
+        requires = "scenes"
+    )]
+    pub formats: Vec<u32>,
 }
 
 /// What runs the hardware.

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
         Command::Check(options) => command::check::run(options, json),
+        Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
     };
     match outcome {

@@ -282,3 +282,19 @@ fn guard_bits_that_cannot_be_had_are_refused() {
         &["no guard bits", "--model golden"],
     );
 }
+
+#[test]
+fn bounds_refuse_what_they_cannot_try() {
+    let refused = |arguments: &[&str], parts: &[&str]| {
+        let output = imogene().arg("bounds").args(arguments).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_mentions(&message, parts);
+    };
+    let cone = scene("cone.toml");
+    let cone = cone.to_str().unwrap();
+    refused(&["--sizes", "64x48"], &["required"]);
+    refused(&[cone, "--cases", "5"], &["cannot be used with"]);
+    refused(&[cone, "--formats", "25"], &["25", "16, 20, 24, 28, 32"]);
+    refused(&["nowhere.toml"], &["nowhere.toml"]);
+}

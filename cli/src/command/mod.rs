@@ -1,5 +1,6 @@
 //! The commands, one per file.
 
+pub mod bounds;
 pub mod check;
 pub mod cosim;
 pub mod demo;

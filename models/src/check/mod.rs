@@ -6,6 +6,7 @@
 
 mod contour;
 mod depth;
+pub mod headroom;
 mod kind;
 mod normal;
 mod object;

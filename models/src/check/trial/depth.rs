@@ -1,6 +1,7 @@
 //! Trial of the depth bounds at one pixel, term by term.
 
 use super::case::Case;
+use super::exact::at_most;
 use super::tally::{Tally, Term};
 use crate::check::depth::{depth_terms, face_bound, worst_case};
 use crate::exact::real::SurdReal;
@@ -96,7 +97,7 @@ impl Pixel<'_> {
         ] {
             let observed = (r as f64 / d as f64).abs();
             tally.compare(term, self.at(), (observed, bound), || {
-                ratio(r.abs(), d) <= from_f64_exact(bound)
+                at_most(r.abs(), d, bound)
             });
         }
     }
@@ -129,10 +130,7 @@ impl Pixel<'_> {
             Term::Truncation,
             at,
             (truncation, stated.truncation),
-            || {
-                ratio(dropped, 1 << format.guard_linear) <= from_f64_exact(stated.truncation)
-                    && dropped >= 0
-            },
+            || dropped >= 0 && at_most(dropped, 1 << format.guard_linear, stated.truncation),
         );
         tally.compare(Term::RootFloor, at, (floor, stated.root_floor), || {
             above >= 0 && self.q2 < i128::from(root + 1).pow(2) << format.guard_quadratic
@@ -178,10 +176,6 @@ impl Pixel<'_> {
         exact.cmp_ratio(low.numer(), low.denom()) != Ordering::Less
             && exact.cmp_ratio(high.numer(), high.denom()) != Ordering::Greater
     }
-}
-
-fn ratio(numerator: i128, denominator: i128) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn quotient(numerator: f64, denominator: f64) -> f64 {

@@ -4,6 +4,8 @@
 //! (of residuals, at most half a denominator per factor) below 2^90.
 
 use crate::object::quadric::ScreenBox;
+use crate::rational::from_f64_exact;
+use num_rational::BigRational;
 
 /// `a u + b v + c`, numerators over a denominator.
 #[derive(Clone, Copy, Debug)]
@@ -147,4 +149,46 @@ fn corners(window: &ScreenBox) -> [(i64, i64); 4] {
 /// `|numerator / denominator|`, not below the true value and at most a few last bits above it.
 pub(super) fn ratio_up(numerator: i128, denominator: i128) -> f64 {
     (numerator as f64 / denominator as f64).abs() * (1.0 + 4.0 * f64::EPSILON)
+}
+
+/// `numerator / denominator <= bound`, exactly, for numerators from 0 to 2^127 and positive denominators and bounds.
+pub(super) fn at_most(numerator: i128, denominator: i128, bound: f64) -> bool {
+    // bound = mantissa / 2^shift
+    let bits = bound.to_bits();
+    let shift = 1075 - (bits >> 52) as i64;
+    let mantissa = i128::from(bits & ((1 << 52) - 1) | 1 << 52);
+    let room = i64::from(numerator.leading_zeros()) - 1;
+    let product = mantissa.checked_mul(denominator);
+    match product {
+        Some(product) if bound.is_normal() && (0..=room).contains(&shift) => {
+            numerator << shift <= product
+        }
+        _ => {
+            let ratio = BigRational::new(numerator.into(), denominator.into());
+            ratio <= from_f64_exact(bound)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn comparisons_with_a_bound_are_exact(n in 0i128..1 << 60, d in 1i128..1 << 50, off in -3i64..=3, far in any::<bool>()) {
+            let near = n as f64 / d as f64;
+            let bound = if far { near * 1.5 } else { f64::from_bits((near.to_bits() as i64 + off).max(0) as u64) };
+            let exact = BigRational::new(n.into(), d.into()) <= from_f64_exact(bound);
+            prop_assert_eq!(at_most(n, d, bound), exact);
+        }
+    }
+
+    #[test]
+    fn bounds_that_are_reached_hold() {
+        assert!(at_most(3, 4, 0.75) && !at_most(3, 4, 0.75f64.next_down()));
+        assert!(at_most(0, 1, 0.0) && !at_most(1, 1 << 100, 0.0));
+        assert!(at_most(1 << 100, 1 << 100, 1.0) && !at_most((1 << 100) + 1, 1 << 100, 1.0));
+    }
 }

@@ -109,7 +109,8 @@ pub fn run(
     piece_done: impl Fn(u64) + Sync,
 ) -> TrialReport {
     let pieces = cases.div_ceil(PIECE);
-    let tally = (0..pieces)
+    // Collected and added in order, so that the sums are the same in every run.
+    let tallies: Vec<Tally> = (0..pieces)
         .into_par_iter()
         .map(|piece| {
             let range = piece * PIECE..cases.min((piece + 1) * PIECE);
@@ -119,7 +120,8 @@ pub fn run(
             piece_done(count);
             tally
         })
-        .reduce(Tally::default, Tally::merged);
+        .collect();
+    let tally = tallies.into_iter().fold(Tally::default(), Tally::merged);
     report(format, cases, tally)
 }
 

@@ -92,33 +92,49 @@ pub struct Fared {
     pub comparisons: u64,
     /// Greatest ratio of an error to its bound.
     pub tightness: f64,
+    /// Mean ratio of an error to its bound, where the bound is not zero.
+    pub mean: f64,
     /// The error where that was.
     pub observed: f64,
     /// The bound where that was.
     pub bound: f64,
 }
 
-impl Fared {
+/// [`Fared`] while it is counted.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    comparisons: u64,
+    bounded: u64,
+    sum: f64,
+    tightness: f64,
+    observed: f64,
+    bound: f64,
+}
+
+impl Count {
     fn add(&mut self, observed: f64, bound: f64) {
         self.comparisons += 1;
-        if bound > 0.0 && observed / bound > self.tightness {
-            *self = Fared {
-                comparisons: self.comparisons,
-                tightness: observed / bound,
-                observed,
-                bound,
-            };
+        if bound == 0.0 {
+            return;
+        }
+        let ratio = observed / bound;
+        self.bounded += 1;
+        self.sum += ratio;
+        if ratio > self.tightness {
+            (self.tightness, self.observed, self.bound) = (ratio, observed, bound);
         }
     }
 
-    fn merged(self, other: Fared) -> Fared {
+    fn merged(self, other: Count) -> Count {
         let tighter = if other.tightness > self.tightness {
             other
         } else {
             self
         };
-        Fared {
+        Count {
             comparisons: self.comparisons + other.comparisons,
+            bounded: self.bounded + other.bounded,
+            sum: self.sum + other.sum,
             ..tighter
         }
     }
@@ -143,7 +159,7 @@ pub(super) struct Tally {
     pub signs: u64,
     /// Normals whose direction the words do not determine.
     pub undetermined: u64,
-    fared: [Fared; Term::ALL.len()],
+    counts: [Count; Term::ALL.len()],
 }
 
 impl Tally {
@@ -163,7 +179,7 @@ impl Tally {
         (observed, bound): (f64, f64),
         exactly: impl FnOnce() -> bool,
     ) {
-        self.fared[term as usize].add(observed, bound);
+        self.counts[term as usize].add(observed, bound);
         let clear = observed < bound * CLEARLY_WITHIN;
         if clear && !self.always_exactly {
             return;
@@ -186,7 +202,14 @@ impl Tally {
 
     /// How a term's bound fared.
     pub fn fared(&self, term: Term) -> Fared {
-        self.fared[term as usize]
+        let count = self.counts[term as usize];
+        Fared {
+            comparisons: count.comparisons,
+            tightness: count.tightness,
+            mean: count.sum / count.bounded.max(1) as f64,
+            observed: count.observed,
+            bound: count.bound,
+        }
     }
 
     /// The count of both.
@@ -199,7 +222,7 @@ impl Tally {
         self.violations.truncate(KEPT);
         self.signs += other.signs;
         self.undetermined += other.undetermined;
-        for (mine, others) in self.fared.iter_mut().zip(other.fared) {
+        for (mine, others) in self.counts.iter_mut().zip(other.counts) {
             *mine = mine.merged(others);
         }
         self

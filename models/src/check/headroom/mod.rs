@@ -1,0 +1,169 @@
+//! Headroom: silhouette and depth errors of a scene in a format, and the guard bits of f2 that it needs, or could do without.
+//!
+//! A *silhouette error* is a pixel of an object's box at which the sign of the rounded f2 is not that of the exact one. They are counted at every pixel of every
+//! object's box, hidden or not, against signs in big integers. With g guard bits (below zero: bits dropped) the rounding error at a
+//! pixel (u, v) away from the anchor is at most `(u^2 + v^2 + |u v| + |u| + |v| + 1) / 2^(g + 1)`, so a pixel whose true `|f2|` is greater has the right sign with
+//! g bits and with any more. The least g for which this holds at every pixel is *derived*; it is sufficient. Counting down from it until errors appear
+//! gives the least that is *confirmed*.
+
+mod depths;
+mod signs;
+
+use crate::object::quadric::ScreenBox;
+use crate::prepare::forms::QuadraticForm;
+use crate::prepare::rounding::{Anchor, round_quadratic};
+use crate::prepare::{PreparedObject, PreparedScene};
+use crate::rational::power_of_two;
+use crate::unit::pe2::Quadratic;
+use depths::DepthErrors;
+use rayon::prelude::*;
+use serde::Serialize;
+use signs::{TrueSigns, true_signs};
+
+/// Fewest guard bits that are tried: this many bits of f2 dropped leave no picture of any format.
+const FEWEST: i32 = -64;
+
+/// Errors and needs of a scene in a format without guard bits.
+#[derive(Clone, Debug, Serialize)]
+pub struct Headroom {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Depth word.
+    pub depth_word: u32,
+    /// Pixels of all boxes.
+    pub pixels: u64,
+    /// Pixels at which the rounded f2 has the wrong sign, without guard bits.
+    pub silhouette_errors: u64,
+    /// Pixels at which the true f2 is exactly zero: on the silhouette, present by definition. No number of guard bits is derived for them.
+    pub ties: u64,
+    /// Greatest error of a near or far depth within the depth range, in depth words, without guard bits.
+    pub depth_max_lsb: f64,
+    /// Root of the mean square of these errors.
+    pub depth_rms_lsb: f64,
+    /// Depths that entered.
+    pub depths: u64,
+    /// Guard bits of f2 that are proven to leave no error where f2 is not zero; below zero, bits that can be dropped.
+    pub derived: i32,
+    /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded away even with the derived number.
+    pub confirmed: Option<i32>,
+    /// Errors counted with one bit less.
+    pub errors_with_one_less: u64,
+}
+
+/// Counts errors and needs; `prepared` must have no guard bits.
+pub fn headroom(prepared: &PreparedScene) -> Headroom {
+    let objects: Vec<Subject> = prepared
+        .objects
+        .iter()
+        .filter(|o| !o.words.screen_box.is_empty())
+        .map(Subject::new)
+        .collect();
+    let ties = objects.iter().map(|o| o.signs.ties).sum();
+    let risk = objects.iter().map(|o| o.signs.risk).fold(0.0, f64::max);
+    let derived = bits_above(risk);
+    let count = |guards: i32| objects.iter().map(|o| o.errors(guards)).sum::<u64>();
+    let (confirmed, errors_with_one_less) = count_down(derived, &count);
+    let depths = objects
+        .iter()
+        .map(|o| depths::errors(o.object, &o.signs.present, &prepared.format))
+        .fold(DepthErrors::default(), DepthErrors::merged);
+    Headroom {
+        width: prepared.width,
+        height: prepared.height,
+        depth_word: prepared.format.depth,
+        pixels: objects.iter().map(|o| o.window.pixels()).sum(),
+        silhouette_errors: count(0),
+        ties,
+        depth_max_lsb: depths.most,
+        depth_rms_lsb: depths.rms(),
+        depths: depths.count,
+        derived,
+        confirmed,
+        errors_with_one_less,
+    }
+}
+
+/// The last number of guard bits without errors on the way down from the derived one, and the errors with one bit less.
+fn count_down(derived: i32, count: &dyn Fn(i32) -> u64) -> (Option<i32>, u64) {
+    let mut last = None;
+    for guards in (FEWEST..=derived).rev() {
+        let errors = count(guards);
+        if errors > 0 {
+            return (last, errors);
+        }
+        last = Some(guards);
+    }
+    (last, 0)
+}
+
+/// The least g with `risk < 2^g`, up to a last bit of the risk that is counted as one more.
+fn bits_above(risk: f64) -> i32 {
+    let risk = risk * (1.0 + 1e-9);
+    let mut bits = FEWEST;
+    while f64::exp2(f64::from(bits)) <= risk {
+        bits += 1;
+    }
+    bits
+}
+
+/// One object with its true signs.
+struct Subject<'a> {
+    object: &'a PreparedObject,
+    window: ScreenBox,
+    anchor: Anchor,
+    signs: TrueSigns,
+}
+
+impl Subject<'_> {
+    fn new(object: &PreparedObject) -> Subject<'_> {
+        let window = object.words.screen_box;
+        let anchor = Anchor::middle_of(&window);
+        let signs = true_signs(&object.exact.f2, &window, |x, y| {
+            let (u, v) = ((x - anchor.x).abs() as f64, (y - anchor.y).abs() as f64);
+            0.5 * (u * u + v * v + u * v + u + v + 1.0)
+        });
+        Subject {
+            object,
+            window,
+            anchor,
+            signs,
+        }
+    }
+
+    /// Pixels at which f2 rounded with this many guard bits has the wrong sign.
+    fn errors(&self, guards: i32) -> u64 {
+        let rounded = rounded_with(&self.object.exact.f2, self.anchor, guards);
+        let window = &self.window;
+        let width = (window.x1 - window.x0 + 1) as usize;
+        self.signs
+            .present
+            .par_chunks(width)
+            .enumerate()
+            .map(|(row, line)| {
+                let y = window.y0 + row as i64;
+                let at = |x: i64| rounded.wrapped_at(x, y, 127);
+                let mut value = at(window.x0);
+                let mut step = at(window.x0 + 1) - value;
+                let mut errors = 0;
+                for &present in line {
+                    errors += u64::from((value >= 0) != present);
+                    value += step;
+                    step += 2 * rounded.a;
+                }
+                errors
+            })
+            .sum()
+    }
+}
+
+/// f2 rounded with guard bits; below zero, with that many bits dropped.
+fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic {
+    let unit = power_of_two(guards.unsigned_abs());
+    let unit = if guards < 0 { unit.recip() } else { unit };
+    round_quadratic(&exact.scaled(&unit), anchor).expect("prepared words leave room")
+}
+
+#[cfg(test)]
+mod tests;
