@@ -4,19 +4,19 @@ use super::frame_scene;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::headroom::{Headroom, headroom};
-use imogene_models::check::trial::{self, FORMATS, TrialReport, format_of};
+use imogene_models::check::headroom::{Headroom, Summary, headroom, summaries};
+use imogene_models::check::trial::{self, FORMATS, Term, TrialReport, format_of};
 use imogene_models::scene::SceneFile;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-const TRIAL_HEAD: &str = "\
-| bound | comparisons | worst error / bound | mean error / bound | error | bound there |
-|---|---|---|---|---|---|";
-
 const HEADROOM_HEAD: &str = "\
-| scene | size | depth word | pixels | silhouette errors | ties | depth max lsb | depth rms lsb | guard bits derived | confirmed | errors with one less |
+| scene | size | depth word | pixels | silhouette errors | ties | depth max lsb | depth rms lsb | g2 derived | g2 confirmed | errors with one less |
 |---|---|---|---|---|---|---|---|---|---|---|";
+
+const SUMMARY_HEAD: &str = "\
+| size | depth word | pixels | silhouette errors | scenes with errors | depth max lsb | depth rms lsb | g2 derived | g2 confirmed | errors with one less |
+|---|---|---|---|---|---|---|---|---|---|";
 
 /// Tries the bounds on random cases, or shows the headroom of scenes.
 pub fn run(options: &Bounds, json: bool) -> Result<(), Failure> {
@@ -39,11 +39,14 @@ struct Trial {
 fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
     let bar = output::progress(options.cases * FORMATS.len() as u64, "random cases");
     let mut formats = vec![];
+    if !json {
+        output::text(trial_head());
+    }
     for shape in FORMATS {
         let format = format_of(shape).map_err(Failure::input)?;
         let report = trial::run(&format, options.cases, options.seed, false, |n| bar.inc(n));
         if !json {
-            bar.suspend(|| describe(&report));
+            bar.suspend(|| output::text(trial_line(&report)));
         }
         formats.push(report);
     }
@@ -60,34 +63,33 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
     verdict(&trial)
 }
 
-fn describe(report: &TrialReport) {
-    output::text(format!(
-        "\ndepth word {}, guard bits {}:{}: {} cases, {} pixels, {} comparisons ({} in exact integers): {} violations; \
-         {} pixels with another sign of f2, {} normals undetermined",
+/// The table's head: one column for each bound, with the worst and the mean ratio of an error to it.
+fn trial_head() -> String {
+    let terms: Vec<&str> = Term::ALL.iter().map(|t| t.name()).collect();
+    format!(
+        "| W, g1:g2 | cases | comparisons | in integers | violations | {} |\n|{}",
+        terms.join(" | "),
+        "---|".repeat(5 + terms.len())
+    )
+}
+
+fn trial_line(report: &TrialReport) -> String {
+    let ratios = report.terms.iter().map(|t| match t.fared.bound {
+        0.0 => "-".into(),
+        _ => format!("{:.4}, {:.2}", t.fared.tightness, t.fared.mean),
+    });
+    let ratios: Vec<String> = ratios.collect();
+    format!(
+        "| {}, {}:{} | {} | {} | {} | {} | {} |",
         report.depth,
         report.guard_linear,
         report.guard_quadratic,
         report.cases,
-        report.pixels,
         report.comparisons,
         report.decided_exactly,
         report.violations,
-        report.sign_differences,
-        report.normals_undetermined
-    ));
-    output::text(TRIAL_HEAD);
-    for term in report.terms.iter().filter(|t| t.fared.bound > 0.0) {
-        let f = &term.fared;
-        output::text(format!(
-            "| {} | {} | {:.4} | {:.4} | {:.4e} | {:.4e} |",
-            term.term.name(),
-            f.comparisons,
-            f.tightness,
-            f.mean,
-            f.observed,
-            f.bound
-        ));
-    }
+        ratios.join(" | ")
+    )
 }
 
 fn verdict(trial: &Trial) -> Result<(), Failure> {
@@ -122,6 +124,13 @@ struct Row {
     headroom: Headroom,
 }
 
+/// All scenes, sizes and formats; the keys are stable.
+#[derive(Serialize)]
+struct Table {
+    summary: Vec<Summary>,
+    scenes: Vec<Row>,
+}
+
 fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
     let steps = options.scenes.len() * options.sizes.len() * options.formats.len();
     let bar = output::progress(steps as u64, "scenes, sizes, formats");
@@ -136,12 +145,21 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
         }
     }
     bar.finish_and_clear();
+    let all: Vec<Headroom> = rows.iter().map(|r| r.headroom.clone()).collect();
+    let table = Table {
+        summary: summaries(&all),
+        scenes: rows,
+    };
     if json {
-        output::json(&rows);
+        output::json(&table);
         return Ok(());
     }
-    output::text(HEADROOM_HEAD);
-    for row in &rows {
+    output::text(SUMMARY_HEAD);
+    for summary in &table.summary {
+        output::text(summary_line(summary));
+    }
+    output::text(format!("\n{HEADROOM_HEAD}"));
+    for row in &table.scenes {
         output::text(line(row));
     }
     Ok(())
@@ -170,15 +188,41 @@ fn line(row: &Row) -> String {
         h.depth_max_lsb,
         h.depth_rms_lsb,
         h.derived,
-        h.confirmed.map_or("-".into(), |bits| bits.to_string()),
+        bits(h.confirmed, h.errors_with_one_less),
         h.errors_with_one_less
     )
+}
+
+fn summary_line(s: &Summary) -> String {
+    format!(
+        "| {}x{} | {} | {} | {} | {} | {:.1} | {:.2} | {} | {} | {} |",
+        s.width,
+        s.height,
+        s.depth_word,
+        s.pixels,
+        s.silhouette_errors,
+        s.scenes_with_errors,
+        s.depth_max_lsb,
+        s.depth_rms_lsb,
+        s.derived,
+        bits(s.confirmed, s.errors_with_one_less),
+        s.errors_with_one_less
+    )
+}
+
+/// The confirmed number of guard bits; any, where not even dropping all bits makes an error.
+fn bits(confirmed: Option<i32>, errors_with_one_less: u64) -> String {
+    match confirmed {
+        None => "none".into(),
+        Some(_) if errors_with_one_less == 0 => "any".into(),
+        Some(bits) => bits.to_string(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::check::trial::{Term, Violation};
+    use imogene_models::check::trial::Violation;
 
     #[test]
     fn an_error_beyond_its_bound_fails_the_check_and_is_named() {

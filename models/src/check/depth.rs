@@ -94,7 +94,7 @@ pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, 
 }
 
 /// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given value.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct DepthTerms {
     /// Rounding of the coefficients of f1.
     pub linear: f64,
@@ -165,11 +165,20 @@ pub(super) fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
     (bounds.f1 + rooted) * (1.0 + FLOAT_MARGIN)
 }
 
-/// The worst depth bound at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 - e2)` at
-/// q2 = e2; both are then sqrt(e2). The floor of the root adds one, the dropped guard bits of f1 less than one.
+/// The terms at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 - e2)` at q2 = e2; both
+/// are then sqrt(e2).
+pub(super) fn worst_terms(bounds: &RoundingBounds) -> DepthTerms {
+    DepthTerms {
+        linear: bounds.f1,
+        truncation: bounds.dropped_f1,
+        quadratic: bounds.f2.sqrt() * (1.0 + FLOAT_MARGIN),
+        root_floor: 1.0,
+    }
+}
+
+/// The worst depth bound at any pixel, in closed form: the sum of the terms, or the bound of a plane.
 pub(super) fn worst_case(bounds: &RoundingBounds) -> f64 {
-    let root = bounds.f1 + bounds.dropped_f1 + bounds.f2.sqrt() + 1.0;
-    let root = root * (1.0 + FLOAT_MARGIN);
+    let root = worst_terms(bounds).sum() * (1.0 + FLOAT_MARGIN);
     bounds.planes.iter().copied().fold(root, f64::max)
 }
 

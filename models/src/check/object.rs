@@ -1,7 +1,7 @@
 //! The check of one object: a golden pass over its screen box, with the bounds at every pixel.
 
 use super::contour::{Displacement, displacement};
-use super::depth::{depth_bound, worst_case};
+use super::depth::{DepthTerms, depth_bound, worst_case, worst_terms};
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
 use super::verdict::{Verdict, decide};
@@ -55,6 +55,8 @@ pub struct ObjectBounds {
     pub depth_lsb: f64,
     /// The same in closed form, whatever the pixels.
     pub depth_lsb_closed_form: f64,
+    /// The terms of the closed form that the quadric's faces add up, in depth words.
+    pub depth_terms: DepthTerms,
     /// Greatest displacement of the silhouette, in pixels.
     pub silhouette_px: f64,
     /// True if the silhouette has a point without direction: the apex of a double cone, or an object that all but vanishes.
@@ -122,6 +124,7 @@ pub(super) fn review(framed: &FramedObject, object: &PreparedObject, format: &Fo
         planes: object.bounds.planes.clone(),
         depth_lsb: found.depth,
         depth_lsb_closed_form: worst_case(&object.bounds),
+        depth_terms: worst_terms(&object.bounds),
         silhouette_px: silhouette.pixels,
         silhouette_singular: silhouette.singular.is_some(),
         normal_deg: found.angles.iter().copied().fold(0.0, f32::max).into(),

@@ -48,8 +48,81 @@ pub struct Headroom {
     pub derived: i32,
     /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded away even with the derived number.
     pub confirmed: Option<i32>,
-    /// Errors counted with one bit less.
+    /// Errors counted with one bit less; none if no number of bits dropped makes an error, that is without a silhouette on the screen.
     pub errors_with_one_less: u64,
+}
+
+/// Errors and needs of several scenes at one size in one format.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Depth word.
+    pub depth_word: u32,
+    /// Pixels of all boxes.
+    pub pixels: u64,
+    /// Pixels at which the rounded f2 has the wrong sign, without guard bits.
+    pub silhouette_errors: u64,
+    /// Scenes with any such pixel.
+    pub scenes_with_errors: usize,
+    /// Greatest depth error, in depth words, without guard bits.
+    pub depth_max_lsb: f64,
+    /// Root of the mean square of all depth errors.
+    pub depth_rms_lsb: f64,
+    /// Guard bits of f2 that are proven to be enough for every scene.
+    pub derived: i32,
+    /// Fewest guard bits of f2 from which on no scene has an error; none if one has ties that are rounded away.
+    pub confirmed: Option<i32>,
+    /// Errors of all scenes that need that number, with one bit less.
+    pub errors_with_one_less: u64,
+}
+
+/// Sums up the rows of each size and format, in the order in which these first appear.
+pub fn summaries(rows: &[Headroom]) -> Vec<Summary> {
+    let key = |h: &Headroom| (h.width, h.height, h.depth_word);
+    let mut keys: Vec<_> = vec![];
+    for row in rows {
+        if !keys.contains(&key(row)) {
+            keys.push(key(row));
+        }
+    }
+    keys.into_iter()
+        .map(|k| summary(&rows.iter().filter(|h| key(h) == k).collect::<Vec<_>>()))
+        .collect()
+}
+
+fn summary(rows: &[&Headroom]) -> Summary {
+    let depths: u64 = rows.iter().map(|h| h.depths).sum();
+    let squares: f64 = rows
+        .iter()
+        .map(|h| h.depth_rms_lsb.powi(2) * h.depths as f64)
+        .sum();
+    // Nothing if any scene has nothing.
+    let needs: Option<Vec<i32>> = rows.iter().map(|h| h.confirmed).collect();
+    let confirmed = needs.and_then(|bits| bits.into_iter().max());
+    Summary {
+        width: rows[0].width,
+        height: rows[0].height,
+        depth_word: rows[0].depth_word,
+        pixels: rows.iter().map(|h| h.pixels).sum(),
+        silhouette_errors: rows.iter().map(|h| h.silhouette_errors).sum(),
+        scenes_with_errors: rows.iter().filter(|h| h.silhouette_errors > 0).count(),
+        depth_max_lsb: rows.iter().map(|h| h.depth_max_lsb).fold(0.0, f64::max),
+        depth_rms_lsb: (squares / depths.max(1) as f64).sqrt(),
+        derived: rows
+            .iter()
+            .map(|h| h.derived)
+            .max()
+            .expect("at least one row"),
+        confirmed,
+        errors_with_one_less: rows
+            .iter()
+            .filter(|h| h.confirmed == confirmed)
+            .map(|h| h.errors_with_one_less)
+            .sum(),
+    }
 }
 
 /// Counts errors and needs; `prepared` must have no guard bits.

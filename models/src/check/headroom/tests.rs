@@ -114,3 +114,39 @@ fn depth_errors_are_those_of_exact_pixels() {
         assert!(found.depth_rms_lsb < found.depth_max_lsb && found.depth_rms_lsb > 0.0);
     }
 }
+
+#[test]
+fn a_summary_takes_the_worst_scene() {
+    let row = |errors, depth, confirmed| Headroom {
+        width: 8,
+        height: 6,
+        depth_word: 24,
+        pixels: 10,
+        silhouette_errors: errors,
+        ties: 0,
+        depth_max_lsb: depth,
+        depth_rms_lsb: 3.0,
+        depths: 5,
+        derived: 4,
+        confirmed,
+        errors_with_one_less: 2,
+    };
+    let rows = [
+        row(0, 5.0, Some(-3)),
+        row(7, 4.0, Some(1)),
+        row(0, 1.0, Some(1)),
+    ];
+    let found = &summaries(&rows)[..];
+    assert_eq!(found.len(), 1);
+    let all = &found[0];
+    assert_eq!(
+        (all.pixels, all.silhouette_errors, all.scenes_with_errors),
+        (30, 7, 1)
+    );
+    assert_eq!((all.confirmed, all.errors_with_one_less), (Some(1), 4));
+    assert_eq!((all.depth_max_lsb, all.depth_rms_lsb), (5.0, 3.0));
+    assert_eq!(
+        summaries(&[row(0, 1.0, None), row(0, 1.0, Some(1))])[0].confirmed,
+        None
+    );
+}
