@@ -330,7 +330,19 @@ fn headroom_of_scenes_is_a_table() {
         "--formats",
         "16,24",
     ]);
-    let rows = rows.as_array().unwrap();
+    let summary = rows["summary"].as_array().unwrap();
+    assert_eq!(summary.len(), 4);
+    assert_keys(
+        &summary[0],
+        &[
+            "width",
+            "depth_word",
+            "silhouette_errors",
+            "derived",
+            "confirmed",
+        ],
+    );
+    let rows = rows["scenes"].as_array().unwrap();
     assert_eq!(rows.len(), 8);
     for row in rows {
         assert_keys(

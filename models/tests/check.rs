@@ -187,11 +187,12 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
         } else {
             &[]
         };
-        for depth in [16, 20, 24] {
+        for (depth, guards) in [(16, 0), (16, 6), (20, 0), (20, 8), (24, 0)] {
             let scene: FramedScene =
                 scene(vec![object(name, Surface::Solid, quadric.clone(), cuts)]);
-            let prepared =
-                prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
+            let format = Format::new(depth).expect("in the catalogue");
+            let format = format.with_guards(3, guards).expect("within limits");
+            let prepared = prepare_scene(&scene, format).expect("fits");
             let object = &prepared.objects[0];
             let reach = check(&scene, &prepared).bounds.silhouette_px;
             let points = contour_points(object);
@@ -205,7 +206,7 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
                     "{name}, {depth} bits, ({x}, {y})"
                 );
             }
-            println!("{name}, {depth} bits: within {reach:.2e} pixels");
+            println!("{name}, {depth} bits, {guards} guard bits: within {reach:.2e} pixels");
         }
     }
 }
