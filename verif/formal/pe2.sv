@@ -1,0 +1,81 @@
+// Second-degree elementary processor: value = a x^2 + b y^2 + c x y + d x + e y + f modulo 2^N, loaded with a2 = 2a, b2 = 2b, c,
+// p0 = d + a, i0 = e + b and f, whatever the sequence of flags.
+//
+// Every register is its neighbour plus a ghost sum, so that the solver sees additions only:
+//   sum_a2x    = a2 x    grows by a2 with every pixel of a line      pixel step = first step + sum_a2x
+//   sum_cy     = c y     grows by c with every line                  first step = p0 + sum_cy
+//   sum_b2y    = b2 y    grows by b2 with every line                 line step  = i0 + sum_b2y
+//   sum_pixels           grows by the pixel step with every pixel    value      = line value + sum_pixels
+//   sum_lines            grows by the line step with every line      line value = f + sum_lines
+// The closed forms of the sums, and that they add up to the polynomial, are proved over the integers in pe2.smt2; reduction
+// modulo 2^N commutes with addition. The sums grow by registers of the unit, which are themselves asserted.
+
+module pe2_properties #(parameter N = 48) (
+    input wire clock,
+    input wire valid,
+    input wire start,
+    input wire line,
+    input wire [N-1:0] a2,
+    input wire [N-1:0] b2,
+    input wire [N-1:0] c,
+    input wire [N-1:0] p0,
+    input wire [N-1:0] i0,
+    input wire [N-1:0] f,
+    input wire [N-1:0] kept_a2,
+    input wire [N-1:0] kept_b2,
+    input wire [N-1:0] kept_c,
+    input wire [N-1:0] line_value,
+    input wire [N-1:0] line_step,
+    input wire [N-1:0] first_step,
+    input wire [N-1:0] pixel_step,
+    input wire [N-1:0] value
+);
+    // The words on the ports at the last start, and the sums of the position since then.
+    reg started = 0;
+    reg [N-1:0] word_a2, word_b2, word_c, word_p0, word_i0, word_f;
+    reg [N-1:0] sum_a2x, sum_cy, sum_b2y, sum_pixels, sum_lines;
+
+    always @(posedge clock) begin
+        if (valid) begin
+            if (start) begin
+                started <= 1;
+                word_a2 <= a2;
+                word_b2 <= b2;
+                word_c <= c;
+                word_p0 <= p0;
+                word_i0 <= i0;
+                word_f <= f;
+                {sum_a2x, sum_cy, sum_b2y, sum_pixels, sum_lines} <= 0;
+            end else if (line) begin
+                {sum_a2x, sum_pixels} <= 0;
+                sum_cy <= sum_cy + kept_c;
+                sum_b2y <= sum_b2y + kept_b2;
+                sum_lines <= sum_lines + line_step;
+            end else begin
+                sum_a2x <= sum_a2x + kept_a2;
+                sum_pixels <= sum_pixels + pixel_step;
+            end
+        end
+    end
+
+    always @* begin
+        if (started) begin
+            // The words are those of the start; the other registers are differences of the polynomial.
+            assert (kept_a2 == word_a2);
+            assert (kept_b2 == word_b2);
+            assert (kept_c == word_c);
+            assert (first_step == word_p0 + sum_cy);
+            assert (pixel_step == first_step + sum_a2x);
+            assert (line_step == word_i0 + sum_b2y);
+            assert (line_value == word_f + sum_lines);
+            assert (value == line_value + sum_pixels);
+        end
+    end
+endmodule
+
+bind pe2 pe2_properties #(.N(`N)) properties (
+    .clock(clock), .valid(valid), .start(start), .line(line),
+    .a2(a2), .b2(b2), .c(c), .p0(p0), .i0(i0), .f(f),
+    .kept_a2(kept_a2), .kept_b2(kept_b2), .kept_c(kept_c),
+    .line_value(line_value), .line_step(line_step), .first_step(first_step), .pixel_step(pixel_step), .value(value)
+);
