@@ -42,6 +42,22 @@ pub enum Command {
     Bounds(Bounds),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table.
     Synth(Synth),
+    /// Prove properties of the emitted Verilog, or show that each is refuted on broken designs.
+    Prove(Prove),
+}
+
+/// Arguments of `prove`.
+#[derive(Debug, Args)]
+pub struct Prove {
+    /// A proof, the beginning of the names of several such as `pe1`, or `all`.
+    #[arg(default_value = "all")]
+    pub name: String,
+    /// The proofs at every width and every count as well.
+    #[arg(long)]
+    pub full: bool,
+    /// Run the broken designs of the proofs instead; each must be refuted.
+    #[arg(long)]
+    pub mutants: bool,
 }
 
 /// Arguments of `roots`.

@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Command::Check(options) => command::check::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
+        Command::Prove(options) => command::prove::run(options, json),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,7 +1,7 @@
 // Beam machine: its `valid` is that of a raster control with the same `go`, LATENCY clocks later. The words on the other ports are
 // free in every clock.
 
-module beam_valid #(parameter LATENCY = 36) (
+module beam_valid #(parameter LATENCY = `LATENCY) (
     input wire clock,
     input wire go,
     input wire [11:0] width,

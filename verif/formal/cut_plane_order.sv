@@ -1,7 +1,7 @@
 // Two cut planes one after the other leave the same depths in either order. A cut plane holds nothing from earlier clocks
 // (cut_plane.sv), so constant words are enough.
 
-module cut_plane_order #(parameter W = 24) (
+module cut_plane_order #(parameter W = `W) (
     input wire clock
 );
     (* anyconst *) wire surface;

@@ -56,6 +56,7 @@ module depth_interval_properties #(parameter W = 24, parameter S = 26) (
         if (started) begin
             assert (zf_a <= zb_a && zf_b <= zb_b);
             assert (zf_a >= ZLOW && zf_b >= ZLOW);
+            assert ((absent_a || zf_a < ZMAX) && (absent_b || zf_b < ZMAX));
             assert (boxed || (absent_a && absent_b));
             assert (class_ == FRONT || absent_b);
             assert ((class_ == PATCH ? faces : solid) == expected);

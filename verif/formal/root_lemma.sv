@@ -2,7 +2,7 @@
 // through a row, the new S being the square of the new root: S' = 4S, or 4S + 4 root + 1 = (2 root + 1)^2 with digit 1. The digit
 // is 1 exactly when that square is not more than the new X. The new remainder fits its K + 1 bits.
 
-module root_lemma #(parameter K = 24) (
+module root_lemma #(parameter K = `K) (
     input wire [2*K-1:0] pairs,
     input wire [K-1:0] root,
     input wire [K:0] remainder,

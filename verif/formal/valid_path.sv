@@ -1,7 +1,7 @@
 // Quadric processor: `out_valid` is `valid`, LATENCY clocks later; none is lost and none is made. The words on the other ports are
 // free in every clock.
 
-module valid_path #(parameter LATENCY = 34) (
+module valid_path #(parameter LATENCY = `LATENCY) (
     input wire clock,
     input wire valid
 );

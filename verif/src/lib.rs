@@ -6,6 +6,7 @@
 
 pub mod engine;
 pub mod extremes;
+pub mod formal;
 pub mod icarus;
 pub mod random;
 pub mod report;

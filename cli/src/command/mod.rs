@@ -7,6 +7,7 @@ pub mod demo;
 pub mod emit;
 pub mod extremes;
 pub mod prepare;
+pub mod prove;
 pub mod render;
 pub mod roots;
 pub mod synth;

@@ -1,0 +1,87 @@
+//! `imogene prove`.
+
+use crate::arguments::Prove;
+use crate::failure::Failure;
+use crate::output;
+use imogene_verif::formal::mutants;
+use imogene_verif::formal::runner::{ProofReport, Task, Verdict, prove_all, select};
+use imogene_verif::formal::toolchain::Toolchain;
+
+/// Runs proofs, or their mutants.
+pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
+    let jobs = select(&options.name, options.full).map_err(Failure::input)?;
+    let tasks: Vec<Task> = if options.mutants {
+        let of_job = |job| {
+            let task = move |mutant| Task {
+                job: Clone::clone(job),
+                mutant: Some(mutant),
+            };
+            mutants::of(&job.name).map(task)
+        };
+        jobs.iter().flat_map(of_job).collect()
+    } else {
+        let task = |job| Task { job, mutant: None };
+        jobs.into_iter().map(task).collect()
+    };
+    if tasks.is_empty() {
+        let message = format!(
+            "the proofs of `{}` have no mutants; the mutants are of {}",
+            options.name,
+            mutants::jobs().join(", ")
+        );
+        return Err(Failure::Input(message));
+    }
+    let tools = Toolchain::find().map_err(Failure::input)?;
+    let bar = output::progress(tasks.len() as u64, "proofs");
+    let reports = prove_all(&tasks, &tools, |_| bar.inc(1)).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    if json {
+        output::json(&reports);
+    } else {
+        for report in &reports {
+            output::text(describe(report));
+        }
+        output::text(format!("tools: {}", tools.versions.join(", ")));
+    }
+    verdict(&reports)
+}
+
+/// A report as text.
+fn describe(report: &ProofReport) -> String {
+    let result = match report.result {
+        Verdict::Proved => "proved",
+        Verdict::Refuted => "refuted",
+        Verdict::Open => "open",
+    };
+    let what = report.mutant.as_ref().unwrap_or(&report.statement);
+    let mut text = format!(
+        "{result:<8} {:<28} {:<24} {:>6.1} s  {what}",
+        report.name, report.method, report.seconds
+    );
+    if let Some(detail) = &report.detail {
+        text += &format!("\n         {detail}");
+    }
+    text
+}
+
+/// Success if every property is proved, or every mutant refuted.
+fn verdict(reports: &[ProofReport]) -> Result<(), Failure> {
+    let bad: Vec<&ProofReport> = reports.iter().filter(|report| !report.ok).collect();
+    if bad.is_empty() {
+        return Ok(());
+    }
+    let mut text = format!("{} of {} are not as they must be", bad.len(), reports.len());
+    for report in bad {
+        text += &format!("\n  {}", report.name);
+        if let Some(mutant) = &report.mutant {
+            text += &format!(", mutant `{mutant}` not refuted");
+        }
+        if let Some(detail) = &report.detail {
+            text += &format!(": {detail}");
+        }
+        if let Some(folder) = &report.folder {
+            text += &format!("\n    sources and trace: {}", folder.display());
+        }
+    }
+    Err(Failure::Check(text))
+}

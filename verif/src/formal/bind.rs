@@ -1,0 +1,89 @@
+//! `bind` statements of SystemVerilog, resolved in the text: Yosys reads them but does not act on them.
+
+use super::FormalError;
+
+/// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design followed by the
+/// properties without their `bind` statements.
+///
+/// A statement begins at the start of a line and ends with a line `);`, as in `bind pe1 pe1_properties properties (\n    ...\n);`.
+///
+/// # Errors
+///
+/// When a module is not in the design exactly once, or a statement does not end.
+pub fn resolve(job: &str, design: &str, properties: &str) -> Result<String, FormalError> {
+    let mut design = design.to_owned();
+    let mut kept = String::new();
+    let mut rest = properties;
+    while let Some((before, statement)) = split_at_line(rest, "bind ") {
+        kept += before;
+        let end = statement
+            .find("\n);")
+            .ok_or_else(|| FormalError::text(job, "a `bind` statement does not end with `);`"))?;
+        let (module, instance) = statement["bind ".len()..end + 3]
+            .split_once(' ')
+            .ok_or_else(|| FormalError::text(job, "a `bind` statement names no instance"))?;
+        design = insert(job, &design, module, instance)?;
+        rest = &statement[end + 3..];
+    }
+    Ok(design + "\n" + &kept + rest)
+}
+
+/// Splits before the first line that begins with a word.
+fn split_at_line<'a>(text: &'a str, word: &str) -> Option<(&'a str, &'a str)> {
+    let at = if text.starts_with(word) {
+        0
+    } else {
+        text.find(&format!("\n{word}"))? + 1
+    };
+    Some(text.split_at(at))
+}
+
+/// The text of a module, from its name to before `endmodule`, as a range of the design.
+pub(super) fn module_range(design: &str, module: &str) -> Option<std::ops::Range<usize>> {
+    let head = format!("\nmodule {module} (");
+    let mut places = design.match_indices(&head);
+    let (start, _) = places.next()?;
+    if places.next().is_some() {
+        return None;
+    }
+    let length = design[start..].find("\nendmodule")?;
+    Some(start..start + length)
+}
+
+fn insert(job: &str, design: &str, module: &str, instance: &str) -> Result<String, FormalError> {
+    let range = module_range(design, module).ok_or_else(|| {
+        FormalError::text(job, format!("module `{module}` is not in the design once"))
+    })?;
+    let (head, tail) = design.split_at(range.end);
+    Ok(format!("{head}\n    {instance}\n{tail}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DESIGN: &str =
+        "\nmodule a (\n    input q\n);\nendmodule\n\nmodule b (\n    input q\n);\nendmodule\n";
+
+    #[test]
+    fn the_instance_goes_into_its_module() {
+        let properties =
+            "module p (input q);\nendmodule\n\nbind a p #(.N(1)) checks (\n    .q(q)\n);\n";
+        let text = resolve("job", DESIGN, properties).unwrap();
+        let first = &text[..text.find("module b").unwrap()];
+        assert!(
+            first.contains("p #(.N(1)) checks (\n    .q(q)\n);\n\nendmodule"),
+            "{text}"
+        );
+        assert!(!text.contains("bind") && text.contains("module p (input q);"));
+    }
+
+    #[test]
+    fn a_module_that_is_missing_or_there_twice_is_refused() {
+        let properties = "bind c p checks (\n);\n";
+        let error = resolve("job", DESIGN, properties).unwrap_err().to_string();
+        assert!(error.contains("`c`") && error.contains("job"), "{error}");
+        let twice = DESIGN.repeat(2);
+        assert!(resolve("job", &twice, "bind a p checks (\n);\n").is_err());
+    }
+}

@@ -1,0 +1,152 @@
+//! A proof: what it states, of which design, and how it is proved.
+
+use super::mutants::Mutant;
+use super::{FormalError, bind, network};
+use imogene_rtl::emit::{EmitRequest, emit};
+use std::fmt::{self, Write};
+
+/// How a job is proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Unbounded in time: base case and `k`-induction.
+    Induction {
+        /// `k`, clocks.
+        depth: usize,
+    },
+    /// Every input sequence of some clocks from the initial state. For a design without registers one clock is complete.
+    Bounded {
+        /// Clocks.
+        clocks: usize,
+    },
+    /// Statements over the unbounded integers, each refuted in its negation.
+    Integers,
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Method::Induction { depth } => write!(f, "{depth}-induction"),
+            Method::Bounded { clocks: 1 } => write!(f, "all inputs, no registers"),
+            Method::Bounded { clocks } => write!(f, "bounded, {clocks} clocks"),
+            Method::Integers => write!(f, "integers"),
+        }
+    }
+}
+
+/// What the properties are bound to.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Design {
+    /// The Verilog emitted for a request.
+    Emitted(EmitRequest),
+    /// The same with every word of the first width made as wide as the second. Only for a design with one width.
+    Narrowed(EmitRequest, usize, usize),
+    /// A text of this folder.
+    Text(&'static str),
+}
+
+/// Definitions that depend on the emitted text.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Words {
+    /// None.
+    None,
+    /// The register stages of a root network with remainders of this width.
+    Network { remainder_bits: usize },
+    /// The inputs of a decider.
+    Inputs,
+}
+
+/// A proof.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Name, as given to `imogene prove`.
+    pub name: String,
+    /// What is proved, in one line.
+    pub statement: &'static str,
+    /// Method.
+    pub method: Method,
+    /// Widths and counts, for the report.
+    pub widths: String,
+    /// Runs only with `--full`, or when named.
+    pub full: bool,
+    pub(super) design: Design,
+    pub(super) properties: &'static str,
+    pub(super) definitions: Vec<(String, String)>,
+    pub(super) words: Words,
+    pub(super) top: &'static str,
+}
+
+impl Job {
+    /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for [`Method::Integers`].
+    ///
+    /// # Errors
+    ///
+    /// When the design cannot be emitted, or a property or the mutant does not find its place in it.
+    pub fn source(&self, mutant: Option<&Mutant>) -> Result<String, FormalError> {
+        let mut design = self.design()?;
+        if let Some(mutant) = mutant {
+            design = mutant.apply(&design)?;
+        }
+        let mut text = String::new();
+        for (name, value) in self.definitions.iter().chain(&self.text_words(&design)?) {
+            let _ = writeln!(text, "`define {name} {value}");
+        }
+        if self.method == Method::Integers {
+            return Ok(design);
+        }
+        Ok(text + &bind::resolve(&self.name, &design, self.properties)?)
+    }
+
+    fn design(&self) -> Result<String, FormalError> {
+        match &self.design {
+            Design::Text(text) => Ok((*text).to_owned()),
+            Design::Emitted(request) => emitted(request),
+            Design::Narrowed(request, from, to) => {
+                let text = emitted(request)?
+                    .replace(&format!("[{}:0]", from - 1), &format!("[{}:0]", to - 1))
+                    .replace(&format!("{from}'"), &format!("{to}'"));
+                let left = [format!("{}", from - 1), format!("{from}'")];
+                let body = text.split_once("\nmodule").map_or("", |(_, body)| body);
+                if left.iter().any(|number| body.contains(number.as_str())) {
+                    let problem = format!("a width {from} is left after narrowing to {to} bits");
+                    return Err(FormalError::text(&self.name, problem));
+                }
+                Ok(text)
+            }
+        }
+    }
+
+    fn text_words(&self, design: &str) -> Result<Vec<(String, String)>, FormalError> {
+        match (self.words, &self.design) {
+            (Words::Network { remainder_bits }, Design::Emitted(request)) => {
+                let (bits, rows) = (request.depth_word, request.rows_per_stage);
+                network::stage_words(design, self.top, bits, rows, remainder_bits)
+                    .map_err(|problem| FormalError::text(&self.name, problem))
+            }
+            (Words::Inputs, Design::Emitted(request)) => Ok(decider_inputs(request.objects)),
+            _ => Ok(Vec::new()),
+        }
+    }
+}
+
+fn emitted(request: &EmitRequest) -> Result<String, FormalError> {
+    let files = emit(request)?.files;
+    Ok(files.into_iter().map(|(_, text)| text).collect())
+}
+
+/// The words of all inputs side by side, the last input first.
+fn decider_inputs(inputs: usize) -> Vec<(String, String)> {
+    let words = [
+        ("DEPTHS", &["depth"][..]),
+        ("IDS", &["id"]),
+        ("RESTS", &["number", "nx", "ny", "nz"]),
+    ];
+    let all = |fields: &[&str]| {
+        let of_input =
+            |i: usize| -> Vec<_> { fields.iter().map(|f| format!("input_{i}_{f}")).collect() };
+        let names: Vec<String> = (0..inputs).rev().flat_map(of_input).collect();
+        format!("{{{}}}", names.join(", "))
+    };
+    words
+        .map(|(name, fields)| (name.to_owned(), all(fields)))
+        .into()
+}

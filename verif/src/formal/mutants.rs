@@ -1,0 +1,193 @@
+//! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not notice it proves nothing.
+
+use super::FormalError;
+
+/// A search and replace on the text of a design.
+#[derive(Clone, Copy, Debug)]
+pub struct Mutant {
+    /// What is wrong in the mutant.
+    pub name: &'static str,
+    /// Job that must refute it.
+    pub job: &'static str,
+    /// Clocks from the initial state within which it shows.
+    pub clocks: usize,
+    from: &'static str,
+    to: &'static str,
+}
+
+impl Mutant {
+    /// The design with the edit.
+    ///
+    /// # Errors
+    ///
+    /// When the text searched for is not there exactly once: the mutant would not be the one its name says.
+    pub fn apply(&self, design: &str) -> Result<String, FormalError> {
+        match design.matches(self.from).count() {
+            1 => Ok(design.replacen(self.from, self.to, 1)),
+            count => Err(FormalError::Text {
+                job: format!("{}, mutant `{}`", self.job, self.name),
+                problem: format!(
+                    "`{}` is in the design {count} times instead of once",
+                    self.from
+                ),
+            }),
+        }
+    }
+}
+
+/// The mutants of a job.
+pub fn of(job: &str) -> impl Iterator<Item = Mutant> + '_ {
+    MUTANTS
+        .iter()
+        .copied()
+        .filter(move |mutant| mutant.job == job)
+}
+
+/// Names of the jobs that have mutants.
+pub fn jobs() -> Vec<&'static str> {
+    let mut names: Vec<_> = MUTANTS.iter().map(|mutant| mutant.job).collect();
+    names.dedup();
+    names
+}
+
+const fn mutant(
+    job: &'static str,
+    clocks: usize,
+    name: &'static str,
+    from: &'static str,
+    to: &'static str,
+) -> Mutant {
+    Mutant {
+        name,
+        job,
+        clocks,
+        from,
+        to,
+    }
+}
+
+/// All mutants.
+#[rustfmt::skip]
+pub const MUTANTS: &[Mutant] = &[
+    mutant("pe1-26", 6, "a pixel adds b", "pixel_value + kept_a", "pixel_value + kept_b"),
+    mutant("pe1-26", 6, "a line adds a", "line_value + kept_b", "line_value + kept_a"),
+    mutant("pe1-26", 6, "a line continues from the last pixel", "next_line = line_value + kept_b", "next_line = pixel_value + kept_b"),
+    mutant("pe1-26", 6, "line wins over start", "start ? c : next_line", "line ? next_line : c"),
+    mutant("pe1-26", 6, "valid is ignored", "if (valid) begin", "if (1'b1) begin"),
+    mutant("pe1-26", 6, "coefficients are read at every line", "if (start) begin", "if (first) begin"),
+    mutant("pe1-26", 6, "the lowest bit is dropped", "assign value = pixel_value;", "assign value = {pixel_value[25:1], 1'b0};"),
+    mutant("pe1-products-8", 6, "a pixel adds b", "pixel_value + kept_a", "pixel_value + kept_b"),
+    mutant("pe1-integers", 0, "x grows by 2", "(* a (+ x 1))", "(* a (+ x 2))"),
+    mutant("pe2-48", 7, "a pixel adds the line's first step", "pixel_value + pixel_step", "pixel_value + first_step"),
+    mutant("pe2-48", 7, "a pixel step adds b2", "pixel_step + kept_a2", "pixel_step + kept_b2"),
+    mutant("pe2-48", 7, "a line step loses b2", "line_step + kept_b2", "line_step - kept_b2"),
+    mutant("pe2-48", 7, "a first step forgets c", "first_step + kept_c", "first_step"),
+    mutant("pe2-48", 7, "the line step starts from p0", "start ? i0 : next_line_step", "start ? p0 : next_line_step"),
+    mutant("pe2-48", 7, "a line's first step is not kept", "first_step <= first_begin_step", "first_step <= pixel_step"),
+    mutant("pe2-48", 7, "a line continues the pixel step", "pixel_step <= first_begin_step", "pixel_step <= next_pixel_step"),
+    mutant("pe2-48", 7, "a line continues from the last pixel", "line_value + line_step", "pixel_value + line_step"),
+    mutant("pe2-48", 7, "valid is ignored", "if (valid) begin", "if (1'b1) begin"),
+    mutant("pe2-products-8", 6, "a line step adds a2", "line_step + kept_b2", "line_step + kept_a2"),
+    mutant("pe2-integers", 0, "the first increment forgets a", "(= p0 (+ d a))", "(= p0 d)"),
+    mutant("cut_plane-24", 4, "a front plane at zf cuts", "is_front & ~(before_front | at_front)", "is_front & ~before_front"),
+    mutant("cut_plane-24", 4, "a front plane at zb removes", "cuts_front & ~(before_back | at_back)", "cuts_front & ~before_back"),
+    mutant("cut_plane-24", 4, "a back plane cuts behind zb", "cuts_back = is_back & before_back", "cuts_back = is_back & ~before_back"),
+    mutant("cut_plane-24", 4, "a back plane before zf does not remove", "cuts_back & before_front", "cuts_back & at_front"),
+    mutant("cut_plane-24", 4, "the sign of zp is the next bit", "plane_is_negative = zp[23]", "plane_is_negative = zp[22]"),
+    mutant("cut_plane-24", 4, "a patch is cut like a solid", "kept_zf <= zb;", "kept_zf <= zp;"),
+    mutant("cut_plane-24", 4, "a patch keeps its far face behind a back plane", "kept_zb <= zf;", "kept_zb <= zb;"),
+    mutant("cut_plane-24", 4, "a patch's near face takes the plane's number", "kept_nf <= nb;", "kept_nf <= number;"),
+    mutant("cut_plane-24", 4, "a solid keeps its front", "kept_zf <= zp;", "kept_zf <= zf;"),
+    mutant("cut_plane-24", 4, "a removed half keeps its back", "kept_zb <= absent;", "kept_zb <= zb;"),
+    mutant("cut_plane_order-24", 4, "a solid is cut to its back", "kept_zf <= zp;", "kept_zf <= zb;"),
+    mutant("depth_interval-24", 3, "the near end is behind ZLOW", "near_sum < low_sum", "near_sum <= low_sum"),
+    mutant("depth_interval-24", 3, "a far root at ZMAX counts", "far_sum >= far_end_sum", "far_sum > far_end_sum"),
+    mutant("depth_interval-24", 3, "the near depth is not saturated", "near_is_far ? absent : near_sum[23:0]", "near_sum[23:0]"),
+    mutant("depth_interval-24", 3, "a side object behind the eye is drawn", "~(near_is_far | far_is_low)", "~near_is_far"),
+    mutant("depth_interval-24", 3, "the screen box is ignored", "if (in_box) begin", "if (1'b1) begin"),
+    mutant("depth_interval-24", 3, "a front object without roots is absent", "end else if (is_front) begin", "end else if (is_patch) begin"),
+    mutant("depth_interval-24", 3, "a front object with its near root before ZLOW has a half A", "if (~near_is_low) begin", "if (1'b1) begin"),
+    mutant("depth_interval-24", 3, "the far end carries a root's number", "kept_nb_b <= cap;", "kept_nb_b <= far_root;"),
+    mutant("two_volume_merge-24", 3, "half B wins a tie", "zf_b < zf_a", "zf_b <= zf_a"),
+    mutant("two_volume_merge-24", 3, "the farther half wins", "zf_b < zf_a", "zf_a < zf_b"),
+    mutant("two_volume_merge-24", 3, "the halves are mixed", "kept_nb <= nb_b;", "kept_nb <= nb_a;"),
+    mutant("raster_control-12", 8, "go interrupts a zone", "go & (~kept_valid | kept_last)", "go"),
+    mutant("raster_control-12", 8, "a line is one pixel too long", "last_x = width - one", "last_x = width"),
+    mutant("raster_control-12", 8, "last comes one line late", "next_y == bottom_edge", "kept_y == bottom_edge"),
+    mutant("raster_control-12", 8, "line is never raised", "kept_line <= line_ends;", "kept_line <= 1'd0;"),
+    mutant("raster_control-12", 8, "a zone of one column is one pixel", "(last_x == zero) & (last_y == zero)", "last_x == zero"),
+    mutant("raster_control-12", 8, "x does not return", "line_ends ? zero : kept_x + one", "kept_x + one"),
+    mutant("raster_control-3x3", 12, "a zone has one line more", "last_y = height - one", "last_y = height"),
+    mutant("raster_control-3x3", 12, "a zone of one line is one pixel", "(last_x == zero) & (last_y == zero)", "last_y == zero"),
+    mutant("raster_control-integers", 0, "the last line is counted twice", "(= y (- height 1))", "(= y height)"),
+    mutant("quadric_processor-n3-r1", 36, "the flags are one clock early", "assign late_valid = valid_at_23;", "assign late_valid = valid_at_22;"),
+    mutant("quadric_processor-n3-r1", 36, "a valid is lost beside line", "valid_at_12 <= valid_at_11;", "valid_at_12 <= valid_at_11 & ~line_at_11;"),
+    mutant("quadric_processor-n3-r1", 36, "a valid is made by start", "valid_at_12 <= valid_at_11;", "valid_at_12 <= valid_at_11 | start_at_11;"),
+    mutant("beam-m4-n3", 38, "the decider's delay is left out", "assign valid = valid_delay_late;", "assign valid = processors_0_out_valid;"),
+    mutant("visibility_node-24", 3, "the second input wins at equal depth", "b_depth < a_depth", "b_depth <= a_depth"),
+    mutant("visibility_node-24", 3, "the greater id wins", "b_id < a_id", "a_id < b_id"),
+    mutant("visibility_node-24", 3, "the first input wins at equal depth", "b_is_nearer | (depths_are_equal & b_has_smaller_id)", "b_is_nearer"),
+    mutant("visibility_node-24", 3, "a normal does not follow", "kept_ny <= b_ny;", "kept_ny <= a_ny;"),
+    mutant("decider-m4", 4, "an input is looked at twice", ".b_depth(input_3_depth)", ".b_depth(input_2_depth)"),
+    mutant("decider-m4", 4, "an id comes from another node", ".a_id(nodes_0_id)", ".a_id(nodes_1_id)"),
+    mutant("square_root_rows-24-r1", 5, "the digits are turned over", "negative ? doubled_root : doubled_root | digit", "negative ? doubled_root | digit : doubled_root"),
+    mutant("square_root_rows-24-r1", 5, "the remainder is not restored", "negative ? dividend : trial", "trial"),
+    mutant("square_root_rows-24-r1", 5, "the divisor is 4 root", "shifted_root | wide_digit", "shifted_root"),
+    mutant("square_root_rows-24-r1", 5, "half a pair is used", "next_pairs = pairs << by_two", "next_pairs = pairs << by_one"),
+    mutant("square_root_rows-24-r1", 5, "a row has one live bit too few", "shifted_live | wide_digit", "shifted_live"),
+    mutant("square_root_rows-24-r1", 5, "the pair is one bit low", "top_pair = pairs[47:46]", "top_pair = pairs[46:45]"),
+    mutant("square_root_rows-24-r1", 9, "a stage takes the root of the one before", ".root(stages_5_next_root)", ".root(stages_4_next_root)"),
+    mutant("square_root-16-r1", 5, "the digits are turned over", "negative ? doubled_root : doubled_root | digit", "negative ? doubled_root | digit : doubled_root"),
+    mutant("square_root-16-r1", 5, "the remainder is not restored", "negative ? dividend : trial", "trial"),
+    mutant("square_root-16-r1", 5, "the divisor is 4 root", "shifted_root | wide_digit", "shifted_root"),
+    mutant("square_root-16-r1", 5, "half a pair is used", "next_pairs = pairs << by_two", "next_pairs = pairs << by_one"),
+    mutant("square_root-16-r1", 5, "a row has one live bit too few", "shifted_live | wide_digit", "shifted_live"),
+    mutant("root_lemma-24", 1, "an exact square gets digit 0", "dividend >= divisor", "dividend > divisor"),
+    mutant("root_lemma-24", 1, "the divisor is 4 root", "{1'b0, root, 2'b01}", "{1'b0, root, 2'b00}"),
+    mutant("root_lemma-24", 1, "the digit is not kept", "{root[K-2:0], digit}", "{root[K-2:0], 1'b0}"),
+    mutant("root-integers", 0, "the square forgets 1", "(* 4 root) 1)", "(* 4 root))"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formal::catalogue;
+
+    #[test]
+    fn every_mutant_edits_the_design_of_its_job() {
+        let jobs = catalogue::jobs();
+        for mutant in MUTANTS {
+            let job = jobs.iter().find(|job| job.name == mutant.job);
+            let job = job.unwrap_or_else(|| panic!("no job {}", mutant.job));
+            let (good, bad) = (job.source(None).unwrap(), job.source(Some(mutant)).unwrap());
+            assert_ne!(good, bad, "{}", mutant.name);
+        }
+    }
+
+    #[test]
+    fn a_text_that_is_not_there_once_is_refused() {
+        let mutant = mutant("job", 1, "name", "a + b", "a - b");
+        assert!(mutant.apply("a + c").is_err() && mutant.apply("a + b; a + b").is_err());
+        assert_eq!(mutant.apply("x = a + b;").unwrap(), "x = a - b;");
+    }
+
+    #[test]
+    fn every_property_has_a_mutant() {
+        // Families: the name of a job before its width.
+        let family = |name: &str| {
+            name.rsplit_once('-')
+                .map_or(name.to_owned(), |(head, _)| head.to_owned())
+        };
+        let whole = |name: &str| name.split('-').next().unwrap_or(name).to_owned();
+        for job in catalogue::jobs() {
+            let found = MUTANTS.iter().any(|m| {
+                if job.name.ends_with("-integers") {
+                    m.job == job.name
+                } else {
+                    family(m.job) == family(&job.name) || whole(m.job) == whole(&job.name)
+                }
+            });
+            assert!(found, "{} has no mutant", job.name);
+        }
+    }
+}
