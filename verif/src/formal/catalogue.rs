@@ -8,6 +8,9 @@ use imogene_rtl::format::DEPTH_WORDS;
 /// The format whose proofs run without `--full`.
 const BASE: usize = 24;
 
+/// Bits of a word where products are compared.
+const PRODUCT: usize = 4;
+
 macro_rules! property {
     ($file:literal) => {
         include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/formal/", $file))
@@ -113,42 +116,33 @@ fn elementary() -> Vec<Job> {
         property!("pe2.smt2"),
     ));
     let statement = "pe1 against a x + b y + c with multipliers, narrowed";
-    jobs.push(products(
-        "pe1-products",
+    let pe1 = job(
+        "pe1-products".into(),
         statement,
         property!("pe1_products.sv"),
         Unit::Pe1,
-        BASE + 2,
-    ));
+    );
+    jobs.push(products(pe1, BASE + 2, 6));
     let statement = "pe2 against a x^2 + b y^2 + c x y + d x + e y + f with multipliers, narrowed";
-    jobs.push(products(
-        "pe2-products",
+    let pe2 = job(
+        "pe2-products".into(),
         statement,
         property!("pe2_products.sv"),
         Unit::Pe2,
-        2 * BASE,
-    ));
+    );
+    jobs.push(products(pe2, 2 * BASE, 5));
     jobs
 }
 
-/// Narrowed to 8 bits, where a solver can multiply.
-fn products(
-    name: &str,
-    statement: &'static str,
-    properties: &'static str,
-    unit: Unit,
-    width: usize,
-) -> Job {
-    let narrow = at_format(
-        job(format!("{name}-8"), statement, properties, unit),
-        BASE,
-        &[("N", 8)],
-    );
-    Job {
-        design: Design::Narrowed(EmitRequest::new(unit), width, 8),
-        method: Method::Bounded { clocks: 7 },
-        ..narrow
+/// Narrowed to where a solver can multiply.
+fn products(mut job: Job, width: usize, clocks: usize) -> Job {
+    if let Design::Emitted(request) = job.design {
+        job.design = Design::Narrowed(request, width, PRODUCT);
     }
+    job.method = Method::Bounded { clocks };
+    job.definitions = define(&[("N", PRODUCT)]);
+    job.widths = format!("N = {PRODUCT}");
+    job
 }
 
 fn depths() -> Vec<Job> {
