@@ -23,6 +23,12 @@ const REFERENCE_ROWS: &str = concat!(
     property!("square_root_rows.sv")
 );
 
+const NON_RESTORING_ROWS: &str = concat!(
+    property!("root_reference.sv"),
+    "\n",
+    property!("non_restoring_rows.sv")
+);
+
 /// Names of all proofs, those for `--full` included.
 pub fn names() -> Vec<String> {
     jobs().into_iter().map(|job| job.name).collect()
@@ -328,6 +334,7 @@ fn root() -> Vec<Job> {
         stages.full = (word, rows) != (BASE, 1);
         jobs.push(stages);
     }
+    jobs.push(non_restoring());
     let statement = "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right";
     for k in [8, 16, 24, 32, 64] {
         let lemma = property!("root_lemma.sv");
@@ -371,5 +378,18 @@ fn network(
         "K = {depth_word}, F = {}, R = {rows_per_stage}",
         2 * depth_word
     );
+    job
+}
+
+fn non_restoring() -> Job {
+    let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
+    let name = format!("non_restoring_rows-{BASE}-r1");
+    let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
+    job.design = Design::Emitted(EmitRequest::new(Unit::SquareRootNonRestoring));
+    job.words = Words::Network {
+        remainder_bits: BASE + 2,
+    };
+    job.top = Unit::SquareRootNonRestoring.name();
+    job.full = true;
     job
 }
