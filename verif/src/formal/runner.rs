@@ -161,11 +161,19 @@ pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError>
 
 type Outcome = (Verdict, Option<String>);
 
-/// The commands that read the text; the same for both drivers.
+/// The commands that read the text; the same for both drivers. A net that nothing drives is a free input of every clock: left undefined, it
+/// would be taken for whatever makes the logic smallest.
 fn script(top: &str) -> String {
-    format!(
-        "read_verilog -sv -formal job.sv\nhierarchy -check -top {top}\nprep -flatten -top {top}\nopt -full\n"
-    )
+    let commands = [
+        "read_verilog -sv -formal job.sv".to_owned(),
+        format!("hierarchy -check -top {top}"),
+        "proc".to_owned(),
+        "flatten".to_owned(),
+        "setundef -undriven -anyseq".to_owned(),
+        format!("prep -flatten -top {top}"),
+        "opt -full".to_owned(),
+    ];
+    commands.join("\n") + "\n"
 }
 
 fn write(folder: &Path, name: &str, text: &str) -> Result<(), FormalError> {
