@@ -9,6 +9,8 @@ pub fn imogene() -> Command {
 }
 
 /// A scene of the repository.
+// Not every file of tests draws one.
+#[allow(dead_code)]
 pub fn scene(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../scenes")

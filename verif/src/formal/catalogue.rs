@@ -11,23 +11,14 @@ const BASE: usize = 24;
 /// Bits of a word where products are compared.
 const PRODUCT: usize = 4;
 
+/// The text of a file of `verif/formal`.
 macro_rules! property {
     ($file:literal) => {
         include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/formal/", $file))
     };
 }
 
-const REFERENCE_ROWS: &str = concat!(
-    property!("root_reference.sv"),
-    "\n",
-    property!("square_root_rows.sv")
-);
-
-const NON_RESTORING_ROWS: &str = concat!(
-    property!("root_reference.sv"),
-    "\n",
-    property!("non_restoring_rows.sv")
-);
+mod root;
 
 /// Names of all proofs, those for `--full` included.
 pub fn names() -> Vec<String> {
@@ -36,7 +27,7 @@ pub fn names() -> Vec<String> {
 
 /// All proofs, those for `--full` included; the longest first.
 pub fn jobs() -> Vec<Job> {
-    let mut jobs = root();
+    let mut jobs = root::jobs();
     jobs.extend(elementary());
     jobs.extend(depths());
     jobs.extend(raster());
@@ -256,7 +247,7 @@ fn valid_path(planes: usize, rows_per_stage: usize) -> Job {
 fn beam_valid() -> Job {
     let latency = BASE + 3 + 7 + 2;
     let statement =
-        "beam: valid is that of a raster control with the same go, L + N + 7 + tree clocks later";
+        "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made";
     let beam = property!("beam_valid.sv");
     let beam = job("beam-m4-n3".into(), statement, beam, Unit::Beam);
     let mut beam = at_format(beam, BASE, &[("LATENCY", latency)]);
@@ -307,89 +298,4 @@ fn decider(inputs: usize) -> Job {
     decider.words = Words::Inputs;
     decider.full = inputs != 4;
     decider
-}
-
-fn root() -> Vec<Job> {
-    let mut jobs = Vec::new();
-    let statement = "square_root, whole: after its latency square + remainder = radicand and remainder <= 2 root, square in ghost sums";
-    for (word, rows) in [(16, 1), (24, 1), (24, 3)] {
-        let name = format!("square_root-{word}-r{rows}");
-        let mut whole = network(name, statement, property!("square_root.sv"), word, rows);
-        whole.full = true;
-        jobs.push(whole);
-    }
-    let statement = "square_root: every register stage is its rows of the reference, in every state that occurs; latency";
-    for (word, rows) in [
-        (24, 1),
-        (32, 1),
-        (16, 1),
-        (20, 1),
-        (28, 1),
-        (24, 2),
-        (24, 5),
-        (24, 24),
-    ] {
-        let name = format!("square_root_rows-{word}-r{rows}");
-        let mut stages = network(name, statement, REFERENCE_ROWS, word, rows);
-        stages.full = (word, rows) != (BASE, 1);
-        jobs.push(stages);
-    }
-    jobs.push(non_restoring());
-    let statement = "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right";
-    for k in [8, 16, 24, 32, 64] {
-        let lemma = property!("root_lemma.sv");
-        let mut lemma = job(
-            format!("root_lemma-{k}"),
-            statement,
-            lemma,
-            Unit::SquareRoot,
-        );
-        lemma = at_format(lemma, BASE, &[("K", k)]);
-        lemma.design = Design::Text(property!("root_reference.sv"));
-        lemma.method = Method::Bounded { clocks: 1 };
-        lemma.top = "root_lemma";
-        jobs.push(lemma);
-    }
-    jobs.push(integers(
-        "root-integers",
-        "the ghost square is root^2, and root^2 <= x < (root + 1)^2 follows",
-        property!("root.smt2"),
-    ));
-    jobs
-}
-
-fn network(
-    name: String,
-    statement: &'static str,
-    properties: &'static str,
-    depth_word: usize,
-    rows_per_stage: usize,
-) -> Job {
-    let mut job = job(name, statement, properties, Unit::SquareRoot);
-    job.design = Design::Emitted(EmitRequest {
-        depth_word,
-        rows_per_stage,
-        ..EmitRequest::new(Unit::SquareRoot)
-    });
-    job.words = Words::Network {
-        remainder_bits: depth_word + 1,
-    };
-    job.widths = format!(
-        "K = {depth_word}, F = {}, R = {rows_per_stage}",
-        2 * depth_word
-    );
-    job
-}
-
-fn non_restoring() -> Job {
-    let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
-    let name = format!("non_restoring_rows-{BASE}-r1");
-    let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
-    job.design = Design::Emitted(EmitRequest::new(Unit::SquareRootNonRestoring));
-    job.words = Words::Network {
-        remainder_bits: BASE + 2,
-    };
-    job.top = Unit::SquareRootNonRestoring.name();
-    job.full = true;
-    job
 }

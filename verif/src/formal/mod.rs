@@ -6,6 +6,7 @@
 
 pub mod bind;
 pub mod catalogue;
+mod driver;
 pub mod job;
 pub mod mutants;
 mod network;

@@ -1,0 +1,103 @@
+//! The proofs of the root networks.
+
+use super::{BASE, Design, Job, Method, Words, at_format, integers, job};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::EmitRequest;
+
+const REFERENCE_ROWS: &str = concat!(
+    property!("root_reference.sv"),
+    "\n",
+    property!("square_root_rows.sv")
+);
+
+const NON_RESTORING_ROWS: &str = concat!(
+    property!("root_reference.sv"),
+    "\n",
+    property!("non_restoring_rows.sv")
+);
+
+/// The whole networks first: they take longest.
+pub(super) fn jobs() -> Vec<Job> {
+    let mut jobs = Vec::new();
+    let statement = "square_root, whole: after its latency square + remainder = radicand and remainder <= 2 root, square in ghost sums";
+    for (word, rows) in [(16, 1), (24, 1), (24, 3)] {
+        let name = format!("square_root-{word}-r{rows}");
+        let mut whole = network(name, statement, property!("square_root.sv"), word, rows);
+        whole.full = true;
+        jobs.push(whole);
+    }
+    let statement = "square_root: every register stage is its rows of the reference, in every state that occurs; latency";
+    for (word, rows) in [
+        (24, 1),
+        (32, 1),
+        (16, 1),
+        (20, 1),
+        (28, 1),
+        (24, 2),
+        (24, 5),
+        (24, 24),
+    ] {
+        let name = format!("square_root_rows-{word}-r{rows}");
+        let mut stages = network(name, statement, REFERENCE_ROWS, word, rows);
+        stages.full = (word, rows) != (BASE, 1);
+        jobs.push(stages);
+    }
+    jobs.push(non_restoring());
+    let statement = "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right";
+    for k in [8, 16, 24, 32, 64] {
+        let lemma = property!("root_lemma.sv");
+        let mut lemma = job(
+            format!("root_lemma-{k}"),
+            statement,
+            lemma,
+            Unit::SquareRoot,
+        );
+        lemma = at_format(lemma, BASE, &[("K", k)]);
+        lemma.design = Design::Text(property!("root_reference.sv"));
+        lemma.method = Method::Bounded { clocks: 1 };
+        lemma.top = "root_lemma";
+        jobs.push(lemma);
+    }
+    jobs.push(integers(
+        "root-integers",
+        "the ghost square is root^2, and root^2 <= x < (root + 1)^2 follows",
+        property!("root.smt2"),
+    ));
+    jobs
+}
+
+fn network(
+    name: String,
+    statement: &'static str,
+    properties: &'static str,
+    depth_word: usize,
+    rows_per_stage: usize,
+) -> Job {
+    let mut job = job(name, statement, properties, Unit::SquareRoot);
+    job.design = Design::Emitted(EmitRequest {
+        depth_word,
+        rows_per_stage,
+        ..EmitRequest::new(Unit::SquareRoot)
+    });
+    job.words = Words::Network {
+        remainder_bits: depth_word + 1,
+    };
+    job.widths = format!(
+        "K = {depth_word}, F = {}, R = {rows_per_stage}",
+        2 * depth_word
+    );
+    job
+}
+
+fn non_restoring() -> Job {
+    let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
+    let name = format!("non_restoring_rows-{BASE}-r1");
+    let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
+    job.design = Design::Emitted(EmitRequest::new(Unit::SquareRootNonRestoring));
+    job.words = Words::Network {
+        remainder_bits: BASE + 2,
+    };
+    job.top = Unit::SquareRootNonRestoring.name();
+    job.full = true;
+    job
+}
