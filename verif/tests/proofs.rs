@@ -95,6 +95,8 @@ fn names_of_jobs_are_told_apart() {
     assert!(pe1.len() >= 7 && pe1.iter().all(|job| job.name.starts_with("pe1-")));
     assert!(select("pe1", false).unwrap().len() < pe1.len());
     assert_eq!(select("pe1-34", false).unwrap()[0].name, "pe1-34");
+    // Only for the full run, but named.
+    assert!(select("square_root", false).unwrap().len() >= 2);
     let error = select("pe", true).unwrap_err().to_string();
     assert!(
         error.contains("`pe`") && error.contains("pe2-48"),

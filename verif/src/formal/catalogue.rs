@@ -246,14 +246,12 @@ fn valid_path(planes: usize, rows_per_stage: usize) -> Job {
 
 fn beam_valid() -> Job {
     let latency = BASE + 3 + 7 + 2;
-    let statement =
-        "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made";
+    let statement = "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made";
     let beam = property!("beam_valid.sv");
     let beam = job("beam-m4-n3".into(), statement, beam, Unit::Beam);
     let mut beam = at_format(beam, BASE, &[("LATENCY", latency)]);
     beam.method = Method::Induction { depth: latency };
     beam.top = "beam_valid";
-    beam.full = true;
     beam
 }
 

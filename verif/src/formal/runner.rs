@@ -61,8 +61,8 @@ pub struct Task {
     pub mutant: Option<Mutant>,
 }
 
-/// The jobs of a name: one job, all jobs whose name begins with it, or `all`. Jobs for `--full` are among them only with `full`, or
-/// when named in full.
+/// The jobs of a name: one job, all jobs whose name begins with it, or `all`. Jobs for `--full` are among them only with `full`, when
+/// named in full, or when there are no others.
 ///
 /// # Errors
 ///
@@ -81,7 +81,11 @@ pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
         let name = name.to_owned();
         return Err(FormalError::Unknown { name });
     }
-    Ok(family.into_iter().filter(|job| full || !job.full).collect())
+    let short: Vec<Job> = family.iter().filter(|job| !job.full).cloned().collect();
+    if full || short.is_empty() {
+        return Ok(family);
+    }
+    Ok(short)
 }
 
 /// Runs tasks and calls `done` after each; reports come in the order of the tasks.
