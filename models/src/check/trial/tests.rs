@@ -63,7 +63,7 @@ fn no_bound_is_exceeded_and_the_dominating_ones_are_tight() {
 
 #[test]
 fn everything_compared_exactly() {
-    let cases = if full() { 20_000 } else { 300 };
+    let cases = if full() { 3_000 } else { 300 };
     for report in tried(cases, 2, true) {
         assert_eq!(report.decided_exactly, report.comparisons);
     }
