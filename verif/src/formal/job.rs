@@ -129,8 +129,7 @@ impl Job {
 }
 
 fn emitted(request: &EmitRequest) -> Result<String, FormalError> {
-    let files = emit(request)?.files;
-    Ok(files.into_iter().map(|(_, text)| text).collect())
+    Ok(emit(request)?.bundle())
 }
 
 /// The words of all inputs side by side, the last input first.
