@@ -227,6 +227,8 @@ pub enum EngineName {
     RustHdl,
     /// The emitted Verilog in Icarus Verilog (units only).
     Icarus,
+    /// The emitted Verilog in Verilator (units only).
+    Verilator,
 }
 
 /// Arguments of `cosim`.

@@ -363,3 +363,41 @@ fn headroom_of_scenes_is_a_table() {
     let derived = |row: usize| rows[row]["derived"].as_i64().unwrap();
     assert!((derived(0) - derived(1) - 16).abs() <= 1);
 }
+
+#[test]
+fn cosim_of_a_unit_in_verilator_writes_waveforms() {
+    let folder = tempfile::tempdir().unwrap();
+    let vcd = folder.path().join("cut_plane.vcd");
+    let report = json(&[
+        "cosim",
+        "cut_plane",
+        "--engine",
+        "verilator",
+        "--clocks",
+        "2000",
+        "--vcd",
+        vcd.to_str().unwrap(),
+    ]);
+    assert_eq!(
+        (&report["engine"], &report["mismatches"]),
+        (&Value::from("verilator"), &Value::from(0))
+    );
+    let reproduce = report["reproduce"].as_str().unwrap();
+    assert!(reproduce.contains("--engine verilator"), "{reproduce}");
+    assert!(vcd.is_file());
+}
+
+#[test]
+fn a_missing_verilator_is_one_message() {
+    let output = imogene()
+        .args(["cosim", "cut_plane", "--engine", "verilator"])
+        .env("PATH", "")
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    for part in ["error: 'verilator' was not found", "package 'verilator'"] {
+        assert!(message.contains(part), "no '{part}' in: {message}");
+    }
+}

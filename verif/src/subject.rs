@@ -44,6 +44,8 @@ pub type Stimulus = fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>;
 pub struct Subject {
     /// Name of the unit, as in `imogene units`.
     pub name: String,
+    /// Engine that runs the hardware.
+    pub engine: &'static str,
     /// Input ports, without the clock.
     pub inputs: Vec<Signal>,
     /// Output ports.
@@ -80,7 +82,7 @@ impl Subject {
         let mut golden = (self.golden)();
         let mut report = Report {
             subject: self.name.clone(),
-            engine: "rust-hdl".into(),
+            engine: self.engine.into(),
             ..Report::default()
         };
         let mut trace = record.then(|| Trace::new(vec![self.group()]));

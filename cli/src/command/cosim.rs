@@ -7,6 +7,7 @@ use crate::output;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::engine::verilator::verilate;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
 use imogene_verif::unit::{self, Parameters};
@@ -50,8 +51,15 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
         ));
     }
+    let subject = match options.engine {
+        EngineName::Verilator => {
+            let (top, text) = verilog(options)?;
+            verilate(subject, &top, &text).map_err(Failure::input)?
+        }
+        EngineName::RustHdl | EngineName::Icarus => subject,
+    };
     let (mut report, trace) = match options.engine {
-        EngineName::RustHdl => random::run(
+        EngineName::RustHdl | EngineName::Verilator => random::run(
             &subject,
             options.clocks,
             options.seed,
@@ -59,15 +67,14 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         ),
         EngineName::Icarus if options.vcd.is_some() => {
             return Err(Failure::Input(
-                "--vcd is written by the engine rust-hdl; the engine icarus only compares".into(),
+                "--vcd is written by the engines rust-hdl and verilator; the engine icarus only compares".into(),
             ));
         }
         EngineName::Icarus => {
-            let emitted = emit(&emit_request(&options.subject, shape)?).map_err(Failure::input)?;
-            let text = emitted.bundle();
+            let (top, text) = verilog(options)?;
             let stimuli = random::stimuli(&subject, options.clocks, options.seed);
             (
-                icarus::run_all(&subject, &emitted.top, &text, &stimuli).map_err(Failure::input)?,
+                icarus::run_all(&subject, &top, &text, &stimuli).map_err(Failure::input)?,
                 None,
             )
         }
@@ -83,10 +90,18 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     Ok(report)
 }
 
+/// Name of the top module and text of the unit's Verilog.
+fn verilog(options: &Cosim) -> Result<(String, String), Failure> {
+    let request = emit_request(&options.subject, options.shape)?;
+    let emitted = emit(&request).map_err(Failure::input)?;
+    let text = emitted.files.iter().map(|(_, text)| text.as_str());
+    Ok((emitted.top, text.collect()))
+}
+
 fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     if options.engine != EngineName::RustHdl {
         return Err(Failure::Input(
-            "a scene is co-simulated by the engine rust-hdl; the engine icarus takes a unit".into(),
+            "a scene is co-simulated by the engine rust-hdl; the engines icarus and verilator take a unit".into(),
         ));
     }
     let path = Path::new(&options.subject);

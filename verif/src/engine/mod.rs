@@ -1,6 +1,7 @@
 //! Engines that run the hardware of a beam machine, behind one trait.
 
 pub mod rust_hdl;
+pub mod verilator;
 
 use crate::signal::Signal;
 use imogene_models::object::load::LoadWord;

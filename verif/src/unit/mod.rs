@@ -112,6 +112,7 @@ pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError>
     let (inputs, outputs) = (unit.inputs.clone(), unit.outputs.clone());
     Ok(Subject {
         name: unit.name,
+        engine: "rust-hdl",
         inputs: unit.inputs,
         outputs: unit.outputs,
         hardware: Box::new(move || Box::new(UnitHardware::new(&request, &inputs, &outputs))),

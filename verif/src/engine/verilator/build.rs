@@ -1,0 +1,266 @@
+//! From sources to a library: Verilator, the C++ compiler, and the cache.
+
+use super::VerilatorError;
+use super::shim::{CLASS, Sources, WRAPPER};
+use sha2::{Digest, Sha256};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{Mutex, OnceLock};
+
+/// Environment variable that names the folder of the compiled libraries.
+pub const CACHE_VARIABLE: &str = "IMOGENE_CACHE";
+
+const VERILATOR: Program = Program {
+    name: "verilator",
+    package: "verilator",
+};
+const COMPILER: Program = Program {
+    name: "g++",
+    package: "g++",
+};
+
+/// Options that shape the code; a change of them makes new libraries.
+const VERILATOR_OPTIONS: [&str; 7] = [
+    "--cc",
+    "-O3",
+    "--x-assign",
+    "fast",
+    "-Wno-fatal",
+    "-Wno-lint",
+    "-Wno-style",
+];
+/// No symbol of one library may stand for that of another in the same process, hence the hidden and not unique symbols.
+const COMPILER_OPTIONS: [&str; 6] = [
+    "-std=c++17",
+    "-O2",
+    "-fPIC",
+    "-fvisibility=hidden",
+    "-fno-gnu-unique",
+    "-w",
+];
+/// Verilator's run time, compiled once for all designs.
+const RUN_TIME: [&str; 2] = ["verilated", "verilated_threads"];
+
+struct Program {
+    name: &'static str,
+    package: &'static str,
+}
+
+impl Program {
+    /// Runs the program; returns what it printed.
+    fn run<A: AsRef<OsStr>>(
+        &self,
+        arguments: impl IntoIterator<Item = A>,
+        folder: &Path,
+    ) -> Result<String, VerilatorError> {
+        let output = Command::new(self.name)
+            .args(arguments)
+            .current_dir(folder)
+            .output()
+            .map_err(|error| match error.kind() {
+                std::io::ErrorKind::NotFound => VerilatorError::Missing {
+                    program: self.name,
+                    package: self.package,
+                },
+                _ => VerilatorError::file(Path::new(self.name))(error),
+            })?;
+        if !output.status.success() {
+            let text = String::from_utf8_lossy(&output.stderr);
+            let lines: Vec<&str> = text.lines().collect();
+            return Err(VerilatorError::Refused {
+                program: self.name,
+                message: lines[lines.len().saturating_sub(20)..].join("\n"),
+            });
+        }
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+    }
+}
+
+/// Versions of the programs and the folder of Verilator's run time, asked for once per process.
+struct Tools {
+    versions: String,
+    root: PathBuf,
+}
+
+fn tools() -> Result<&'static Tools, VerilatorError> {
+    static TOOLS: OnceLock<Tools> = OnceLock::new();
+    if let Some(tools) = TOOLS.get() {
+        return Ok(tools);
+    }
+    let here = Path::new(".");
+    let verilator = VERILATOR.run(["--version"], here)?;
+    let compiler = COMPILER.run(["--version"], here)?;
+    let root = VERILATOR.run(["--getenv", "VERILATOR_ROOT"], here)?;
+    let compiler = compiler.lines().next().unwrap_or_default();
+    Ok(TOOLS.get_or_init(|| Tools {
+        versions: format!("{}\n{compiler}", verilator.trim()),
+        root: root.trim().into(),
+    }))
+}
+
+/// Where compiled libraries are kept: the folder that the variable [`CACHE_VARIABLE`] names, else the build folder that this program was
+/// built in, else the user's cache folder, else the folder for temporary files.
+pub fn cache_folder() -> PathBuf {
+    if let Some(folder) = std::env::var_os(CACHE_VARIABLE) {
+        return folder.into();
+    }
+    let user = || {
+        let cache = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
+        cache.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cache")))
+    };
+    let folder = build_folder().or_else(|| user().map(|folder| folder.join("imogene")));
+    folder
+        .unwrap_or_else(std::env::temp_dir)
+        .join("verilator-cache")
+}
+
+/// The build folder around this program, known by the mark that Cargo puts there.
+fn build_folder() -> Option<PathBuf> {
+    let program = std::env::current_exe().ok()?;
+    let mut folders = program.ancestors().skip(1);
+    folders
+        .find(|folder| folder.join("CACHEDIR.TAG").is_file())
+        .map(Path::to_path_buf)
+}
+
+fn digest(parts: &[&str]) -> String {
+    let mut hasher = Sha256::new();
+    for part in parts {
+        // The length keeps two parts from standing for two others with the same characters.
+        hasher.update((part.len() as u64).to_le_bytes());
+        hasher.update(part.as_bytes());
+    }
+    let bytes = hasher.finalize();
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The library of these sources, compiled unless it is kept.
+pub(super) fn library(sources: &Sources) -> Result<PathBuf, VerilatorError> {
+    let tools = tools()?;
+    let options = [VERILATOR_OPTIONS.join(" "), COMPILER_OPTIONS.join(" ")].join("\n");
+    let name = digest(&[&sources.verilog, &sources.shim, &tools.versions, &options]);
+    let cache = cache_folder();
+    let path = cache.join(format!("{name}.so"));
+    if path.is_file() {
+        return Ok(path);
+    }
+    std::fs::create_dir_all(&cache).map_err(VerilatorError::file(&cache))?;
+    let run_time = run_time(&cache, tools, &options)?;
+    let scratch = scratch(&cache)?;
+    let folder = scratch.path();
+    write(&folder.join("design.v"), &sources.verilog)?;
+    write(&folder.join("shim.cpp"), &sources.shim)?;
+    verilate(folder)?;
+    link(folder, tools, &run_time)?;
+    // Renamed within one file system, so that the library is there whole or not at all.
+    std::fs::rename(folder.join("design.so"), &path).map_err(VerilatorError::file(&path))?;
+    Ok(path)
+}
+
+fn scratch(cache: &Path) -> Result<tempfile::TempDir, VerilatorError> {
+    tempfile::Builder::new()
+        .prefix("build-")
+        .tempdir_in(cache)
+        .map_err(VerilatorError::file(cache))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), VerilatorError> {
+    std::fs::write(path, text).map_err(VerilatorError::file(path))
+}
+
+fn verilate(folder: &Path) -> Result<(), VerilatorError> {
+    let placing = [
+        "--prefix",
+        CLASS,
+        "--top-module",
+        WRAPPER,
+        "--Mdir",
+        "cpp",
+        "design.v",
+    ];
+    VERILATOR.run(VERILATOR_OPTIONS.iter().chain(&placing), folder)?;
+    Ok(())
+}
+
+fn include(folder: &Path) -> [String; 4] {
+    let path = |path: PathBuf| path.display().to_string();
+    [
+        "-I".into(),
+        path(folder.join("include")),
+        "-I".into(),
+        path(folder.join("include/vltstd")),
+    ]
+}
+
+/// Compiles what Verilator wrote as one file, and links it.
+fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<(), VerilatorError> {
+    let generated = folder.join("cpp");
+    let entries = std::fs::read_dir(&generated).map_err(VerilatorError::file(&generated))?;
+    let mut files: Vec<String> = entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| name.ends_with(".cpp"))
+        .collect();
+    files.sort();
+    let mut unit = String::from("#include \"shim.cpp\"\n");
+    for file in files {
+        unit += &format!("#include \"cpp/{file}\"\n");
+    }
+    write(&folder.join("all.cpp"), &unit)?;
+    let mut arguments: Vec<String> = COMPILER_OPTIONS.map(String::from).to_vec();
+    arguments.extend(include(&tools.root));
+    arguments.extend(["-I", "cpp", "-shared", "-o", "design.so", "all.cpp"].map(String::from));
+    arguments.extend(run_time.iter().map(|path| path.display().to_string()));
+    arguments.push("-pthread".into());
+    COMPILER.run(arguments, folder)?;
+    Ok(())
+}
+
+/// Objects of Verilator's run time, compiled unless they are kept.
+fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, VerilatorError> {
+    // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with equal files.
+    static ONE: Mutex<()> = Mutex::new(());
+    let _guard = ONE.lock().unwrap_or_else(|broken| broken.into_inner());
+    let name = digest(&[&tools.versions, options]);
+    let objects = RUN_TIME.map(|part| cache.join(format!("{part}-{}.o", &name[..16])));
+    for (part, object) in RUN_TIME.iter().zip(&objects) {
+        if object.is_file() {
+            continue;
+        }
+        let scratch = scratch(cache)?;
+        let source = tools.root.join(format!("include/{part}.cpp"));
+        let mut arguments: Vec<String> = COMPILER_OPTIONS.map(String::from).to_vec();
+        arguments.extend(include(&tools.root));
+        arguments.extend(["-c", "-o", "part.o"].map(String::from));
+        arguments.push(source.display().to_string());
+        COMPILER.run(arguments, scratch.path())?;
+        std::fs::rename(scratch.path().join("part.o"), object)
+            .map_err(VerilatorError::file(object))?;
+    }
+    Ok(objects.to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_digest_tells_parts_apart() {
+        assert_ne!(digest(&["ab", "c"]), digest(&["a", "bc"]));
+        assert_eq!(digest(&["ab", "c"]), digest(&["ab", "c"]));
+    }
+
+    #[test]
+    fn a_missing_program_names_its_package() {
+        let program = Program {
+            name: "imogene-no-such-program",
+            package: "some-package",
+        };
+        let message = program
+            .run(["--version"], Path::new("."))
+            .expect_err("there is no such program")
+            .to_string();
+        assert!(message.contains("imogene-no-such-program"), "{message}");
+        assert!(message.contains("package 'some-package'"), "{message}");
+    }
+}

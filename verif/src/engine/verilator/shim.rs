@@ -1,0 +1,87 @@
+//! The two texts put around a design: a Verilog module with numbered ports, and the C interface to what Verilator makes of it.
+
+use crate::signal::Signal;
+use std::fmt::Write as _;
+
+/// Name of the wrapper module.
+pub(super) const WRAPPER: &str = "imogene_wrapper";
+/// Class that Verilator makes of it.
+pub(super) const CLASS: &str = "Vimogene";
+
+/// Symbols of the C interface, as the loader wants them.
+pub(super) const CREATE: &[u8] = b"imogene_create\0";
+pub(super) const DESTROY: &[u8] = b"imogene_destroy\0";
+pub(super) const CLOCK: &[u8] = b"imogene_clock\0";
+
+/// Everything a library is made of.
+pub(super) struct Sources {
+    /// Verilog of the design and of its wrapper.
+    pub verilog: String,
+    /// C++ of the interface.
+    pub shim: String,
+}
+
+impl Sources {
+    pub fn new(top: &str, text: &str, inputs: &[Signal], outputs: &[Signal]) -> Sources {
+        Sources {
+            verilog: format!("{text}\n{}", wrapper(top, inputs, outputs)),
+            shim: shim(inputs.len(), outputs.len()),
+        }
+    }
+}
+
+/// A module whose ports have numbers: a port of the design may be named like a word of C++.
+fn wrapper(top: &str, inputs: &[Signal], outputs: &[Signal]) -> String {
+    let mut ports = String::from("    input wire clock");
+    let mut connections = String::from("        .clock(clock)");
+    let sides = [("input", "in", inputs), ("output", "out", outputs)];
+    for (direction, prefix, signals) in sides {
+        for (index, signal) in signals.iter().enumerate() {
+            let high = signal.width - 1;
+            let _ = write!(ports, ",\n    {direction} wire [{high}:0] {prefix}{index}");
+            let _ = write!(connections, ",\n        .{}({prefix}{index})", signal.name);
+        }
+    }
+    format!("module {WRAPPER} (\n{ports}\n);\n    {top} unit (\n{connections}\n    );\nendmodule\n")
+}
+
+/// The C interface. One call is one clock: the inputs settle while the clock is low, and the outputs are those after the rising edge.
+fn shim(inputs: usize, outputs: usize) -> String {
+    let mut set = String::new();
+    for index in 0..inputs {
+        let _ = writeln!(set, "    m.in{index} = inputs[{index}];");
+    }
+    let mut get = String::new();
+    for index in 0..outputs {
+        let _ = writeln!(get, "    outputs[{index}] = m.out{index};");
+    }
+    format!(
+        "#include \"{CLASS}.h\"
+#include \"verilated.h\"
+#include <cstdint>
+
+double sc_time_stamp() {{ return 0; }}
+
+struct State {{
+    VerilatedContext context;
+    {CLASS} model;
+    State() : context(), model(&context) {{}}
+}};
+
+#define EXPORT extern \"C\" __attribute__((visibility(\"default\")))
+
+EXPORT void* imogene_create() {{ return new State(); }}
+
+EXPORT void imogene_destroy(void* state) {{ delete static_cast<State*>(state); }}
+
+EXPORT void imogene_clock(void* state, const uint64_t* inputs, uint64_t* outputs) {{
+    {CLASS}& m = static_cast<State*>(state)->model;
+    (void)inputs;
+{set}    m.clock = 0;
+    m.eval();
+    m.clock = 1;
+    m.eval();
+{get}}}
+"
+    )
+}

@@ -1,0 +1,98 @@
+//! The emitted Verilog of the units in Verilator against the golden models. Needs the packages 'verilator' and 'g++' and fails without
+//! them. A first run compiles each unit, some seconds each: all units under `IMOGENE_FULL=1`, one of each group otherwise.
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::engine::verilator::{Model, verilate};
+use imogene_verif::random;
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::{NAMES, Parameters, subject};
+
+const REPRESENTATIVES: [&str; 4] = ["pe2", "square_root", "cut_plane", "quadric_processor"];
+const CLOCKS: usize = 5_000;
+
+fn is_full() -> bool {
+    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
+}
+
+fn verilog(name: &str) -> String {
+    let request = EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"));
+    let emitted = emit(&request).expect("a legal request");
+    emitted.files.iter().map(|(_, text)| &text[..]).collect()
+}
+
+fn base(name: &str) -> Subject {
+    subject(name, Parameters::default()).expect("a legal subject")
+}
+
+#[test]
+fn emitted_units_agree_with_their_golden_models() {
+    let names = if is_full() {
+        NAMES.to_vec()
+    } else {
+        REPRESENTATIVES.to_vec()
+    };
+    for name in names {
+        let unit = verilate(base(name), name, &verilog(name)).expect("a compiled unit");
+        let (report, _) = random::run(&unit, CLOCKS, 11, false);
+        assert_eq!(report.engine, "verilator");
+        assert!(
+            report.passed() && report.cycles >= CLOCKS as u64,
+            "{name}: {:?}",
+            report.first_mismatches
+        );
+        // Results begin after the latency and, in a raster, after a gap at most.
+        assert!(report.pixels >= 2_000, "{name}: {} pixels", report.pixels);
+    }
+}
+
+#[test]
+fn a_fault_in_the_verilog_is_found_and_shown() {
+    let faults = [
+        ("pe1", "line_value <= next_line;", "line_value <= c;"),
+        ("cut_plane", "zp < zb", "zp <= zb"),
+    ];
+    for (name, right, wrong) in faults {
+        let text = verilog(name);
+        assert!(text.contains(right), "{name} has no '{right}'");
+        let broken = verilate(base(name), name, &text.replacen(right, wrong, 1)).expect("a unit");
+        let (report, trace) = random::run(&broken, CLOCKS, 11, true);
+        assert!(report.mismatches > 0, "{name}: '{wrong}' was not found");
+        assert!(trace.is_some_and(|trace| !trace.is_empty()));
+    }
+}
+
+#[test]
+fn instances_of_one_model_do_not_share_registers() {
+    let unit = base("pe1");
+    let model = Model::compile("pe1", &verilog("pe1"), &unit.inputs, &unit.outputs).expect("pe1");
+    let (mut one, mut other) = (model.instance(), model.instance());
+    let mut value = [0];
+    one.clock_words(&[1, 1, 0, 3, 0, 100], &mut value);
+    assert_eq!(value, [100]);
+    other.clock_words(&[1, 1, 0, 5, 0, 7], &mut value);
+    assert_eq!(value, [7]);
+    one.clock_words(&[1, 0, 0, 0, 0, 0], &mut value);
+    assert_eq!(value, [103]);
+    let mut moved = std::thread::spawn(move || {
+        other.clock_words(&[1, 0, 0, 0, 0, 0], &mut value);
+        (other, value)
+    })
+    .join()
+    .expect("no panic");
+    assert_eq!(moved.1, [12]);
+    moved.0.clock_words(&[1, 0, 0, 0, 0, 0], &mut moved.1);
+    assert_eq!(moved.1, [17]);
+}
+
+#[test]
+fn verilog_that_verilator_refuses_is_reported_and_not_kept() {
+    let unit = base("pe1");
+    for _ in 0..2 {
+        let broken =
+            verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
+        let outcome = Model::compile("pe1", &broken, &unit.inputs, &unit.outputs);
+        let message = outcome.err().expect("a refusal").to_string();
+        assert!(message.contains("missing_name"), "{message}");
+    }
+}
