@@ -1,0 +1,183 @@
+//! PE1 and PE2 at small widths: every coefficient word on every pixel, against the golden models and the polynomial itself.
+//!
+//! Modulo 2^n the polynomial repeats after 2^n columns and 2^n lines, and so do the registers; a zone of 2^n + 1 columns and lines is
+//! therefore stands for every pixel of every zone. One instance runs through all coefficients, so that each zone starts from the registers
+//! another one left, in the middle of its raster now and then.
+
+use super::{account, is_full_run};
+use imogene_models::unit::pe1::{Linear, Pe1 as GoldenPe1};
+use imogene_models::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
+use imogene_rtl::step::step;
+use imogene_rtl::unit::pe1::Pe1;
+use imogene_rtl::unit::pe2::Pe2;
+use imogene_rtl::word::Int;
+use rayon::prelude::*;
+use rust_hdl::core::prelude::Block;
+use std::time::Instant;
+
+/// `value` modulo 2^width as two's complement.
+fn wrapped(value: i64, width: usize) -> i64 {
+    let unused = 64 - width;
+    value.wrapping_shl(unused as u32) >> unused
+}
+
+/// All words of a width.
+fn words(width: usize) -> std::ops::Range<i64> {
+    -(1 << (width - 1))..1 << (width - 1)
+}
+
+/// All even words of a width: second differences are twice a coefficient.
+fn even_words(width: usize) -> impl Iterator<Item = i64> {
+    words(width).step_by(2)
+}
+
+/// One clock: the flags `valid`, `start`, `line`, and the pixel if there is one.
+type RasterClock = ([bool; 3], Option<(i64, i64)>);
+
+/// Raster flags of a zone: columns, lines, and a clock without pixel before each line, at which every other flag is set.
+fn flags(columns: i64, lines: i64) -> Vec<RasterClock> {
+    let mut list = Vec::new();
+    for y in 0..lines {
+        for x in 0..columns {
+            list.push(([true, x == 0 && y == 0, x == 0 && y > 0], Some((x, y))));
+        }
+        list.push(([false, true, true], None));
+    }
+    list
+}
+
+/// A zone that is given up in its second line, then a whole one.
+fn zones(columns: i64, lines: i64) -> Vec<RasterClock> {
+    let mut list = flags(columns, 2);
+    list.truncate(columns as usize + 2);
+    list.extend(flags(columns, lines));
+    list
+}
+
+/// Runs every zone of PE1 with these `a`; returns the pixels checked.
+fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
+    let mut unit = Box::new(Pe1::<N>::default());
+    unit.connect_all();
+    let clocks = zones(side, side);
+    let mut pixels = 0;
+    for b in words(N) {
+        for c in words(N) {
+            let words = Linear::new(a.into(), b.into(), c.into());
+            let mut golden = GoldenPe1::object_start(&words, N as u32);
+            for ([valid, start, line], place) in &clocks {
+                (unit.valid.next, unit.start.next, unit.line.next) = (*valid, *start, *line);
+                // The words are read at the start of a zone only; elsewhere their complements stand there.
+                let flip = if *valid && *start { 0 } else { -1 };
+                unit.a.next = Int::new(a ^ flip);
+                unit.b.next = Int::new(b ^ flip);
+                unit.c.next = Int::new(c ^ flip);
+                step(unit.as_mut());
+                let Some((x, y)) = *place else { continue };
+                if *start {
+                    golden = GoldenPe1::object_start(&words, N as u32);
+                } else if *line {
+                    golden.line_step();
+                }
+                let exact = wrapped(a * x + b * y + c, N);
+                let found = unit.value.val().get();
+                assert_eq!(found, exact, "{words:?} at ({x}, {y})");
+                assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
+                pixels += 1;
+            }
+        }
+    }
+    pixels
+}
+
+/// Runs every zone of PE2 with these `a2` and `b2`; returns the pixels checked.
+fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
+    let mut unit = Box::new(Pe2::<N>::default());
+    unit.connect_all();
+    let clocks = zones(side, side);
+    let mut pixels = 0;
+    let count = words(N).count();
+    for code in 0..count.pow(4) {
+        let digit = |place: u32| (code / count.pow(place) % count) as i64 + words(N).start;
+        let (c, p0, i0, f) = (digit(0), digit(1), digit(2), digit(3));
+        let (a, b) = (a2 / 2, b2 / 2);
+        let (d, e) = (p0 - a, i0 - b);
+        let [qa, qb, qc, qd, qe, qf] = [a, b, c, d, e, f].map(i128::from);
+        let words = Quadratic {
+            a: qa,
+            b: qb,
+            c: qc,
+            d: qd,
+            e: qe,
+            f: qf,
+        };
+        let mut golden = GoldenPe2::object_start(&words, N as u32);
+        for ([valid, start, line], place) in &clocks {
+            (unit.valid.next, unit.start.next, unit.line.next) = (*valid, *start, *line);
+            let flip = if *valid && *start { 0 } else { -1 };
+            unit.a2.next = Int::new(a2 ^ flip);
+            unit.b2.next = Int::new(b2 ^ flip);
+            unit.c.next = Int::new(c ^ flip);
+            unit.p0.next = Int::new(p0 ^ flip);
+            unit.i0.next = Int::new(i0 ^ flip);
+            unit.f.next = Int::new(f ^ flip);
+            step(unit.as_mut());
+            let Some((x, y)) = *place else { continue };
+            if *start {
+                golden = GoldenPe2::object_start(&words, N as u32);
+            } else if *line {
+                golden.line_step();
+            }
+            let exact = wrapped(a * x * x + b * y * y + c * x * y + d * x + e * y + f, N);
+            let found = unit.value.val().get();
+            assert_eq!(found, exact, "{words:?} at ({x}, {y})");
+            assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
+            pixels += 1;
+        }
+    }
+    pixels
+}
+
+/// Pixels of [`zones`]: one line and a pixel, then the whole.
+fn pixels(side: u64) -> u64 {
+    side + 1 + side * side
+}
+
+fn every_pe1<const N: usize>() {
+    let started = Instant::now();
+    let side = (1 << N) + 1;
+    let list: Vec<i64> = words(N).collect();
+    let count: u64 = list.par_iter().map(|a| check_pe1::<N>(*a, side)).sum();
+    assert_eq!(count, (1 << (3 * N)) * pixels(side as u64));
+    account(&format!("pe1 of {N} bits, pixels"), count, started);
+}
+
+fn every_pe2<const N: usize>(side: i64) {
+    let started = Instant::now();
+    let pairs: Vec<(i64, i64)> = even_words(N)
+        .flat_map(|a2| even_words(N).map(move |b2| (a2, b2)))
+        .collect();
+    let run = |(a2, b2): &(i64, i64)| check_pe2::<N>(*a2, *b2, side);
+    let count: u64 = pairs.par_iter().map(run).sum();
+    assert_eq!(count, (1 << (6 * N - 2)) * pixels(side as u64));
+    account(&format!("pe2 of {N} bits, pixels"), count, started);
+}
+
+#[test]
+fn pe1_is_the_polynomial_for_all_words() {
+    every_pe1::<2>();
+    every_pe1::<3>();
+    every_pe1::<4>();
+    if is_full_run() {
+        every_pe1::<5>();
+    }
+}
+
+/// All pixels at 2 and 3 bits. At 4 bits, in the full run, four lines and columns, which use each increment at least twice.
+#[test]
+fn pe2_is_the_polynomial_for_all_words() {
+    every_pe2::<2>(5);
+    every_pe2::<3>(9);
+    if is_full_run() {
+        every_pe2::<4>(4);
+    }
+}
