@@ -11,39 +11,19 @@ pub use build::{CACHE_VARIABLE, cache_folder};
 
 use crate::signal::Signal;
 use crate::subject::{Hardware, Subject};
+use crate::tool::ToolError;
 use libloading::Library;
 use std::ffi::c_void;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use thiserror::Error;
 
 /// Why a unit cannot be run in Verilator.
 #[derive(Debug, Error)]
 pub enum VerilatorError {
-    /// A program is not there.
-    #[error("'{program}' was not found; install the package '{package}' (scripts/setup does)")]
-    Missing {
-        /// Program.
-        program: &'static str,
-        /// Package that has it.
-        package: &'static str,
-    },
-    /// A program refused the design.
-    #[error("{program} refused the design:\n{message}")]
-    Refused {
-        /// Program.
-        program: &'static str,
-        /// Last lines of what it said.
-        message: String,
-    },
-    /// A file could not be read or written.
-    #[error("{}: {source}", path.display())]
-    File {
-        /// File or folder.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    /// A program is missing or refused the design.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
     /// The library cannot be loaded.
     #[error("{}: {source}; remove the file and try again", path.display())]
     Load {
@@ -52,15 +32,6 @@ pub enum VerilatorError {
         /// What the loader says.
         source: libloading::Error,
     },
-}
-
-impl VerilatorError {
-    fn file(path: &Path) -> impl FnOnce(std::io::Error) -> VerilatorError + '_ {
-        move |source| VerilatorError::File {
-            path: path.to_path_buf(),
-            source,
-        }
-    }
 }
 
 type Create = unsafe extern "C" fn() -> *mut c_void;

@@ -1,24 +1,13 @@
 //! From sources to a library: Verilator, the C++ compiler, and the cache.
 
-use super::VerilatorError;
 use super::shim::{CLASS, Sources, WRAPPER};
+use crate::tool::{COMPILER, ToolError, VERILATOR, write};
 use sha2::{Digest, Sha256};
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::sync::{Mutex, OnceLock};
 
 /// Environment variable that names the folder of the compiled libraries.
 pub const CACHE_VARIABLE: &str = "IMOGENE_CACHE";
-
-const VERILATOR: Program = Program {
-    name: "verilator",
-    package: "verilator",
-};
-const COMPILER: Program = Program {
-    name: "g++",
-    package: "g++",
-};
 
 /// Options that shape the code; a change of them makes new libraries.
 const VERILATOR_OPTIONS: [&str; 7] = [
@@ -42,48 +31,13 @@ const COMPILER_OPTIONS: [&str; 6] = [
 /// Verilator's run time, compiled once for all designs.
 const RUN_TIME: [&str; 2] = ["verilated", "verilated_threads"];
 
-struct Program {
-    name: &'static str,
-    package: &'static str,
-}
-
-impl Program {
-    /// Runs the program; returns what it printed.
-    fn run<A: AsRef<OsStr>>(
-        &self,
-        arguments: impl IntoIterator<Item = A>,
-        folder: &Path,
-    ) -> Result<String, VerilatorError> {
-        let output = Command::new(self.name)
-            .args(arguments)
-            .current_dir(folder)
-            .output()
-            .map_err(|error| match error.kind() {
-                std::io::ErrorKind::NotFound => VerilatorError::Missing {
-                    program: self.name,
-                    package: self.package,
-                },
-                _ => VerilatorError::file(Path::new(self.name))(error),
-            })?;
-        if !output.status.success() {
-            let text = String::from_utf8_lossy(&output.stderr);
-            let lines: Vec<&str> = text.lines().collect();
-            return Err(VerilatorError::Refused {
-                program: self.name,
-                message: lines[lines.len().saturating_sub(20)..].join("\n"),
-            });
-        }
-        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-    }
-}
-
 /// Versions of the programs and the folder of Verilator's run time, asked for once per process.
 struct Tools {
     versions: String,
     root: PathBuf,
 }
 
-fn tools() -> Result<&'static Tools, VerilatorError> {
+fn tools() -> Result<&'static Tools, ToolError> {
     static TOOLS: OnceLock<Tools> = OnceLock::new();
     if let Some(tools) = TOOLS.get() {
         return Ok(tools);
@@ -136,7 +90,7 @@ fn digest(parts: &[&str]) -> String {
 }
 
 /// The library of these sources, compiled unless it is kept.
-pub(super) fn library(sources: &Sources) -> Result<PathBuf, VerilatorError> {
+pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
     let tools = tools()?;
     let options = [VERILATOR_OPTIONS.join(" "), COMPILER_OPTIONS.join(" ")].join("\n");
     let name = digest(&[&sources.verilog, &sources.shim, &tools.versions, &options]);
@@ -145,7 +99,7 @@ pub(super) fn library(sources: &Sources) -> Result<PathBuf, VerilatorError> {
     if path.is_file() {
         return Ok(path);
     }
-    std::fs::create_dir_all(&cache).map_err(VerilatorError::file(&cache))?;
+    std::fs::create_dir_all(&cache).map_err(ToolError::file(&cache))?;
     let run_time = run_time(&cache, tools, &options)?;
     let scratch = scratch(&cache)?;
     let folder = scratch.path();
@@ -154,22 +108,18 @@ pub(super) fn library(sources: &Sources) -> Result<PathBuf, VerilatorError> {
     verilate(folder)?;
     link(folder, tools, &run_time)?;
     // Renamed within one file system, so that the library is there whole or not at all.
-    std::fs::rename(folder.join("design.so"), &path).map_err(VerilatorError::file(&path))?;
+    std::fs::rename(folder.join("design.so"), &path).map_err(ToolError::file(&path))?;
     Ok(path)
 }
 
-fn scratch(cache: &Path) -> Result<tempfile::TempDir, VerilatorError> {
+fn scratch(cache: &Path) -> Result<tempfile::TempDir, ToolError> {
     tempfile::Builder::new()
         .prefix("build-")
         .tempdir_in(cache)
-        .map_err(VerilatorError::file(cache))
+        .map_err(ToolError::file(cache))
 }
 
-fn write(path: &Path, text: &str) -> Result<(), VerilatorError> {
-    std::fs::write(path, text).map_err(VerilatorError::file(path))
-}
-
-fn verilate(folder: &Path) -> Result<(), VerilatorError> {
+fn verilate(folder: &Path) -> Result<(), ToolError> {
     let placing = [
         "--prefix",
         CLASS,
@@ -194,9 +144,9 @@ fn include(folder: &Path) -> [String; 4] {
 }
 
 /// Compiles what Verilator wrote as one file, and links it.
-fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<(), VerilatorError> {
+fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<(), ToolError> {
     let generated = folder.join("cpp");
-    let entries = std::fs::read_dir(&generated).map_err(VerilatorError::file(&generated))?;
+    let entries = std::fs::read_dir(&generated).map_err(ToolError::file(&generated))?;
     let mut files: Vec<String> = entries
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .filter(|name| name.ends_with(".cpp"))
@@ -217,7 +167,7 @@ fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<(), Verila
 }
 
 /// Objects of Verilator's run time, compiled unless they are kept.
-fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, VerilatorError> {
+fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, ToolError> {
     // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with equal files.
     static ONE: Mutex<()> = Mutex::new(());
     let _guard = ONE.lock().unwrap_or_else(|broken| broken.into_inner());
@@ -234,8 +184,7 @@ fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, 
         arguments.extend(["-c", "-o", "part.o"].map(String::from));
         arguments.push(source.display().to_string());
         COMPILER.run(arguments, scratch.path())?;
-        std::fs::rename(scratch.path().join("part.o"), object)
-            .map_err(VerilatorError::file(object))?;
+        std::fs::rename(scratch.path().join("part.o"), object).map_err(ToolError::file(object))?;
     }
     Ok(objects.to_vec())
 }
@@ -248,19 +197,5 @@ mod tests {
     fn a_digest_tells_parts_apart() {
         assert_ne!(digest(&["ab", "c"]), digest(&["a", "bc"]));
         assert_eq!(digest(&["ab", "c"]), digest(&["ab", "c"]));
-    }
-
-    #[test]
-    fn a_missing_program_names_its_package() {
-        let program = Program {
-            name: "imogene-no-such-program",
-            package: "some-package",
-        };
-        let message = program
-            .run(["--version"], Path::new("."))
-            .expect_err("there is no such program")
-            .to_string();
-        assert!(message.contains("imogene-no-such-program"), "{message}");
-        assert!(message.contains("package 'some-package'"), "{message}");
     }
 }

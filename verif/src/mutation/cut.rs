@@ -1,0 +1,138 @@
+//! The netlist with its registers cut: each register becomes an input, its value, and an output, its next value.
+
+use std::fmt::Write as _;
+
+/// Port numbers of the cut registers begin here, beyond those of any unit.
+const FIRST_PORT: usize = 10_000;
+
+/// The text of a netlist without registers. The register `NAME` leaves two buffers, `NAME$q` behind its value and `NAME$d` before its next
+/// value, where mutants of its ports can be made.
+pub(super) fn cut(netlist: &str) -> String {
+    let mut text = String::new();
+    let mut lines = netlist.lines();
+    let mut registers = 0;
+    while let Some(line) = lines.next() {
+        // An initial value belongs to no input.
+        if line.trim_start().starts_with("attribute \\init ") {
+            continue;
+        }
+        let Some(name) = line.trim_start().strip_prefix("cell $dff ") else {
+            text += line;
+            text.push('\n');
+            continue;
+        };
+        let body: Vec<&str> = lines
+            .by_ref()
+            .map(str::trim)
+            .take_while(|line| *line != "end")
+            .collect();
+        let after = |prefix: &str| body.iter().find_map(|line| line.strip_prefix(prefix));
+        let register = Register {
+            name,
+            number: registers,
+            width: after("parameter \\WIDTH ").unwrap_or("1"),
+            value: after("connect \\Q ").unwrap_or_default(),
+            next: after("connect \\D ").unwrap_or_default(),
+        };
+        register.write(&mut text);
+        registers += 1;
+    }
+    text
+}
+
+struct Register<'a> {
+    name: &'a str,
+    number: usize,
+    width: &'a str,
+    value: &'a str,
+    next: &'a str,
+}
+
+impl Register<'_> {
+    fn write(&self, text: &mut String) {
+        let Register {
+            name,
+            number,
+            width,
+            value,
+            next,
+        } = self;
+        let port = FIRST_PORT + 2 * number;
+        let _ = writeln!(text, "  wire width {width} input {port} \\cut_q_{number}");
+        let _ = writeln!(
+            text,
+            "  wire width {width} output {} \\cut_d_{number}",
+            port + 1
+        );
+        let buffers = [
+            ("q", format!("\\cut_q_{number}"), (*value).to_owned()),
+            ("d", (*next).to_owned(), format!("\\cut_d_{number}")),
+        ];
+        for (suffix, from, to) in buffers {
+            let _ = write!(
+                text,
+                "  cell $pos {name}${suffix}\n    parameter \\A_SIGNED 0\n    parameter \\A_WIDTH {width}\n    parameter \\Y_WIDTH {width}\n    \
+                 connect \\A {from}\n    connect \\Y {to}\n  end\n"
+            );
+        }
+    }
+}
+
+/// The options of a mutant, for the netlist with cut registers.
+pub(super) fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
+    let is_register = netlist.lines().any(|line| {
+        let cell_of_line = line.trim_start().strip_prefix("cell $dff ");
+        cell_of_line == Some(cell)
+    });
+    if !is_register {
+        return command.to_owned();
+    }
+    let place = |port: &str| format!("-cell {cell} -port {port} ");
+    command
+        .replace(&place("Q"), &format!("-cell {cell}$q -port Y "))
+        .replace(&place("D"), &format!("-cell {cell}$d -port A "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NETLIST: &str = "module \\m
+  attribute \\init 3'000
+  wire width 3 output 2 \\value
+  cell $dff $r$1
+    parameter \\CLK_POLARITY 1
+    parameter \\WIDTH 3
+    connect \\CLK \\clock
+    connect \\D $next
+    connect \\Q \\value
+  end
+end
+";
+
+    #[test]
+    fn a_register_becomes_two_ports() {
+        let text = cut(NETLIST);
+        assert!(!text.contains("$dff") && !text.contains("init"), "{text}");
+        for part in [
+            "wire width 3 input 10000 \\cut_q_0",
+            "wire width 3 output 10001 \\cut_d_0",
+            "connect \\A \\cut_q_0\n    connect \\Y \\value",
+            "connect \\A $next\n    connect \\Y \\cut_d_0",
+        ] {
+            assert!(text.contains(part), "no '{part}' in {text}");
+        }
+    }
+
+    #[test]
+    fn mutants_of_a_register_move_to_its_buffers() {
+        let moved = |port: &str| {
+            let command = format!("-mode inv -cell $r$1 -port {port} -portbit 2");
+            cut_command(&command, "$r$1", NETLIST)
+        };
+        assert_eq!(moved("Q"), "-mode inv -cell $r$1$q -port Y -portbit 2");
+        assert_eq!(moved("D"), "-mode inv -cell $r$1$d -port A -portbit 2");
+        let other = "-mode inv -cell $add$1 -port Y -portbit 2";
+        assert_eq!(cut_command(other, "$add$1", NETLIST), other);
+    }
+}

@@ -1,0 +1,126 @@
+//! Which mutants that nothing killed are no mutants at all: proofs of equivalence by Yosys.
+//!
+//! First with the registers cut: for every state that the facts allow, next state and outputs of unit and mutant are equal. Where that
+//! fails, over time: by induction from the initial state. The base case of the induction also tells when a mutant *does* differ.
+
+use super::cut::{cut, cut_command};
+use super::facts::{ASSUMED, assume};
+use super::list::Mutant;
+use super::netlist::yosys;
+use super::{Fate, MutationError, Options, Outcome};
+use crate::subject::Subject;
+use crate::tool::{ToolError, write};
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// Steps of the induction at most.
+const STEPS: u32 = 40;
+
+/// Judges what the campaign left.
+pub(super) struct Judge {
+    folder: PathBuf,
+    top: String,
+    /// Text of the netlist with the facts.
+    netlist: String,
+    begins_at_zero: bool,
+    seconds: u32,
+}
+
+/// The netlist with the facts and cut registers.
+const CUT: &str = "cut.il";
+
+impl Judge {
+    pub(super) fn new(
+        folder: &Path,
+        top: &str,
+        subject: &Subject,
+        options: &Options,
+    ) -> Result<Judge, MutationError> {
+        assume(folder, top, &subject.name)?;
+        let path = folder.join(ASSUMED);
+        let netlist = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+        write(&folder.join(CUT), &cut(&netlist))?;
+        let mut initial = netlist
+            .lines()
+            .filter(|line| line.contains("attribute \\init "));
+        let begins_at_zero = initial.all(|line| {
+            let bits = line.rsplit(['\'', ' ']).next().unwrap_or_default();
+            !bits.contains(|c: char| c.is_ascii_digit() && c != '0')
+        });
+        Ok(Judge {
+            folder: folder.to_path_buf(),
+            top: top.to_owned(),
+            begins_at_zero,
+            netlist,
+            seconds: options.proof_seconds,
+        })
+    }
+
+    /// The fate of each mutant; `kills` says where those that are dead were killed.
+    pub(super) fn judge(
+        &self,
+        mutants: Vec<Mutant>,
+        kills: Vec<Option<(usize, usize)>>,
+        on_done: &(impl Fn() + Sync),
+    ) -> Result<Vec<Outcome>, MutationError> {
+        let judged = mutants.into_par_iter().zip(kills).map(|(mutant, kill)| {
+            let fate = match kill {
+                Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
+                None => self.survivor(&mutant)?,
+            };
+            on_done();
+            Ok(Outcome { mutant, fate })
+        });
+        judged.collect()
+    }
+
+    fn survivor(&self, mutant: &Mutant) -> Result<Fate, ToolError> {
+        let command = cut_command(&mutant.command, &mutant.cell, &self.netlist);
+        let cut = self.prove(mutant.number, CUT, &command, "sat")?;
+        if cut.contains("SUCCESS") {
+            return Ok(Fate::Equivalent {
+                proof: "equal outputs and next states",
+            });
+        }
+        // Outputs are those after an edge, so the state before the first is not compared.
+        let time = format!("sat -tempinduct -set-init-zero -seq 1 -maxsteps {STEPS}");
+        let time = if self.begins_at_zero {
+            self.prove(mutant.number, ASSUMED, &mutant.command, &time)?
+        } else {
+            String::new()
+        };
+        if time.contains("SUCCESS") {
+            return Ok(Fate::Equivalent {
+                proof: "induction over time",
+            });
+        }
+        let reason = if time.contains("model found for base case") {
+            "It differs from the unit on some input: the stimulus is too weak, or the contract leaves that input open".into()
+        } else {
+            format!(
+                "Undecided: no stimulus found a difference, and no proof within {} s",
+                self.seconds
+            )
+        };
+        Ok(Fate::Survived { reason })
+    }
+
+    /// One attempt on a netlist; returns what Yosys said.
+    fn prove(
+        &self,
+        number: usize,
+        netlist: &str,
+        command: &str,
+        sat: &str,
+    ) -> Result<String, ToolError> {
+        let Judge { top, seconds, .. } = self;
+        // Merging leaves one copy of all that the mutation does not touch.
+        let script = format!(
+            "read_rtlil {netlist}\nsetattr -unset init w:*\ncopy {top} gate\ndelete gate/t:$assume\n\
+             mutate -module gate {command}\nmiter -equiv -make_assert -flatten {top} gate miter\nhierarchy -top miter\n\
+             opt_merge -share_all\nopt_clean\n\
+             {sat} -prove-asserts -set-assumes -timeout {seconds} miter\n"
+        );
+        yosys(&self.folder, &format!("{netlist}_{number}.ys"), &script)
+    }
+}
