@@ -44,6 +44,8 @@ pub enum Command {
     Synth(Synth),
     /// Prove properties of the emitted Verilog, or show that each is refuted on broken designs.
     Prove(Prove),
+    /// Score the stimulus of a unit: how many small changes of its netlist it notices.
+    Mutate(Mutate),
 }
 
 /// Arguments of `prove`.
@@ -58,6 +60,22 @@ pub struct Prove {
     /// Run the broken designs of the proofs instead; each must be refuted.
     #[arg(long)]
     pub mutants: bool,
+}
+
+/// Arguments of `mutate`.
+#[derive(Debug, Args)]
+pub struct Mutate {
+    /// Unit, as listed by `imogene units`, or `all` for those of the published table.
+    pub unit: String,
+    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 16, value_name = "W")]
+    pub format: u32,
+    /// Mutants of a unit at most, at least 1.
+    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub mutants: u32,
+    /// Write the table of scores to this file.
+    #[arg(long, value_name = "FILE.md")]
+    pub out: Option<PathBuf>,
 }
 
 /// Arguments of `roots`.

@@ -24,6 +24,7 @@ fn main() -> ExitCode {
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
         Command::Prove(options) => command::prove::run(options, json),
+        Command::Mutate(options) => command::mutate::run(options, json),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

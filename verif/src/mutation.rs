@@ -42,8 +42,8 @@ impl Default for Options {
         Options {
             mutants: 1_000,
             seed: 1,
-            stimuli: 40,
-            clocks: 500,
+            stimuli: 150,
+            clocks: 150,
             proof_seconds: 30,
         }
     }
@@ -73,14 +73,6 @@ pub enum MutationError {
     /// What Yosys wrote is not as expected.
     #[error("the mutation list of yosys cannot be read: {0}")]
     List(String),
-    /// An invariant of the unit is not inductive.
-    #[error("the invariant of {unit} that mutants are judged under is not inductive:\n{message}")]
-    Invariant {
-        /// Unit.
-        unit: String,
-        /// What yosys said.
-        message: String,
-    },
 }
 
 /// What became of a mutant.
@@ -142,7 +134,18 @@ pub struct MutationReport {
     pub seconds: f64,
 }
 
-/// Makes mutants of a unit's emitted Verilog (module `top`), kills them, and proves the rest equivalent where that is so.
+/// A unit's emitted Verilog.
+#[derive(Clone, Copy, Debug)]
+pub struct Design<'a> {
+    /// Name of the module.
+    pub top: &'a str,
+    /// Text.
+    pub text: &'a str,
+    /// Clocks from an input to its result.
+    pub latency: usize,
+}
+
+/// Makes mutants of a unit's emitted Verilog, kills them, and proves the rest equivalent where that is so.
 ///
 /// `on_done` is called once for each mutant, from any thread.
 ///
@@ -151,18 +154,17 @@ pub struct MutationReport {
 /// When a tool is missing or refuses the unit, or the unit without mutation already differs from its golden model.
 pub fn run(
     subject: &Subject,
-    top: &str,
-    text: &str,
+    design: &Design,
     options: &Options,
     on_done: impl Fn() + Sync,
 ) -> Result<MutationReport, MutationError> {
     let started = std::time::Instant::now();
     let scratch = tempfile::tempdir().map_err(ToolError::file(&std::env::temp_dir()))?;
     let folder = scratch.path();
-    write(&folder.join(netlist::SOURCE), text)?;
-    let (mutants, candidates) = netlist::elaborate(folder, top, text, options)?;
-    let fates = campaign::run(subject, top, folder, &mutants, options)?;
-    let judge = equivalence::Judge::new(folder, top, subject, options)?;
+    write(&folder.join(netlist::SOURCE), design.text)?;
+    let (mutants, candidates) = netlist::elaborate(folder, design, options)?;
+    let fates = campaign::run(subject, design.top, folder, &mutants, options)?;
+    let judge = equivalence::Judge::new(folder, design, subject, options)?;
     let outcomes = judge.judge(mutants, fates, &on_done)?;
     let killed = outcomes.iter().filter_map(|o| match o.fate {
         Fate::Killed { stimulus, clock } => Some(stimulus * options.clocks + clock + 1),

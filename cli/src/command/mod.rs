@@ -6,6 +6,7 @@ pub mod cosim;
 pub mod demo;
 pub mod emit;
 pub mod extremes;
+pub mod mutate;
 pub mod prepare;
 pub mod prove;
 pub mod render;

@@ -7,7 +7,7 @@ use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, assume};
 use super::list::Mutant;
 use super::netlist::yosys;
-use super::{Fate, MutationError, Options, Outcome};
+use super::{Design, Fate, MutationError, Options, Outcome};
 use crate::subject::Subject;
 use crate::tool::{ToolError, write};
 use rayon::prelude::*;
@@ -20,6 +20,7 @@ const STEPS: u32 = 40;
 pub(super) struct Judge {
     folder: PathBuf,
     top: String,
+    latency: usize,
     /// Text of the netlist with the facts.
     netlist: String,
     begins_at_zero: bool,
@@ -32,11 +33,11 @@ const CUT: &str = "cut.il";
 impl Judge {
     pub(super) fn new(
         folder: &Path,
-        top: &str,
+        design: &Design,
         subject: &Subject,
         options: &Options,
     ) -> Result<Judge, MutationError> {
-        assume(folder, top, &subject.name)?;
+        assume(folder, design.top, &subject.name)?;
         let path = folder.join(ASSUMED);
         let netlist = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
         write(&folder.join(CUT), &cut(&netlist))?;
@@ -49,7 +50,8 @@ impl Judge {
         });
         Ok(Judge {
             folder: folder.to_path_buf(),
-            top: top.to_owned(),
+            top: design.top.to_owned(),
+            latency: design.latency,
             begins_at_zero,
             netlist,
             seconds: options.proof_seconds,
@@ -75,6 +77,12 @@ impl Judge {
     }
 
     fn survivor(&self, mutant: &Mutant) -> Result<Fate, ToolError> {
+        if mutant.port == "CLK" {
+            let reason = "It changes the clock of a register, which the proofs do not model";
+            return Ok(Fate::Survived {
+                reason: reason.into(),
+            });
+        }
         let command = cut_command(&mutant.command, &mutant.cell, &self.netlist);
         let cut = self.prove(mutant.number, CUT, &command, "sat")?;
         if cut.contains("SUCCESS") {
@@ -82,8 +90,11 @@ impl Judge {
                 proof: "equal outputs and next states",
             });
         }
-        // Outputs are those after an edge, so the state before the first is not compared.
-        let time = format!("sat -tempinduct -set-init-zero -seq 1 -maxsteps {STEPS}");
+        // Nothing is stated of the outputs before the first result is there.
+        let time = format!(
+            "sat -tempinduct -set-init-zero -seq {} -maxsteps {STEPS}",
+            self.latency
+        );
         let time = if self.begins_at_zero {
             self.prove(mutant.number, ASSUMED, &mutant.command, &time)?
         } else {

@@ -1,7 +1,9 @@
 //! What a unit may rely on, for judging its mutants: legal inputs, and invariants of its registers.
 //!
-//! Inputs come from the contract. Invariants are proven by induction before they are used; what is not inductive is dropped, and so is
-//! what names a register that the netlist does not have, so that they can make a proof succeed sooner but never wrongly.
+//! Inputs come from the contract. The invariants are proven before they are used: from any state where all hold, they hold after a clock. If
+//! that fails they are dropped, so that they can make a proof succeed sooner but never wrongly. They hold where registers begin, at 0, but
+//! for the network that does not restore; there they hold once the pipeline is filled, for it has no feedback, and nothing is stated of a
+//! result before.
 
 use super::netlist::{NETLIST, yosys};
 use crate::tool::{ToolError, write};
@@ -127,7 +129,7 @@ pub(super) fn wires(netlist: &str) -> BTreeMap<String, usize> {
     found
 }
 
-/// Writes [`ASSUMED`]: the netlist with the facts that hold. Registers begin at 0, so their facts must hold there too.
+/// Writes [`ASSUMED`]: the netlist with the facts that hold.
 pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<(), ToolError> {
     let path = folder.join(NETLIST);
     let netlist = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
@@ -141,8 +143,7 @@ pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<(), ToolErr
     );
     if !facts.registers.is_empty() {
         facts.insert("assert", folder, &netlist, &wires)?;
-        let proof =
-            "sat -tempinduct -prove-asserts -set-assumes -set-init-zero -maxsteps 2 -timeout 120";
+        let proof = "sat -tempinduct -tempinduct-inductonly -prove-asserts -set-assumes -maxsteps 1 -timeout 120";
         let said = yosys(folder, "facts.ys", &format!("{build}{proof} {top}\n"))?;
         if !said.contains("SUCCESS") {
             facts.registers.clear();

@@ -1,7 +1,7 @@
 //! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
 
 use super::list::{Mutant, parse};
-use super::{MutationError, Options, selector};
+use super::{Design, MutationError, Options, selector};
 use crate::tool::{ToolError, YOSYS, write};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -20,10 +20,10 @@ pub(super) fn yosys(folder: &Path, script: &str, text: &str) -> Result<String, T
 /// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
 pub(super) fn elaborate(
     folder: &Path,
-    top: &str,
-    text: &str,
+    design: &Design,
     options: &Options,
 ) -> Result<(Vec<Mutant>, usize), MutationError> {
+    let Design { top, text, .. } = design;
     let script = format!(
         "read_verilog {SOURCE}\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nwreduce\n\
          opt -full\ndffunmap\nopt_expr -fine\nopt_clean\nstat\nwrite_rtlil {NETLIST}\n\

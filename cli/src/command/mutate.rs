@@ -1,0 +1,97 @@
+//! `imogene mutate`.
+
+use crate::arguments::Mutate;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::picture::write_whole;
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::mutation::{self, Design, MutationReport, table};
+use imogene_verif::unit::{Parameters, subject};
+use std::io::Write;
+
+/// Scores one unit or all of the published table.
+pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
+    let units = if options.unit == "all" {
+        table::UNITS.to_vec()
+    } else {
+        vec![options.unit.as_str()]
+    };
+    let reports: Vec<MutationReport> = units
+        .into_iter()
+        .map(|unit| score(unit, options))
+        .collect::<Result<_, _>>()?;
+    if let Some(path) = &options.out {
+        let command = format!(
+            "imogene mutate {} --format {} --mutants {} --out {}",
+            options.unit,
+            options.format,
+            options.mutants,
+            path.display()
+        );
+        let text = table::markdown(&reports, &command);
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    }
+    if json {
+        output::json(&reports);
+    } else {
+        reports
+            .iter()
+            .for_each(|report| output::text(describe(report)));
+    }
+    verdict(&reports)
+}
+
+fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
+    let parameters = Parameters {
+        depth_word: options.format,
+        ..Parameters::default()
+    };
+    let subject = subject(unit, parameters).map_err(Failure::input)?;
+    let request = EmitRequest {
+        depth_word: options.format as usize,
+        ..EmitRequest::new(Unit::from_name(unit).map_err(Failure::input)?)
+    };
+    let emitted = emit(&request).map_err(Failure::input)?;
+    let text: String = emitted.files.iter().map(|(_, text)| &text[..]).collect();
+    let design = Design {
+        top: &emitted.top,
+        text: &text,
+        latency: emitted.latency,
+    };
+    let bar = output::progress(u64::from(options.mutants), "mutants");
+    let options = mutation::Options {
+        mutants: options.mutants as usize,
+        ..mutation::Options::default()
+    };
+    let report = mutation::run(&subject, &design, &options, || bar.inc(1));
+    bar.finish_and_clear();
+    report.map_err(Failure::input)
+}
+
+/// A score as text.
+fn describe(report: &MutationReport) -> String {
+    format!(
+        "{}: {} mutants of {}, {} killed, {} equivalent, {} surviving: score {:.2} % ({:.1} s)",
+        report.unit,
+        report.mutants,
+        report.candidates,
+        report.killed,
+        report.equivalent,
+        report.surviving.len(),
+        report.score,
+        report.seconds
+    )
+}
+
+/// Success if nothing survived.
+fn verdict(reports: &[MutationReport]) -> Result<(), Failure> {
+    let count: usize = reports.iter().map(|report| report.surviving.len()).sum();
+    if count == 0 {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{count} mutants survive that are not proven equivalent\n{}",
+        table::survivors(reports).trim_end()
+    )))
+}

@@ -1,0 +1,103 @@
+//! Mutation scores: every mutant of a unit's netlist is killed by the unit's stimulus or proven equivalent. Needs the packages 'yosys',
+//! 'verilator' and 'g++' and fails without them. All units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, Emitted, emit};
+use imogene_verif::mutation::{self, Design, MutationReport, Options, table};
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::{Parameters, subject};
+
+fn is_full_run() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
+fn unit(name: &str) -> (Subject, Emitted) {
+    let request = EmitRequest {
+        depth_word: 16,
+        ..EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"))
+    };
+    let parameters = Parameters {
+        depth_word: 16,
+        ..Parameters::default()
+    };
+    let subject = subject(name, parameters).expect("a legal subject");
+    (subject, emit(&request).expect("a legal request"))
+}
+
+fn score(subject: &Subject, emitted: &Emitted, text: &str, mutants: usize) -> MutationReport {
+    let design = Design {
+        top: &emitted.top,
+        text,
+        latency: emitted.latency,
+    };
+    let options = Options {
+        mutants,
+        ..Options::default()
+    };
+    mutation::run(subject, &design, &options, || ()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Units on which nothing may survive; of the others, survivors are published with the reason.
+const COMPLETE: [&str; 4] = ["pe1", "pe2", "square_root", "cut_plane"];
+
+#[test]
+fn every_mutant_is_killed_or_equivalent() {
+    let (names, mutants) = if is_full_run() {
+        (table::UNITS.to_vec(), 1_000)
+    } else {
+        (vec!["cut_plane"], 150)
+    };
+    for name in names {
+        let (subject, emitted) = unit(name);
+        let report = score(&subject, &emitted, &emitted.files[0].1, mutants);
+        assert_eq!(report.mutants, mutants.min(report.candidates), "{name}");
+        let counted = report.killed + report.equivalent + report.surviving.len();
+        assert_eq!(counted, report.mutants, "{name}");
+        let survivors = table::survivors(&[report.clone()]);
+        println!("{name}: {} %, {survivors}", report.score);
+        assert!(
+            report.surviving.is_empty() || !COMPLETE.contains(&name),
+            "{survivors}"
+        );
+        assert!(report.score >= 99.0, "{name}: {survivors}");
+    }
+}
+
+/// A stimulus that tests almost nothing must leave survivors, and none of them may be called equivalent.
+#[test]
+fn a_weak_stimulus_has_a_low_score() {
+    let (mut subject, emitted) = unit("two_volume_merge");
+    let text = &emitted.files[0].1;
+    let strong = score(&subject, &emitted, text, 60);
+    subject.stimulus = |_, clocks| {
+        use proptest::strategy::{Just, Strategy};
+        Just(vec![vec![1, 2, 3, 4, 5, 6, 7, 8]; clocks]).boxed()
+    };
+    let weak = score(&subject, &emitted, text, 60);
+    assert_eq!(weak.equivalent, strong.equivalent);
+    assert!(
+        weak.score < 60.0 && weak.surviving.len() > 20,
+        "{}",
+        weak.score
+    );
+    let page = table::markdown(&[weak], "the test");
+    assert!(page.contains("too weak"), "{page}");
+}
+
+#[test]
+fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
+    let (subject, emitted) = unit("cut_plane");
+    let wrong = emitted.files[0].1.replacen("zp < zb", "zp <= zb", 1);
+    let design = Design {
+        top: &emitted.top,
+        text: &wrong,
+        latency: emitted.latency,
+    };
+    let options = Options {
+        mutants: 5,
+        ..Options::default()
+    };
+    let outcome = mutation::run(&subject, &design, &options, || ());
+    let message = outcome.expect_err("a wrong unit").to_string();
+    assert!(message.contains("without a mutation differs"), "{message}");
+}
