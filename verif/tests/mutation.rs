@@ -53,7 +53,7 @@ fn every_mutant_is_killed_or_equivalent() {
         assert_eq!(report.mutants, mutants.min(report.candidates), "{name}");
         let counted = report.killed + report.equivalent + report.surviving.len();
         assert_eq!(counted, report.mutants, "{name}");
-        let survivors = table::survivors(&[report.clone()]);
+        let survivors = table::survivors(std::slice::from_ref(&report));
         println!("{name}: {} %, {survivors}", report.score);
         assert!(
             report.surviving.is_empty() || !COMPLETE.contains(&name),

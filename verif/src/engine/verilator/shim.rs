@@ -45,7 +45,8 @@ fn wrapper(top: &str, inputs: &[Signal], outputs: &[Signal]) -> String {
     format!("module {WRAPPER} (\n{ports}\n);\n    {top} unit (\n{connections}\n    );\nendmodule\n")
 }
 
-/// The C interface. One call is one clock: the inputs settle while the clock is low, and the outputs are those after the rising edge.
+/// The C interface. One call is one clock: the inputs change after the falling edge, so that a register on the wrong edge is seen, and
+/// settle before the rising edge, which Verilator sees to; the outputs are those after it.
 fn shim(inputs: usize, outputs: usize) -> String {
     let mut set = String::new();
     for index in 0..inputs {
@@ -77,9 +78,9 @@ EXPORT void imogene_destroy(void* state) {{ delete static_cast<State*>(state); }
 EXPORT void imogene_clock(void* state, const uint64_t* inputs, uint64_t* outputs) {{
     {CLASS}& m = static_cast<State*>(state)->model;
     (void)inputs;
-{set}    m.clock = 0;
+    m.clock = 0;
     m.eval();
-    m.clock = 1;
+{set}    m.clock = 1;
     m.eval();
 {get}}}
 "
