@@ -27,38 +27,31 @@ impl Facts {
     /// Root rows: `remainder <= 2 root` after each row; with a row that does not restore, the remainder is less by `2 root + 1` where the last
     /// digit is 0. Second differences of a PE2 are even.
     fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
-        let mut facts = Facts::default();
-        for name in wires.keys() {
-            let last = name.rsplit('.').next().unwrap_or(name);
-            let is_input = name == last && !name.starts_with("kept_");
-            if ["a2", "b2", "f2_a2", "f2_b2"].contains(&last) && is_input {
-                facts.inputs.push(format!("!({{{name}}} & 1)"));
-            }
-            if ["kept_a2", "kept_b2"].contains(&last) {
-                facts.registers.push(format!("!({{{name}}} & 1)"));
-            }
-            let Some(stage) = name.strip_suffix(".kept_remainder") else {
-                continue;
-            };
+        let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
+        let even = |name: &String| format!("!({{{name}}} & 1)");
+        let inputs = ["a2", "b2", "f2_a2", "f2_b2"].map(String::from);
+        let registers = ["kept_a2", "kept_b2"].map(String::from);
+        let second_differences = wires.keys().filter(|name| registers.contains(&last(name)));
+        let stages = wires.keys().filter_map(|name| {
+            let stage = name.strip_suffix(".kept_remainder")?;
             let root = format!("{stage}.kept_root");
-            if !wires.contains_key(&root) {
-                continue;
-            }
-            facts.registers.push(if unit == "square_root_non_restoring" {
-                let stage: usize = stage
-                    .rsplit('_')
-                    .next()
-                    .and_then(|n| n.parse().ok())
-                    .unwrap_or(0);
-                let mask = (1u64 << (stage + 3).min(62)) - 1;
-                format!(
-                    "((({{{root}}} & 1) ? {{{name}}} : {{{name}}} + 2 * {{{root}}} + 1) & 64'd{mask}) <= 2 * {{{root}}}"
-                )
+            wires.contains_key(&root).then_some((stage, name, root))
+        });
+        let rows = stages.map(|(stage, remainder, root)| {
+            if unit == "square_root_non_restoring" {
+                unrestored(stage, remainder, &root)
             } else {
-                format!("{{{name}}} <= 2 * {{{root}}}")
-            });
+                format!("{{{remainder}}} <= 2 * {{{root}}}")
+            }
+        });
+        Facts {
+            inputs: wires
+                .keys()
+                .filter(|name| inputs.contains(name))
+                .map(even)
+                .collect(),
+            registers: second_differences.map(even).chain(rows).collect(),
         }
-        facts
     }
 
     /// Verilog of a module that states the facts, and its connections in the netlist.
@@ -109,6 +102,15 @@ impl Facts {
         let text = format!("{end}  cell \\facts \\facts_of_unit\n{connections}  end\nend\n");
         write(&folder.join("stated.il"), &text)
     }
+}
+
+/// The invariant of a row that does not restore. Row k, from 0, leaves a remainder of `k + 3` bits.
+fn unrestored(stage: &str, remainder: &str, root: &str) -> String {
+    let row = stage.rsplit('_').next().and_then(|row| row.parse().ok());
+    let mask = (1u64 << (row.unwrap_or(0u32) + 3).min(63)) - 1;
+    let restored =
+        format!("({{{root}}} & 1) ? {{{remainder}}} : {{{remainder}}} + 2 * {{{root}}} + 1");
+    format!("(({restored}) & 64'd{mask}) <= 2 * {{{root}}}")
 }
 
 /// Names and widths of the named wires in the text of a netlist.
