@@ -49,7 +49,7 @@ fn every_mutant_is_killed_or_equivalent() {
     };
     for name in names {
         let (subject, emitted) = unit(name);
-        let report = score(&subject, &emitted, &emitted.files[0].1, mutants);
+        let report = score(&subject, &emitted, &emitted.bundle(), mutants);
         assert_eq!(report.mutants, mutants.min(report.candidates), "{name}");
         let counted = report.killed + report.equivalent + report.surviving.len();
         assert_eq!(counted, report.mutants, "{name}");
@@ -67,7 +67,7 @@ fn every_mutant_is_killed_or_equivalent() {
 #[test]
 fn a_weak_stimulus_has_a_low_score() {
     let (mut subject, emitted) = unit("two_volume_merge");
-    let text = &emitted.files[0].1;
+    let text = &emitted.bundle();
     let strong = score(&subject, &emitted, text, 60);
     subject.stimulus = |_, clocks| {
         use proptest::strategy::{Just, Strategy};
@@ -87,7 +87,7 @@ fn a_weak_stimulus_has_a_low_score() {
 #[test]
 fn a_unit_that_is_wrong_without_a_mutation_has_no_score() {
     let (subject, emitted) = unit("cut_plane");
-    let wrong = emitted.files[0].1.replacen("zp < zb", "zp <= zb", 1);
+    let wrong = emitted.bundle().replacen("zp < zb", "zp <= zb", 1);
     let design = Design {
         top: &emitted.top,
         text: &wrong,

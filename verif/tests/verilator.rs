@@ -18,7 +18,7 @@ fn is_full() -> bool {
 fn verilog(name: &str) -> String {
     let request = EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"));
     let emitted = emit(&request).expect("a legal request");
-    emitted.files.iter().map(|(_, text)| &text[..]).collect()
+    emitted.bundle()
 }
 
 fn base(name: &str) -> Subject {

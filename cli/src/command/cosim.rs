@@ -94,8 +94,8 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
 fn verilog(options: &Cosim) -> Result<(String, String), Failure> {
     let request = emit_request(&options.subject, options.shape)?;
     let emitted = emit(&request).map_err(Failure::input)?;
-    let text = emitted.files.iter().map(|(_, text)| text.as_str());
-    Ok((emitted.top, text.collect()))
+    let text = emitted.bundle();
+    Ok((emitted.top, text))
 }
 
 fn run_scene(options: &Cosim) -> Result<Report, Failure> {

@@ -53,7 +53,7 @@ fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
         ..EmitRequest::new(Unit::from_name(unit).map_err(Failure::input)?)
     };
     let emitted = emit(&request).map_err(Failure::input)?;
-    let text: String = emitted.files.iter().map(|(_, text)| &text[..]).collect();
+    let text = emitted.bundle();
     let design = Design {
         top: &emitted.top,
         text: &text,

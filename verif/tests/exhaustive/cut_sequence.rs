@@ -158,7 +158,7 @@ fn compile() -> Model {
         ..Parameters::default()
     };
     let ports = subject("cut_plane", parameters).expect("a legal subject");
-    let text = &emitted.files[0].1;
+    let text = &emitted.bundle();
     let model = Model::compile(&emitted.top, text, &ports.inputs, &ports.outputs);
     model.expect("Verilator compiles the unit")
 }

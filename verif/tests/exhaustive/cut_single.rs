@@ -27,6 +27,8 @@ const fn small_format(depth: u32) -> Format {
         plane: depth + 12,
         normal_linear: 24,
         normal: 16,
+        guard_linear: 0,
+        guard_quadratic: 0,
     }
 }
 

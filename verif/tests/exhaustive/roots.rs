@@ -28,7 +28,7 @@ fn compile(unit: Unit, depth_word: usize) -> (Model, usize) {
         ..EmitRequest::new(unit)
     };
     let emitted = emit(&request).expect("a legal request");
-    let text: String = emitted.files.iter().map(|(_, text)| &text[..]).collect();
+    let text = emitted.bundle();
     let parameters = Parameters {
         depth_word: depth_word as u32,
         ..Parameters::default()
