@@ -33,14 +33,18 @@ pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
     }
     let tools = Toolchain::find().map_err(Failure::input)?;
     let bar = output::progress(tasks.len() as u64, "proofs");
-    let reports = prove_all(&tasks, &tools, |_| bar.inc(1)).map_err(Failure::input)?;
+    // Proofs take minutes: a person sees each when it is done.
+    let done = |report: &ProofReport| {
+        bar.inc(1);
+        if !json {
+            bar.suspend(|| output::text(describe(report)));
+        }
+    };
+    let reports = prove_all(&tasks, &tools, done).map_err(Failure::input)?;
     bar.finish_and_clear();
     if json {
         output::json(&reports);
     } else {
-        for report in &reports {
-            output::text(describe(report));
-        }
         output::text(format!("tools: {}", tools.versions.join(", ")));
     }
     verdict(&reports)
