@@ -245,7 +245,7 @@ pub enum EngineName {
     RustHdl,
     /// The emitted Verilog in Icarus Verilog (units only).
     Icarus,
-    /// The emitted Verilog in Verilator (units only).
+    /// The emitted Verilog in Verilator.
     Verilator,
 }
 

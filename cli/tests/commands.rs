@@ -436,3 +436,24 @@ fn a_missing_yosys_is_one_message() {
         assert!(message.contains(part), "no '{part}' in: {message}");
     }
 }
+
+#[test]
+fn cosim_of_a_scene_in_verilator_agrees_and_finds_a_fault() {
+    let cone = scene("cone.toml");
+    let arguments = ["--engine", "verilator", "--size", "64x48"];
+    let mut good = vec!["cosim", cone.to_str().unwrap()];
+    good.extend(arguments);
+    let report = json(&good);
+    assert_eq!(report["engine"], Value::from("verilator"));
+    assert_eq!(report["mismatches"], Value::from(0));
+    assert_eq!(report["pixels"], Value::from(64 * 48));
+
+    let output = imogene()
+        .args(&good)
+        .args(["--inject-fault", "0:2:20"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("--engine verilator"), "{message}");
+}

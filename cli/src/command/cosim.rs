@@ -7,6 +7,7 @@ use crate::output;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::engine::verilator::beam::BeamModel;
 use imogene_verif::engine::verilator::verilate;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
@@ -99,9 +100,15 @@ fn verilog(options: &Cosim) -> Result<(String, String), Failure> {
 }
 
 fn run_scene(options: &Cosim) -> Result<Report, Failure> {
-    if options.engine != EngineName::RustHdl {
+    if options.engine == EngineName::Icarus {
         return Err(Failure::Input(
-            "a scene is co-simulated by the engine rust-hdl; the engines icarus and verilator take a unit".into(),
+            "a scene is co-simulated by the engines rust-hdl and verilator; the engine icarus takes a unit".into(),
+        ));
+    }
+    if options.engine == EngineName::Verilator && options.vcd.is_some() {
+        return Err(Failure::Input(
+            "--vcd of a scene shows the inside of a processor, which only the engine rust-hdl does"
+                .into(),
         ));
     }
     let path = Path::new(&options.subject);
@@ -126,14 +133,25 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     };
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
     let bar = output::progress(pixels, "hardware in simulation");
-    let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
-    let (mut report, _) =
-        scene::run(&prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
+    let (mut report, _) = if options.engine == EngineName::Verilator {
+        let shape =
+            scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
+        let model = BeamModel::compile(&shape).map_err(Failure::input)?;
+        scene::run(&prepared, &run_options, |_| model.machine(), || bar.inc(1))
+    } else {
+        let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+        scene::run(&prepared, &run_options, engine, || bar.inc(1))
+    }
+    .map_err(Failure::input)?;
     bar.finish_and_clear();
+    if options.engine == EngineName::Verilator {
+        report.engine = "verilator".into();
+    }
     report.subject = options.subject.clone();
     report.reproduce = format!(
-        "imogene cosim {} --size {}x{} --format {} --rows-per-stage {}",
+        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {}",
         options.subject,
+        report.engine,
         prepared.width,
         prepared.height,
         options.shape.format,

@@ -54,7 +54,7 @@ pub trait Engine {
     /// One clock without a write.
     fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs;
 
-    /// Values of the signals of [`processor_signals`] inside one slot, after the last clock.
+    /// Values of the signals of [`processor_signals`] inside one slot, after the last clock; none where the engine shows only ports.
     fn probe(&mut self, object: usize) -> Vec<i64>;
 }
 

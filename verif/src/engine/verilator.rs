@@ -4,6 +4,7 @@
 //! the host needs to know nothing of the C++ that Verilator writes. Libraries are kept by what they depend on; see [`cache_folder`].
 //! Only ports are visible, and a register without initial value reads 0, where Icarus Verilog shows it undefined.
 
+pub mod beam;
 mod build;
 mod shim;
 
