@@ -19,7 +19,13 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     };
     let reports: Vec<MutationReport> = units
         .into_iter()
-        .map(|unit| score(unit, options))
+        .map(|unit| {
+            let report = score(unit, options)?;
+            if !json {
+                output::text(describe(&report));
+            }
+            Ok(report)
+        })
         .collect::<Result<_, _>>()?;
     if let Some(path) = &options.out {
         let command = format!(
@@ -34,10 +40,6 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     }
     if json {
         output::json(&reports);
-    } else {
-        reports
-            .iter()
-            .for_each(|report| output::text(describe(report)));
     }
     verdict(&reports)
 }
