@@ -39,7 +39,7 @@ impl BeamModel {
             objects: shape.objects,
             ..EmitRequest::new(Unit::Beam)
         })?;
-        let text: String = emitted.files.iter().map(|(_, text)| &text[..]).collect();
+        let text = emitted.bundle();
         let inputs = [
             Signal::bit("go"),
             Signal::unsigned("width", 12),
