@@ -45,6 +45,7 @@ fn scenes_are_documented_as_they_are() {
     let entries = std::fs::read_dir(folder).expect("the scenes");
     let mut files: Vec<String> = entries
         .map(|e| e.unwrap().path().to_str().unwrap().to_string())
+        .filter(|path| path.ends_with(".toml"))
         .collect();
     files.sort();
     let count = files.len();

@@ -218,7 +218,9 @@ fn problems(
     if found.pixels > 0 {
         for (index, plane) in object.words.planes.iter().enumerate() {
             if plane.kind != PlaneKind::None && is_without_effect(&object.words, index, format) {
-                problems.push(format!("cut {index} changes no pixel"));
+                problems.push(format!(
+                    "cut {index} changes no pixel of the screen box, which already leaves out what it removes beside the object"
+                ));
             }
         }
     }
