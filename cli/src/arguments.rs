@@ -30,6 +30,10 @@ pub enum Command {
     Roots(Roots),
     /// Write the Verilog of one unit or of the whole machine.
     Emit(Emit),
+    /// Print the contract of a unit: ports, widths as formulas, latency, ties, error.
+    Contract(Contract),
+    /// Write every unit as an IP core: Verilog, contract, self-checking bench, FuseSoC core file.
+    Package(Package),
     /// Draw a scene with the exact reference, the golden model or the hardware in simulation.
     Render(Render),
     /// Show the integer coefficients of every object as the hardware is loaded with them.
@@ -131,6 +135,30 @@ pub struct Emit {
     /// One file for each module, and UNIT.f that lists them, instead of the one file UNIT.v.
     #[arg(long)]
     pub split: bool,
+}
+
+/// Arguments of `contract`.
+#[derive(Debug, Args)]
+pub struct Contract {
+    /// Unit, as listed by `imogene units`.
+    pub unit: String,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// File to write instead of printing.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `package`.
+#[derive(Debug, Args)]
+pub struct Package {
+    /// Output folder.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Clocks of random stimulus in the vectors of each bench; 0 leaves benches and the target sim out.
+    #[arg(long, default_value_t = 500)]
+    pub clocks: usize,
 }
 
 /// Which model draws.

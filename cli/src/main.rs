@@ -17,6 +17,8 @@ fn main() -> ExitCode {
         Command::Units => command::units::run(json),
         Command::Roots(options) => command::roots::run(options, json),
         Command::Emit(options) => command::emit::run(options, json),
+        Command::Contract(options) => command::contract::run(options, json),
+        Command::Package(options) => command::package::run(options, json),
         Command::Render(options) => command::render::run(options, json),
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),

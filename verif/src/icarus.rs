@@ -39,12 +39,10 @@ pub fn run(
     let started = Instant::now();
     let folder = tempfile::tempdir()?;
     let expected = golden_outputs(subject, stimulus);
-    write_vectors(subject, folder.path(), stimulus, &expected)?;
+    for (name, text) in files(subject, top, stimulus, &expected) {
+        std::fs::write(folder.path().join(name), text)?;
+    }
     std::fs::write(folder.path().join("dut.v"), text)?;
-    std::fs::write(
-        folder.path().join("bench.v"),
-        bench(subject, top, stimulus.len()),
-    )?;
     let output = compile_and_run(folder.path())?;
     let mut report = Report {
         subject: subject.name.clone(),
@@ -107,12 +105,24 @@ fn hex(signals: &[Signal], bits: impl Fn(usize, &Signal) -> u64) -> String {
         .collect()
 }
 
-fn write_vectors(
+/// The self-checking bench for a stimulus and its vectors, as names and texts of files that lie in one folder: `bench.v` (module `bench`) and
+/// what it reads, `stimulus.hex`, `expected.hex` (from the golden model) and `mask.hex` (which bits the golden model states).
+///
+/// The bench prints `DONE` and the number of clocks that differ. If there are any it ends Icarus Verilog with exit code 1.
+pub fn bench_files(
     subject: &Subject,
-    folder: &Path,
+    top: &str,
+    stimulus: &[Inputs],
+) -> Vec<(&'static str, String)> {
+    files(subject, top, stimulus, &golden_outputs(subject, stimulus))
+}
+
+fn files(
+    subject: &Subject,
+    top: &str,
     stimulus: &[Inputs],
     expected: &[Vec<Option<i64>>],
-) -> std::io::Result<()> {
+) -> Vec<(&'static str, String)> {
     let (mut given, mut wanted, mut mask) = (String::new(), String::new(), String::new());
     for (inputs, outputs) in stimulus.iter().zip(expected) {
         given += &hex(&subject.inputs, |k, s| s.bits(inputs[k]));
@@ -125,9 +135,12 @@ fn write_vectors(
             text.push('\n');
         }
     }
-    std::fs::write(folder.join("stimulus.hex"), given)?;
-    std::fs::write(folder.join("expected.hex"), wanted)?;
-    std::fs::write(folder.join("mask.hex"), mask)
+    vec![
+        ("bench.v", bench(subject, top, stimulus.len())),
+        ("stimulus.hex", given),
+        ("expected.hex", wanted),
+        ("mask.hex", mask),
+    ]
 }
 
 fn total_width(signals: &[Signal]) -> u32 {
@@ -178,6 +191,9 @@ module bench;
       #1 clock = 1'b0;
     end
     $display(\"DONE %0d\", bad);
+`ifdef __ICARUS__
+    if (bad != 0) $finish_and_return(1);
+`endif
     $finish;
   end
 endmodule

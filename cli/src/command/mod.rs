@@ -2,11 +2,13 @@
 
 pub mod bounds;
 pub mod check;
+pub mod contract;
 pub mod cosim;
 pub mod demo;
 pub mod emit;
 pub mod extremes;
 pub mod mutate;
+pub mod package;
 pub mod prepare;
 pub mod prove;
 pub mod render;

@@ -3,6 +3,7 @@
 mod decision;
 mod depth;
 mod elementary;
+mod machine;
 mod normal;
 mod processor;
 mod raster;
@@ -99,9 +100,12 @@ pub const NAMES: [&str; 19] = [
     "decider",
 ];
 
-/// A unit by its name.
+/// Units that are co-simulated inside a scene, and on their own only in the test benches handed out with them.
+pub const MACHINE_NAMES: [&str; 2] = ["coefficient_store", "beam"];
+
+/// A unit by its name, one of [`NAMES`] or [`MACHINE_NAMES`].
 pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError> {
-    if !NAMES.contains(&name) {
+    if !NAMES.contains(&name) && !MACHINE_NAMES.contains(&name) {
         return Err(UnitError::Unknown(name.to_string()));
     }
     let format = Format::new(parameters.depth_word)?;
@@ -159,6 +163,8 @@ fn describe(p: &EmitRequest, format: Format) -> Description {
         "normal_unit" => normal::normal_unit(format, p.planes),
         "quadric_processor" => processor::quadric_processor(format, p.planes, p.rows_per_stage),
         "raster_control" => raster::raster_control(),
+        "coefficient_store" => machine::coefficient_store(format, p.planes),
+        "beam" => machine::beam(format, p.objects, p.planes, p.rows_per_stage),
         "visibility_node" => decision::visibility_node(format),
         _ => decision::decider(format, p.objects),
     }

@@ -18,7 +18,7 @@ use imogene_models::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
 /// Where the ports begin, in the order of this subject.
-mod port {
+pub(super) mod port {
     pub const F1: usize = 5;
     pub const F2: usize = 8;
     pub const NORMAL: usize = 14;
@@ -30,7 +30,7 @@ mod port {
     pub const PLANE: usize = 7;
 }
 
-fn ports(format: &Format, planes: usize) -> Vec<Signal> {
+pub(super) fn ports(format: &Format, planes: usize) -> Vec<Signal> {
     let mut ports = flag_ports();
     ports.extend(["x", "y"].map(|name| Signal::unsigned(name, 12)));
     ports.extend(["f1_a", "f1_b", "f1_c"].map(|name| Signal::signed(name, format.sum)));
@@ -107,7 +107,7 @@ fn flat(p: &ObjectPixel) -> Vec<Option<i64>> {
 }
 
 /// The golden model's words from the port values.
-fn words_of(i: &[i64], planes: usize) -> QuadricWords {
+pub(super) fn words_of(i: &[i64], planes: usize) -> QuadricWords {
     let w = |k: usize| i128::from(i[k]);
     let (a, b) = (w(port::F2) / 2, w(port::F2 + 1) / 2);
     let plane = |p: usize| {
@@ -179,14 +179,14 @@ fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         .boxed()
 }
 
-fn even_differences(mut words: Vec<i64>) -> Vec<i64> {
+pub(super) fn even_differences(mut words: Vec<i64>) -> Vec<i64> {
     words[port::F2 - port::F1] &= !1;
     words[port::F2 - port::F1 + 1] &= !1;
     words
 }
 
 /// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.
-fn plausible(inputs: &[Signal]) -> BoxedStrategy<Vec<i64>> {
+pub(super) fn plausible(inputs: &[Signal]) -> BoxedStrategy<Vec<i64>> {
     let one = |k: usize| -> BoxedStrategy<i64> {
         let signal = &inputs[k];
         let spread = |range: i64| (-range..=range).boxed();

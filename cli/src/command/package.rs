@@ -1,0 +1,46 @@
+//! `imogene package`.
+
+use crate::arguments::Package;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::picture::write_whole;
+use imogene_package::core::package;
+use imogene_rtl::catalogue::Unit;
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// What was written; the keys are stable.
+#[derive(Serialize)]
+struct PackageReport {
+    cores: usize,
+    bytes: usize,
+    files: Vec<PathBuf>,
+}
+
+/// Writes every unit as an IP core.
+pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
+    let texts = package(options.clocks).map_err(Failure::input)?;
+    let mut report = PackageReport {
+        cores: Unit::ALL.len(),
+        bytes: texts.iter().map(|(_, text)| text.len()).sum(),
+        files: Vec::new(),
+    };
+    for (name, text) in &texts {
+        let path = options.out.join(name);
+        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        report.files.push(path);
+    }
+    if json {
+        output::json(&report);
+    } else {
+        output::text(format!(
+            "wrote {} cores, {} files, {} bytes below {}",
+            report.cores,
+            report.files.len(),
+            report.bytes,
+            options.out.display()
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,456 @@
+// quadric_processor: part of beam; see there.
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module quadric_processor (
+    input  wire clock,
+    input  wire valid,
+    input  wire start,
+    input  wire line,
+    input  wire [11:0] x,
+    input  wire [11:0] y,
+    input  wire signed [25:0] f1_a,
+    input  wire signed [25:0] f1_b,
+    input  wire signed [25:0] f1_c,
+    input  wire signed [47:0] f2_a2,
+    input  wire signed [47:0] f2_b2,
+    input  wire signed [47:0] f2_c,
+    input  wire signed [47:0] f2_i0,
+    input  wire signed [47:0] f2_p0,
+    input  wire signed [47:0] f2_f,
+    input  wire signed [23:0] gx_a,
+    input  wire signed [23:0] gx_b,
+    input  wire signed [23:0] gx_c,
+    input  wire signed [23:0] gy_a,
+    input  wire signed [23:0] gy_b,
+    input  wire signed [23:0] gy_c,
+    input  wire signed [23:0] gz_a,
+    input  wire signed [23:0] gz_b,
+    input  wire signed [23:0] gz_c,
+    input  wire signed [15:0] kx,
+    input  wire signed [15:0] ky,
+    input  wire signed [15:0] kz,
+    input  wire [11:0] box_x0,
+    input  wire [11:0] box_x1,
+    input  wire [11:0] box_y0,
+    input  wire [11:0] box_y1,
+    input  wire [1:0] object_class,
+    input  wire [4:0] shift,
+    input  wire [1:0] plane_0_kind,
+    input  wire [1:0] plane_1_kind,
+    input  wire [1:0] plane_2_kind,
+    input  wire signed [35:0] plane_0_a,
+    input  wire signed [35:0] plane_1_a,
+    input  wire signed [35:0] plane_2_a,
+    input  wire signed [35:0] plane_0_b,
+    input  wire signed [35:0] plane_1_b,
+    input  wire signed [35:0] plane_2_b,
+    input  wire signed [35:0] plane_0_c,
+    input  wire signed [35:0] plane_1_c,
+    input  wire signed [35:0] plane_2_c,
+    input  wire signed [15:0] plane_0_nx,
+    input  wire signed [15:0] plane_1_nx,
+    input  wire signed [15:0] plane_2_nx,
+    input  wire signed [15:0] plane_0_ny,
+    input  wire signed [15:0] plane_1_ny,
+    input  wire signed [15:0] plane_2_ny,
+    input  wire signed [15:0] plane_0_nz,
+    input  wire signed [15:0] plane_1_nz,
+    input  wire signed [15:0] plane_2_nz,
+    output wire out_valid,
+    output wire signed [23:0] zf,
+    output wire signed [23:0] zb,
+    output wire [3:0] number,
+    output wire signed [15:0] nx,
+    output wire signed [15:0] ny,
+    output wire signed [15:0] nz
+);
+
+    localparam [1:0] patch = 2'd2;
+    localparam signed [23:0] absent = 24'sd8388607;
+    wire right_of_x0;
+    wire left_of_x1;
+    wire below_y0;
+    wire above_y1;
+    wire surface;
+    wire in_box_word;
+    wire in_box_late;
+    wire signed [25:0] quadric_near_sum;
+    wire signed [25:0] quadric_far_sum;
+    wire [23:0] quadric_root;
+    wire quadric_is_inside;
+    wire quadric_late_valid;
+    wire quadric_late_start;
+    wire quadric_late_line;
+    wire signed [23:0] interval_zf_a;
+    wire [3:0] interval_nf_a;
+    wire signed [23:0] interval_zb_a;
+    wire [3:0] interval_nb_a;
+    wire signed [23:0] interval_zf_b;
+    wire [3:0] interval_nf_b;
+    wire signed [23:0] interval_zb_b;
+    wire [3:0] interval_nb_b;
+    wire plane_flags_0_late_valid;
+    wire plane_flags_0_late_start;
+    wire plane_flags_0_late_line;
+    wire plane_flags_1_late_valid;
+    wire plane_flags_1_late_start;
+    wire plane_flags_1_late_line;
+    wire plane_flags_2_late_valid;
+    wire plane_flags_2_late_start;
+    wire plane_flags_2_late_line;
+    wire signed [23:0] planes_0_depth;
+    wire signed [23:0] planes_1_depth;
+    wire signed [23:0] planes_2_depth;
+    wire signed [23:0] cut_a_0_cut_zf;
+    wire [3:0] cut_a_0_cut_nf;
+    wire signed [23:0] cut_a_0_cut_zb;
+    wire [3:0] cut_a_0_cut_nb;
+    wire signed [23:0] cut_a_1_cut_zf;
+    wire [3:0] cut_a_1_cut_nf;
+    wire signed [23:0] cut_a_1_cut_zb;
+    wire [3:0] cut_a_1_cut_nb;
+    wire signed [23:0] cut_a_2_cut_zf;
+    wire [3:0] cut_a_2_cut_nf;
+    wire signed [23:0] cut_a_2_cut_zb;
+    wire [3:0] cut_a_2_cut_nb;
+    wire signed [23:0] cut_b_0_cut_zf;
+    wire [3:0] cut_b_0_cut_nf;
+    wire signed [23:0] cut_b_0_cut_zb;
+    wire [3:0] cut_b_0_cut_nb;
+    wire signed [23:0] cut_b_1_cut_zf;
+    wire [3:0] cut_b_1_cut_nf;
+    wire signed [23:0] cut_b_1_cut_zb;
+    wire [3:0] cut_b_1_cut_nb;
+    wire signed [23:0] cut_b_2_cut_zf;
+    wire [3:0] cut_b_2_cut_nf;
+    wire signed [23:0] cut_b_2_cut_zb;
+    wire [3:0] cut_b_2_cut_nb;
+    wire signed [23:0] merge_zf;
+    wire [3:0] merge_nf;
+    wire signed [23:0] merge_zb;
+    wire [3:0] unused_merge_nb;
+    wire normal_flags_late_valid;
+    wire normal_flags_late_start;
+    wire normal_flags_late_line;
+    wire [23:0] root_delay_late;
+    wire normal_absent;
+    wire signed [15:0] normal_nx;
+    wire signed [15:0] normal_ny;
+    wire signed [15:0] normal_nz;
+    wire valid_delay_late;
+    wire signed [23:0] zf_delay_late;
+    wire signed [23:0] zb_delay_late;
+    wire [3:0] number_delay_late;
+
+    word_delay_w1_x26 in_box (
+        .clock(clock),
+        .word(in_box_word),
+        .late(in_box_late)
+    );
+
+    quadric_pe quadric (
+        .clock(clock),
+        .valid(valid),
+        .start(start),
+        .line(line),
+        .f1_a(f1_a),
+        .f1_b(f1_b),
+        .f1_c(f1_c),
+        .f2_a2(f2_a2),
+        .f2_b2(f2_b2),
+        .f2_c(f2_c),
+        .f2_i0(f2_i0),
+        .f2_p0(f2_p0),
+        .f2_f(f2_f),
+        .near_sum(quadric_near_sum),
+        .far_sum(quadric_far_sum),
+        .root(quadric_root),
+        .is_inside(quadric_is_inside),
+        .late_valid(quadric_late_valid),
+        .late_start(quadric_late_start),
+        .late_line(quadric_late_line)
+    );
+
+    depth_interval interval (
+        .clock(clock),
+        .near_sum(quadric_near_sum),
+        .far_sum(quadric_far_sum),
+        .is_inside(quadric_is_inside),
+        .in_box(in_box_late),
+        .object_class(object_class),
+        .zf_a(interval_zf_a),
+        .nf_a(interval_nf_a),
+        .zb_a(interval_zb_a),
+        .nb_a(interval_nb_a),
+        .zf_b(interval_zf_b),
+        .nf_b(interval_nf_b),
+        .zb_b(interval_zb_b),
+        .nb_b(interval_nb_b)
+    );
+
+    flag_delay_x3 plane_flags_0 (
+        .clock(clock),
+        .valid(quadric_late_valid),
+        .start(quadric_late_start),
+        .line(quadric_late_line),
+        .late_valid(plane_flags_0_late_valid),
+        .late_start(plane_flags_0_late_start),
+        .late_line(plane_flags_0_late_line)
+    );
+
+    flag_delay_x3 plane_flags_1 (
+        .clock(clock),
+        .valid(plane_flags_0_late_valid),
+        .start(plane_flags_0_late_start),
+        .line(plane_flags_0_late_line),
+        .late_valid(plane_flags_1_late_valid),
+        .late_start(plane_flags_1_late_start),
+        .late_line(plane_flags_1_late_line)
+    );
+
+    flag_delay_x3 plane_flags_2 (
+        .clock(clock),
+        .valid(plane_flags_1_late_valid),
+        .start(plane_flags_1_late_start),
+        .line(plane_flags_1_late_line),
+        .late_valid(plane_flags_2_late_valid),
+        .late_start(plane_flags_2_late_start),
+        .late_line(plane_flags_2_late_line)
+    );
+
+    plane_depth planes_0 (
+        .clock(clock),
+        .valid(plane_flags_0_late_valid),
+        .start(plane_flags_0_late_start),
+        .line(plane_flags_0_late_line),
+        .a(plane_0_a),
+        .b(plane_0_b),
+        .c(plane_0_c),
+        .depth(planes_0_depth)
+    );
+
+    plane_depth planes_1 (
+        .clock(clock),
+        .valid(plane_flags_1_late_valid),
+        .start(plane_flags_1_late_start),
+        .line(plane_flags_1_late_line),
+        .a(plane_1_a),
+        .b(plane_1_b),
+        .c(plane_1_c),
+        .depth(planes_1_depth)
+    );
+
+    plane_depth planes_2 (
+        .clock(clock),
+        .valid(plane_flags_2_late_valid),
+        .start(plane_flags_2_late_start),
+        .line(plane_flags_2_late_line),
+        .a(plane_2_a),
+        .b(plane_2_b),
+        .c(plane_2_c),
+        .depth(planes_2_depth)
+    );
+
+    cut_plane cut_a_0 (
+        .clock(clock),
+        .kind(plane_0_kind),
+        .surface(surface),
+        .number(4'd2),
+        .zp(planes_0_depth),
+        .zf(interval_zf_a),
+        .nf(interval_nf_a),
+        .zb(interval_zb_a),
+        .nb(interval_nb_a),
+        .cut_zf(cut_a_0_cut_zf),
+        .cut_nf(cut_a_0_cut_nf),
+        .cut_zb(cut_a_0_cut_zb),
+        .cut_nb(cut_a_0_cut_nb)
+    );
+
+    cut_plane cut_a_1 (
+        .clock(clock),
+        .kind(plane_1_kind),
+        .surface(surface),
+        .number(4'd3),
+        .zp(planes_1_depth),
+        .zf(cut_a_0_cut_zf),
+        .nf(cut_a_0_cut_nf),
+        .zb(cut_a_0_cut_zb),
+        .nb(cut_a_0_cut_nb),
+        .cut_zf(cut_a_1_cut_zf),
+        .cut_nf(cut_a_1_cut_nf),
+        .cut_zb(cut_a_1_cut_zb),
+        .cut_nb(cut_a_1_cut_nb)
+    );
+
+    cut_plane cut_a_2 (
+        .clock(clock),
+        .kind(plane_2_kind),
+        .surface(surface),
+        .number(4'd4),
+        .zp(planes_2_depth),
+        .zf(cut_a_1_cut_zf),
+        .nf(cut_a_1_cut_nf),
+        .zb(cut_a_1_cut_zb),
+        .nb(cut_a_1_cut_nb),
+        .cut_zf(cut_a_2_cut_zf),
+        .cut_nf(cut_a_2_cut_nf),
+        .cut_zb(cut_a_2_cut_zb),
+        .cut_nb(cut_a_2_cut_nb)
+    );
+
+    cut_plane cut_b_0 (
+        .clock(clock),
+        .kind(plane_0_kind),
+        .surface(surface),
+        .number(4'd2),
+        .zp(planes_0_depth),
+        .zf(interval_zf_b),
+        .nf(interval_nf_b),
+        .zb(interval_zb_b),
+        .nb(interval_nb_b),
+        .cut_zf(cut_b_0_cut_zf),
+        .cut_nf(cut_b_0_cut_nf),
+        .cut_zb(cut_b_0_cut_zb),
+        .cut_nb(cut_b_0_cut_nb)
+    );
+
+    cut_plane cut_b_1 (
+        .clock(clock),
+        .kind(plane_1_kind),
+        .surface(surface),
+        .number(4'd3),
+        .zp(planes_1_depth),
+        .zf(cut_b_0_cut_zf),
+        .nf(cut_b_0_cut_nf),
+        .zb(cut_b_0_cut_zb),
+        .nb(cut_b_0_cut_nb),
+        .cut_zf(cut_b_1_cut_zf),
+        .cut_nf(cut_b_1_cut_nf),
+        .cut_zb(cut_b_1_cut_zb),
+        .cut_nb(cut_b_1_cut_nb)
+    );
+
+    cut_plane cut_b_2 (
+        .clock(clock),
+        .kind(plane_2_kind),
+        .surface(surface),
+        .number(4'd4),
+        .zp(planes_2_depth),
+        .zf(cut_b_1_cut_zf),
+        .nf(cut_b_1_cut_nf),
+        .zb(cut_b_1_cut_zb),
+        .nb(cut_b_1_cut_nb),
+        .cut_zf(cut_b_2_cut_zf),
+        .cut_nf(cut_b_2_cut_nf),
+        .cut_zb(cut_b_2_cut_zb),
+        .cut_nb(cut_b_2_cut_nb)
+    );
+
+    two_volume_merge merge (
+        .clock(clock),
+        .zf_a(cut_a_2_cut_zf),
+        .nf_a(cut_a_2_cut_nf),
+        .zb_a(cut_a_2_cut_zb),
+        .nb_a(cut_a_2_cut_nb),
+        .zf_b(cut_b_2_cut_zf),
+        .nf_b(cut_b_2_cut_nf),
+        .zb_b(cut_b_2_cut_zb),
+        .nb_b(cut_b_2_cut_nb),
+        .zf(merge_zf),
+        .nf(merge_nf),
+        .zb(merge_zb),
+        .nb(unused_merge_nb)
+    );
+
+    flag_delay_x12 normal_flags (
+        .clock(clock),
+        .valid(plane_flags_2_late_valid),
+        .start(plane_flags_2_late_start),
+        .line(plane_flags_2_late_line),
+        .late_valid(normal_flags_late_valid),
+        .late_start(normal_flags_late_start),
+        .late_line(normal_flags_late_line)
+    );
+
+    word_delay_w24_x5 root_delay (
+        .clock(clock),
+        .word(quadric_root),
+        .late(root_delay_late)
+    );
+
+    normal_unit normal (
+        .clock(clock),
+        .valid(normal_flags_late_valid),
+        .start(normal_flags_late_start),
+        .line(normal_flags_late_line),
+        .number(merge_nf),
+        .absent(normal_absent),
+        .root(root_delay_late),
+        .shift(shift),
+        .gx_a(gx_a),
+        .gx_b(gx_b),
+        .gx_c(gx_c),
+        .gy_a(gy_a),
+        .gy_b(gy_b),
+        .gy_c(gy_c),
+        .gz_a(gz_a),
+        .gz_b(gz_b),
+        .gz_c(gz_c),
+        .kx(kx),
+        .ky(ky),
+        .kz(kz),
+        .plane_0_nx(plane_0_nx),
+        .plane_1_nx(plane_1_nx),
+        .plane_2_nx(plane_2_nx),
+        .plane_0_ny(plane_0_ny),
+        .plane_1_ny(plane_1_ny),
+        .plane_2_ny(plane_2_ny),
+        .plane_0_nz(plane_0_nz),
+        .plane_1_nz(plane_1_nz),
+        .plane_2_nz(plane_2_nz),
+        .nx(normal_nx),
+        .ny(normal_ny),
+        .nz(normal_nz)
+    );
+
+    word_delay_w1_x3 valid_delay (
+        .clock(clock),
+        .word(normal_flags_late_valid),
+        .late(valid_delay_late)
+    );
+
+    word_delay_w24s_x3 zf_delay (
+        .clock(clock),
+        .word(merge_zf),
+        .late(zf_delay_late)
+    );
+
+    word_delay_w24s_x3 zb_delay (
+        .clock(clock),
+        .word(merge_zb),
+        .late(zb_delay_late)
+    );
+
+    word_delay_w4_x3 number_delay (
+        .clock(clock),
+        .word(merge_nf),
+        .late(number_delay_late)
+    );
+
+    assign right_of_x0 = x >= box_x0;
+    assign left_of_x1 = x <= box_x1;
+    assign below_y0 = y >= box_y0;
+    assign above_y1 = y <= box_y1;
+    assign surface = object_class == patch;
+    assign in_box_word = ((right_of_x0 & left_of_x1) & below_y0) & above_y1;
+    assign normal_absent = merge_zf == absent;
+    assign out_valid = valid_delay_late;
+    assign zf = zf_delay_late;
+    assign zb = zb_delay_late;
+    assign number = number_delay_late;
+    assign nx = normal_nx;
+    assign ny = normal_ny;
+    assign nz = normal_nz;
+
+endmodule

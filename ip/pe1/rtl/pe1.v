@@ -1,0 +1,60 @@
+// pe1: value(x, y) = a x + b y + c by additions alone, one pixel per clock
+//
+// parameters: format 24
+// latency:    1 clock
+// source:     Nyiri 1994, 2.3.2 and B.2.1
+// ports:
+//   in  clock           1 unsigned
+//   in  valid           1 unsigned
+//   in  start           1 unsigned
+//   in  line            1 unsigned
+//   in  a              26 two's complement
+//   in  b              26 two's complement
+//   in  c              26 two's complement
+//   out value          26 two's complement
+//
+// Made by: imogene emit pe1 --format 24 --out DIR
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module pe1 (
+    input  wire clock,
+    input  wire valid,
+    input  wire start,
+    input  wire line,
+    input  wire signed [25:0] a,
+    input  wire signed [25:0] b,
+    input  wire signed [25:0] c,
+    output wire signed [25:0] value
+);
+
+    wire first;
+    wire signed [25:0] next_line;
+    wire signed [25:0] line_begin;
+    wire signed [25:0] next_pixel;
+    reg signed [25:0] kept_a = 26'sd0;
+    reg signed [25:0] kept_b = 26'sd0;
+    reg signed [25:0] line_value = 26'sd0;
+    reg signed [25:0] pixel_value = 26'sd0;
+
+    assign first = start | line;
+    assign next_line = line_value + kept_b;
+    assign line_begin = start ? c : next_line;
+    assign next_pixel = pixel_value + kept_a;
+    assign value = pixel_value;
+
+    always @(posedge clock) begin
+        if (valid) begin
+            if (start) begin
+                kept_a <= a;
+                kept_b <= b;
+            end
+            if (first) begin
+                line_value <= line_begin;
+                pixel_value <= line_begin;
+            end else begin
+                pixel_value <= next_pixel;
+            end
+        end
+    end
+
+endmodule

@@ -1,0 +1,165 @@
+//! A unit as an IP core: a folder with Verilog, contract, self-checking bench and FuseSoC core file.
+
+use crate::contract::{Contract, ContractError, of_emitted};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitError, EmitRequest, emit};
+use imogene_verif::icarus::bench_files;
+use imogene_verif::unit::{Parameters, UnitError, subject};
+use std::fmt::Write;
+use thiserror::Error;
+
+/// Seed of the vectors: the same package each time.
+const SEED: u64 = 1;
+
+/// Why a unit cannot be packaged.
+#[derive(Debug, Error)]
+pub enum PackageError {
+    /// The unit cannot be emitted.
+    #[error("{0}")]
+    Emit(EmitError),
+    /// Its contract and its Verilog differ.
+    #[error(transparent)]
+    Contract(#[from] ContractError),
+    /// It has no golden model.
+    #[error(transparent)]
+    Subject(#[from] UnitError),
+}
+
+/// A file of a package: path below its folder, with `/`, and text.
+pub type File = (String, String);
+
+/// Every unit at the base format with its default parameters, each in a folder of its own, and a `README.md` that lists them.
+///
+/// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left out.
+///
+/// # Errors
+///
+/// A defect of this workspace, if any.
+pub fn package(clocks: usize) -> Result<Vec<File>, PackageError> {
+    let mut files = vec![("README.md".to_owned(), readme(clocks))];
+    for unit in Unit::ALL {
+        let core = core(unit, clocks)?;
+        let inside = core.into_iter();
+        files.extend(inside.map(|(path, text)| (format!("{}/{path}", unit.name()), text)));
+    }
+    Ok(files)
+}
+
+/// The files of one core.
+///
+/// # Errors
+///
+/// As for [`package`].
+pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, PackageError> {
+    let parameters = Parameters::default();
+    let request: EmitRequest = parameters.request(unit);
+    let emitted = emit(&request).map_err(PackageError::Emit)?;
+    let contract = of_emitted(&request, &emitted)?;
+    let verilog = emitted.files();
+    let names: Vec<String> = verilog
+        .iter()
+        .map(|(name, _)| format!("rtl/{name}"))
+        .collect();
+    let mut files = vec![
+        (
+            format!("{}.core", unit.name()),
+            core_file(&contract, &names, clocks > 0),
+        ),
+        ("CONTRACT.md".to_owned(), contract.markdown()),
+        ("contract.json".to_owned(), contract.json()),
+    ];
+    files.extend(
+        names
+            .into_iter()
+            .zip(verilog.into_iter().map(|(_, text)| text)),
+    );
+    if clocks > 0 {
+        let subject = subject(unit.name(), parameters)?;
+        let stimulus = subject.seeded_stimulus(clocks, SEED);
+        let bench = bench_files(&subject, &emitted.top, &stimulus);
+        files.extend(
+            bench
+                .into_iter()
+                .map(|(name, text)| (format!("bench/{name}"), text)),
+        );
+    }
+    Ok(files)
+}
+
+/// The FuseSoC description of a core (CAPI2).
+fn core_file(contract: &Contract, verilog: &[String], has_bench: bool) -> String {
+    let (unit, version) = (contract.unit, env!("CARGO_PKG_VERSION"));
+    // A JSON string is a YAML string.
+    let description = serde_json::Value::from(contract.computes);
+    let mut text = format!(
+        "CAPI=2:\n\nname: imogene:ip:{unit}:{version}\ndescription: {description}\n\nfilesets:\n  rtl:\n    files:\n"
+    );
+    for name in verilog {
+        let _ = writeln!(text, "      - {name}");
+    }
+    text += "    file_type: verilogSource-2005\n";
+    if has_bench {
+        text += "  bench:\n    files:\n      - bench/bench.v: {file_type: verilogSource-2005}\n";
+        for name in ["stimulus.hex", "expected.hex", "mask.hex"] {
+            let _ = writeln!(
+                text,
+                "      - bench/{name}: {{file_type: user, copyto: {name}}}"
+            );
+        }
+    }
+    let _ = write!(
+        text,
+        "
+targets:
+  default:
+    filesets: [rtl]
+    toplevel: {unit}
+  lint:
+    filesets: [rtl]
+    toplevel: {unit}
+    flow: lint
+    flow_options:
+      tool: verilator
+      verilator_options: [-Wall]
+  synth:
+    filesets: [rtl]
+    toplevel: {unit}
+    flow: generic
+    flow_options:
+      tool: yosys
+      arch: ecp5
+      output_format: json
+"
+    );
+    if has_bench {
+        text += "  sim:
+    filesets: [rtl, bench]
+    toplevel: bench
+    flow: sim
+    flow_options:
+      tool: icarus
+      iverilog_options: [-g2005]
+";
+    }
+    text
+}
+
+fn readme(clocks: usize) -> String {
+    let mut text = String::from(
+        "# The units of imogene as IP cores\n\nBase format 24, 3 cut planes, 1 row of the root network per register stage, 4 objects. \
+         Each folder holds the Verilog of a unit (`rtl/`, one file\nfor each module), its contract (`CONTRACT.md`, `contract.json`) and a FuseSoC core file.\n",
+    );
+    let _ = writeln!(
+        text,
+        "\nMade by: `imogene package --clocks {clocks} --out DIR`. Do not edit.\n\n| unit | computes |\n|---|---|"
+    );
+    for unit in Unit::ALL {
+        let name = unit.name();
+        let _ = writeln!(
+            text,
+            "| [{name}]({name}/CONTRACT.md) | {} |",
+            unit.contract()
+        );
+    }
+    text
+}

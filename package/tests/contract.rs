@@ -1,0 +1,124 @@
+//! The contract of every unit against its Verilog.
+
+use imogene_package::contract::ports::described;
+use imogene_package::contract::{RESET, contract};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{Direction, EmitRequest, emit};
+use imogene_rtl::format::DEPTH_WORDS;
+use std::collections::BTreeMap;
+
+/// Shapes that change the ports: the base, none, and others.
+const SHAPES: [(usize, usize); 3] = [(3, 4), (0, 1), (1, 5)];
+
+fn requests() -> impl Iterator<Item = EmitRequest> {
+    let all = Unit::ALL.into_iter();
+    all.flat_map(|unit| {
+        DEPTH_WORDS.into_iter().flat_map(move |depth_word| {
+            SHAPES.map(|(planes, objects)| EmitRequest {
+                depth_word,
+                planes,
+                objects,
+                ..EmitRequest::new(unit)
+            })
+        })
+    })
+}
+
+#[test]
+fn every_port_has_one_meaning_and_its_formula_gives_its_width() {
+    for request in requests() {
+        let place = format!("{request:?}");
+        let emitted = emit(&request).expect("a legal request");
+        let mut known = BTreeMap::new();
+        for port in described(&request) {
+            assert!(!port.meaning.is_empty(), "{place}: {}", port.name);
+            let bits = port.width.bits(request.depth_word);
+            let before = known.insert(port.name.clone(), bits);
+            assert_eq!(before, None, "{place}: {} is described twice", port.name);
+        }
+        let ports = emitted.ports.iter();
+        let found: BTreeMap<_, _> = ports.map(|port| (port.name.clone(), port.width)).collect();
+        assert_eq!(known, found, "{place}");
+    }
+}
+
+#[test]
+fn directions_and_formats_are_those_of_the_verilog_text() {
+    for unit in Unit::ALL {
+        let request = EmitRequest::new(unit);
+        let contract = contract(&request).expect("a legal request");
+        let emitted = emit(&request).expect("a legal request");
+        let (_, module) = emitted.modules.last().expect("a module");
+        let (head, _) = module.split_once(");").expect("a port list");
+        assert_eq!(contract.ports.len(), emitted.ports.len());
+        for (entry, port) in contract.ports.iter().zip(&emitted.ports) {
+            let is_input = port.direction == Direction::Input;
+            assert_eq!(entry.direction == "input", is_input, "{}", entry.name);
+            let line = head
+                .lines()
+                .map(|line| line.trim_end_matches(','))
+                .find(|line| line.split_whitespace().last() == Some(&entry.name))
+                .unwrap_or_else(|| panic!("{}: no line for {}", unit.name(), entry.name));
+            let place = format!("{}: {line}", unit.name());
+            assert!(line.trim_start().starts_with(entry.direction), "{place}");
+            let is_signed = line.contains(" signed ");
+            assert_eq!(entry.format == "two's complement", is_signed, "{place}");
+            let is_wide = line.contains(&format!("[{}:0]", entry.width - 1));
+            assert_eq!(entry.width > 1, is_wide, "{place}");
+            assert_eq!(entry.format == "flag", entry.width == 1, "{place}");
+        }
+    }
+}
+
+#[test]
+fn markdown_and_json_say_the_same() {
+    for unit in Unit::ALL {
+        let contract = contract(&EmitRequest::new(unit)).expect("a legal request");
+        let page = contract.markdown();
+        let json: serde_json::Value =
+            serde_json::from_str(&contract.json()).expect("one JSON document");
+        for key in [
+            "computes",
+            "source",
+            "throughput",
+            "reset",
+            "ties",
+            "error",
+            "command",
+        ] {
+            let text = json[key].as_str().expect("a text");
+            assert!(page.contains(text), "{}: {key}", unit.name());
+        }
+        let ports = json["ports"].as_array().expect("a list of ports");
+        assert_eq!(ports.len(), contract.ports.len());
+        for port in ports {
+            let row = format!(
+                "| `{}` | {} | {} | `{}` | {} | {} |",
+                port["name"].as_str().expect("a name"),
+                port["direction"].as_str().expect("a direction"),
+                port["width"],
+                port["formula"].as_str().expect("a formula"),
+                port["format"].as_str().expect("a format"),
+                port["meaning"].as_str().expect("a meaning"),
+            );
+            assert!(page.contains(&row), "{}: {row}", unit.name());
+        }
+        assert!(page.contains(RESET));
+    }
+}
+
+/// Every parameter of a unit appears by its symbol in its latency or changes its ports.
+#[test]
+fn latency_formulas_use_the_symbols_of_the_parameters() {
+    for unit in Unit::ALL {
+        let contract = contract(&EmitRequest::new(unit)).expect("a legal request");
+        let has = |symbol: &str| contract.parameters.iter().any(|p| p.symbol == symbol);
+        let formula = contract.latency.formula;
+        for symbol in formula.split(|c: char| !c.is_alphanumeric()) {
+            if symbol.len() == 1 && symbol.chars().all(char::is_alphabetic) {
+                assert!(has(symbol), "{}: {formula}", unit.name());
+            }
+        }
+        assert!(contract.parameters.iter().all(|p| p.symbol != "?"));
+    }
+}

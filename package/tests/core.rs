@@ -1,0 +1,179 @@
+//! The committed cores, and benches that find a wrong vector. Needs the package 'iverilog'. FuseSoC runs every core with `IMOGENE_FULL=1`.
+
+use imogene_package::core::{File, core, package};
+use imogene_rtl::catalogue::Unit;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+fn write(folder: &Path, files: &[File]) {
+    for (name, text) in files {
+        let path = folder.join(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a new folder");
+        std::fs::write(path, text).expect("a new file");
+    }
+}
+
+fn files_below(folder: &Path, found: &mut BTreeSet<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            files_below(&path, found);
+        } else {
+            found.insert(path);
+        }
+    }
+}
+
+#[test]
+fn committed_cores_are_those_of_this_source() {
+    let folder = Path::new(ROOT).join("ip");
+    let mut left = BTreeSet::new();
+    files_below(&folder, &mut left);
+    for (name, text) in package(0).expect("every unit is packaged") {
+        let path = folder.join(&name);
+        let committed = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            committed == text,
+            "ip/{name} is stale; run `imogene package --clocks 0 --out ip`"
+        );
+        left.remove(&path);
+    }
+    assert!(left.is_empty(), "nothing makes {left:?}; remove them");
+}
+
+fn run(program: &str, arguments: &[&str], folder: &Path) -> Output {
+    Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap_or_else(|error| panic!("{program}: {error}; scripts/setup installs it"))
+}
+
+/// Compiles and runs a bench as its FuseSoC target does.
+fn simulate(files: &[File]) -> Output {
+    let folder = tempfile::tempdir().expect("a scratch folder");
+    write(folder.path(), files);
+    let mut arguments = vec!["-g2005", "-sbench", "-o", "bench/bench.vvp"];
+    arguments.extend(
+        files
+            .iter()
+            .map(|(name, _)| name.as_str())
+            .filter(|n| n.ends_with(".v")),
+    );
+    let compiled = run("iverilog", &arguments, folder.path());
+    assert!(compiled.status.success(), "{compiled:?}");
+    run("vvp", &["-n", "bench.vvp"], &folder.path().join("bench"))
+}
+
+#[test]
+fn benches_of_the_machine_pass() {
+    for unit in [Unit::CutPlane, Unit::CoefficientStore, Unit::Beam] {
+        let files = core(unit, 300).expect("a core");
+        let done = simulate(&files);
+        let text = String::from_utf8_lossy(&done.stdout);
+        assert!(
+            done.status.success() && text.contains("DONE 0"),
+            "{}: {text}",
+            unit.name()
+        );
+        // The mask is not empty: at least half of the clocks state every bit of some output.
+        let (_, mask) = files
+            .iter()
+            .find(|(n, _)| n == "bench/mask.hex")
+            .expect("a mask");
+        let stated = mask.lines().filter(|line| line.ends_with('f')).count();
+        assert!(stated >= 150, "{}: {stated} clocks", unit.name());
+    }
+}
+
+/// Turns over the lowest bit of an expected value that is compared.
+fn spoil(files: &mut [File]) {
+    let text = |name: &str| {
+        let found = files.iter().find(|(n, _)| n == name);
+        found.expect("a vector file").1.clone()
+    };
+    let (mask, mut lines) = (text("bench/mask.hex"), Vec::new());
+    let mut todo = true;
+    for (line, mask) in text("bench/expected.hex").lines().zip(mask.lines()) {
+        let mut line = line.to_owned();
+        if todo && mask.ends_with('f') {
+            let last = line.pop().and_then(|c| c.to_digit(16)).expect("a digit");
+            line.push(char::from_digit(last ^ 1, 16).expect("a digit"));
+            todo = false;
+        }
+        lines.push(line + "\n");
+    }
+    assert!(!todo, "nothing is compared");
+    let wrong = lines.concat();
+    let expected = files.iter_mut().find(|(n, _)| n == "bench/expected.hex");
+    expected.expect("a vector file").1 = wrong;
+}
+
+#[test]
+fn a_wrong_vector_fails_the_bench() {
+    for unit in [Unit::CutPlane, Unit::SquareRoot, Unit::Beam] {
+        let mut files = core(unit, 300).expect("a core");
+        spoil(&mut files);
+        let done = simulate(&files);
+        let text = String::from_utf8_lossy(&done.stdout);
+        assert_eq!(done.status.code(), Some(1), "{}: {text}", unit.name());
+        assert!(text.contains("DONE 1"), "{}: {text}", unit.name());
+    }
+}
+
+fn fusesoc(folder: &Path, target: &str, unit: Unit) -> Output {
+    let program = Path::new(ROOT).join("target/tools/bin/fusesoc");
+    let (target, name) = (
+        format!("--target={target}"),
+        format!("imogene:ip:{}", unit.name()),
+    );
+    let arguments = ["--cores-root", "cores", "run", &target, &name];
+    run(&program.to_string_lossy(), &arguments, folder)
+}
+
+fn is_full() -> bool {
+    std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
+}
+
+#[test]
+fn fusesoc_runs_every_core() {
+    if !is_full() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a scratch folder");
+    write(
+        &folder.path().join("cores"),
+        &package(500).expect("every unit"),
+    );
+    for unit in Unit::ALL {
+        for target in ["lint", "sim"] {
+            let done = fusesoc(folder.path(), target, unit);
+            assert!(done.status.success(), "{target} {}: {done:?}", unit.name());
+        }
+    }
+    let done = fusesoc(folder.path(), "synth", Unit::Pe1);
+    assert!(done.status.success(), "synth: {done:?}");
+}
+
+#[test]
+fn fusesoc_reports_a_wrong_vector_and_a_lint_warning() {
+    if !is_full() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a scratch folder");
+    let mut files = core(Unit::CutPlane, 300).expect("a core");
+    spoil(&mut files);
+    for (name, text) in &mut files {
+        if name == "rtl/cut_plane.v" {
+            *text = text.replace("endmodule", "  wire [3:0] spare = 5'd17;\nendmodule");
+        }
+    }
+    write(&folder.path().join("cores"), &files);
+    for target in ["lint", "sim"] {
+        let done = fusesoc(folder.path(), target, Unit::CutPlane);
+        assert!(!done.status.success(), "{target}: {done:?}");
+    }
+}

@@ -1,0 +1,242 @@
+//! The coefficient store and the beam machine, fed over the load bus.
+
+use super::processor::{even_differences, plausible, port, ports, words_of};
+use super::{Description, Late, bit};
+use crate::signal::Signal;
+use crate::stimulus::word;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::machine::decider::{Visible, decide, latency as tree_latency};
+use imogene_models::machine::raster::RasterControl;
+use imogene_models::object::quadric::{QuadricProcessor, latency};
+use proptest::prelude::*;
+
+/// Words before those of the planes (`docs/architecture.md`, section 7).
+const OBJECT_WORDS: usize = 24;
+/// Words of a plane.
+const PLANE_WORDS: usize = 7;
+/// Where the words of the box and the control word begin.
+const BOX: usize = 21;
+/// First column of a store that was never loaded, which makes its box empty.
+const NEVER_LOADED: u64 = 4095;
+
+/// Where each coefficient port of a processor lies on the load bus, in the order of the ports: address and lowest bit.
+fn places(planes: usize) -> Vec<(usize, u32)> {
+    let mut list: Vec<(usize, u32)> = (0..BOX).map(|address| (address, 0)).collect();
+    list.extend([(BOX, 0), (BOX, 12), (BOX + 1, 0), (BOX + 1, 12)]);
+    list.extend([(BOX + 2, 0), (BOX + 2, 2)]);
+    list.extend((OBJECT_WORDS..OBJECT_WORDS + PLANE_WORDS * planes).map(|address| (address, 0)));
+    list
+}
+
+/// The words of one slot.
+#[derive(Clone)]
+struct Slot(Vec<u64>);
+
+impl Slot {
+    fn new(planes: usize) -> Slot {
+        let mut words = vec![0; OBJECT_WORDS + PLANE_WORDS * planes];
+        words[BOX] = NEVER_LOADED;
+        Slot(words)
+    }
+
+    /// Writes a word; an address beyond the last is ignored.
+    fn write(&mut self, address: i64, data: i64) {
+        if let Some(word) = self.0.get_mut(address as usize) {
+            *word = data as u64;
+        }
+    }
+
+    /// The values of the coefficient ports.
+    fn values(&self, ports: &[Signal], places: &[(usize, u32)]) -> Vec<i64> {
+        let value = |(signal, &(address, low)): (&Signal, &(usize, u32))| {
+            signal.value(self.0[address] >> low)
+        };
+        ports.iter().zip(places).map(value).collect()
+    }
+}
+
+/// The words on the load bus that give the coefficient ports these values.
+fn bus_words(ports: &[Signal], planes: usize, values: &[i64]) -> Vec<u64> {
+    let mut words = vec![0; OBJECT_WORDS + PLANE_WORDS * planes];
+    for ((signal, &value), (address, low)) in ports.iter().zip(values).zip(places(planes)) {
+        words[address] |= signal.bits(value) << low;
+    }
+    words
+}
+
+pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
+    let outputs = ports(&format, planes).split_off(port::F1);
+    let stated = outputs.clone();
+    Description {
+        name: "coefficient_store".into(),
+        inputs: vec![
+            Signal::bit("write"),
+            Signal::unsigned("address", 8),
+            Signal::unsigned("data", format.quadratic),
+        ],
+        outputs,
+        golden: Box::new(move || {
+            let mut slot = Slot::new(planes);
+            let (ports, places) = (stated.clone(), places(planes));
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[0]) {
+                    slot.write(i[1], i[2]);
+                }
+                let values = slot.values(&ports, &places);
+                values.into_iter().map(Some).collect()
+            }))
+        }),
+        stimulus: writes,
+    }
+}
+
+/// Writes to every address and just beyond, now and then none.
+fn writes(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let addresses = subject.outputs.len() as i64;
+    let one = (
+        prop_oneof![4 => Just(1i64), 1 => Just(0)],
+        prop_oneof![9 => 0..addresses, 1 => 0i64..256],
+        word(&subject.inputs[2]),
+    )
+        .prop_map(|(write, address, data)| vec![write, address, data]);
+    proptest::collection::vec(one, clocks).boxed()
+}
+
+pub(super) fn beam(
+    format: Format,
+    objects: usize,
+    planes: usize,
+    rows_per_stage: usize,
+) -> Description {
+    Description {
+        name: "beam".into(),
+        inputs: vec![
+            Signal::bit("go"),
+            Signal::unsigned("width", 12),
+            Signal::unsigned("height", 12),
+            Signal::bit("load_valid"),
+            Signal::unsigned("load_object", 8),
+            Signal::unsigned("load_address", 8),
+            Signal::unsigned("load_data", format.quadratic),
+        ],
+        outputs: vec![
+            Signal::bit("valid"),
+            Signal::signed("depth", format.depth),
+            Signal::unsigned("id", 8),
+            Signal::unsigned("number", 4),
+            Signal::signed("nx", 16),
+            Signal::signed("ny", 16),
+            Signal::signed("nz", 16),
+        ],
+        golden: Box::new(move || {
+            let mut machine = Machine::new(format, objects, planes);
+            let clocks =
+                1 + latency(&format, planes, rows_per_stage as u32) + tree_latency(objects);
+            let mut late = Late::new(clocks as usize);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                // Before the first pixel can come out, valid is low as ever without one.
+                match late.push(machine.clock(i)).flatten() {
+                    Some(v) => {
+                        let [nx, ny, nz] = v.normal.map(i64::from);
+                        [1, v.depth, v.id.into(), v.number.into(), nx, ny, nz]
+                            .map(Some)
+                            .to_vec()
+                    }
+                    None => [vec![Some(0)], vec![None; 6]].concat(),
+                }
+            }))
+        }),
+        stimulus: pictures,
+    }
+}
+
+/// The golden machine: slots, raster and processors. Words do not change while a zone is drawn.
+struct Machine {
+    format: Format,
+    planes: usize,
+    ports: Vec<Signal>,
+    places: Vec<(usize, u32)>,
+    slots: Vec<Slot>,
+    raster: RasterControl,
+    processors: Vec<QuadricProcessor>,
+}
+
+impl Machine {
+    fn new(format: Format, objects: usize, planes: usize) -> Machine {
+        Machine {
+            format,
+            planes,
+            ports: ports(&format, planes).split_off(port::F1),
+            places: places(planes),
+            slots: vec![Slot::new(planes); objects],
+            raster: RasterControl::default(),
+            processors: Vec::new(),
+        }
+    }
+
+    fn clock(&mut self, i: &[i64]) -> Option<Visible> {
+        if bit(i[3])
+            && let Some(slot) = self.slots.get_mut(i[4] as usize)
+        {
+            slot.write(i[5], i[6]);
+        }
+        let pixel = self.raster.clock(bit(i[0]), i[1] as u16, i[2] as u16)?;
+        if pixel.start {
+            self.processors = self.slots.iter().map(|slot| self.processor(slot)).collect();
+        } else if pixel.line {
+            self.processors
+                .iter_mut()
+                .for_each(QuadricProcessor::line_step);
+        }
+        let seen: Vec<Visible> = self
+            .processors
+            .iter_mut()
+            .enumerate()
+            .map(|(id, processor)| Visible::of(&processor.pixel(), id as u8))
+            .collect();
+        Some(decide(&seen))
+    }
+
+    fn processor(&self, slot: &Slot) -> QuadricProcessor {
+        let mut values = vec![0; port::F1];
+        values.extend(slot.values(&self.ports, &self.places));
+        QuadricProcessor::zone_start(&words_of(&values, self.planes), &self.format)
+    }
+}
+
+/// The shape of a machine that emitted ports do not show.
+const OPTIONS: [&str; 2] = ["--planes ", "--objects "];
+
+fn option(subject: &Subject, name: &str) -> usize {
+    let rest = subject.options.split(name).nth(1);
+    rest.and_then(|text| text.split(' ').next())
+        .and_then(|number| number.parse().ok())
+        .expect("the options of a beam machine name planes and objects")
+}
+
+/// Every slot loaded with a plausible object, the last one sometimes left alone; then one zone in `clocks` clocks.
+fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let [planes, objects] = OPTIONS.map(|name| option(subject, name));
+    let data = subject.inputs[6].clone();
+    let format = Format::new(data.width / 2).expect("a quadratic word of the catalogue");
+    let all = ports(&format, planes);
+    let words = proptest::collection::vec(plausible(&all).prop_map(even_differences), objects);
+    (words, 1i64..24, any::<bool>())
+        .prop_map(move |(words, width, skip_last)| {
+            let mut list: Vec<Inputs> = Vec::new();
+            let loaded = objects - usize::from(skip_last && objects > 1);
+            for (object, values) in words[..loaded].iter().enumerate() {
+                let words = bus_words(&all[port::F1..], planes, values);
+                list.extend(words.iter().enumerate().map(|(address, &bits)| {
+                    vec![0, 0, 0, 1, object as i64, address as i64, data.value(bits)]
+                }));
+            }
+            let height = (clocks as i64 / width).clamp(1, 40);
+            for clock in 0..clocks {
+                list.push(vec![i64::from(clock == 0), width, height, 0, 0, 0, 0]);
+            }
+            list
+        })
+        .boxed()
+}
