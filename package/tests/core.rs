@@ -172,8 +172,13 @@ fn fusesoc_reports_a_wrong_vector_and_a_lint_warning() {
         }
     }
     write(&folder.path().join("cores"), &files);
-    for target in ["lint", "sim"] {
+    for (target, reason) in [("lint", "%Warning-WIDTH"), ("sim", "DONE 1")] {
         let done = fusesoc(folder.path(), target, Unit::CutPlane);
-        assert!(!done.status.success(), "{target}: {done:?}");
+        let text = [done.stdout, done.stderr].concat();
+        let text = String::from_utf8_lossy(&text);
+        assert!(
+            !done.status.success() && text.contains(reason),
+            "{target}: {text}"
+        );
     }
 }
