@@ -15,8 +15,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 /// What every unit does about reset.
-pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something only for inputs that were \
-    valid, and state left by earlier inputs is overwritten by the next start";
+pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something under valid only, or where there is none after the latency has passed";
 
 /// Symbols of the parameters in formulas.
 const SYMBOLS: [(&str, &str); 5] = [
