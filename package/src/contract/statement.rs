@@ -98,7 +98,7 @@ const fn error(unit: Unit) -> &'static str {
             "exact after clamping; whoever makes the coefficients proves that the plane fits its words"
         }
         Unit::NormalUnit => {
-            "exact in its integer words; against a normal in real numbers: the product K r loses the places shifted out and 6 bits, the result the low 8 of 24 bits, all downwards"
+            "exact in its integer words; against a normal in real numbers: the product K r loses the places shifted out and 6 bits, the result the low 8 of 24 bits, each by a floor"
         }
         Unit::QuadricProcessor | Unit::Beam => {
             "exact in its integer words; `imogene check SCENE` bounds what the rounding of a scene to those words costs"
