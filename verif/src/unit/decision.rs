@@ -40,14 +40,18 @@ fn flat(v: &Visible) -> Vec<Option<i64>> {
         .to_vec()
 }
 
-/// Inputs with distinct ids in random order and depths that often tie.
+/// Inputs with ids in random order, scattered, neighbours or all the same, and depths that often tie.
 fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let count = subject.inputs.len() / FIELDS;
     let width = subject.inputs[0].width;
     let ids: Vec<i64> = (0..256).collect();
+    let scattered = proptest::sample::subsequence(ids, count);
+    let neighbours = (0..=256 - count as i64)
+        .prop_map(move |first| (first..first + count as i64).collect::<Vec<i64>>());
+    let same = (0i64..256).prop_map(move |id| vec![id; count]);
     let payload = (0i64..16, any::<[i16; 3]>());
     let one = (
-        proptest::sample::subsequence(ids, count).prop_shuffle(),
+        prop_oneof![scattered, neighbours, same].prop_shuffle(),
         proptest::collection::vec((depth(width), payload), count),
     )
         .prop_map(|(ids, fields)| {

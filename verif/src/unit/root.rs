@@ -67,19 +67,28 @@ pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     }
 }
 
-/// The f1 processor starts later than the f2 processor, so coefficients must not change between: one set per stimulus.
+/// Sets of coefficients in a stimulus.
+const SETS: usize = 4;
+/// Clocks without a pixel between two sets, more than the deepest network has.
+const PAUSE: usize = 40;
+
+/// The f1 processor starts later than the f2 processor, so coefficients change only when the pipeline has drained.
 fn coefficients_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    raster(&subject.inputs, clocks)
-        .prop_map(|mut list| {
-            let held: Vec<i64> = list[0][3..].to_vec();
-            for inputs in &mut list {
-                inputs[3..].copy_from_slice(&held);
-                // Second differences are even: they are twice a coefficient.
-                inputs[6] &= !1;
-                inputs[7] &= !1;
-            }
-            list
-        })
+    let one_set = raster(&subject.inputs, (clocks / SETS).max(1)).prop_map(|mut list| {
+        let held: Vec<i64> = list[0][3..].to_vec();
+        for inputs in &mut list {
+            inputs[3..].copy_from_slice(&held);
+            // Second differences are even: they are twice a coefficient.
+            inputs[6] &= !1;
+            inputs[7] &= !1;
+        }
+        let mut rest = list[0].clone();
+        rest[..3].fill(0);
+        list.extend(std::iter::repeat_n(rest, PAUSE));
+        list
+    });
+    proptest::collection::vec(one_set, SETS)
+        .prop_map(|sets| sets.concat())
         .boxed()
 }
 
