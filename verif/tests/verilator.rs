@@ -49,7 +49,11 @@ fn emitted_units_agree_with_their_golden_models() {
 #[test]
 fn a_fault_in_the_verilog_is_found_and_shown() {
     let faults = [
-        ("pe1", "line_value <= next_line;", "line_value <= c;"),
+        (
+            "pe1",
+            "line_value <= line_begin;",
+            "line_value <= next_line;",
+        ),
         ("cut_plane", "zp < zb", "zp <= zb"),
     ];
     for (name, right, wrong) in faults {
