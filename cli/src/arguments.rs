@@ -1,7 +1,9 @@
 //! Arguments of every command.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
+use imogene_verif::unit::Parameters;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -40,6 +42,8 @@ pub enum Command {
     Prepare(Prepare),
     /// Compare hardware and golden model clock by clock, for a scene or a unit.
     Cosim(Cosim),
+    /// Measure how fast the engines run a unit: clocks per second alone, with the scoreboard, with waveforms.
+    Speed(Speed),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
     Check(Check),
     /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
@@ -119,6 +123,20 @@ pub struct Shape {
     /// Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2.
     #[arg(long, value_name = "C")]
     pub corrections: Option<usize>,
+}
+
+impl Shape {
+    /// The same for a co-simulation.
+    pub fn parameters(&self) -> Parameters {
+        Parameters {
+            depth_word: self.format,
+            planes: self.planes,
+            rows_per_stage: self.rows_per_stage,
+            objects: self.objects,
+            digits: self.digits,
+            corrections: self.corrections,
+        }
+    }
 }
 
 /// Arguments of `emit`.
@@ -271,10 +289,21 @@ pub struct Bounds {
 pub enum EngineName {
     /// The built-in simulator; needs no outside tool.
     RustHdl,
-    /// The emitted Verilog in Icarus Verilog (units only).
+    /// The emitted Verilog in Icarus Verilog.
     Icarus,
     /// The emitted Verilog in Verilator.
     Verilator,
+}
+
+impl EngineName {
+    /// The simulator of Verilog that it is, if it is one.
+    pub fn simulator(self) -> Option<Simulator> {
+        match self {
+            EngineName::RustHdl => None,
+            EngineName::Icarus => Some(Simulator::Icarus),
+            EngineName::Verilator => Some(Simulator::Verilator),
+        }
+    }
 }
 
 /// Arguments of `cosim`.
@@ -285,6 +314,9 @@ pub struct Cosim {
     /// What runs the hardware.
     #[arg(long, value_enum, default_value_t = EngineName::RustHdl)]
     pub engine: EngineName,
+    /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    #[arg(long, value_name = "T")]
+    pub netlist: Option<String>,
     /// Waveforms of hardware and golden model (VCD), with a GTKWave save file beside it.
     #[arg(long, value_name = "FILE.vcd")]
     pub vcd: Option<PathBuf>,
@@ -306,6 +338,20 @@ pub struct Cosim {
     /// Flip one bit of one coefficient word in the hardware, to see it found.
     #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
     pub inject_fault: Option<FaultArgument>,
+}
+
+/// Arguments of `speed`.
+#[derive(Debug, Args)]
+pub struct Speed {
+    /// Unit, as listed by `imogene units`.
+    #[arg(default_value = "quadric_processor")]
+    pub unit: String,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Seconds for each engine and each kind of work.
+    #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
+    pub seconds: u32,
 }
 
 /// Arguments of `synth`.

@@ -22,6 +22,7 @@ fn main() -> ExitCode {
         Command::Render(options) => command::render::run(options, json),
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
+        Command::Speed(options) => command::speed::run(options, json),
         Command::Check(options) => command::check::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),

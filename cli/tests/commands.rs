@@ -260,6 +260,51 @@ fn cosim_of_a_unit_in_icarus() {
 }
 
 #[test]
+fn a_scene_in_icarus_has_waveforms_of_its_outputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let vcd = folder.path().join("cone.vcd");
+    let cone = scene("cone.toml");
+    let report = json(&[
+        "cosim",
+        cone.to_str().unwrap(),
+        "--size",
+        "32x24",
+        "--engine",
+        "icarus",
+        "--vcd",
+        vcd.to_str().unwrap(),
+    ]);
+    assert_eq!(
+        (&report["engine"], &report["pixels"]),
+        (&Value::from("icarus"), &Value::from(32 * 24))
+    );
+    assert_eq!(report["mismatches"], 0);
+    let text = std::fs::read_to_string(&vcd).unwrap();
+    assert!(text.contains("$scope module beam") && !text.contains("processor_0"));
+}
+
+#[test]
+fn the_engines_are_timed_side_by_side() {
+    let speeds = json(&["speed", "pe1", "--seconds", "1"]);
+    let rows = speeds.as_array().expect("a list");
+    assert_eq!(rows.len(), 9);
+    for row in rows {
+        assert_keys(
+            row,
+            &[
+                "engine",
+                "work",
+                "clocks_per_second",
+                "ratio",
+                "frame_seconds",
+            ],
+        );
+    }
+    assert_eq!(rows[0]["engine"], "rust-hdl");
+    assert_eq!(rows[0]["ratio"], 1.0);
+}
+
+#[test]
 fn guard_bits_sharpen_the_bounds_of_a_check() {
     let cone = scene("cone.toml");
     let depth = |guards: &str| {

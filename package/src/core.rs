@@ -3,7 +3,7 @@
 use crate::contract::{Contract, ContractError, of_emitted};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitError, EmitRequest, emit};
-use imogene_verif::icarus::bench_files;
+use imogene_verif::bench;
 use imogene_verif::unit::{Parameters, UnitError, subject};
 use std::fmt::Write;
 use thiserror::Error;
@@ -76,7 +76,7 @@ pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, PackageError> {
     if clocks > 0 {
         let subject = subject(unit.name(), parameters)?;
         let stimulus = subject.seeded_stimulus(clocks, SEED);
-        let bench = bench_files(&subject, &emitted.top, &stimulus);
+        let bench = bench::files(&subject, &emitted.top, &stimulus);
         files.extend(
             bench
                 .into_iter()

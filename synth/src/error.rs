@@ -17,6 +17,24 @@ pub enum SynthError {
         /// The name asked for.
         name: String,
     },
+    /// A target whose cells have no simulation models here.
+    #[error(
+        "the netlist for `{target}` cannot be simulated; targets with models of their cells: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k"
+    )]
+    NoModels {
+        /// The target.
+        target: &'static str,
+    },
+    /// A cell without a simulation model.
+    #[error(
+        "the netlist for `{target}` has the cell `{cell}`, of which Yosys has no simulation model; ice40-hx8k has models of all its cells"
+    )]
+    NoModel {
+        /// The cell.
+        cell: String,
+        /// The target.
+        target: &'static str,
+    },
     /// A tool is not installed.
     #[error(
         "`{tool}` is not installed (Python package {package}); `scripts/setup --synth` installs it, or set {} to the folder \

@@ -198,7 +198,7 @@ fn seed_result(seed: usize, report: RouteReport) -> Result<SeedResult, SynthErro
     })
 }
 
-fn write(folder: &Path, name: &str, text: &str) -> Result<(), SynthError> {
+pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<(), SynthError> {
     let path = folder.join(name);
     std::fs::write(&path, text).map_err(SynthError::file(&path))
 }

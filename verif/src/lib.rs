@@ -4,10 +4,10 @@
 //! every output on every clock; [`unit`](mod@unit) has one for each unit, [`scene`] does the same for a whole machine drawing a scene.
 //! [`trace`] writes the waveforms of both. The hardware runs in an [`engine`]; [`mutation`] measures what the stimuli notice.
 
+pub mod bench;
 pub mod engine;
 pub mod extremes;
 pub mod formal;
-pub mod icarus;
 pub mod mutation;
 pub mod random;
 pub mod report;

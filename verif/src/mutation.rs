@@ -15,7 +15,7 @@ pub mod table;
 
 pub use list::Mutant;
 
-use crate::engine::verilator::VerilatorError;
+use crate::engine::design::DesignError;
 use crate::signal::Signal;
 use crate::subject::Subject;
 use crate::tool::{ToolError, write};
@@ -57,7 +57,7 @@ pub enum MutationError {
     Tool(#[from] ToolError),
     /// The mutants cannot be compiled or loaded.
     #[error(transparent)]
-    Verilator(#[from] VerilatorError),
+    Verilator(#[from] DesignError),
     /// The unit itself, without a mutation, differs from the golden model.
     #[error(
         "{unit} without a mutation differs from its golden model at clock {clock} of stimulus {stimulus}; a score means nothing"

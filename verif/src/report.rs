@@ -16,8 +16,8 @@ pub struct Mismatch {
     pub pixel: Option<(i64, i64)>,
     /// Name of the signal.
     pub signal: String,
-    /// Value of the hardware.
-    pub hardware: i64,
+    /// Value of the hardware; none where it has an undefined bit.
+    pub hardware: Option<i64>,
     /// Value of the golden model.
     pub golden: i64,
 }
@@ -28,11 +28,11 @@ impl fmt::Display for Mismatch {
         if let Some((x, y)) = self.pixel {
             write!(f, ", pixel ({x}, {y})")?;
         }
-        write!(
-            f,
-            ": {} is {} in hardware, {} in the golden model",
-            self.signal, self.hardware, self.golden
-        )
+        match self.hardware {
+            Some(value) => write!(f, ": {} is {value} in hardware", self.signal),
+            None => write!(f, ": {} has undefined bits in hardware", self.signal),
+        }?;
+        write!(f, ", {} in the golden model", self.golden)
     }
 }
 
@@ -43,6 +43,8 @@ pub struct Report {
     pub subject: String,
     /// Engine that ran the hardware.
     pub engine: String,
+    /// Target whose netlist was run in place of the hardware's description, if one was.
+    pub netlist: Option<String>,
     /// Clocks compared.
     pub cycles: u64,
     /// Pixels (or results) compared.

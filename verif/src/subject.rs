@@ -10,10 +10,10 @@ use std::time::Instant;
 /// One clock's values of the input ports, in their order.
 pub type Inputs = Vec<i64>;
 
-/// A clocked design: inputs before the edge, outputs after it.
+/// A clocked design: inputs before the edge, outputs after it; `None` where the engine shows an undefined bit.
 pub trait Hardware: Send {
     /// One clock.
-    fn clock(&mut self, inputs: &[i64]) -> Vec<i64>;
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;
 }
 
 /// The golden model of a design, clock by clock; `None` where it states nothing (before the first start, in an invalid clock).
@@ -23,8 +23,8 @@ pub trait Golden: Send {
 }
 
 impl<F: FnMut(&[i64]) -> Vec<i64> + Send> Hardware for F {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<i64> {
-        self(inputs)
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+        self(inputs).into_iter().map(Some).collect()
     }
 }
 
@@ -124,7 +124,7 @@ impl Subject {
                 hardware,
                 golden,
             };
-            report.compare(mismatch, hardware == golden);
+            report.compare(mismatch, hardware == Some(golden));
         }
         report.pixels += u64::from(stated);
     }

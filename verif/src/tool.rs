@@ -22,6 +22,16 @@ pub const VERILATOR: Program = Program {
     name: "verilator",
     package: "verilator",
 };
+/// The compiler of Icarus Verilog.
+pub const ICARUS: Program = Program {
+    name: "iverilog",
+    package: "iverilog",
+};
+/// The run time of Icarus Verilog.
+pub const VVP: Program = Program {
+    name: "vvp",
+    package: "iverilog",
+};
 /// The C++ compiler.
 pub const COMPILER: Program = Program {
     name: "g++",
@@ -82,10 +92,7 @@ impl Program {
             .args(arguments)
             .current_dir(folder)
             .output()
-            .map_err(|error| match error.kind() {
-                std::io::ErrorKind::NotFound => ToolError::Missing(*self),
-                _ => ToolError::file(Path::new(self.name))(error),
-            })?;
+            .map_err(|error| self.not_started(error))?;
         if output.status.success() {
             return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
         }
@@ -96,6 +103,14 @@ impl Program {
             program: self.name,
             message: lines[lines.len().saturating_sub(KEPT_LINES)..].join("\n"),
         })
+    }
+
+    /// Why the program did not start, from what the system says.
+    pub fn not_started(&self, error: std::io::Error) -> ToolError {
+        match error.kind() {
+            std::io::ErrorKind::NotFound => ToolError::Missing(*self),
+            _ => ToolError::file(Path::new(self.name))(error),
+        }
     }
 }
 

@@ -26,8 +26,8 @@ pub struct Group {
 pub struct Sample {
     /// Values of the stimulus.
     pub stimulus: Vec<i64>,
-    /// Values of the hardware after the edge.
-    pub hardware: Vec<i64>,
+    /// Values of the hardware after the edge; `None` where a bit is undefined.
+    pub hardware: Vec<Option<i64>>,
     /// Values of the golden model; `None` where it states nothing.
     pub golden: Vec<Option<i64>>,
 }
@@ -174,7 +174,7 @@ impl Sample {
         self.hardware
             .iter()
             .zip(&self.golden)
-            .any(|(hardware, golden)| golden.is_some_and(|g| g != *hardware))
+            .any(|(hardware, golden)| golden.is_some() && golden != hardware)
     }
 }
 
@@ -237,7 +237,7 @@ fn change(
     for (index, signal) in group.compared.iter().enumerate() {
         let value = now.hardware[index];
         if before.as_ref().map(|b| b.hardware[index]) != Some(value) {
-            write_value(writer, variables.hardware[index], signal, Some(value))?;
+            write_value(writer, variables.hardware[index], signal, value)?;
         }
         let value = now.golden[index];
         if before.as_ref().map(|b| b.golden[index]) != Some(value) {

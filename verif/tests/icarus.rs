@@ -1,8 +1,9 @@
-//! The emitted Verilog of every unit in Icarus Verilog against golden vectors. Needs the package 'iverilog' and fails without it.
+//! The emitted Verilog of every unit in Icarus Verilog against the golden models, by the scoreboard of every engine. Needs the package
+//! 'iverilog' and fails without it.
 
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::emit;
-use imogene_verif::icarus;
+use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::unit::{NAMES, Parameters, subject};
 
 /// Clocks per stimulus and stimuli per unit: at least 2 000 compared pixels, edges included.
@@ -13,17 +14,17 @@ fn check(name: &str, parameters: Parameters) {
     let unit = Unit::from_name(name).expect("a unit of the catalogue");
     let request = parameters.request(unit);
     let emitted = emit(&request).expect("a legal request");
-    let text = emitted.bundle();
     let subject = subject(name, parameters).expect("a legal subject");
+    let unit = with_verilog(subject, Simulator::Icarus, &emitted.top, &emitted.bundle())
+        .unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut pixels = 0;
     for seed in 0..STIMULI {
-        let stimulus = subject.seeded_stimulus(CLOCKS, seed);
-        let report = icarus::run(&subject, &emitted.top, &text, &stimulus)
-            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (report, _) = unit.run(&unit.seeded_stimulus(CLOCKS, seed), false);
+        assert_eq!(report.engine, "icarus");
         assert_eq!(
             report.mismatches, 0,
             "{name} {}, seed {seed}: {:?}",
-            subject.options, report.first_mismatches
+            unit.options, report.first_mismatches
         );
         pixels += report.pixels;
     }

@@ -3,7 +3,8 @@
 
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitRequest, emit};
-use imogene_verif::engine::verilator::{Model, verilate};
+use imogene_verif::engine::design::{DesignError, Simulator, Source, with_verilog};
+use imogene_verif::engine::verilator::Model;
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{NAMES, Parameters, subject};
@@ -21,6 +22,15 @@ fn verilog(name: &str) -> String {
     emitted.bundle()
 }
 
+fn compile(unit: &Subject, text: &str) -> Result<Model, DesignError> {
+    Model::compile(&Source {
+        top: &unit.name,
+        text,
+        inputs: &unit.inputs,
+        outputs: &unit.outputs,
+    })
+}
+
 fn base(name: &str) -> Subject {
     subject(name, Parameters::default()).expect("a legal subject")
 }
@@ -33,7 +43,8 @@ fn emitted_units_agree_with_their_golden_models() {
         REPRESENTATIVES.to_vec()
     };
     for name in names {
-        let unit = verilate(base(name), name, &verilog(name)).expect("a compiled unit");
+        let unit = with_verilog(base(name), Simulator::Verilator, name, &verilog(name))
+            .expect("a compiled unit");
         let (report, _) = random::run(&unit, CLOCKS, 11, false);
         assert_eq!(report.engine, "verilator");
         assert!(
@@ -47,29 +58,9 @@ fn emitted_units_agree_with_their_golden_models() {
 }
 
 #[test]
-fn a_fault_in_the_verilog_is_found_and_shown() {
-    let faults = [
-        (
-            "pe1",
-            "line_value <= line_begin;",
-            "line_value <= next_line;",
-        ),
-        ("cut_plane", "zp < zb", "zp <= zb"),
-    ];
-    for (name, right, wrong) in faults {
-        let text = verilog(name);
-        assert!(text.contains(right), "{name} has no '{right}'");
-        let broken = verilate(base(name), name, &text.replacen(right, wrong, 1)).expect("a unit");
-        let (report, trace) = random::run(&broken, CLOCKS, 11, true);
-        assert!(report.mismatches > 0, "{name}: '{wrong}' was not found");
-        assert!(trace.is_some_and(|trace| !trace.is_empty()));
-    }
-}
-
-#[test]
 fn instances_of_one_model_do_not_share_registers() {
     let unit = base("pe1");
-    let model = Model::compile("pe1", &verilog("pe1"), &unit.inputs, &unit.outputs).expect("pe1");
+    let model = compile(&unit, &verilog("pe1")).expect("pe1");
     let (mut one, mut other) = (model.instance(), model.instance());
     let mut value = [0];
     one.clock_words(&[1, 1, 0, 3, 0, 100], &mut value);
@@ -95,7 +86,7 @@ fn verilog_that_verilator_refuses_is_reported_and_not_kept() {
     for _ in 0..2 {
         let broken =
             verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
-        let outcome = Model::compile("pe1", &broken, &unit.inputs, &unit.outputs);
+        let outcome = compile(&unit, &broken);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");
     }

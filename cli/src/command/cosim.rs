@@ -1,18 +1,19 @@
 //! `imogene cosim`.
 
 use super::{describe, emit_request, extremes, frame_scene, threads, verdict};
-use crate::arguments::{Cosim, EngineName};
+use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::emit;
+use imogene_synth::{Target, netlist};
+use imogene_verif::engine::beam::BeamDesign;
+use imogene_verif::engine::design::with_verilog;
 use imogene_verif::engine::rust_hdl::RustHdl;
-use imogene_verif::engine::verilator::beam::BeamModel;
-use imogene_verif::engine::verilator::verilate;
+use imogene_verif::random;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
-use imogene_verif::unit::{self, Parameters};
-use imogene_verif::{icarus, random};
+use imogene_verif::unit;
 use std::path::Path;
 
 /// Clocks of the waveforms kept from the beginning of a scene.
@@ -37,78 +38,59 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
 }
 
 fn run_unit(options: &Cosim) -> Result<Report, Failure> {
-    let shape = options.shape;
-    let parameters = Parameters {
-        depth_word: shape.format,
-        planes: shape.planes,
-        rows_per_stage: shape.rows_per_stage,
-        objects: shape.objects,
-        digits: shape.digits,
-        corrections: shape.corrections,
-    };
+    let parameters = options.shape.parameters();
     let subject = unit::subject(&options.subject, parameters).map_err(Failure::input)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
         ));
     }
-    let subject = match options.engine {
-        EngineName::Verilator => {
-            let (top, text) = verilog(options)?;
-            verilate(subject, &top, &text).map_err(Failure::input)?
-        }
-        EngineName::RustHdl | EngineName::Icarus => subject,
-    };
-    let (mut report, trace) = match options.engine {
-        EngineName::RustHdl | EngineName::Verilator => random::run(
-            &subject,
-            options.clocks,
-            options.seed,
-            options.vcd.is_some(),
-        ),
-        EngineName::Icarus if options.vcd.is_some() => {
+    let subject = match options.engine.simulator() {
+        None if options.netlist.is_some() => {
             return Err(Failure::Input(
-                "--vcd is written by the engines rust-hdl and verilator; the engine icarus only compares".into(),
+                "a netlist is Verilog, which the engine rust-hdl does not run; give --engine icarus or --engine verilator".into(),
             ));
         }
-        EngineName::Icarus => {
+        None => subject,
+        Some(simulator) => {
             let (top, text) = verilog(options)?;
-            let stimuli = random::stimuli(&subject, options.clocks, options.seed);
-            (
-                icarus::run_all(&subject, &top, &text, &stimuli).map_err(Failure::input)?,
-                None,
-            )
+            with_verilog(subject, simulator, &top, &text).map_err(Failure::input)?
         }
     };
+    let wants_trace = options.vcd.is_some();
+    let (mut report, trace) = random::run(&subject, options.clocks, options.seed, wants_trace);
     if let (Some(trace), Some(path)) = (trace, &options.vcd) {
         report.files = trace.write(path).map_err(Failure::input)?;
     }
     report.seed = Some(options.seed);
+    report.netlist = options.netlist.clone();
     report.reproduce = format!(
         "imogene cosim {} --engine {} {} --clocks {} --seed {}",
         options.subject, report.engine, subject.options, options.clocks, options.seed
     );
+    if let Some(target) = &report.netlist {
+        report.reproduce += &format!(" --netlist {target}");
+    }
     Ok(report)
 }
 
-/// Name of the top module and text of the unit's Verilog.
+/// Name of the top module and text of the unit's Verilog, or of its netlist.
 fn verilog(options: &Cosim) -> Result<(String, String), Failure> {
     let request = emit_request(&options.subject, options.shape)?;
+    if let Some(target) = &options.netlist {
+        let target = Target::from_name(target).map_err(Failure::input)?;
+        let netlist = netlist(&request, target).map_err(Failure::input)?;
+        return Ok((netlist.top, netlist.text));
+    }
     let emitted = emit(&request).map_err(Failure::input)?;
     let text = emitted.bundle();
     Ok((emitted.top, text))
 }
 
 fn run_scene(options: &Cosim) -> Result<Report, Failure> {
-    if options.engine == EngineName::Icarus {
+    if options.netlist.is_some() {
         return Err(Failure::Input(
-            "a scene is co-simulated by the engines rust-hdl and verilator; the engine icarus takes a unit".into(),
-        ));
-    }
-    if options.engine == EngineName::Verilator && options.vcd.is_some() {
-        return Err(Failure::Input(
-            "--vcd of a scene shows the inside of a processor, which only the engine rust-hdl does"
-                .into(),
+            "--netlist takes a unit; a scene runs on the emitted Verilog of a whole machine".into(),
         ));
     }
     let path = Path::new(&options.subject);
@@ -133,19 +115,23 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     };
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
     let bar = output::progress(pixels, "hardware in simulation");
-    let (mut report, _) = if options.engine == EngineName::Verilator {
-        let shape =
-            scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
-        let model = BeamModel::compile(&shape).map_err(Failure::input)?;
-        scene::run(&prepared, &run_options, |_| model.machine(), || bar.inc(1))
-    } else {
-        let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
-        scene::run(&prepared, &run_options, engine, || bar.inc(1))
-    }
-    .map_err(Failure::input)?;
+    let pixel_done = || bar.inc(1);
+    let outcome = match options.engine.simulator() {
+        Some(simulator) => {
+            let shape =
+                scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
+            let design = BeamDesign::compile(simulator, &shape).map_err(Failure::input)?;
+            scene::run(&prepared, &run_options, |_| design.machine(), pixel_done)
+        }
+        None => {
+            let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+            scene::run(&prepared, &run_options, engine, pixel_done)
+        }
+    };
+    let (mut report, _) = outcome.map_err(Failure::input)?;
     bar.finish_and_clear();
-    if options.engine == EngineName::Verilator {
-        report.engine = "verilator".into();
+    if let Some(simulator) = options.engine.simulator() {
+        report.engine = simulator.name().into();
     }
     report.subject = options.subject.clone();
     report.reproduce = format!(

@@ -13,6 +13,7 @@ pub mod prepare;
 pub mod prove;
 pub mod render;
 pub mod roots;
+pub mod speed;
 pub mod synth;
 pub mod units;
 

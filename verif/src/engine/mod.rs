@@ -1,6 +1,13 @@
-//! Engines that run the hardware of a beam machine, behind one trait.
+//! Engines that run the hardware: rust-hdl in process, and the emitted Verilog in Icarus Verilog or Verilator.
+//!
+//! A unit runs behind [`Hardware`](crate::subject::Hardware), a beam machine behind [`Engine`]; both get the same stimulus and the same
+//! scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
+pub mod beam;
+pub mod design;
+pub mod icarus;
 pub mod rust_hdl;
+pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
@@ -34,19 +41,31 @@ pub struct MachineInputs {
 /// Outputs of a beam machine after a clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MachineOutputs {
-    /// A pixel is there.
-    pub valid: bool,
-    /// Its depth word.
-    pub depth: i64,
-    /// Slot of the visible object.
-    pub id: u8,
-    /// Number of the visible face.
-    pub number: u8,
-    /// Normal of the visible face.
-    pub normal: [i16; 3],
+    /// Values of [`MachineOutputs::signals`]; `None` where the engine shows an undefined bit.
+    pub values: [Option<i64>; 7],
 }
 
-/// Something that runs the hardware clock by clock.
+impl MachineOutputs {
+    /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its visible face.
+    pub fn signals(depth_word: u32) -> Vec<Signal> {
+        vec![
+            Signal::bit("valid"),
+            Signal::signed("depth", depth_word),
+            Signal::unsigned("id", 8),
+            Signal::unsigned("number", 4),
+            Signal::signed("nx", 16),
+            Signal::signed("ny", 16),
+            Signal::signed("nz", 16),
+        ]
+    }
+
+    /// True if a pixel is there.
+    pub fn valid(&self) -> bool {
+        self.values[0] == Some(1)
+    }
+}
+
+/// Something that runs the hardware of a beam machine clock by clock.
 pub trait Engine {
     /// Writes one coefficient word; takes a clock.
     fn load(&mut self, object: u8, word: &LoadWord);
@@ -54,8 +73,15 @@ pub trait Engine {
     /// One clock without a write.
     fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs;
 
-    /// Values of the signals of [`processor_signals`] inside one slot, after the last clock; none where the engine shows only ports.
-    fn probe(&mut self, object: usize) -> Vec<i64>;
+    /// The signals inside a slot that this engine shows; none where it shows only ports.
+    fn inside(&self) -> Vec<ProbeSignal> {
+        Vec::new()
+    }
+
+    /// Values of the signals of [`Engine::inside`] in one slot, after the last clock.
+    fn probe(&mut self, _object: usize) -> Vec<i64> {
+        Vec::new()
+    }
 }
 
 /// A signal inside a quadric processor, and how many clocks after the raster flags it belongs to their pixel.

@@ -1,6 +1,6 @@
 //! The built-in engine: rust-hdl's own simulator, in process, no outside tool.
 
-use super::{Engine, MachineInputs, MachineOutputs, MachineShape, processor_signals};
+use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::emit::EmitError;
 use imogene_rtl::simulator::{BeamInputs, BeamSimulator, beam_simulator};
@@ -10,7 +10,7 @@ pub struct RustHdl {
     simulator: Box<dyn BeamSimulator>,
     /// Where the traced signals stand among the simulator's points; found at the first probe.
     places: Vec<usize>,
-    names: Vec<String>,
+    inside: Vec<ProbeSignal>,
 }
 
 impl RustHdl {
@@ -25,10 +25,7 @@ impl RustHdl {
         Ok(RustHdl {
             simulator,
             places: Vec::new(),
-            names: processor_signals(shape)
-                .into_iter()
-                .map(|s| s.signal.name)
-                .collect(),
+            inside: processor_signals(shape),
         })
     }
 }
@@ -44,25 +41,28 @@ impl Engine for RustHdl {
             width: inputs.width,
             height: inputs.height,
         });
+        let [nx, ny, nz] = outputs.normal.map(i64::from);
+        let (id, number) = (outputs.id.into(), outputs.number.into());
         MachineOutputs {
-            valid: outputs.valid,
-            depth: outputs.depth,
-            id: outputs.id,
-            number: outputs.number,
-            normal: outputs.normal,
+            values: [outputs.valid.into(), outputs.depth, id, number, nx, ny, nz].map(Some),
         }
+    }
+
+    fn inside(&self) -> Vec<ProbeSignal> {
+        self.inside.clone()
     }
 
     fn probe(&mut self, object: usize) -> Vec<i64> {
         let points = self.simulator.probe(object);
         if self.places.is_empty() {
-            let place = |name: &String| {
+            let place = |probe: &ProbeSignal| {
+                let name = &probe.signal.name;
                 points
                     .iter()
                     .position(|p| p.name == *name)
                     .unwrap_or_else(|| panic!("the processor has no point {name}"))
             };
-            self.places = self.names.iter().map(place).collect();
+            self.places = self.inside.iter().map(place).collect();
         }
         self.places.iter().map(|&k| points[k].value).collect()
     }

@@ -4,36 +4,15 @@
 //! the host needs to know nothing of the C++ that Verilator writes. Libraries are kept by what they depend on; see [`cache_folder`].
 //! Only ports are visible, and a register without initial value reads 0, where Icarus Verilog shows it undefined.
 
-pub mod beam;
 mod build;
 mod shim;
 
 pub use build::{CACHE_VARIABLE, cache_folder};
 
-use crate::signal::Signal;
-use crate::subject::{Hardware, Subject};
-use crate::tool::ToolError;
+use super::design::{Design, DesignError, Instance, Source};
 use libloading::Library;
 use std::ffi::c_void;
-use std::path::PathBuf;
 use std::sync::Arc;
-use thiserror::Error;
-
-/// Why a unit cannot be run in Verilator.
-#[derive(Debug, Error)]
-pub enum VerilatorError {
-    /// A program is missing or refused the design.
-    #[error(transparent)]
-    Tool(#[from] ToolError),
-    /// The library cannot be loaded.
-    #[error("{}: {source}; remove the file and try again", path.display())]
-    Load {
-        /// Library.
-        path: PathBuf,
-        /// What the loader says.
-        source: libloading::Error,
-    },
-}
 
 type Create = unsafe extern "C" fn() -> *mut c_void;
 type Destroy = unsafe extern "C" fn(*mut c_void);
@@ -47,27 +26,20 @@ pub struct Model {
     create: Create,
     destroy: Destroy,
     clock: Clock,
-    inputs: Arc<[Signal]>,
-    outputs: Arc<[Signal]>,
+    inputs: usize,
+    outputs: usize,
 }
 
 impl Model {
-    /// Compiles module `top` of a Verilog text, or takes the library that is kept from before.
-    ///
-    /// `inputs` and `outputs` are ports of the module by name, each at most 64 bits; the clock is the port `clock`.
+    /// Compiles a design, or takes the library that is kept from before.
     ///
     /// # Errors
     ///
     /// When Verilator or the C++ compiler is missing or refuses the text, or a file cannot be written.
-    pub fn compile(
-        top: &str,
-        text: &str,
-        inputs: &[Signal],
-        outputs: &[Signal],
-    ) -> Result<Model, VerilatorError> {
-        let sources = shim::Sources::new(top, text, inputs, outputs);
+    pub fn compile(source: &Source) -> Result<Model, DesignError> {
+        let sources = shim::Sources::new(source);
         let path = build::library(&sources)?;
-        let load = |source| VerilatorError::Load {
+        let load = |source| DesignError::Load {
             path: path.clone(),
             source,
         };
@@ -83,8 +55,8 @@ impl Model {
                 create,
                 destroy,
                 clock,
-                inputs: inputs.into(),
-                outputs: outputs.into(),
+                inputs: source.inputs.len(),
+                outputs: source.outputs.len(),
             })
         }
     }
@@ -94,8 +66,7 @@ impl Model {
         VerilatedUnit {
             // SAFETY: the library is loaded as long as `model` lives, which the instance holds.
             state: unsafe { (self.create)() },
-            words: vec![0; self.inputs.len()],
-            found: vec![0; self.outputs.len()],
+            found: vec![0; self.outputs],
             model: self.clone(),
         }
     }
@@ -104,7 +75,6 @@ impl Model {
 /// One instance of a design in Verilator.
 pub struct VerilatedUnit {
     state: *mut c_void,
-    words: Vec<u64>,
     found: Vec<u64>,
     model: Model,
 }
@@ -121,31 +91,27 @@ impl VerilatedUnit {
     ///
     /// When a slice has not one word per port.
     pub fn clock_words(&mut self, inputs: &[u64], outputs: &mut [u64]) {
-        assert_eq!(inputs.len(), self.model.inputs.len(), "words of the inputs");
-        assert_eq!(
-            outputs.len(),
-            self.model.outputs.len(),
-            "words of the outputs"
-        );
+        assert_eq!(inputs.len(), self.model.inputs, "words of the inputs");
+        assert_eq!(outputs.len(), self.model.outputs, "words of the outputs");
         // SAFETY: the state is alive, and both slices have the lengths for which the library was compiled.
         unsafe { (self.model.clock)(self.state, inputs.as_ptr(), outputs.as_mut_ptr()) }
     }
 }
 
-impl Hardware for VerilatedUnit {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<i64> {
-        let (mut words, mut found) = (
-            std::mem::take(&mut self.words),
-            std::mem::take(&mut self.found),
-        );
-        for ((word, signal), value) in words.iter_mut().zip(&*self.model.inputs).zip(inputs) {
-            *word = signal.bits(*value);
+impl Design for Model {
+    fn instance(&self) -> Box<dyn Instance> {
+        Box::new(Model::instance(self))
+    }
+}
+
+impl Instance for VerilatedUnit {
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
+        let mut found = std::mem::take(&mut self.found);
+        self.clock_words(inputs, &mut found);
+        for (place, word) in outputs.iter_mut().zip(&found) {
+            *place = Some(*word);
         }
-        self.clock_words(&words, &mut found);
-        let values = self.model.outputs.iter().zip(&found);
-        let values = values.map(|(signal, bits)| signal.value(*bits)).collect();
-        (self.words, self.found) = (words, found);
-        values
+        self.found = found;
     }
 }
 
@@ -154,18 +120,4 @@ impl Drop for VerilatedUnit {
         // SAFETY: the state was made by `create` and is used no more.
         unsafe { (self.model.destroy)(self.state) }
     }
-}
-
-/// Puts the emitted Verilog `text` (module `top`) in the place of the subject's hardware.
-///
-/// # Errors
-///
-/// As [`Model::compile`].
-pub fn verilate(subject: Subject, top: &str, text: &str) -> Result<Subject, VerilatorError> {
-    let model = Model::compile(top, text, &subject.inputs, &subject.outputs)?;
-    Ok(Subject {
-        engine: "verilator",
-        hardware: Box::new(move || Box::new(model.instance())),
-        ..subject
-    })
 }

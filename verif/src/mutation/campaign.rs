@@ -2,6 +2,7 @@
 
 use super::list::Mutant;
 use super::{MutationError, Options, netlist, selector};
+use crate::engine::design::Source;
 use crate::engine::verilator::{Model, VerilatedUnit};
 use crate::subject::Subject;
 use rayon::prelude::*;
@@ -63,7 +64,12 @@ pub(super) fn run(
     let text = netlist::all_mutants(folder, top, mutants)?;
     let mut inputs = subject.inputs.clone();
     inputs.push(selector(mutants.len()));
-    let model = Model::compile(top, &text, &inputs, &subject.outputs)?;
+    let model = Model::compile(&Source {
+        top,
+        text: &text,
+        inputs: &inputs,
+        outputs: &subject.outputs,
+    })?;
     let vectors: Vec<Vectors> = (0..options.stimuli)
         .into_par_iter()
         .map(|seed| Vectors::new(subject, options.clocks, seed))

@@ -2,11 +2,9 @@
 
 use super::golden::{GoldenMachine, probe_values};
 use super::{Fault, TraceRequest};
-use crate::engine::{
-    Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals,
-};
+use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal};
 use crate::report::{Mismatch, Report};
-use crate::signal::{Delay, Signal};
+use crate::signal::Delay;
 use crate::trace::{Group, Sample, Trace};
 use imogene_models::machine::decider::Visible;
 use imogene_models::machine::frame::Frame;
@@ -63,7 +61,9 @@ impl Band<'_> {
         let traced = self.trace.map(|request| request.object);
         let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
         let mut expected = Delay::new(first_pixel);
-        let mut recorder = self.trace.map(|request| Recorder::new(request, self));
+        let mut recorder = self
+            .trace
+            .map(|request| Recorder::new(request, self, engine.inside()));
         let mut report = Report::default();
         let mut frame = Frame::background(width, height, self.scene.format.z_max());
         for clock in 0..pixels + first_pixel {
@@ -86,7 +86,7 @@ impl Band<'_> {
                 self.score_inside(recorder, clock, &inside, &golden, &mut report);
                 recorder.clock(&outputs, stated, inside, golden, &report);
             }
-            if outputs.valid && index < pixels {
+            if outputs.valid() && index < pixels {
                 store(&mut frame, index, &outputs, self.scene.format.z_max());
                 pixel_done();
             }
@@ -130,27 +130,20 @@ impl Band<'_> {
     ) {
         let pixel = stated.map(|_| self.pixel(index));
         let cycle = report.cycles;
-        let mut compare = |signal: &str, hardware: i64, golden: i64| {
+        let golden = output_values(stated);
+        let signals = MachineOutputs::signals(self.shape.depth_word);
+        for ((signal, hardware), golden) in signals.iter().zip(outputs.values).zip(golden) {
+            let Some(golden) = golden else { continue };
             let mismatch = || Mismatch {
                 cycle,
                 pixel,
-                signal: signal.to_string(),
+                signal: signal.name.clone(),
                 hardware,
                 golden,
             };
-            report.compare(mismatch, hardware == golden);
-        };
-        compare("valid", outputs.valid.into(), stated.is_some().into());
-        if let Some(golden) = stated {
-            for ((signal, hardware), golden) in output_signals(self.shape.depth_word)
-                .iter()
-                .zip(output_values(outputs))
-                .zip(visible_values(&golden))
-            {
-                compare(&signal.name, hardware, golden);
-            }
-            report.pixels += 1;
+            report.compare(mismatch, hardware == Some(golden));
         }
+        report.pixels += u64::from(stated.is_some());
     }
 }
 
@@ -171,7 +164,7 @@ impl Band<'_> {
                 cycle,
                 pixel: Some(self.pixel(clock - probe.offset)),
                 signal: format!("processor_{}.{}", recorder.object, probe.signal.name),
-                hardware,
+                hardware: Some(hardware),
                 golden,
             };
             report.compare(mismatch, hardware == golden);
@@ -179,33 +172,25 @@ impl Band<'_> {
     }
 }
 
-fn output_signals(depth_word: u32) -> Vec<Signal> {
-    vec![
-        Signal::signed("depth", depth_word),
-        Signal::unsigned("id", 8),
-        Signal::unsigned("number", 4),
-        Signal::signed("nx", 16),
-        Signal::signed("ny", 16),
-        Signal::signed("nz", 16),
-    ]
-}
-
-fn output_values(o: &MachineOutputs) -> [i64; 6] {
-    let [nx, ny, nz] = o.normal.map(i64::from);
-    [o.depth, o.id.into(), o.number.into(), nx, ny, nz]
-}
-
-fn visible_values(v: &Visible) -> [i64; 6] {
+/// What the golden machine states of the outputs: no pixel, or all of it.
+fn output_values(stated: Option<Visible>) -> [Option<i64>; 7] {
+    let Some(v) = stated else {
+        let mut none = [None; 7];
+        none[0] = Some(0);
+        return none;
+    };
     let [nx, ny, nz] = v.normal.map(i64::from);
-    [v.depth, v.id.into(), v.number.into(), nx, ny, nz]
+    [1, v.depth, v.id.into(), v.number.into(), nx, ny, nz].map(Some)
 }
 
+/// Keeps a pixel; an undefined word is a mismatch and is drawn as 0.
 fn store(frame: &mut Frame, index: usize, outputs: &MachineOutputs, z_max: i64) {
-    frame.depth[index] = outputs.depth;
-    if outputs.depth != z_max {
-        frame.id[index] = outputs.id.into();
-        frame.number[index] = outputs.number;
-        frame.normal[index] = outputs.normal;
+    let [_, depth, id, number, nx, ny, nz] = outputs.values.map(Option::unwrap_or_default);
+    frame.depth[index] = depth;
+    if depth != z_max {
+        frame.id[index] = id as _;
+        frame.number[index] = number as _;
+        frame.normal[index] = [nx, ny, nz].map(|n| n as i16);
     }
 }
 
@@ -221,25 +206,22 @@ struct Recorder {
 }
 
 impl Recorder {
-    fn new(request: &TraceRequest, band: &Band) -> Recorder {
-        let signals = processor_signals(&band.shape);
+    fn new(request: &TraceRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
         // The middle line of the traced object.
         let line = super::middle_line(&band.objects[request.object]) as u64;
         let from = line * u64::from(band.scene.width);
-        let mut outputs = vec![Signal::bit("valid")];
-        outputs.extend(output_signals(band.shape.depth_word));
-        let groups = vec![
-            Group {
-                name: "beam".into(),
-                stimulus: vec![],
-                compared: outputs,
-            },
-            Group {
+        let mut groups = vec![Group {
+            name: "beam".into(),
+            stimulus: vec![],
+            compared: MachineOutputs::signals(band.shape.depth_word),
+        }];
+        if !signals.is_empty() {
+            groups.push(Group {
                 name: format!("processor_{}", request.object),
                 stimulus: vec![],
                 compared: signals.iter().map(|s| s.signal.clone()).collect(),
-            },
-        ];
+            });
+        }
         Recorder {
             trace: Trace::new(groups),
             object: request.object,
@@ -274,22 +256,17 @@ impl Recorder {
         }
         let machine = Sample {
             stimulus: vec![],
-            hardware: std::iter::once(outputs.valid.into())
-                .chain(output_values(outputs))
-                .collect(),
-            golden: std::iter::once(Some(stated.is_some().into()))
-                .chain(match stated {
-                    Some(v) => visible_values(&v).map(Some),
-                    None => [None; 6],
-                })
-                .collect(),
+            hardware: outputs.values.to_vec(),
+            golden: output_values(stated).to_vec(),
         };
-        let processor = Sample {
-            stimulus: vec![],
-            hardware: inside,
-            golden,
-        };
-        let samples = vec![machine, processor];
+        let mut samples = vec![machine];
+        if !self.signals.is_empty() {
+            samples.push(Sample {
+                stimulus: vec![],
+                hardware: inside.into_iter().map(Some).collect(),
+                golden,
+            });
+        }
         if self.window.contains(&report.cycles) {
             self.trace.record(report.cycles, samples);
         } else {

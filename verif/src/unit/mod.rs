@@ -210,16 +210,16 @@ impl UnitHardware {
 }
 
 impl Hardware for UnitHardware {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<i64> {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         let words: Vec<u64> = self
             .inputs
             .iter()
             .map(|(index, signal)| signal.bits(inputs[*index]))
             .collect();
         let found = self.simulator.clock(&words);
-        let mut values = vec![0; self.outputs.len()];
+        let mut values = vec![None; self.outputs.len()];
         for ((index, signal), bits) in self.outputs.iter().zip(found) {
-            values[*index] = signal.value(bits);
+            values[*index] = Some(signal.value(bits));
         }
         values
     }

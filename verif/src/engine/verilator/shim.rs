@@ -1,5 +1,6 @@
 //! The two texts put around a design: a Verilog module with numbered ports, and the C interface to what Verilator makes of it.
 
+use crate::engine::design::Source;
 use crate::signal::Signal;
 use std::fmt::Write as _;
 
@@ -22,7 +23,13 @@ pub(super) struct Sources {
 }
 
 impl Sources {
-    pub fn new(top: &str, text: &str, inputs: &[Signal], outputs: &[Signal]) -> Sources {
+    pub fn new(source: &Source) -> Sources {
+        let Source {
+            top,
+            text,
+            inputs,
+            outputs,
+        } = *source;
         Sources {
             verilog: format!("{text}\n{}", wrapper(top, inputs, outputs)),
             shim: shim(inputs.len(), outputs.len()),

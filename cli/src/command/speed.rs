@@ -1,0 +1,57 @@
+//! `imogene speed`.
+
+use super::emit_request;
+use crate::arguments::{EngineName, Speed};
+use crate::failure::Failure;
+use crate::output;
+use clap::ValueEnum;
+use imogene_rtl::emit::emit;
+use imogene_verif::engine::design::with_verilog;
+use imogene_verif::engine::speed::{self, FRAME, measure};
+use imogene_verif::subject::Subject;
+use imogene_verif::unit;
+use std::time::Duration;
+
+/// Measures how fast the engines run a unit, side by side.
+pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
+    let engines: Vec<Subject> = EngineName::value_variants()
+        .iter()
+        .map(|engine| subject(options, *engine))
+        .collect::<Result<_, Failure>>()?;
+    let seconds = Duration::from_secs(options.seconds.into());
+    let speeds = measure(&engines, seconds).map_err(Failure::input)?;
+    if json {
+        output::json(&speeds);
+    } else {
+        output::text(table(&options.unit, &engines[0].options, &speeds));
+    }
+    Ok(())
+}
+
+fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
+    let request = emit_request(&options.unit, options.shape)?;
+    let subject =
+        unit::subject(&options.unit, options.shape.parameters()).map_err(Failure::input)?;
+    let Some(simulator) = engine.simulator() else {
+        return Ok(subject);
+    };
+    let emitted = emit(&request).map_err(Failure::input)?;
+    with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::input)
+}
+
+fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {
+    let mut text = format!(
+        "{unit} {parameters}, one thread; a frame has {}x{} clocks\n{:<11} {:<12} {:>14} {:>8} {:>12} {:>15}",
+        FRAME.0, FRAME.1, "engine", "work", "clocks/second", "ratio", "frame", "VCD bytes/clock"
+    );
+    for s in speeds {
+        let work = format!("{:?}", s.work).to_lowercase();
+        let bytes = s.vcd_bytes_per_clock;
+        let bytes = bytes.map_or("-".into(), |bytes| format!("{bytes:.1}"));
+        text += &format!(
+            "\n{:<11} {work:<12} {:>14.0} {:>8.1} {:>10.2} s {bytes:>15}",
+            s.engine, s.clocks_per_second, s.ratio, s.frame_seconds
+        );
+    }
+    text
+}

@@ -1,0 +1,180 @@
+//! The netlist that synthesis makes of a unit, as Verilog that a simulator runs: what is on the device, not what was meant.
+
+use crate::error::SynthError;
+use crate::flow::write;
+use crate::target::{Family, Target};
+use crate::tools::Program;
+use crate::yosys;
+use imogene_rtl::emit::{EmitRequest, emit};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// A synthesised unit with the models of its cells.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Netlist {
+    /// Name of the top module; its ports are those of the unit.
+    pub top: String,
+    /// The netlist, and the simulation model of each cell in it from the library of Yosys.
+    pub text: String,
+    /// Cells by type.
+    pub cells: yosys::CellCounts,
+}
+
+const STATISTICS: &str = "netlist.stat";
+const NETLIST: &str = "netlist.v";
+
+/// Synthesises a unit, without a harness, before place and route.
+///
+/// # Errors
+///
+/// When the request is not legal, the target has no models of its cells, Yosys is missing or fails.
+pub fn netlist(request: &EmitRequest, target: Target) -> Result<Netlist, SynthError> {
+    let libraries = libraries(target)?;
+    let emitted = emit(request)?;
+    let yosys = Program::Yosys.find()?;
+    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    let folder = folder.path();
+    write(folder, "unit.v", &emitted.bundle())?;
+    let copies = libraries.iter().enumerate();
+    let copies = copies.map(|(k, file)| format!("write_file cells_{k}.v +/{file}"));
+    let script = format!(
+        // Single wires: a vector of which one bit depends on another looks like a loop to a simulator.
+        "read_verilog unit.v; {}; delete t:$scopeinfo; splitnets; write_verilog -noattr {NETLIST}; \
+         tee -q -o {STATISTICS} {}; {}",
+        target.synthesis(&emitted.top),
+        target.statistics(),
+        copies.collect::<Vec<_>>().join("; ")
+    );
+    yosys::run(&yosys, folder, &script)?;
+    let cells = yosys::parse_statistics(&read(folder, STATISTICS)?)?.cells;
+    let mut models = BTreeMap::new();
+    let mut text = read(folder, NETLIST)? + NO_PORT_DEFAULTS;
+    for k in 0..libraries.len() {
+        let library = read(folder, &format!("cells_{k}.v"))?;
+        text += &macros(&library);
+        models.extend(modules(&library));
+    }
+    for model in used(&models, &cells, target)? {
+        text.push('\n');
+        text += model;
+    }
+    Ok(Netlist {
+        top: emitted.top,
+        text,
+        cells,
+    })
+}
+
+/// The models of iCE40 give ports a default, which is SystemVerilog, unless they are told not to.
+const NO_PORT_DEFAULTS: &str = "\n`define NO_ICE40_DEFAULT_ASSIGNMENTS\n";
+
+/// Files of the library of Yosys that hold the models.
+fn libraries(target: Target) -> Result<&'static [&'static str], SynthError> {
+    match target.family() {
+        Family::Ice40 => Ok(&["ice40/cells_sim.v"]),
+        Family::Ecp5 => Ok(&[
+            "ecp5/cells_sim.v",
+            "ecp5/common_sim.vh",
+            "ecp5/ccu2c_sim.vh",
+        ]),
+        Family::Xilinx7 | Family::Gowin | Family::Gates => Err(SynthError::NoModels {
+            target: target.name(),
+        }),
+    }
+}
+
+fn read(folder: &Path, name: &str) -> Result<String, SynthError> {
+    let path = folder.join(name);
+    std::fs::read_to_string(&path).map_err(SynthError::file(&path))
+}
+
+/// The macros that a file defines before its first module.
+fn macros(text: &str) -> String {
+    let head = text.lines().take_while(|line| !line.starts_with("module "));
+    let directives = head.filter(|line| line.starts_with('`') && !line.starts_with("`include"));
+    directives.map(|line| format!("{line}\n")).collect()
+}
+
+/// The modules of a file by name, without the attributes before them.
+fn modules(text: &str) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    let mut current: Option<(String, String)> = None;
+    for line in text.lines() {
+        if let Some(rest) = line.strip_prefix("module ") {
+            let end = rest.find(|c: char| !is_word(c)).unwrap_or(rest.len());
+            current = Some((rest[..end].to_owned(), String::new()));
+        }
+        let Some((_, body)) = &mut current else {
+            continue;
+        };
+        body.push_str(line);
+        body.push('\n');
+        if line.starts_with("endmodule") {
+            found.extend(current.take());
+        }
+    }
+    found
+}
+
+fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// The models of the cells in a netlist, and of the cells in those.
+fn used<'a>(
+    models: &'a BTreeMap<String, String>,
+    cells: &yosys::CellCounts,
+    target: Target,
+) -> Result<Vec<&'a str>, SynthError> {
+    let mut open: Vec<&str> = cells.keys().map(String::as_str).collect();
+    let mut taken = BTreeSet::new();
+    while let Some(name) = open.pop() {
+        if !taken.insert(name) {
+            continue;
+        }
+        let (_, text) = models
+            .get_key_value(name)
+            .ok_or_else(|| SynthError::NoModel {
+                cell: name.to_owned(),
+                target: target.name(),
+            })?;
+        let words = text.split(|c| !is_word(c));
+        open.extend(words.filter(|word| models.contains_key(*word)));
+    }
+    Ok(taken.iter().map(|name| models[*name].as_str()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIBRARY: &str = "(* lib *)\nmodule ADD(output O, input A);\nLUT l(.A(A), .O(O));\nendmodule\nmodule LUT (output O, \
+                           input A);\nendmodule\n\nmodule OTHER(input A);\nendmodule\n";
+
+    #[test]
+    fn a_netlist_gets_the_models_of_its_cells_and_of_theirs() {
+        let models = modules(LIBRARY);
+        assert_eq!(models.len(), 3);
+        let cells = [("ADD".to_owned(), 2)].into();
+        let texts = used(&models, &cells, Target::Ice40Hx8k).expect("models of both");
+        assert_eq!(texts.len(), 2);
+        assert!(texts[0].starts_with("module ADD(") && texts[1].starts_with("module LUT ("));
+    }
+
+    #[test]
+    fn a_cell_without_a_model_is_named() {
+        let cells = [("MULT".to_owned(), 1)].into();
+        let error = used(&modules(LIBRARY), &cells, Target::Ecp5With45k).expect_err("no model");
+        let message = error.to_string();
+        assert!(
+            message.contains("`MULT`") && message.contains("ecp5-45k"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_target_without_models_is_refused() {
+        let error = libraries(Target::Gowin).expect_err("no models");
+        assert!(error.to_string().contains("ice40-hx8k"), "{error}");
+    }
+}

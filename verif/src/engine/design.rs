@@ -1,0 +1,142 @@
+//! Verilog text in a simulator, seen through its ports: the same for every simulator.
+
+use super::icarus::IcarusDesign;
+use super::verilator::Model;
+use crate::signal::Signal;
+use crate::subject::{Hardware, Subject};
+use crate::tool::ToolError;
+use std::path::PathBuf;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Why a design cannot be run.
+#[derive(Debug, Error)]
+pub enum DesignError {
+    /// A program is missing or refused the design.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
+    /// The library that Verilator's output was compiled to cannot be loaded.
+    #[error("{}: {source}; remove the file and try again", path.display())]
+    Load {
+        /// Library.
+        path: PathBuf,
+        /// What the loader says.
+        source: libloading::Error,
+    },
+}
+
+/// A simulator of Verilog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Simulator {
+    /// Icarus Verilog, a process of its own: four values of a bit, no compiler of C++, slow.
+    Icarus,
+    /// Verilator, in process: two values of a bit, fast.
+    Verilator,
+}
+
+impl Simulator {
+    /// Both.
+    pub const ALL: [Simulator; 2] = [Simulator::Icarus, Simulator::Verilator];
+
+    /// Name of the engine in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Simulator::Icarus => "icarus",
+            Simulator::Verilator => "verilator",
+        }
+    }
+
+    /// Compiles a design.
+    ///
+    /// # Errors
+    ///
+    /// When a tool is missing or refuses the text, or a file cannot be written.
+    pub fn compile(self, source: &Source) -> Result<Box<dyn Design>, DesignError> {
+        Ok(match self {
+            Simulator::Icarus => Box::new(IcarusDesign::compile(source)?),
+            Simulator::Verilator => Box::new(Model::compile(source)?),
+        })
+    }
+}
+
+/// Verilog of a design: the clock is the port `clock`, every other port has at most 64 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// Name of the top module.
+    pub top: &'a str,
+    /// All modules.
+    pub text: &'a str,
+    /// Input ports without the clock.
+    pub inputs: &'a [Signal],
+    /// Output ports.
+    pub outputs: &'a [Signal],
+}
+
+/// A compiled design; makes any number of instances.
+pub trait Design: Send + Sync {
+    /// A fresh instance: registers have their initial values.
+    fn instance(&self) -> Box<dyn Instance>;
+}
+
+/// One instance of a design.
+pub trait Instance: Send {
+    /// One clock on raw words, one for each port in the order of the signals: inputs change while the clock is low, outputs are those after
+    /// the rising edge, `None` where a bit is undefined. An unused high bit of an input must be 0.
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
+}
+
+/// Puts Verilog `text` (module `top`) in the place of the subject's hardware.
+///
+/// # Errors
+///
+/// As [`Simulator::compile`].
+pub fn with_verilog(
+    subject: Subject,
+    simulator: Simulator,
+    top: &str,
+    text: &str,
+) -> Result<Subject, DesignError> {
+    let design = simulator.compile(&Source {
+        top,
+        text,
+        inputs: &subject.inputs,
+        outputs: &subject.outputs,
+    })?;
+    let inputs: Arc<[Signal]> = subject.inputs.clone().into();
+    let outputs: Arc<[Signal]> = subject.outputs.clone().into();
+    Ok(Subject {
+        engine: simulator.name(),
+        hardware: Box::new(move || {
+            Box::new(Driven {
+                instance: design.instance(),
+                words: vec![0; inputs.len()],
+                found: vec![None; outputs.len()],
+                inputs: inputs.clone(),
+                outputs: outputs.clone(),
+            })
+        }),
+        ..subject
+    })
+}
+
+/// An instance whose ports are values of signals.
+struct Driven {
+    instance: Box<dyn Instance>,
+    inputs: Arc<[Signal]>,
+    outputs: Arc<[Signal]>,
+    words: Vec<u64>,
+    found: Vec<Option<u64>>,
+}
+
+impl Hardware for Driven {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+        for ((word, signal), value) in self.words.iter_mut().zip(&*self.inputs).zip(inputs) {
+            *word = signal.bits(*value);
+        }
+        self.instance.clock(&self.words, &mut self.found);
+        let outputs = self.outputs.iter().zip(&self.found);
+        outputs
+            .map(|(signal, bits)| bits.map(|bits| signal.value(bits)))
+            .collect()
+    }
+}

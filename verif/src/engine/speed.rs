@@ -1,0 +1,207 @@
+//! How fast the engines run a unit: clocks per second of the hardware alone, with the scoreboard, and with waveforms.
+
+use crate::subject::{Inputs, Subject};
+use imogene_models::picture::WriteError;
+use serde::Serialize;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// The frame that a raster unit is driven through.
+pub const FRAME: (usize, usize) = (640, 480);
+
+/// Rounds of measuring; the engines take turns, so that a machine that slows down slows all of them.
+const ROUNDS: usize = 3;
+
+/// Clocks between two looks at the time.
+const CHUNK: usize = 250;
+
+/// Most clocks of which the waveforms are kept: they lie in memory until they are written.
+const MOST_TRACED: usize = 20_000;
+
+/// What runs besides the hardware.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Work {
+    /// Nothing: the engine alone.
+    Hardware,
+    /// The golden model and the comparison of every output.
+    Scoreboard,
+    /// Those and the waveforms of all ports, written to a file.
+    Waveforms,
+}
+
+/// Speed of one engine doing one kind of work; the keys are stable.
+#[derive(Clone, Debug, Serialize)]
+pub struct Speed {
+    /// Engine.
+    pub engine: String,
+    /// What it did.
+    pub work: Work,
+    /// Clocks per second, single-threaded, median of the rounds.
+    pub clocks_per_second: f64,
+    /// Times the speed of the first engine at the same work.
+    pub ratio: f64,
+    /// Seconds for a frame of 640x480 pixels, a pixel per clock.
+    pub frame_seconds: f64,
+    /// Bytes of the waveform file per clock.
+    pub vcd_bytes_per_clock: Option<f64>,
+}
+
+/// A measurement: clocks, seconds, bytes written.
+type Sample = (usize, f64, u64);
+
+/// Measures every kind of work in every engine, at most so long each; the first engine is the one that the ratios refer to.
+///
+/// # Errors
+///
+/// When the waveforms cannot be written.
+pub fn measure(engines: &[Subject], most: Duration) -> Result<Vec<Speed>, WriteError> {
+    let stimulus = match engines.first() {
+        Some(subject) => frame_stimulus(subject),
+        None => return Ok(Vec::new()),
+    };
+    let most = most / ROUNDS as u32;
+    let mut speeds: Vec<Speed> = Vec::new();
+    for work in [Work::Hardware, Work::Scoreboard, Work::Waveforms] {
+        let mut samples = vec![Vec::new(); engines.len()];
+        for _ in 0..ROUNDS {
+            for (engine, samples) in engines.iter().zip(&mut samples) {
+                samples.push(run(engine, work, &stimulus, most)?);
+            }
+        }
+        let first = median(&samples[0]);
+        let rows = engines.iter().zip(&samples);
+        speeds.extend(rows.map(|(engine, samples)| {
+            let rate = median(samples);
+            let (clocks, _, bytes) = samples[0];
+            Speed {
+                engine: engine.engine.to_owned(),
+                work,
+                clocks_per_second: rate,
+                ratio: rate / first,
+                frame_seconds: (FRAME.0 * FRAME.1) as f64 / rate,
+                vcd_bytes_per_clock: (work == Work::Waveforms)
+                    .then(|| bytes as f64 / clocks as f64),
+            }
+        }));
+    }
+    Ok(speeds)
+}
+
+fn median(samples: &[Sample]) -> f64 {
+    let mut rates: Vec<f64> = samples
+        .iter()
+        .map(|(clocks, seconds, _)| *clocks as f64 / seconds.max(1e-9))
+        .collect();
+    rates.sort_by(f64::total_cmp);
+    rates[rates.len() / 2]
+}
+
+/// A whole frame for a unit with raster flags, from one set of random words; random words in every clock for the others.
+fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
+    let names: Vec<&str> = subject.inputs.iter().map(|s| s.name.as_str()).collect();
+    let random = subject.seeded_stimulus(CHUNK, 1);
+    if !names.starts_with(&["valid", "start", "line"]) {
+        return random;
+    }
+    let (width, height) = FRAME;
+    let pixel = |index: usize| {
+        let mut inputs = random[0].clone();
+        let line_begins = index > 0 && index.is_multiple_of(width);
+        inputs[..3].copy_from_slice(&[1, (index == 0).into(), line_begins.into()]);
+        inputs
+    };
+    (0..width * height).map(pixel).collect()
+}
+
+fn run(
+    subject: &Subject,
+    work: Work,
+    stimulus: &[Inputs],
+    most: Duration,
+) -> Result<Sample, WriteError> {
+    match work {
+        Work::Hardware => Ok(alone(subject, stimulus, most)),
+        Work::Scoreboard => {
+            let clocks = clocks_within(subject, stimulus, most);
+            Ok(scored(subject, &stimulus[..clocks]))
+        }
+        Work::Waveforms => {
+            let clocks = clocks_within(subject, stimulus, most).min(MOST_TRACED);
+            traced(subject, &stimulus[..clocks])
+        }
+    }
+}
+
+/// The hardware alone, through the stimulus again and again.
+fn alone(subject: &Subject, stimulus: &[Inputs], most: Duration) -> Sample {
+    let mut hardware = (subject.hardware)();
+    let started = Instant::now();
+    let mut clocks = 0;
+    for chunk in stimulus.chunks(CHUNK).cycle() {
+        for inputs in chunk {
+            black_box(hardware.clock(inputs));
+        }
+        clocks += chunk.len();
+        if started.elapsed() >= most {
+            break;
+        }
+    }
+    (clocks, started.elapsed().as_secs_f64(), 0)
+}
+
+/// Clocks of the stimulus that the hardware alone does in the time.
+fn clocks_within(subject: &Subject, stimulus: &[Inputs], most: Duration) -> usize {
+    let (clocks, seconds, _) = alone(subject, stimulus, most / 10);
+    let clocks = clocks as f64 / seconds.max(1e-9) * most.as_secs_f64();
+    (clocks as usize).clamp(1, stimulus.len())
+}
+
+fn scored(subject: &Subject, stimulus: &[Inputs]) -> Sample {
+    let (report, _) = subject.run(stimulus, false);
+    (stimulus.len(), report.seconds, 0)
+}
+
+fn traced(subject: &Subject, stimulus: &[Inputs]) -> Result<Sample, WriteError> {
+    let folder = tempfile::tempdir().map_err(|source| WriteError {
+        path: std::env::temp_dir(),
+        source,
+    })?;
+    let path = folder.path().join("trace.vcd");
+    let started = Instant::now();
+    let (_, trace) = subject.run(stimulus, true);
+    trace.expect("a trace was asked for").write(&path)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let bytes = std::fs::metadata(&path).map_or(0, |file| file.len());
+    Ok((stimulus.len(), seconds, bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::{Parameters, subject};
+
+    #[test]
+    fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
+        let pe1 = || subject("pe1", Parameters::default()).expect("a legal subject");
+        let speeds = measure(&[pe1(), pe1()], Duration::from_millis(30)).expect("a trace");
+        assert_eq!(speeds.len(), 6);
+        for pair in speeds.chunks(2) {
+            assert_eq!(pair[0].ratio, 1.0);
+            assert!(pair[0].clocks_per_second > 0.0 && pair[1].ratio > 0.0);
+            assert_eq!(
+                pair[0].vcd_bytes_per_clock.is_some_and(|bytes| bytes > 1.0),
+                pair[0].work == Work::Waveforms
+            );
+        }
+    }
+
+    #[test]
+    fn a_frame_begins_each_line_once() {
+        let pe1 = subject("pe1", Parameters::default()).expect("a legal subject");
+        let frame = frame_stimulus(&pe1);
+        assert_eq!(frame.len(), 640 * 480);
+        assert_eq!(frame.iter().filter(|i| i[1] == 1).count(), 1);
+        assert_eq!(frame.iter().filter(|i| i[2] == 1).count(), 479);
+    }
+}

@@ -1,0 +1,86 @@
+//! What every simulator of Verilog must do: find a fault, show it, name an undefined bit, say which tool is missing.
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::engine::design::{Simulator, with_verilog};
+use imogene_verif::random;
+use imogene_verif::subject::Subject;
+use imogene_verif::unit::{Parameters, subject};
+
+const CLOCKS: usize = 2_000;
+
+fn verilog(name: &str) -> String {
+    let request = EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"));
+    emit(&request).expect("a legal request").bundle()
+}
+
+fn changed(name: &str, right: &str, wrong: &str, simulator: Simulator) -> Subject {
+    let text = verilog(name);
+    assert!(text.contains(right), "{name} has no '{right}'");
+    let subject = subject(name, Parameters::default()).expect("a legal subject");
+    with_verilog(subject, simulator, name, &text.replacen(right, wrong, 1)).expect("a unit")
+}
+
+#[test]
+fn a_fault_in_the_verilog_is_found_and_shown() {
+    let faults = [
+        (
+            "pe1",
+            "line_value <= line_begin;",
+            "line_value <= next_line;",
+        ),
+        ("cut_plane", "zp < zb", "zp <= zb"),
+    ];
+    for simulator in Simulator::ALL {
+        for (name, right, wrong) in faults {
+            let broken = changed(name, right, wrong, simulator);
+            let (report, trace) = random::run(&broken, CLOCKS, 11, true);
+            assert_eq!(report.engine, simulator.name());
+            assert!(report.mismatches > 0, "{name}: '{wrong}' was not found");
+            assert!(trace.is_some_and(|trace| !trace.is_empty()));
+        }
+    }
+}
+
+/// Both engines count the same pixels and comparisons of the same stimulus.
+#[test]
+fn the_scoreboard_is_the_same() {
+    let reports = Simulator::ALL.map(|simulator| {
+        let unit = changed("depth_interval", "", "", simulator);
+        random::run(&unit, CLOCKS, 5, false).0
+    });
+    assert!(reports[0].passed(), "{:?}", reports[0].first_mismatches);
+    let [one, other] = reports.map(|r| (r.cycles, r.pixels, r.comparisons, r.mismatches));
+    assert_eq!(one, other);
+}
+
+#[test]
+fn an_undefined_bit_is_a_mismatch_without_a_value() {
+    let broken = changed(
+        "pe1",
+        "= line_value + kept_b;",
+        "= line_value + kept_b + 1'bx;",
+        Simulator::Icarus,
+    );
+    let (report, trace) = random::run(&broken, CLOCKS, 11, true);
+    let undefined = |m: &&imogene_verif::report::Mismatch| m.hardware.is_none();
+    let first = report.first_mismatches.iter().find(undefined);
+    let shown = first.expect("an undefined output").to_string();
+    assert!(shown.contains("undefined bits in hardware"), "{shown}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("pe1.vcd");
+    trace.expect("a trace").write(&path).expect("written");
+    let text = std::fs::read_to_string(&path).expect("read");
+    assert!(text.contains("bxxxx"), "the waveform shows them as well");
+}
+
+#[test]
+fn verilog_that_a_simulator_refuses_is_reported() {
+    for simulator in Simulator::ALL {
+        let subject = subject("pe1", Parameters::default()).expect("a legal subject");
+        let text = verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
+        let outcome = with_verilog(subject, simulator, "pe1", &text);
+        let message = outcome.err().expect("a refusal").to_string();
+        assert!(message.contains("missing_name"), "{message}");
+    }
+}
