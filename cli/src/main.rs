@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Command::Check(options) => command::check::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
+        Command::Peers(options) => command::peers::run(options, json),
         Command::Prove(options) => command::prove::run(options, json),
         Command::Mutate(options) => command::mutate::run(options, json),
     };

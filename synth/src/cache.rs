@@ -24,6 +24,16 @@ fn hash<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+/// Whether kept results count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cache {
+    /// A result of the same Verilog and tools is taken as it is.
+    #[default]
+    Use,
+    /// Everything is synthesised, and then kept.
+    Renew,
+}
+
 /// Where the result of one synthesis is kept.
 pub(crate) struct Entry {
     path: Option<PathBuf>,

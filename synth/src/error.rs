@@ -1,5 +1,6 @@
 //! Why a unit could not be synthesised.
 
+use crate::peer::PeerError;
 use crate::target::Target;
 use imogene_rtl::emit::EmitError;
 use std::path::Path;
@@ -63,6 +64,41 @@ pub enum SynthError {
         /// What is wrong.
         problem: String,
     },
+    /// The file of a baseline is none.
+    #[error("baseline {path}: {problem}")]
+    Baseline {
+        /// The file.
+        path: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A row has no baseline.
+    #[error(
+        "the baseline has no figures of {row}; `imogene synth --table` measures every row again"
+    )]
+    NoBaseline {
+        /// The row.
+        row: String,
+    },
+    /// Figures of other tools are not comparable.
+    #[error(
+        "the baseline of {row} was measured with {baseline}, and here is {here}; `scripts/setup --synth` installs the tools of the \
+         table, `imogene synth --table` makes it with those that are here"
+    )]
+    OtherTools {
+        /// The row.
+        row: String,
+        /// Tools of the baseline.
+        baseline: String,
+        /// Tools that are here.
+        here: String,
+    },
+    /// A peer cannot be measured.
+    #[error("{0}")]
+    Peer(#[from] PeerError),
+    /// The picture could not be drawn.
+    #[error("the picture cannot be drawn: {0}")]
+    Picture(String),
     /// A file could not be read or written.
     #[error("{path}: {source}")]
     File {

@@ -1,14 +1,13 @@
 //! One synthesis from request to report.
 
-use crate::cache::{Entry, digest};
+use crate::bench::{Bench, Clock};
+use crate::cache::{Cache, Entry, digest};
 use crate::error::SynthError;
-use crate::nextpnr::{self, RouteReport, Run};
-use crate::report::{SeedResult, SynthReport, median, thousandths};
-use crate::target::{Family, PlaceAndRoute, Target};
+use crate::harness;
+use crate::report::{SynthReport, thousandths};
+use crate::target::{Family, Target};
 use crate::tools::{Program, Tool};
-use crate::{harness, yosys};
 use imogene_rtl::emit::{EmitRequest, Emitted, emit};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -26,7 +25,7 @@ impl Default for Options {
     }
 }
 
-/// Synthesises a unit for a target.
+/// Synthesises a unit for a target, or takes the result that was kept.
 ///
 /// # Errors
 ///
@@ -36,168 +35,135 @@ pub fn synthesise(
     target: Target,
     options: &Options,
 ) -> Result<SynthReport, SynthError> {
+    synthesise_with(request, target, options, Cache::Use)
+}
+
+/// Synthesises a unit for a target.
+///
+/// # Errors
+///
+/// When the request is not legal, a tool is missing or fails, or its report cannot be read.
+pub fn synthesise_with(
+    request: &EmitRequest,
+    target: Target,
+    options: &Options,
+    cache: Cache,
+) -> Result<SynthReport, SynthError> {
     let emitted = emit(request)?;
     let text = emitted.bundle();
-    let yosys = Program::Yosys.find()?;
-    let router = Program::router(target.family())
-        .map(Program::find)
-        .transpose()?;
-    let tools: BTreeMap<String, String> = std::iter::once(&yosys)
-        .chain(&router)
-        .map(|tool| (tool.name.to_owned(), tool.version.clone()))
-        .collect();
+    let programs = Programs::find(target)?;
+    let tools = programs.versions();
     let verilog = digest(&text);
+    let harness = harness::verilog(&emitted);
     let entry = Entry::new(&[
         &verilog,
         target.name(),
         &target.synthesis(harness::TOP),
         &format!("{options:?} {:?} {tools:?}", target.place_and_route()),
-        &harness::verilog(&emitted),
+        &harness,
         env!("CARGO_PKG_VERSION"),
     ]);
-    if let Some(report) = entry.load() {
+    if let Some(report) = entry.load().filter(|_| cache == Cache::Use) {
         return Ok(report);
     }
 
     let start = Instant::now();
-    let bench = Bench::new(&yosys, target, &emitted, &text)?;
-    let mut report = bench.resources()?;
+    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    write(folder.path(), "unit.v", &text)?;
+    write(folder.path(), "harness.v", &harness)?;
+    let bench = Bench {
+        programs: &programs,
+        target,
+        folder: folder.path(),
+        top: &emitted.top,
+        read: "read_verilog unit.v",
+        read_with_harness: "read_verilog unit.v harness.v",
+    };
+    let mut report = resources(&bench, &emitted)?;
     report.parameters = parameters(request);
     report.tools = tools;
     report.verilog = verilog;
-    if let (Some(router), Some(device)) = (&router, target.place_and_route()) {
-        bench.clock(router, &device, options, &mut report)?;
-    }
+    add_clock(&mut report, bench.clock(options)?);
     report.seconds = thousandths(start.elapsed().as_secs_f64());
     entry.store(&report)?;
     Ok(report)
 }
 
-fn parameters(request: &EmitRequest) -> BTreeMap<String, usize> {
+/// The programs of a target.
+pub(crate) struct Programs {
+    pub yosys: Tool,
+    /// None where only resources are reported.
+    pub router: Option<Tool>,
+}
+
+impl Programs {
+    pub fn find(target: Target) -> Result<Self, SynthError> {
+        Ok(Self {
+            yosys: Program::Yosys.find()?,
+            router: Program::router(target.family())
+                .map(Program::find)
+                .transpose()?,
+        })
+    }
+
+    /// Versions by name.
+    pub fn versions(&self) -> BTreeMap<String, String> {
+        let tools = std::iter::once(&self.yosys).chain(&self.router);
+        tools
+            .map(|tool| (tool.name.to_owned(), tool.version.clone()))
+            .collect()
+    }
+}
+
+/// Versions of the tools of a target.
+pub(crate) fn tools(target: Target) -> Result<BTreeMap<String, String>, SynthError> {
+    Ok(Programs::find(target)?.versions())
+}
+
+/// Depth word and parameters of a request, by option of the command line.
+pub(crate) fn parameters(request: &EmitRequest) -> BTreeMap<String, usize> {
     std::iter::once(("format", request.depth_word))
         .chain(request.options())
         .map(|(option, value)| (option.to_owned(), value))
         .collect()
 }
 
-/// Names of the netlists in the folder of a synthesis.
-const UNIT_NETLIST: &str = "unit.json";
-const HARNESS_NETLIST: &str = "harness.json";
-
-/// A folder with the Verilog of a unit and its harness.
-struct Bench<'a> {
-    yosys: &'a Tool,
-    target: Target,
-    unit: &'a Emitted,
-    folder: tempfile::TempDir,
-}
-
-impl<'a> Bench<'a> {
-    fn new(
-        yosys: &'a Tool,
-        target: Target,
-        unit: &'a Emitted,
-        text: &str,
-    ) -> Result<Self, SynthError> {
-        let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
-        write(folder.path(), "unit.v", text)?;
-        write(folder.path(), "harness.v", &harness::verilog(unit))?;
-        Ok(Self {
-            yosys,
-            target,
-            unit,
-            folder,
-        })
-    }
-
-    /// Resources of the unit alone.
-    fn resources(&self) -> Result<SynthReport, SynthError> {
-        let script = format!(
-            "read_verilog unit.v; {}; delete t:$scopeinfo; write_json {UNIT_NETLIST}; tee -q -o unit.stat {}",
-            self.target.synthesis(&self.unit.top),
-            self.target.statistics()
-        );
-        yosys::run(self.yosys, self.folder.path(), &script)?;
-        let path = self.folder.path().join("unit.stat");
-        let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
-        let statistics = yosys::parse_statistics(&text)?;
-        let resources = yosys::resources(self.target.family(), &statistics.cells);
-        let counted = |count: u64| (self.target.family() != Family::Gates).then_some(count);
-        Ok(SynthReport {
-            unit: self.unit.top.clone(),
-            target: self.target.name().to_owned(),
-            parameters: BTreeMap::new(),
-            latency: self.unit.latency,
-            lut: counted(resources.lut),
-            ff: counted(resources.ff),
-            carry: counted(resources.carry),
-            dsp: counted(resources.dsp),
-            bram: counted(resources.bram),
-            logic_cells: None,
-            transistors: statistics.transistors,
-            fmax_mhz: None,
-            does_not_fit: None,
-            seeds: Vec::new(),
-            goal_mhz: None,
-            cells: statistics.cells,
-            tools: BTreeMap::new(),
-            verilog: String::new(),
-            seconds: 0.0,
-        })
-    }
-
-    /// Packs the unit alone, and places and routes it in its harness with every seed.
-    fn clock(
-        &self,
-        router: &Tool,
-        device: &PlaceAndRoute,
-        options: &Options,
-        report: &mut SynthReport,
-    ) -> Result<(), SynthError> {
-        let run = |netlist, run| nextpnr::run(router, device, self.folder.path(), netlist, run);
-        let packed = run(UNIT_NETLIST, Run::Pack)?;
-        report.logic_cells = packed
-            .utilisation
-            .get(device.logic_cell)
-            .map(|cells| cells.0);
-        if options.seeds == 0 {
-            return Ok(());
-        }
-        report.goal_mhz = Some(device.goal_mhz);
-        self.synthesise_harness()?;
-        report.does_not_fit = run(HARNESS_NETLIST, Run::Pack)?.excess();
-        if report.does_not_fit.is_some() {
-            return Ok(());
-        }
-        let seeds = (1..=options.seeds).into_par_iter();
-        report.seeds = seeds
-            .map(|seed| seed_result(seed, run(HARNESS_NETLIST, Run::Route { seed })?))
-            .collect::<Result<_, _>>()?;
-        report.fmax_mhz = median(&report.seeds);
-        Ok(())
-    }
-
-    fn synthesise_harness(&self) -> Result<(), SynthError> {
-        let script = format!(
-            "read_verilog unit.v harness.v; {}; delete t:$scopeinfo; write_json {HARNESS_NETLIST}",
-            self.target.synthesis(harness::TOP)
-        );
-        yosys::run(self.yosys, self.folder.path(), &script)
-    }
-}
-
-fn seed_result(seed: usize, report: RouteReport) -> Result<SeedResult, SynthError> {
-    let fmax_mhz = report.fmax_mhz.ok_or_else(|| SynthError::Report {
-        tool: "nextpnr",
-        problem: "it has no clock".into(),
-    })?;
-    Ok(SeedResult {
-        seed,
-        fmax_mhz,
-        critical_path: report.critical_path,
+/// A report of the resources of a unit alone.
+fn resources(bench: &Bench, unit: &Emitted) -> Result<SynthReport, SynthError> {
+    let (statistics, resources) = bench.resources()?;
+    let counted = |count: u64| (bench.target.family() != Family::Gates).then_some(count);
+    Ok(SynthReport {
+        unit: unit.top.clone(),
+        target: bench.target.name().to_owned(),
+        parameters: BTreeMap::new(),
+        latency: unit.latency,
+        lut: counted(resources.lut),
+        ff: counted(resources.ff),
+        carry: counted(resources.carry),
+        dsp: counted(resources.dsp),
+        bram: counted(resources.bram),
+        logic_cells: None,
+        transistors: statistics.transistors,
+        fmax_mhz: None,
+        does_not_fit: None,
+        seeds: Vec::new(),
+        goal_mhz: None,
+        cells: statistics.cells,
+        tools: BTreeMap::new(),
+        verilog: String::new(),
+        seconds: 0.0,
     })
 }
 
+fn add_clock(report: &mut SynthReport, clock: Clock) {
+    report.logic_cells = clock.logic_cells;
+    report.goal_mhz = clock.goal_mhz;
+    report.does_not_fit = clock.does_not_fit;
+    report.fmax_mhz = clock.fmax_mhz;
+    report.seeds = clock.seeds;
+}
+
+/// Writes a file of a bench.
 pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<(), SynthError> {
     let path = folder.join(name);
     std::fs::write(&path, text).map_err(SynthError::file(&path))

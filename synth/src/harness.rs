@@ -10,13 +10,23 @@ use std::fmt::Write;
 /// Name of the harness module.
 pub const TOP: &str = "register_harness";
 
-/// Name of the clock port of the units.
+/// Name of the clock port of the units and of the harness.
 const CLOCK: &str = "clock";
 
 /// Verilog of the harness of a unit; the unit itself is not in the text.
 pub fn verilog(unit: &Emitted) -> String {
-    let inputs = bits(unit, Direction::Input);
-    let outputs = bits(unit, Direction::Output);
+    let has_clock = unit.ports.iter().any(|port| port.name == CLOCK);
+    around(&unit.top, &unit.ports, has_clock.then_some(CLOCK))
+}
+
+/// Verilog of the harness of any module, whose clock port may have any name; at least one bit goes in and one comes out.
+pub fn around(top: &str, ports: &[Port], clock: Option<&str>) -> String {
+    let data: Vec<&Port> = ports
+        .iter()
+        .filter(|port| Some(port.name.as_str()) != clock)
+        .collect();
+    let inputs = bits(&data, Direction::Input);
+    let outputs = bits(&data, Direction::Output);
     let mut text = format!(
         "module {TOP} (
     input  wire clock,
@@ -43,30 +53,26 @@ pub fn verilog(unit: &Emitted) -> String {
     {unit_name} unit (\n",
         i = inputs - 1,
         o = outputs - 1,
-        unit_name = unit.top,
+        unit_name = identifier(top),
     );
-    text += &connections(unit);
+    text += &connections(&data, clock);
     text += "    );\n\nendmodule\n";
     text
 }
 
-/// Bits of all ports of a direction, without the clock.
-fn bits(unit: &Emitted, direction: Direction) -> usize {
-    let ports = data_ports(unit).filter(|port| port.direction == direction);
+/// Bits of all ports of a direction.
+pub(crate) fn bits(ports: &[&Port], direction: Direction) -> usize {
+    let ports = ports.iter().filter(|port| port.direction == direction);
     ports.map(|port| port.width).sum()
 }
 
-fn data_ports(unit: &Emitted) -> impl Iterator<Item = &Port> {
-    unit.ports.iter().filter(|port| port.name != CLOCK)
-}
-
-fn connections(unit: &Emitted) -> String {
+fn connections(ports: &[&Port], clock: Option<&str>) -> String {
     let mut used = [0, 0];
     let mut text = String::new();
-    if unit.ports.iter().any(|port| port.name == CLOCK) {
-        let _ = write!(text, "        .{CLOCK}({CLOCK})");
+    if let Some(clock) = clock {
+        let _ = write!(text, "        .{}({CLOCK})", identifier(clock));
     }
-    for port in data_ports(unit) {
+    for port in ports {
         let (vector, used) = match port.direction {
             Direction::Input => ("inputs", &mut used[0]),
             Direction::Output => ("results", &mut used[1]),
@@ -75,11 +81,34 @@ fn connections(unit: &Emitted) -> String {
         let _ = write!(
             text,
             "{separator}        .{}({vector}[{}:{}])",
-            port.name,
+            identifier(&port.name),
             *used + port.width - 1,
             *used
         );
         *used += port.width;
     }
     text + "\n"
+}
+
+/// A name as Verilog takes it: escaped unless it is plain.
+fn identifier(name: &str) -> String {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+    let is_start = |c: char| c.is_ascii_alphabetic() || c == '_';
+    if name.starts_with(is_start) && name.chars().all(is_word) {
+        name.to_owned()
+    } else {
+        format!("\\{name} ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_is_not_plain_is_escaped() {
+        assert_eq!(identifier("a_1$x"), "a_1$x");
+        assert_eq!(identifier("bus.data"), "\\bus.data ");
+        assert_eq!(identifier("1st"), "\\1st ");
+    }
 }

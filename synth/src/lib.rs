@@ -9,12 +9,17 @@
 //! Place and route depends on its seed, so Fmax is the median of several.
 #![warn(missing_docs)]
 
+pub mod baseline;
+mod bench;
 mod cache;
+pub mod compare;
 mod error;
+mod figures;
 mod flow;
 pub mod harness;
 mod netlist;
 mod nextpnr;
+pub mod peer;
 mod report;
 pub mod table;
 mod target;
@@ -22,9 +27,10 @@ mod tools;
 mod workspace;
 mod yosys;
 
-pub use cache::digest;
+pub use cache::{Cache, digest};
 pub use error::SynthError;
-pub use flow::{Options, synthesise};
+pub use figures::Figures;
+pub use flow::{Options, synthesise, synthesise_with};
 pub use netlist::{Netlist, netlist};
 pub use nextpnr::{CriticalPath, RouteReport};
 pub use report::{SeedResult, SynthReport};

@@ -1,6 +1,9 @@
 //! The resource table of the documentation: which syntheses it is made of, and its text.
 
+mod agreement;
 mod markdown;
+mod picture;
+mod transistors;
 
 use crate::cache::digest;
 use crate::error::SynthError;
@@ -10,15 +13,20 @@ use crate::target::Target;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitRequest, emit};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+pub use agreement::disagreements;
+pub use markdown::PICTURE;
 
 /// Section of the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Section {
     /// Every unit of the machine at the base format.
     Units,
     /// The object processor over the number of its cut planes.
     Planes,
-    /// The root network over its rows per stage.
+    /// Both pipelined root networks over their rows per stage.
     Rows,
     /// Transistors beside those of the source.
     Transistors,
@@ -56,6 +64,18 @@ const PLANES: [usize; 5] = [0, 1, 2, 3, 4];
 /// Rows per stage of the root networks; the last is the whole network of the base format.
 const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
 
+/// The root networks that can be cut into stages of any number of rows.
+const ROOTS: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
+
+/// Units that have transistors of their own in the source, or are made of such.
+const GATES: [Unit; 5] = [
+    Unit::Pe1,
+    Unit::Pe2,
+    Unit::SquareRoot,
+    Unit::QuadricPe,
+    Unit::NormalUnit,
+];
+
 /// The units the machine is made of; the other forms of the root have a page of their own.
 fn units() -> impl Iterator<Item = Unit> {
     let is_root_form = |unit: &Unit| unit.name().starts_with("square_root_");
@@ -79,11 +99,11 @@ pub fn rows() -> Vec<Row> {
         // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
         options: Options { seeds: 0 },
     });
-    let roots = DEVICES
-        .into_iter()
-        .flat_map(|target| ROWS_PER_STAGE.map(|rows| root_row(rows, target)));
-    let transistors = [Unit::Pe1, Unit::Pe2, Unit::SquareRoot, Unit::QuadricPe];
-    let transistors = transistors.map(|unit| Row {
+    let roots = DEVICES.into_iter().flat_map(|target| {
+        let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows, target));
+        ROOTS.into_iter().flat_map(rows)
+    });
+    let transistors = GATES.map(|unit| Row {
         section: Section::Transistors,
         request: EmitRequest::new(unit),
         target: Target::Transistors,
@@ -107,16 +127,26 @@ fn unit_row(unit: Unit, target: Target) -> Row {
     }
 }
 
-fn root_row(rows_per_stage: usize, target: Target) -> Row {
+fn root_row(unit: Unit, rows_per_stage: usize, target: Target) -> Row {
     Row {
         section: Section::Rows,
         request: EmitRequest {
             rows_per_stage,
-            ..EmitRequest::new(Unit::SquareRoot)
+            ..EmitRequest::new(unit)
         },
         target,
         options: Options { seeds: SEEDS },
     }
+}
+
+/// The rows of a unit and of a target, or of all of them.
+pub fn select(unit: Option<Unit>, target: Option<Target>) -> Vec<Row> {
+    let mut rows = rows();
+    rows.retain(|row| {
+        unit.is_none_or(|unit| row.request.unit == unit)
+            && target.is_none_or(|target| row.target == target)
+    });
+    rows
 }
 
 /// Synthesises all rows; `done` is called after each.
@@ -151,6 +181,25 @@ impl Table {
         self.rows.iter().map(|(_, report)| report).collect()
     }
 
+    /// The networks over their rows per stage as an SVG picture; none without a clock of each.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be drawn.
+    pub fn picture(&self) -> Result<Option<String>, SynthError> {
+        picture::draw(self)
+    }
+
+    /// The rows and their reports.
+    pub fn rows(&self) -> &[(Row, SynthReport)] {
+        &self.rows
+    }
+
+    /// Digest of the Verilog of all rows.
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
     fn section(&self, section: Section, target: Target) -> impl Iterator<Item = &SynthReport> {
         let rows = self.rows.iter();
         rows.filter(move |(row, _)| row.section == section && row.target == target)
@@ -180,6 +229,43 @@ fn verilog_digest(rows: &[Row]) -> Result<String, SynthError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeMap;
+
+    /// A table of all rows with figures that are none of any tool, all different.
+    pub fn invented() -> Table {
+        let rows = rows().into_iter().enumerate();
+        Table {
+            rows: rows
+                .map(|(index, row)| (row, report(&row, index)))
+                .collect(),
+            digest: "0123".repeat(16),
+        }
+    }
+
+    fn report(row: &Row, index: usize) -> SynthReport {
+        let count = |base: u64| (row.target != Target::Transistors).then_some(base + index as u64);
+        SynthReport {
+            unit: row.request.unit.name().to_owned(),
+            target: row.target.name().to_owned(),
+            parameters: crate::flow::parameters(&row.request),
+            latency: row.request.latency(),
+            lut: count(1_000),
+            ff: count(2_000),
+            carry: count(300),
+            dsp: count(0),
+            bram: count(0),
+            logic_cells: count(4_000),
+            transistors: (row.target == Target::Transistors).then_some(50_000 + index as u64),
+            fmax_mhz: (row.options.seeds > 0).then_some(100.5 + index as f64),
+            does_not_fit: None,
+            seeds: Vec::new(),
+            goal_mhz: Some(300),
+            cells: BTreeMap::new(),
+            tools: BTreeMap::from([("yosys".to_owned(), "0.70".to_owned())]),
+            verilog: format!("{index:064}"),
+            seconds: 1.0,
+        }
+    }
 
     #[test]
     fn every_unit_of_the_machine_is_in_the_table_for_every_device() {
@@ -197,6 +283,17 @@ mod tests {
         for row in rows() {
             row.request.check().expect("a legal request");
         }
+    }
+
+    #[test]
+    fn rows_are_selected_by_unit_and_target() {
+        let both = select(Some(Unit::CutPlane), None);
+        let targets: Vec<Target> = both.iter().map(|row| row.target).collect();
+        assert_eq!(targets, DEVICES);
+        let one = select(Some(Unit::CutPlane), Some(Target::Ice40Hx8k));
+        assert_eq!(one, both[1..]);
+        assert_eq!(select(None, None), rows());
+        assert!(select(None, Some(Target::Gowin)).is_empty());
     }
 
     #[test]

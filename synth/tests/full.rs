@@ -2,7 +2,10 @@
 
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
-use imogene_synth::{Options, SynthReport, Target, synthesise, table};
+use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
+use imogene_synth::compare::{Tolerance, Verdict};
+use imogene_synth::{Cache, Options, SynthError, SynthReport, Target, synthesise, table};
+use std::path::{Path, PathBuf};
 
 fn is_full() -> bool {
     std::env::var_os("IMOGENE_FULL").is_some_and(|value| value == "1")
@@ -56,4 +59,103 @@ fn the_written_table_is_of_this_verilog() {
         table::is_current(&text).expect("every unit is emitted"),
         "docs/resources.md was made of other Verilog; run `imogene synth --table`"
     );
+}
+
+/// A file of the documentation.
+fn page(name: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs")).join(name)
+}
+
+fn check_all(rows: &[table::Row], baseline: &Baseline, clock: bool, cache: Cache) -> Vec<RowCheck> {
+    let options = CheckOptions {
+        tolerance: Tolerance::default(),
+        clock,
+        cache,
+    };
+    check(rows, baseline, &options, || ()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_written_baseline_is_of_this_verilog_and_of_the_written_table() {
+    if !is_full() {
+        return;
+    }
+    let baseline = Baseline::read(&page("resources.json")).unwrap_or_else(|e| panic!("{e}"));
+    let problems = baseline.out_of_date().expect("every unit is emitted");
+    assert_eq!(problems, Vec::<String>::new());
+    let text = std::fs::read_to_string(page("resources.md")).expect("the table is written");
+    let problems = table::disagreements(&text, &baseline);
+    assert_eq!(problems, Vec::<String>::new());
+    assert!(page(table::PICTURE).is_file(), "the picture is written");
+}
+
+#[test]
+fn small_rows_hold_the_written_baseline() {
+    if !is_full() {
+        return;
+    }
+    let baseline = Baseline::read(&page("resources.json")).unwrap_or_else(|e| panic!("{e}"));
+    let mut rows = table::select(Some(Unit::Pe1), None);
+    rows.extend(table::select(Some(Unit::CutPlane), None));
+    let mut checks = check_all(&rows, &baseline, false, Cache::Renew);
+    let clocked = table::select(Some(Unit::Pe1), Some(Target::Ice40Hx8k));
+    checks.extend(check_all(&clocked, &baseline, true, Cache::Renew));
+    for check in checks {
+        assert!(check.verdict != Verdict::Worse, "{check:?}");
+        assert!(check.is_same_verilog, "{check:?}");
+    }
+}
+
+/// Rows that take no time: resources alone.
+fn few_rows() -> Vec<table::Row> {
+    let mut rows = table::select(Some(Unit::CutPlane), None);
+    for row in &mut rows {
+        row.options.seeds = 0;
+    }
+    rows
+}
+
+#[test]
+fn a_table_of_few_rows_is_its_own_baseline() {
+    if !is_full() {
+        return;
+    }
+    let rows = few_rows();
+    let table = table::make(&rows, |_| ()).unwrap_or_else(|error| panic!("{error}"));
+    let baseline = Baseline::of(&table);
+    let problems = table::disagreements(&table.markdown(), &baseline);
+    assert_eq!(problems, Vec::<String>::new());
+    for check in check_all(&rows, &baseline, true, Cache::Use) {
+        assert_eq!(check.verdict, Verdict::Same, "{check:?}");
+        assert!(check.is_same_verilog, "{check:?}");
+    }
+    // Synthesised anew, the same tools give the same figures.
+    for check in check_all(&rows, &baseline, true, Cache::Renew) {
+        assert_eq!(check.verdict, Verdict::Same, "{check:?}");
+    }
+}
+
+#[test]
+fn a_row_that_got_worse_and_other_tools_are_found() {
+    if !is_full() {
+        return;
+    }
+    let rows = few_rows();
+    let table = table::make(&rows, |_| ()).unwrap_or_else(|error| panic!("{error}"));
+    let mut smaller = Baseline::of(&table);
+    let cells = smaller.rows[1].figures.cells.expect("cells");
+    smaller.rows[1].figures.cells = Some(cells * 9 / 10);
+    let checks = check_all(&rows, &smaller, true, Cache::Use);
+    let verdicts: Vec<Verdict> = checks.iter().map(|check| check.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Same, Verdict::Worse]);
+    let mut older = Baseline::of(&table);
+    older.rows[1].tools.insert("yosys".into(), "0.1".into());
+    let options = CheckOptions {
+        tolerance: Tolerance::default(),
+        clock: true,
+        cache: Cache::Use,
+    };
+    let error = check(&rows, &older, &options, || ()).expect_err("other tools");
+    assert!(matches!(error, SynthError::OtherTools { .. }), "{error}");
+    assert!(error.to_string().contains("yosys 0.1"), "{error}");
 }

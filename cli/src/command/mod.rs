@@ -9,6 +9,7 @@ pub mod emit;
 pub mod extremes;
 pub mod mutate;
 pub mod package;
+pub mod peers;
 pub mod prepare;
 pub mod prove;
 pub mod render;

@@ -1,18 +1,33 @@
 //! `imogene synth`.
 
+mod check;
+
 use super::emit_request;
 use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
-use imogene_synth::{Options, SynthReport, Target, synthesise, table};
+use imogene_synth::baseline::Baseline;
+use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
-/// Synthesises a unit, or makes the resource table.
+/// Synthesises a unit, makes the resource table, or checks against it.
 pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
+    if options.check {
+        return check::run(options, json);
+    }
     match (&options.unit, &options.target) {
         (Some(unit), Some(target)) => run_unit(unit, target, options, json),
         _ => run_table(options, json),
+    }
+}
+
+fn cache(options: &Synth) -> Cache {
+    if options.fresh {
+        Cache::Renew
+    } else {
+        Cache::Use
     }
 }
 
@@ -20,7 +35,8 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     let request = emit_request(unit, options.shape)?;
     let target = Target::from_name(target).map_err(Failure::input)?;
     let seeds = options.seeds;
-    let report = synthesise(&request, target, &Options { seeds }).map_err(Failure::input)?;
+    let report = synthesise_with(&request, target, &Options { seeds }, cache(options))
+        .map_err(Failure::input)?;
     if json {
         output::json(&report);
     } else {
@@ -30,18 +46,39 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
 }
 
 fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
+    let figures = options.out.with_extension("json");
+    if figures == options.out {
+        let out = options.out.display();
+        return Err(Failure::Input(format!(
+            "{out}: the page needs another ending than .json, which its figures have"
+        )));
+    }
     let rows = table::rows();
     let bar = output::progress(rows.len() as u64, "synthesis");
     let table = table::make(&rows, |_| bar.inc(1)).map_err(Failure::input)?;
     bar.finish_and_clear();
-    let text = table.markdown();
-    write_whole(&options.out, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    let mut files = vec![
+        (options.out.clone(), table.markdown()),
+        (figures, Baseline::of(&table).json()),
+    ];
+    if let Some(picture) = table.picture().map_err(Failure::input)? {
+        files.push((beside(&options.out, table::PICTURE), picture));
+    }
+    for (path, text) in &files {
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    }
     if json {
         output::json(&table.reports());
     } else {
-        output::text(format!("wrote {}", options.out.display()));
+        let files = files.iter().map(|(path, _)| path.display().to_string());
+        output::text(format!("wrote {}", files.collect::<Vec<_>>().join(", ")));
     }
     Ok(())
+}
+
+/// A path that the page names, seen from here.
+fn beside(page: &Path, name: &str) -> PathBuf {
+    page.parent().unwrap_or(Path::new("")).join(name)
 }
 
 /// A report as text.

@@ -1,6 +1,7 @@
 //! Text of the resource table.
 
 use super::{Section, Table};
+use crate::figures::Figures;
 use crate::report::SynthReport;
 use crate::target::Target;
 use std::collections::BTreeMap;
@@ -14,16 +15,7 @@ const VIDEO: [(f64, &str); 4] = [
     (25.175, "640x480"),
 ];
 
-/// Units of the source's Table 5.10: name here, name there, transistors, bits there, bits here.
-const SOURCE_TRANSISTORS: [(&str, &str, u64, u64, u64); 3] = [
-    ("pe1", "PE1", 4_116, 24, 26),
-    ("pe2", "PE2", 15_120, 48, 48),
-    ("square_root", "root", 96_598, 48, 48),
-];
-
 const UNITS: &str = "
-## Every unit of the machine
-
 Base format 24, 3 cut planes, 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
 and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
 unit, and is not measured. The other forms of the root are in [root-network.md](root-network.md).
@@ -36,69 +28,53 @@ quadric core.
 ";
 
 const PLANES: &str = "
-## Object processor and its cut planes
-
 A plane adds a pipeline stage like those of the others; the clock is measured at 3 planes, above.
 ";
 
 const ROWS: &str = "
-## Root network and its register stages
-
-The radicand has 48 bits, the root 24. 24 rows per stage are the whole network between two registers.
+The radicand has 48 bits, the root 24. 24 rows per stage are the whole network between two registers. `square_root` restores the
+remainder where the divisor is too large, `square_root_non_restoring` adds it back in the next row; both hand on root and remainder.
 ";
 
-const TRANSISTORS: &str = "
-## Transistors
+/// Where the picture lies, seen from the page.
+pub const PICTURE: &str = "images/rows-per-stage.svg";
 
-Static CMOS gates of Yosys (`stat -tech cmos`: flip-flop 16, inverter 2, 2-input NAND or NOR 4, XOR 12), beside Table 5.10 of the
-source (ES2 SOLO 1400, library ECPD15).
-
-| unit | bits here | transistors here | per bit | bits there | transistors there | per bit |
-|---|---|---|---|---|---|---|
-";
-
-const COMPARABILITY: &str = "
-The two columns are comparable in kind, not in detail. The source counts library cells of its time, a full adder of 36 and a
-flip-flop of 26 transistors; here there are neither adder cells nor pass gates, and the flip-flop is cheaper. PE1 has 24 bits there
-and 26 here, as wide as a depth sum. An elementary processor here holds still on a clock without a pixel, which costs gates in every
-bit of its registers. The root here has a register stage per row and hands on its remainder.
-";
+/// Heading of a section.
+pub const fn title(section: Section) -> &'static str {
+    match section {
+        Section::Units => "Every unit of the machine",
+        Section::Planes => "Object processor and its cut planes",
+        Section::Rows => "Root networks and their register stages",
+        Section::Transistors => "Transistors",
+    }
+}
 
 /// The whole page.
 pub fn write(table: &Table) -> String {
     let mut text = heading(table);
-    text += UNITS;
+    text += &opening(Section::Units, UNITS);
     text += &block_memory(table);
     for target in super::DEVICES {
-        text += &devices(table, Section::Units, target, &|report| {
-            format!("`{}`", report.unit)
-        });
+        text += &devices(table, Section::Units, target);
     }
     text += &reading(table);
-    text += PLANES;
-    text += &devices(
-        table,
-        Section::Planes,
-        Target::Ecp5With45k,
-        &|report| match report.parameters["planes"] {
-            1 => "`quadric_processor`, 1 plane".to_owned(),
-            planes => format!("`quadric_processor`, {planes} planes"),
-        },
-    );
-    text += ROWS;
+    text += &opening(Section::Planes, PLANES);
+    text += &devices(table, Section::Planes, Target::Ecp5With45k);
+    text += &opening(Section::Rows, ROWS);
     for target in super::DEVICES {
-        text += &devices(
-            table,
-            Section::Rows,
-            target,
-            &|report| match report.parameters["rows-per-stage"] {
-                1 => "1 row per stage".to_owned(),
-                rows => format!("{rows} rows per stage"),
-            },
-        );
+        text += &devices(table, Section::Rows, target);
     }
-    text += &transistors(table);
+    let _ = write!(
+        text,
+        "\n![Cells, clock and latency of both root networks over the rows of a stage]({PICTURE})\n"
+    );
+    text += &opening(Section::Transistors, "");
+    text += &super::transistors::write(table);
     text
+}
+
+fn opening(section: Section, text: &str) -> String {
+    format!("\n## {}\n{text}", title(section))
 }
 
 fn heading(table: &Table) -> String {
@@ -114,7 +90,9 @@ fn heading(table: &Table) -> String {
         "# Resources
 
 Made by `imogene synth --table`, which writes this page; `scripts/setup --synth` installs the tools. One row alone:
-`imogene synth UNIT --target T`, such as `imogene synth quadric_pe --target ecp5-45k`, with the parameters of `imogene emit`.
+`imogene synth UNIT --target T`, such as `imogene synth quadric_pe --target ecp5-45k`, with the parameters of `imogene emit`. The same
+figures for programs are in [resources.json](resources.json), from which `imogene synth --check` tells whether a row got worse; how they
+are made and how to compare with another design is in [synthesis.md](synthesis.md).
 
 * Tools: {}.
 * `ecp5-45k`: Lattice LFE5U-45F, package CABGA381, speed grade 6. `ice40-hx8k`: Lattice iCE40HX8K, package ct256.
@@ -151,7 +129,7 @@ fn reading(table: &Table) -> String {
                 target.name(),
                 count(report.logic_cells),
                 count(report.dsp),
-                clock(report),
+                clock(&Figures::from(report)),
                 draws(report)
             );
         }
@@ -184,29 +162,18 @@ fn block_memory(table: &Table) -> String {
     }
 }
 
-fn devices(
-    table: &Table,
-    section: Section,
-    target: Target,
-    name: &dyn Fn(&SynthReport) -> String,
-) -> String {
+fn devices(table: &Table, section: Section, target: Target) -> String {
     let mut text = format!(
         "\n### {}\n\n| unit | latency | LUT | FF | carry | DSP | cells | Fmax | draws | slowest path |\n",
         target.name()
     );
     text += "|---|---|---|---|---|---|---|---|---|---|\n";
     for report in table.section(section, target) {
+        let name = name(section, &report.unit, &report.parameters);
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            name(report),
-            report.latency,
-            count(report.lut),
-            count(report.ff),
-            count(report.carry),
-            count(report.dsp),
-            count(report.logic_cells),
-            clock(report),
+            "{} {} | {} |",
+            line_start(&name, report.latency, &Figures::from(report)),
             draws(report),
             path(report),
         );
@@ -214,12 +181,38 @@ fn devices(
     text
 }
 
+/// How a row is called in its section.
+pub fn name(section: Section, unit: &str, parameters: &BTreeMap<String, usize>) -> String {
+    let counted = |count: usize, what: &str| match count {
+        1 => format!("`{unit}`, 1 {what}"),
+        count => format!("`{unit}`, {count} {what}s"),
+    };
+    match section {
+        Section::Units | Section::Transistors => format!("`{unit}`"),
+        Section::Planes => counted(parameters["planes"], "plane"),
+        Section::Rows => counted(parameters["rows-per-stage"], "row"),
+    }
+}
+
+/// The cells of a line up to the clock.
+pub fn line_start(name: &str, latency: usize, figures: &Figures) -> String {
+    format!(
+        "| {name} | {latency} | {} | {} | {} | {} | {} | {} |",
+        count(figures.lut),
+        count(figures.ff),
+        count(figures.carry),
+        count(figures.dsp),
+        count(figures.cells),
+        clock(figures),
+    )
+}
+
 fn count(value: Option<u64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| value.to_string())
 }
 
-fn clock(report: &SynthReport) -> String {
-    match (&report.does_not_fit, report.fmax_mhz) {
+fn clock(figures: &Figures) -> String {
+    match (&figures.does_not_fit, figures.fmax_mhz) {
         (Some(excess), _) => format!("does not fit, {excess} with the harness"),
         (None, Some(fmax)) => format!("{fmax:.1} MHz"),
         (None, None) => "not measured".to_owned(),
@@ -258,24 +251,6 @@ fn register(cell: &str) -> &str {
     let ends = ["_TRELLIS_FF", "_SB_DFF", "_SB_LUT4", "_LUT4", "_CCU2C"];
     let end = ends.iter().filter_map(|end| name.find(end)).min();
     &name[..end.unwrap_or(name.len())]
-}
-
-fn transistors(table: &Table) -> String {
-    let mut text = TRANSISTORS.to_owned();
-    for report in table.section(Section::Transistors, Target::Transistors) {
-        let here = report.transistors.unwrap_or_default();
-        let source = SOURCE_TRANSISTORS.iter().find(|row| row.0 == report.unit);
-        let _ = match source {
-            Some((unit, name, there, bits_there, bits)) => writeln!(
-                text,
-                "| `{unit}` ({name}) | {bits} | {here} | {} | {bits_there} | {there} | {} |",
-                here / bits,
-                there / bits_there
-            ),
-            None => writeln!(text, "| `{}` | - | {here} | - | - | - | - |", report.unit),
-        };
-    }
-    text + COMPARABILITY
 }
 
 #[cfg(test)]

@@ -1,0 +1,98 @@
+//! `imogene peers`.
+
+use super::emit_request;
+use crate::arguments::{Parameter, Peers};
+use crate::failure::Failure;
+use crate::output;
+use imogene_synth::peer::{Comparison, Measured, Peer, compare};
+use imogene_synth::{Options, Target};
+
+/// Measures a design of another project beside a unit.
+pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
+    let request = emit_request(&options.against, options.shape)?;
+    request.check().map_err(Failure::input)?;
+    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let parameters = options.parameter.iter();
+    let peer = Peer {
+        files: options.rtl.clone(),
+        top: options.top.clone(),
+        clock: options.clock.clone(),
+        include: options.include.clone(),
+        parameters: parameters
+            .map(|Parameter(name, value)| (name.clone(), value.clone()))
+            .collect(),
+    };
+    let seeds = options.seeds;
+    let comparison =
+        compare(&peer, &request, target, &Options { seeds }).map_err(Failure::input)?;
+    if json {
+        output::json(&comparison);
+    } else {
+        output::text(describe(&comparison));
+    }
+    Ok(())
+}
+
+fn describe(comparison: &Comparison) -> String {
+    let (peer, unit) = (&comparison.peer, &comparison.unit);
+    let tools = comparison.tools.iter();
+    let tools: Vec<String> = tools
+        .map(|(tool, version)| format!("{tool} {version}"))
+        .collect();
+    let mut lines = vec![
+        format!(
+            "{} beside {} for {}",
+            title(peer),
+            title(unit),
+            comparison.target
+        ),
+        format!("{}, {} seeds", tools.join(", "), comparison.seeds),
+        format!(
+            "  {:<12} {:>12} {:>12} {:>12}",
+            "", "peer", "unit", "peer/unit"
+        ),
+    ];
+    let counts = peer.figures.counts().into_iter().zip(unit.figures.counts());
+    for ((name, peer), (_, unit)) in counts {
+        if peer.is_none() && unit.is_none() {
+            continue;
+        }
+        let text = |count: Option<u64>| count.map_or("-".to_owned(), |count| count.to_string());
+        lines.push(line(name, &text(peer), &text(unit), comparison));
+    }
+    if comparison.seeds > 0 && unit.figures.cells.is_some() {
+        lines.push(line("Fmax", &clock(peer), &clock(unit), comparison));
+    }
+    let latency = unit.latency.unwrap_or_default();
+    lines.push(format!(
+        "latency of {}: {latency} clocks; that of the peer is in its documentation",
+        unit.top
+    ));
+    lines.join("\n")
+}
+
+fn title(design: &Measured) -> String {
+    let parameters = design.parameters.iter();
+    let parameters: Vec<String> = parameters
+        .map(|(name, value)| format!("{name}={value}"))
+        .collect();
+    if parameters.is_empty() {
+        design.top.clone()
+    } else {
+        format!("{} ({})", design.top, parameters.join(", "))
+    }
+}
+
+fn line(name: &'static str, peer: &str, unit: &str, comparison: &Comparison) -> String {
+    let ratio = comparison.ratios.get(name).copied().flatten();
+    let ratio = ratio.map_or("-".to_owned(), |ratio| format!("{ratio:.2}"));
+    format!("  {name:<12} {peer:>12} {unit:>12} {ratio:>12}")
+}
+
+fn clock(design: &Measured) -> String {
+    match (design.figures.fmax_mhz, &design.figures.does_not_fit) {
+        (Some(fmax), _) => format!("{fmax:.1} MHz"),
+        (None, Some(excess)) => format!("too large: {excess}"),
+        (None, None) => "-".to_owned(),
+    }
+}

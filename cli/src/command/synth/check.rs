@@ -1,0 +1,146 @@
+//! `imogene synth --check`.
+
+use crate::arguments::Synth;
+use crate::failure::Failure;
+use crate::output;
+use imogene_rtl::catalogue::Unit;
+use imogene_synth::Target;
+use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
+use imogene_synth::compare::{Change, Tolerance, Verdict};
+use imogene_synth::table::{self, Row};
+
+/// Synthesises rows of the table and compares them with the baseline.
+pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
+    let rows = select(options)?;
+    let baseline = Baseline::read(&options.baseline).map_err(Failure::input)?;
+    let check_options = CheckOptions {
+        tolerance: Tolerance {
+            resources: options.tolerance,
+            clock: options.clock_tolerance,
+        },
+        clock: !options.no_clock,
+        cache: super::cache(options),
+    };
+    let bar = output::progress(rows.len() as u64, "synthesis");
+    let checks = check(&rows, &baseline, &check_options, || bar.inc(1)).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    if json {
+        output::json(&checks);
+    } else {
+        for check in &checks {
+            output::text(describe(check));
+        }
+        output::text(summary(&checks));
+    }
+    verdict(&checks, options)
+}
+
+fn select(options: &Synth) -> Result<Vec<Row>, Failure> {
+    let unit = options.unit.as_deref().map(Unit::from_name).transpose();
+    let unit = unit.map_err(Failure::input)?;
+    let target = options.target.as_deref().map(Target::from_name).transpose();
+    let target = target.map_err(Failure::input)?;
+    let rows = table::select(unit, target);
+    if rows.is_empty() {
+        let part = |name: &Option<String>| name.clone().unwrap_or_else(|| "all".into());
+        return Err(Failure::Input(format!(
+            "the table has no row of unit {} for target {}; docs/resources.md shows its rows",
+            part(&options.unit),
+            part(&options.target)
+        )));
+    }
+    Ok(rows)
+}
+
+fn name(check: &RowCheck) -> String {
+    let parameters: Vec<String> = check
+        .parameters
+        .iter()
+        .map(|(option, value)| format!("--{option} {value}"))
+        .collect();
+    format!(
+        "{} {} for {}",
+        check.unit,
+        parameters.join(" "),
+        check.target
+    )
+}
+
+/// A row: every figure, with its baseline where they differ.
+fn describe(check: &RowCheck) -> String {
+    let changes: Vec<String> = check.changes.iter().map(figure).collect();
+    let verilog = if check.is_same_verilog {
+        ""
+    } else {
+        ", other Verilog"
+    };
+    format!(
+        "{}: {}{verilog}\n  {}",
+        name(check),
+        word(check.verdict),
+        changes.join(", ")
+    )
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Same => "as the baseline",
+        Verdict::Better => "better",
+        Verdict::Within => "within the tolerance",
+        Verdict::Worse => "worse",
+    }
+}
+
+fn figure(change: &Change) -> String {
+    if change.verdict == Verdict::Same {
+        return format!("{} {}", change.measure, change.now);
+    }
+    let percent = change.percent;
+    let percent = percent.map_or_else(String::new, |percent| format!(" ({percent:+.1} %)"));
+    format!(
+        "{} {} -> {}{percent}",
+        change.measure, change.baseline, change.now
+    )
+}
+
+fn summary(checks: &[RowCheck]) -> String {
+    let count = |verdict| {
+        let of_it = checks.iter().filter(|check| check.verdict == verdict);
+        of_it.count()
+    };
+    format!(
+        "{} rows: {} as the baseline, {} better, {} within the tolerance, {} worse",
+        checks.len(),
+        count(Verdict::Same),
+        count(Verdict::Better),
+        count(Verdict::Within),
+        count(Verdict::Worse)
+    )
+}
+
+fn verdict(checks: &[RowCheck], options: &Synth) -> Result<(), Failure> {
+    let is_worse = |check: &&RowCheck| check.verdict == Verdict::Worse;
+    let worse: Vec<String> = checks.iter().filter(is_worse).map(complaint).collect();
+    if worse.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{} of {} rows are worse than {} by more than {} % (Fmax {} %):\n{}",
+        worse.len(),
+        checks.len(),
+        options.baseline.display(),
+        options.tolerance,
+        options.clock_tolerance,
+        worse.join("\n")
+    )))
+}
+
+/// The figures of a row that got worse.
+fn complaint(check: &RowCheck) -> String {
+    let changes = check.changes.iter();
+    let worse: Vec<String> = changes
+        .filter(|change| change.verdict == Verdict::Worse)
+        .map(figure)
+        .collect();
+    format!("  {}: {}", name(check), worse.join(", "))
+}

@@ -1,0 +1,167 @@
+//! A design of another project beside a unit: same scripts, same harness, same seeds, in one run.
+
+mod source;
+
+use crate::bench::Bench;
+use crate::error::SynthError;
+use crate::figures::Figures;
+use crate::flow::{Options, Programs, synthesise};
+use crate::harness;
+use crate::report::SeedResult;
+use crate::target::{Family, Target};
+use imogene_rtl::emit::EmitRequest;
+use serde::Serialize;
+use source::Source;
+pub use source::{Peer, PeerError};
+use std::collections::BTreeMap;
+
+/// A peer and a unit, measured alike.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// Target.
+    pub target: String,
+    /// Seeds of place and route.
+    pub seeds: usize,
+    /// Tools and versions.
+    pub tools: BTreeMap<String, String>,
+    /// The peer.
+    pub peer: Measured,
+    /// The unit.
+    pub unit: Measured,
+    /// Figures of the peer divided by those of the unit; none where one of them is none or the unit's is 0.
+    pub ratios: BTreeMap<&'static str, Option<f64>>,
+}
+
+/// One of the two designs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measured {
+    /// Name of the module.
+    pub top: String,
+    /// Parameters.
+    pub parameters: BTreeMap<String, String>,
+    /// Clock port.
+    pub clock: String,
+    /// Latency in clocks; that of a peer is not known.
+    pub latency: Option<usize>,
+    /// Resources and clock.
+    pub figures: Figures,
+    /// Every run of place and route.
+    pub seeds: Vec<SeedResult>,
+    /// Digest of the Verilog.
+    pub verilog: String,
+}
+
+/// Measures a peer and a unit.
+///
+/// # Errors
+///
+/// When a file of the peer is missing, Yosys refuses it, it has no such top or clock, the request is not legal or a tool fails.
+pub fn compare(
+    peer: &Peer,
+    request: &EmitRequest,
+    target: Target,
+    options: &Options,
+) -> Result<Comparison, SynthError> {
+    peer.check()?;
+    let programs = Programs::find(target)?;
+    let measured = measure(peer, &programs, target, options)?;
+    let report = synthesise(request, target, options)?;
+    let unit = Measured {
+        top: report.unit.clone(),
+        parameters: report
+            .parameters
+            .iter()
+            .map(|(option, value)| (option.clone(), value.to_string()))
+            .collect(),
+        clock: "clock".into(),
+        latency: Some(report.latency),
+        figures: Figures::from(&report),
+        seeds: report.seeds,
+        verilog: report.verilog,
+    };
+    Ok(Comparison {
+        target: target.name().to_owned(),
+        seeds: options.seeds,
+        tools: programs.versions(),
+        ratios: ratios(&measured.figures, &unit.figures),
+        peer: measured,
+        unit,
+    })
+}
+
+fn measure(
+    peer: &Peer,
+    programs: &Programs,
+    target: Target,
+    options: &Options,
+) -> Result<Measured, SynthError> {
+    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    let source = Source::new(peer, folder.path())?;
+    let (ports, clock) = source.ports(&programs.yosys)?;
+    let text = harness::around(&peer.top, &ports, Some(&clock));
+    crate::flow::write(folder.path(), "harness.v", &text)?;
+    let bench = Bench {
+        programs,
+        target,
+        folder: folder.path(),
+        top: &peer.top,
+        read: &source.read,
+        read_with_harness: &format!("{}; read_verilog harness.v", source.read),
+    };
+    let (statistics, resources) = bench.resources()?;
+    let clocked = bench.clock(options)?;
+    let counted = |count: u64| (target.family() != Family::Gates).then_some(count);
+    Ok(Measured {
+        top: peer.top.clone(),
+        parameters: peer.parameters.iter().cloned().collect(),
+        clock,
+        latency: None,
+        figures: Figures {
+            lut: counted(resources.lut),
+            ff: counted(resources.ff),
+            carry: counted(resources.carry),
+            dsp: counted(resources.dsp),
+            bram: counted(resources.bram),
+            cells: clocked.logic_cells,
+            transistors: statistics.transistors,
+            fmax_mhz: clocked.fmax_mhz,
+            does_not_fit: clocked.does_not_fit,
+        },
+        seeds: clocked.seeds,
+        verilog: source.digest,
+    })
+}
+
+/// Figures of the peer divided by those of the unit.
+fn ratios(peer: &Figures, unit: &Figures) -> BTreeMap<&'static str, Option<f64>> {
+    let float = |count: Option<u64>| count.map(|count| count as f64);
+    let counts = peer.counts().into_iter().zip(unit.counts());
+    let counts = counts.map(|((name, peer), (_, unit))| (name, float(peer), float(unit)));
+    counts
+        .chain([("Fmax", peer.fmax_mhz, unit.fmax_mhz)])
+        .map(|(name, peer, unit)| {
+            let unit = unit.filter(|unit| *unit != 0.0);
+            (name, peer.zip(unit).map(|(peer, unit)| peer / unit))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ratio_is_peer_over_unit_and_nothing_is_divided_by_nothing() {
+        let figures = |lut, dsp, fmax_mhz| Figures {
+            lut: Some(lut),
+            dsp: Some(dsp),
+            fmax_mhz,
+            ..Figures::default()
+        };
+        let ratios = ratios(&figures(30, 2, Some(50.0)), &figures(20, 0, Some(200.0)));
+        assert_eq!(ratios["LUT"], Some(1.5));
+        assert_eq!(ratios["DSP"], None);
+        assert_eq!(ratios["Fmax"], Some(0.25));
+        assert_eq!(ratios["cells"], None);
+    }
+}

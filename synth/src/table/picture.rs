@@ -1,0 +1,198 @@
+//! The picture of the root networks over the rows of a stage.
+
+use super::{DEVICES, ROOTS, ROWS_PER_STAGE, Section, Table};
+use crate::error::SynthError;
+use crate::report::SynthReport;
+use crate::target::Target;
+use imogene_rtl::catalogue::Unit;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+const SIZE: (u32, u32) = (960, 720);
+const FONT: &str = "sans-serif";
+
+/// A measure over the rows of a stage.
+struct Panel {
+    title: &'static str,
+    measure: fn(&SynthReport) -> Option<f64>,
+}
+
+const PANELS: [Panel; 4] = [
+    Panel {
+        title: "area (logic cells)",
+        measure: |report| report.logic_cells.map(|cells| cells as f64),
+    },
+    Panel {
+        title: "Fmax (MHz)",
+        measure: |report| report.fmax_mhz,
+    },
+    Panel {
+        title: "latency (clocks)",
+        measure: |report| Some(report.latency as f64),
+    },
+    Panel {
+        title: "latency (ns) = clocks / Fmax",
+        measure: |report| Some(report.latency as f64 * 1000.0 / report.fmax_mhz?),
+    },
+];
+
+/// Draws all panels; nothing if a network lacks a figure.
+pub fn draw(table: &Table) -> Result<Option<String>, SynthError> {
+    let panels: Option<Vec<Vec<Line>>> = PANELS.iter().map(|panel| lines(table, panel)).collect();
+    let Some(panels) = panels else {
+        return Ok(None);
+    };
+    let failed = |error: &dyn std::fmt::Display| SynthError::Picture(error.to_string());
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        area.fill(&WHITE).map_err(|error| failed(&error))?;
+        let parts = area.split_evenly((2, 2));
+        for ((part, panel), lines) in parts.iter().zip(&PANELS).zip(&panels) {
+            draw_panel(part, panel.title, lines).map_err(|error| failed(&error))?;
+        }
+        area.present().map_err(|error| failed(&error))?;
+    }
+    Ok(Some(text))
+}
+
+/// A network on a device: its measures, in the order of the rows per stage.
+struct Line {
+    root: Unit,
+    target: Target,
+    values: Vec<f64>,
+}
+
+fn lines(table: &Table, panel: &Panel) -> Option<Vec<Line>> {
+    let pairs = DEVICES
+        .into_iter()
+        .flat_map(|target| ROOTS.map(|root| (root, target)));
+    pairs
+        .map(|(root, target)| {
+            let value = |rows: &usize| {
+                let mut reports = table.section(Section::Rows, target);
+                let report = reports.find(|report| {
+                    report.unit == root.name() && report.parameters["rows-per-stage"] == *rows
+                })?;
+                (panel.measure)(report)
+            };
+            let values = ROWS_PER_STAGE.iter().map(value).collect::<Option<_>>()?;
+            Some(Line {
+                root,
+                target,
+                values,
+            })
+        })
+        .collect()
+}
+
+impl Line {
+    fn label(&self) -> String {
+        let network = match self.root {
+            Unit::SquareRootNonRestoring => "non-restoring",
+            _ => "restoring",
+        };
+        format!("{network}, {}", self.target.name())
+    }
+
+    fn colour(&self) -> RGBColor {
+        match self.target {
+            Target::Ice40Hx8k => RGBColor(200, 80, 20),
+            _ => RGBColor(20, 90, 170),
+        }
+    }
+
+    /// The restoring network has filled marks, the other open ones.
+    fn mark(&self) -> ShapeStyle {
+        match self.root {
+            Unit::SquareRootNonRestoring => self.colour().stroke_width(2),
+            _ => self.colour().filled(),
+        }
+    }
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+fn draw_panel(
+    area: &Area<'_>,
+    title: &str,
+    lines: &[Line],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let values = lines.iter().flat_map(|line| &line.values);
+    let top = values.copied().fold(0.0, f64::max) * 1.1;
+    let last = ROWS_PER_STAGE.len() as i32 - 1;
+    let mut chart = ChartBuilder::on(area)
+        .margin(12)
+        .caption(title, (FONT, 18))
+        .x_label_area_size(40)
+        .y_label_area_size(50)
+        .build_cartesian_2d(0..last, 0.0..top)?;
+    chart
+        .configure_mesh()
+        .disable_x_mesh()
+        .light_line_style(TRANSPARENT)
+        .x_labels(ROWS_PER_STAGE.len())
+        .x_label_formatter(&|place| rows_at(*place))
+        .y_label_formatter(&|value| format!("{value:.0}"))
+        .x_desc("rows per stage")
+        .label_style((FONT, 14))
+        .draw()?;
+    for line in lines {
+        let points: Vec<(i32, f64)> = (0..).zip(line.values.iter().copied()).collect();
+        let mark = line.mark();
+        chart.draw_series(LineSeries::new(
+            points.iter().copied(),
+            line.colour().stroke_width(1),
+        ))?;
+        chart
+            .draw_series(points.iter().map(|&point| Circle::new(point, 4, mark)))?
+            .label(line.label())
+            .legend(move |(x, y)| Circle::new((x + 8, y), 4, mark));
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .label_font((FONT, 13))
+        .draw()?;
+    Ok(())
+}
+
+/// The rows per stage at a place of the axis, whose marks lie side by side: 24 would be far away from the others.
+fn rows_at(place: i32) -> String {
+    let place = usize::try_from(place).unwrap_or(usize::MAX);
+    let rows = ROWS_PER_STAGE.get(place);
+    rows.map_or_else(String::new, ToString::to_string)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::invented;
+    use super::*;
+
+    #[test]
+    fn every_figure_has_its_mark_and_every_line_its_name() {
+        let table = invented();
+        let picture = draw(&table).expect("a drawing").expect("a picture");
+        let lines = DEVICES.len() * ROOTS.len();
+        // A mark for each number of rows, and one beside the name.
+        let marks = PANELS.len() * lines * (ROWS_PER_STAGE.len() + 1);
+        assert_eq!(picture.matches("<circle").count(), marks);
+        for name in [
+            "non-restoring, ice40-hx8k",
+            "restoring, ecp5-45k",
+            "Fmax (MHz)",
+        ] {
+            assert!(picture.contains(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_table_without_a_clock_has_no_picture() {
+        let mut table = invented();
+        let rows = table.rows.iter_mut();
+        let mut roots = rows.filter(|(row, _)| row.section == Section::Rows);
+        roots.next().expect("a row of a root").1.fmax_mhz = None;
+        assert_eq!(draw(&table).expect("no failure"), None);
+    }
+}

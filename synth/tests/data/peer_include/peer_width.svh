@@ -1,0 +1,1 @@
+`define PEER_STAGES 2
