@@ -48,8 +48,9 @@ pub fn draw(table: &Table) -> Result<Option<String>, SynthError> {
         let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
         area.fill(&WHITE).map_err(|error| failed(&error))?;
         let parts = area.split_evenly((2, 2));
-        for ((part, panel), lines) in parts.iter().zip(&PANELS).zip(&panels) {
-            draw_panel(part, panel.title, lines).map_err(|error| failed(&error))?;
+        let panels = PANELS.iter().zip(&panels).enumerate();
+        for (part, (index, (panel, lines))) in parts.iter().zip(panels) {
+            draw_panel(part, panel.title, lines, index == 0).map_err(|error| failed(&error))?;
         }
         area.present().map_err(|error| failed(&error))?;
     }
@@ -117,6 +118,7 @@ fn draw_panel(
     area: &Area<'_>,
     title: &str,
     lines: &[Line],
+    is_first: bool,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let values = lines.iter().flat_map(|line| &line.values);
     let top = values.copied().fold(0.0, f64::max) * 1.1;
@@ -131,6 +133,7 @@ fn draw_panel(
         .configure_mesh()
         .disable_x_mesh()
         .light_line_style(TRANSPARENT)
+        .bold_line_style(RGBColor(225, 225, 225))
         .x_labels(ROWS_PER_STAGE.len())
         .x_label_formatter(&|place| rows_at(*place))
         .y_label_formatter(&|value| format!("{value:.0}"))
@@ -149,12 +152,15 @@ fn draw_panel(
             .label(line.label())
             .legend(move |(x, y)| Circle::new((x + 8, y), 4, mark));
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.85))
-        .label_font((FONT, 13))
-        .draw()?;
+    if is_first {
+        // Below the areas, which do not come near 0.
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::LowerLeft)
+            .background_style(WHITE)
+            .label_font((FONT, 13))
+            .draw()?;
+    }
     Ok(())
 }
 
@@ -175,8 +181,8 @@ mod tests {
         let table = invented();
         let picture = draw(&table).expect("a drawing").expect("a picture");
         let lines = DEVICES.len() * ROOTS.len();
-        // A mark for each number of rows, and one beside the name.
-        let marks = PANELS.len() * lines * (ROWS_PER_STAGE.len() + 1);
+        // A mark for each number of rows, and one beside each name in the first panel.
+        let marks = PANELS.len() * lines * ROWS_PER_STAGE.len() + lines;
         assert_eq!(picture.matches("<circle").count(), marks);
         for name in [
             "non-restoring, ice40-hx8k",
