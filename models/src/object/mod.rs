@@ -2,4 +2,5 @@
 
 pub mod line;
 pub mod load;
+pub mod patch;
 pub mod quadric;

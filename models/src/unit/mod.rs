@@ -4,6 +4,7 @@ pub mod cut_plane;
 pub mod interval;
 pub mod merge;
 pub mod normal;
+pub mod patch_decider;
 pub mod pe1;
 pub mod pe2;
 pub mod plane_depth;
