@@ -3,4 +3,5 @@
 pub mod line;
 pub mod load;
 pub mod patch;
+pub mod polyhedron;
 pub mod quadric;

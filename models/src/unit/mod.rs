@@ -1,6 +1,7 @@
 //! Golden models of the units, one per file.
 
 pub mod cut_plane;
+pub mod half_spaces;
 pub mod interval;
 pub mod merge;
 pub mod normal;

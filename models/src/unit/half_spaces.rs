@@ -1,0 +1,162 @@
+//! The intersection of half-spaces along a line of sight: the nearest and the farthest point that all planes keep (source: annex A).
+//!
+//! The source cuts the full depth interval in a chain. Cutting a full interval only looks for the greatest depth of the front planes and the
+//! least of the back planes, so two trees of comparators of the same size find it in `ceil(log2 N)` clocks.
+
+use super::cut_plane::PlaneKind;
+use super::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
+use crate::format::Format;
+
+/// One branch of the tree: what its planes leave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Branch {
+    /// Greatest depth of a front plane and its face number.
+    pub front: (i64, u8),
+    /// Least depth of a back plane and its face number.
+    pub back: (i64, u8),
+    /// A perpendicular plane removes the pixel.
+    pub removed: bool,
+}
+
+/// What plane `index` of saturated depth (or value) `zp` says by itself; where it says nothing, a depth that loses to every plane.
+#[inline]
+pub const fn leaf(kind: PlaneKind, zp: i64, index: usize, format: &Format) -> Branch {
+    let number = FACE_PLANE + index as u8;
+    let mut branch = Branch {
+        front: (format.plane_low(), number),
+        back: (format.z_max(), number),
+        removed: false,
+    };
+    match kind {
+        PlaneKind::None => {}
+        PlaneKind::Front => branch.front.0 = zp,
+        PlaneKind::Back => branch.back.0 = zp,
+        PlaneKind::Perpendicular => branch.removed = zp < 0,
+    }
+    branch
+}
+
+/// A node of the tree; at equal depths the first branch wins, which holds the smaller indices.
+#[inline]
+pub const fn node(a: Branch, b: Branch) -> Branch {
+    Branch {
+        front: if a.front.0 >= b.front.0 {
+            a.front
+        } else {
+            b.front
+        },
+        back: if a.back.0 <= b.back.0 { a.back } else { b.back },
+        removed: a.removed || b.removed,
+    }
+}
+
+/// The tree over all leaves, level by level; an odd one out passes a register. None without a leaf.
+pub fn tree(mut level: Vec<Branch>) -> Option<Branch> {
+    while level.len() > 1 {
+        level = level
+            .chunks(2)
+            .map(|pair| match *pair {
+                [a, b] => node(a, b),
+                _ => pair[0],
+            })
+            .collect();
+    }
+    level.first().copied()
+}
+
+/// Levels of the tree over `planes` leaves.
+pub const fn tree_levels(planes: usize) -> u32 {
+    planes.next_power_of_two().trailing_zeros()
+}
+
+/// The interval that is left: the planes against each other and against both ends of the depth word, whose face is the near end's cap.
+#[inline]
+pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
+    let (zf, nf) = if branch.front.0 > format.z_low() {
+        branch.front
+    } else {
+        (format.z_low(), FACE_NEAR_END)
+    };
+    let (zb, nb) = if branch.back.0 < format.z_max() {
+        branch.back
+    } else {
+        (format.z_max(), FACE_NEAR_END)
+    };
+    if there && !branch.removed && zf <= zb && zf < format.z_max() {
+        Interval { zf, zb, nf, nb }
+    } else {
+        Interval::absent(format)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::cut_plane::cut;
+
+    const F: Format = Format::BASE;
+
+    fn parallel(planes: &[(PlaneKind, i64)]) -> Interval {
+        let leaves = planes.iter().enumerate();
+        let leaves = leaves.map(|(i, &(kind, zp))| leaf(kind, zp, i, &F));
+        close(tree(leaves.collect()).unwrap(), true, &F)
+    }
+
+    /// The source's chain: the whole line of sight, cut by one plane after the other.
+    fn chain(planes: &[(PlaneKind, i64)]) -> Interval {
+        let line = Interval {
+            zf: F.z_low(),
+            zb: F.z_max(),
+            nf: FACE_NEAR_END,
+            nb: FACE_NEAR_END,
+        };
+        planes.iter().enumerate().fold(line, |state, (i, &(k, zp))| {
+            cut(state, k, zp, FACE_PLANE + i as u8, false, &F)
+        })
+    }
+
+    /// One to four planes on all levels around both ends and in between: ties, touching planes, empty intersections, planes at the ends.
+    #[test]
+    fn equals_the_chain_of_cut_planes() {
+        let levels = [F.plane_low(), F.z_low(), -1, 0, 1, F.z_max() - 1, F.z_max()];
+        let mut choices = vec![(PlaneKind::None, 0)];
+        for z in levels {
+            choices.push((PlaneKind::Front, z));
+            choices.push((PlaneKind::Back, z));
+        }
+        choices.push((PlaneKind::Perpendicular, 0));
+        choices.push((PlaneKind::Perpendicular, -1));
+        let (mut present, mut absent) = (0u32, 0u32);
+        for n in 1..=4 {
+            for code in 0..choices.len().pow(n) {
+                let planes: Vec<_> = (0..n)
+                    .map(|i| choices[code / choices.len().pow(i) % choices.len()])
+                    .collect();
+                let (ours, theirs) = (parallel(&planes), chain(&planes));
+                if theirs.is_present(&F) {
+                    assert_eq!(ours, theirs, "{planes:?}");
+                    present += 1;
+                } else {
+                    assert_eq!(ours, Interval::absent(&F), "{planes:?}");
+                    absent += 1;
+                }
+            }
+        }
+        assert_eq!(present + absent, 17 + 17 * 17 + 4_913 + 83_521);
+        assert!(present > 20_000 && absent > 20_000, "{present} {absent}");
+    }
+
+    #[test]
+    fn a_pixel_outside_the_box_is_absent() {
+        let alone = leaf(PlaneKind::Front, 5, 0, &F);
+        assert!(close(alone, true, &F).is_present(&F));
+        assert_eq!(close(alone, false, &F), Interval::absent(&F));
+    }
+
+    #[test]
+    fn the_tree_has_the_levels_it_claims() {
+        let levels: Vec<u32> = (1..=12).map(tree_levels).collect();
+        assert_eq!(levels, [0, 1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4]);
+        assert_eq!(tree(vec![]), None);
+    }
+}
