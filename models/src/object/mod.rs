@@ -5,3 +5,4 @@ pub mod load;
 pub mod patch;
 pub mod polyhedron;
 pub mod quadric;
+pub mod volume;

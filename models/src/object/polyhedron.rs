@@ -54,7 +54,10 @@ impl PolyhedronProcessor {
     ///
     /// If there is no plane.
     pub fn zone_start(words: &PolyhedronWords, format: &Format) -> PolyhedronProcessor {
-        assert!(!words.planes.is_empty(), "a polyhedron has at least one plane");
+        assert!(
+            !words.planes.is_empty(),
+            "a polyhedron has at least one plane"
+        );
         let start = |p: &PlaneWords| Pe1::object_start(&p.depth, format.plane);
         PolyhedronProcessor {
             format: *format,
@@ -176,7 +179,11 @@ mod tests {
         spaces.iter().all(|h| !value(h, x, y, &z).is_positive())
     }
 
-    fn each_pixel(words: &PolyhedronWords, format: &Format, mut visit: impl FnMut(i64, i64, PolyhedronPixel)) {
+    fn each_pixel(
+        words: &PolyhedronWords,
+        format: &Format,
+        mut visit: impl FnMut(i64, i64, PolyhedronPixel),
+    ) {
         let mut processor = PolyhedronProcessor::zone_start(words, format);
         for y in 0..SIDE {
             if y > 0 {

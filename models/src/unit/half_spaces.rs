@@ -110,9 +110,12 @@ mod tests {
             nf: FACE_NEAR_END,
             nb: FACE_NEAR_END,
         };
-        planes.iter().enumerate().fold(line, |state, (i, &(k, zp))| {
-            cut(state, k, zp, FACE_PLANE + i as u8, false, &F)
-        })
+        planes
+            .iter()
+            .enumerate()
+            .fold(line, |state, (i, &(k, zp))| {
+                cut(state, k, zp, FACE_PLANE + i as u8, false, &F)
+            })
     }
 
     /// One to four planes on all levels around both ends and in between: ties, touching planes, empty intersections, planes at the ends.

@@ -3,6 +3,7 @@
 pub mod cut_plane;
 pub mod half_spaces;
 pub mod interval;
+pub mod membership;
 pub mod merge;
 pub mod normal;
 pub mod patch_decider;

@@ -1,0 +1,211 @@
+//! Shadow volumes and the light volumes of spots: which light sources reach the visible point of a pixel (source: 3.2.1, 4.1.3).
+//!
+//! A volume is a quadric with cut planes, or planes alone. Its processor is given the visible depth and answers inside or outside; it has
+//! no normals and hands on no depth.
+
+use super::quadric::ScreenBox;
+use crate::format::{Format, wrap64};
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::Class;
+use crate::unit::membership::{Point, in_half_space, in_quadric};
+use crate::unit::pe1::{Linear, Pe1};
+use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::root::restoring_root;
+use serde::{Deserialize, Serialize};
+
+/// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source, and one through the
+/// source for each cut plane).
+pub const QUADRIC_PLANES: usize = 4;
+/// Planes of the shadow of a three-sided facet: its own and one through the source for each side.
+pub const FACET_PLANES: usize = 4;
+/// Planes of the shadow of a polyhedron of six faces.
+pub const POLYHEDRON_PLANES: usize = 10;
+/// Light sources that a pixel has flags for.
+pub const SOURCES: u8 = 16;
+
+/// What being inside means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum VolumeKind {
+    /// Inside, the source does not reach the point.
+    Shadow,
+    /// Only inside does the source, a spot, reach the point.
+    Light,
+}
+
+/// Coefficient words of a plane of a volume.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct VolumePlane {
+    /// How the plane lies to the viewer.
+    pub kind: PlaneKind,
+    /// Depth of the plane, or its signed half-plane value if perpendicular.
+    pub depth: Linear,
+}
+
+/// Coefficient words of the quadric of a volume.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct VolumeQuadric {
+    /// How the quadric lies to the viewer; a patch has no inside.
+    pub class: Class,
+    /// Linear part of the depth.
+    pub f1: Linear,
+    /// Discriminant part of the depth.
+    pub f2: Quadratic,
+}
+
+/// All coefficient words of a volume for one zone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct VolumeWords {
+    /// Shadow or light.
+    pub kind: VolumeKind,
+    /// The source it belongs to, less than [`SOURCES`].
+    pub source: u8,
+    /// Where the volume can be on the screen.
+    pub screen_box: ScreenBox,
+    /// Counts that a point has to be behind the beginning of the volume; less than half the depth word.
+    pub margin: u32,
+    /// Its quadric; none in a polyhedral volume.
+    pub quadric: Option<VolumeQuadric>,
+    /// Its planes.
+    pub planes: Vec<VolumePlane>,
+}
+
+impl VolumeWords {
+    /// The flags of the sources after this volume.
+    ///
+    /// Both kinds only take flags away, so neither the order of the volumes nor that of lights and shadows matters.
+    #[inline]
+    pub const fn after(&self, flags: u16, inside: bool) -> u16 {
+        let dark = match self.kind {
+            VolumeKind::Shadow => inside,
+            VolumeKind::Light => !inside,
+        };
+        if dark {
+            flags & !(1 << self.source)
+        } else {
+            flags
+        }
+    }
+}
+
+/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L + 1` clocks after them.
+pub fn quadric_latency(format: &Format, rows_per_stage: u32) -> u32 {
+    format.root.div_ceil(rows_per_stage) + 4
+}
+
+/// The same without a quadric; the visible depth enters with the flags.
+pub const fn polyhedral_latency() -> u32 {
+    3
+}
+
+#[derive(Clone, Debug)]
+struct QuadricPart {
+    class: Class,
+    f1: Pe1,
+    f2: Pe2,
+}
+
+/// The processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct VolumeProcessor {
+    format: Format,
+    words: VolumeWords,
+    quadric: Option<QuadricPart>,
+    planes: Vec<Pe1>,
+    x: i64,
+    y: i64,
+}
+
+impl VolumeProcessor {
+    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+    pub fn zone_start(words: &VolumeWords, format: &Format) -> VolumeProcessor {
+        let quadric = words.quadric.map(|q| QuadricPart {
+            class: q.class,
+            f1: Pe1::object_start(&q.f1, format.pe1_width()),
+            f2: Pe2::object_start(&q.f2, format.pe2_width()),
+        });
+        let plane = |p: &VolumePlane| Pe1::object_start(&p.depth, format.plane);
+        VolumeProcessor {
+            format: *format,
+            words: words.clone(),
+            quadric,
+            planes: words.planes.iter().map(plane).collect(),
+            x: 0,
+            y: 0,
+        }
+    }
+
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        if let Some(quadric) = &mut self.quadric {
+            quadric.f1.line_step();
+            quadric.f2.line_step();
+        }
+        self.planes.iter_mut().for_each(Pe1::line_step);
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// Is the visible depth `z` of the next pixel of the line inside the volume; the background (`z_max`) is not.
+    pub fn pixel(&mut self, z: i64) -> bool {
+        let point = Point::new(z, self.words.margin);
+        let format = &self.format;
+        let quadric = self.quadric.as_mut();
+        let in_quadric = quadric.is_none_or(|q| q.holds(point, format));
+        let planes = self.words.planes.iter().zip(&mut self.planes);
+        // All processors step, whatever the others answer.
+        let in_planes = planes
+            .map(|(plane, pe)| in_half_space(plane.kind, pe.pixel() as i64, point))
+            .fold(true, |all, one| all & one);
+        let in_box = self.words.screen_box.contains(self.x, self.y);
+        self.x += 1;
+        in_box && point.is_surface(format) && in_quadric && in_planes
+    }
+}
+
+impl QuadricPart {
+    fn holds(&mut self, point: Point, format: &Format) -> bool {
+        let f1 = format.drop_linear(self.f1.pixel() as i64);
+        let f2 = format.drop_quadratic(self.f2.pixel() as i64);
+        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
+        let root = restoring_root(radicand, format.root).root as i64;
+        let near = wrap64(f1 - root, format.sum);
+        let far = wrap64(f1 + root, format.sum);
+        in_quadric(self.class, near, far, f2 < 0, point)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn latencies() {
+        assert_eq!(quadric_latency(&Format::BASE, 2), 16);
+        assert_eq!(polyhedral_latency(), 3);
+    }
+
+    #[test]
+    fn flags_only_ever_fall_so_the_order_of_volumes_does_not_matter() {
+        let volume = |kind, source| VolumeWords {
+            kind,
+            source,
+            screen_box: ScreenBox::EMPTY,
+            margin: 0,
+            quadric: None,
+            planes: vec![],
+        };
+        let lamp = volume(VolumeKind::Light, 3);
+        let shade = volume(VolumeKind::Shadow, 3);
+        let all = u16::MAX;
+        for lit in [false, true] {
+            for shaded in [false, true] {
+                let lamp_first = shade.after(lamp.after(all, lit), shaded);
+                assert_eq!(lamp_first, lamp.after(shade.after(all, shaded), lit));
+                let bit = if lit && !shaded { all } else { all & !(1 << 3) };
+                assert_eq!(lamp_first, bit);
+            }
+        }
+        assert_eq!(volume(VolumeKind::Shadow, 15).after(all, true), 0x7fff);
+    }
+}
