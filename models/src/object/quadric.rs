@@ -64,10 +64,24 @@ impl ScreenBox {
             y0: self.y0.max(y0) - y0,
             y1: self.y1.min(y0 + height - 1) - y0,
         };
-        if part.is_empty() {
+        part.or_empty()
+    }
+
+    /// The part of the box on the lines `first, first + step, first + 2 step, ..`, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> ScreenBox {
+        let part = ScreenBox {
+            y0: (self.y0 - first + step - 1).div_euclid(step),
+            y1: (self.y1 - first).div_euclid(step),
+            ..*self
+        };
+        part.or_empty()
+    }
+
+    fn or_empty(self) -> ScreenBox {
+        if self.is_empty() {
             ScreenBox::EMPTY
         } else {
-            part
+            self
         }
     }
 }
@@ -124,6 +138,19 @@ impl QuadricWords {
         words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
         for plane in &mut words.planes {
             plane.depth = plane.depth.from_zone(x0, y0);
+        }
+        words
+    }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone: a field of an interlaced picture.
+    pub fn every_line(&self, step: i64, first: i64) -> QuadricWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        words.f1 = self.f1.every_line(step, first);
+        words.f2 = self.f2.every_line(step, first);
+        words.normal.g = self.normal.g.map(|g| g.every_line(step, first));
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.every_line(step, first);
         }
         words
     }

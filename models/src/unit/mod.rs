@@ -2,6 +2,7 @@
 
 pub mod cut_plane;
 pub mod half_spaces;
+pub mod interlaced;
 pub mod interval;
 pub mod membership;
 pub mod merge;
@@ -10,4 +11,5 @@ pub mod patch_decider;
 pub mod pe1;
 pub mod pe2;
 pub mod plane_depth;
+pub mod programmable;
 pub mod root;

@@ -44,6 +44,14 @@ impl Linear {
         }
     }
 
+    /// The expression on the lines `first, first + step, first + 2 step, ..` alone: a field, or one of several groups of lines.
+    pub fn every_line(&self, step: i64, first: i64) -> Linear {
+        Linear {
+            b: self.b * step as i128,
+            ..self.from_zone(0, first)
+        }
+    }
+
     /// The coefficient words as a register of `width` bits holds them.
     pub fn wrapped(&self, width: u32) -> Linear {
         Linear {

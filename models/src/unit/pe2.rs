@@ -67,6 +67,18 @@ impl Quadratic {
         }
     }
 
+    /// The expression on the lines `first, first + step, first + 2 step, ..` alone (source: 2.4.4, with the term `e first` it drops).
+    pub fn every_line(&self, step: i64, first: i64) -> Quadratic {
+        let moved = self.from_zone(0, first);
+        let n = step as i128;
+        Quadratic {
+            b: moved.b * n * n,
+            c: moved.c * n,
+            e: moved.e * n,
+            ..moved
+        }
+    }
+
     /// The words the hardware is loaded with, as registers of `width` bits hold them.
     pub fn preconditioned(&self, width: u32) -> PreconditionedWords {
         PreconditionedWords {
