@@ -1,8 +1,11 @@
 //! Golden models of the object processors.
 
+pub mod cylinder;
 pub mod line;
 pub mod load;
+pub mod paraboloid;
 pub mod patch;
 pub mod polyhedron;
 pub mod quadric;
+pub mod sphere;
 pub mod volume;
