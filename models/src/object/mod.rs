@@ -1,6 +1,8 @@
 //! Golden models of the object processors.
 
+pub mod curved_facet;
 pub mod cylinder;
+pub mod facet;
 pub mod line;
 pub mod load;
 pub mod paraboloid;
