@@ -3,6 +3,7 @@
 pub mod curved_facet;
 pub mod cylinder;
 pub mod facet;
+pub mod first_generation;
 pub mod line;
 pub mod load;
 pub mod paraboloid;
