@@ -146,9 +146,9 @@ proptest! {
                 let z = mean(std::array::from_fn(|i| corners[i].z.clone()));
                 right &= (integer(pixel.zf) - z).abs() <= rounding(plane_guard(&F));
                 right &= pixel.number == FACE_FACET && pixel.zb == pixel.zf;
-                for k in 0..3 {
+                for (k, &component) in pixel.normal.iter().enumerate() {
                     let n = mean(std::array::from_fn(|i| integer(normals[i][k].into())));
-                    right &= (integer(pixel.normal[k].into()) - n).abs() <= rounding(8);
+                    right &= (integer(component.into()) - n).abs() <= rounding(8);
                 }
             }
             if !right {

@@ -67,27 +67,29 @@ pub fn cut(
     }
 }
 
+/// All orders of n planes.
+#[cfg(test)]
+pub(super) fn permutations(n: usize) -> Vec<Vec<usize>> {
+    if n == 0 {
+        return vec![vec![]];
+    }
+    permutations(n - 1)
+        .into_iter()
+        .flat_map(|shorter| {
+            (0..n).map(move |at| {
+                let mut order = shorter.clone();
+                order.insert(at, n - 1);
+                order
+            })
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const F: Format = Format::BASE;
-
-    fn permutations(n: usize) -> Vec<Vec<usize>> {
-        if n == 0 {
-            return vec![vec![]];
-        }
-        permutations(n - 1)
-            .into_iter()
-            .flat_map(|shorter| {
-                (0..n).map(move |at| {
-                    let mut order = shorter.clone();
-                    order.insert(at, n - 1);
-                    order
-                })
-            })
-            .collect()
-    }
 
     fn solid(zf: i64, zb: i64) -> Interval {
         Interval {

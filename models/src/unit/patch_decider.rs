@@ -89,28 +89,12 @@ pub const fn decide(near: i64, far: i64, left: Faces, format: &Format) -> Interv
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::cut_plane::cut;
+    use crate::unit::cut_plane::{cut, permutations};
     use crate::unit::interval::{Class, halves};
 
     const F: Format = Format::BASE;
 
     type Plane = (PlaneKind, i64);
-
-    fn permutations(n: usize) -> Vec<Vec<usize>> {
-        if n == 0 {
-            return vec![vec![]];
-        }
-        permutations(n - 1)
-            .into_iter()
-            .flat_map(|shorter| {
-                (0..n).map(move |at| {
-                    let mut order = shorter.clone();
-                    order.insert(at, n - 1);
-                    order
-                })
-            })
-            .collect()
-    }
 
     fn parallel(near: i64, far: i64, there: bool, planes: &[Plane]) -> Interval {
         let left = planes
