@@ -2,10 +2,12 @@
 //!
 //! The only place where `rtl` and `models` meet. A [`subject::Subject`] puts a unit's hardware and golden model side by side and compares
 //! every output on every clock; [`unit`](mod@unit) has one for each unit, [`scene`] does the same for a whole machine drawing a scene.
-//! [`trace`] writes the waveforms of both. The hardware runs in an [`engine`]; [`mutation`] measures what the stimuli notice.
+//! [`trace`] writes the waveforms of both. The hardware runs in an [`engine`]; [`mutation`] measures what the stimuli notice;
+//! [`equivalence`] proves the emitted text equal to rust-hdl's own.
 
 pub mod bench;
 pub mod engine;
+pub mod equivalence;
 pub mod extremes;
 pub mod formal;
 pub mod mutation;
@@ -18,3 +20,4 @@ pub mod subject;
 pub mod tool;
 pub mod trace;
 pub mod unit;
+mod yosys;

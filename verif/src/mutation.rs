@@ -6,7 +6,6 @@
 //! that no test could kill it, or it *survives* and shows a weakness of the stimulus.
 
 mod campaign;
-mod cut;
 mod equivalence;
 mod facts;
 mod list;

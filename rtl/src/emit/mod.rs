@@ -10,6 +10,7 @@ mod lower;
 mod merge;
 mod module;
 mod names;
+mod raw;
 mod request;
 #[cfg(test)]
 mod tests;
@@ -40,6 +41,7 @@ use crate::unit::square_root_rows::SquareRootRows;
 use crate::unit::two_volume_merge::TwoVolumeMerge;
 use collect::{Scope, collect};
 pub use error::EmitError;
+pub use raw::raw;
 pub use request::EmitRequest;
 use rust_hdl::core::prelude::{AtomKind, Block};
 use std::fmt::Write;

@@ -5,8 +5,9 @@
 //! for the network that does not restore; there they hold once the pipeline is filled, for it has no feedback, and nothing is stated of a
 //! result before.
 
-use super::netlist::{NETLIST, yosys};
+use super::netlist::NETLIST;
 use crate::tool::{ToolError, write};
+use crate::yosys::yosys;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;

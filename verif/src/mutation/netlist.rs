@@ -2,7 +2,8 @@
 
 use super::list::{Mutant, parse};
 use super::{Design, MutationError, Options, selector};
-use crate::tool::{ToolError, YOSYS, write};
+use crate::tool::ToolError;
+use crate::yosys::yosys;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -10,12 +11,6 @@ use std::path::Path;
 pub(super) const SOURCE: &str = "unit.v";
 /// The elaborated unit.
 pub(super) const NETLIST: &str = "unit.il";
-
-/// Runs a script of Yosys in a folder; returns what it printed.
-pub(super) fn yosys(folder: &Path, script: &str, text: &str) -> Result<String, ToolError> {
-    write(&folder.join(script), text)?;
-    YOSYS.run(["-s", script], folder)
-}
 
 /// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
 pub(super) fn elaborate(

@@ -1,0 +1,161 @@
+//! The netlist with its registers cut: each register becomes an input, its value, and two outputs, its next value and its clock.
+
+use std::fmt::Write as _;
+
+/// Port numbers of the cut registers begin here, beyond those of any unit.
+const FIRST_PORT: usize = 10_000;
+
+/// A register of a netlist.
+pub(crate) struct Register<'a> {
+    /// Cell.
+    pub cell: &'a str,
+    /// Bits.
+    pub width: &'a str,
+    /// Signal of its value.
+    pub value: &'a str,
+    /// Signal of its next value.
+    pub next: &'a str,
+    /// Signal of its clock.
+    pub clock: &'a str,
+    /// Polarity of its clock, `1'1` for the rising edge.
+    pub edge: &'a str,
+}
+
+/// The registers of a netlist, in its order.
+pub(crate) fn registers(netlist: &str) -> Vec<Register<'_>> {
+    let mut found = Vec::new();
+    let mut lines = netlist.lines();
+    while let Some(line) = lines.next() {
+        found.extend(register(line, &mut lines));
+    }
+    found
+}
+
+/// The register that begins at a line; takes its other lines.
+fn register<'a>(line: &'a str, rest: &mut impl Iterator<Item = &'a str>) -> Option<Register<'a>> {
+    let cell = line.trim_start().strip_prefix("cell $dff ")?;
+    let body: Vec<&str> = rest
+        .by_ref()
+        .map(str::trim)
+        .take_while(|line| *line != "end")
+        .collect();
+    let after = |prefix: &str| body.iter().find_map(|line| line.strip_prefix(prefix));
+    Some(Register {
+        cell,
+        width: after("parameter \\WIDTH ").unwrap_or("1"),
+        value: after("connect \\Q ").unwrap_or_default(),
+        next: after("connect \\D ").unwrap_or_default(),
+        clock: after("connect \\CLK ").unwrap_or_default(),
+        edge: after("parameter \\CLK_POLARITY ").unwrap_or_default(),
+    })
+}
+
+/// The text of a netlist without registers. Register n of the netlist has the ports `cut_q_m`, `cut_d_m` and `cut_c_m` with m its number. Its
+/// cell `NAME` leaves two buffers, `NAME$q` behind its value and `NAME$d` before its next value, where mutants of its ports can be made.
+pub(crate) fn cut(netlist: &str, number: impl Fn(usize) -> usize) -> String {
+    let mut text = String::new();
+    let mut lines = netlist.lines();
+    let mut count = 0;
+    while let Some(line) = lines.next() {
+        // An initial value belongs to no input.
+        if line.trim_start().starts_with("attribute \\init ") {
+            continue;
+        }
+        if let Some(register) = register(line, &mut lines) {
+            register.write(number(count), &mut text);
+            count += 1;
+        } else {
+            text += line;
+            text.push('\n');
+        }
+    }
+    text
+}
+
+impl Register<'_> {
+    fn write(&self, number: usize, text: &mut String) {
+        let Register {
+            cell, width, clock, ..
+        } = self;
+        let port = FIRST_PORT + 3 * number;
+        let _ = write!(
+            text,
+            "  wire width {width} input {port} \\cut_q_{number}\n  wire width {width} output {} \\cut_d_{number}\n  \
+             wire output {} \\cut_c_{number}\n  connect \\cut_c_{number} {clock}\n",
+            port + 1,
+            port + 2
+        );
+        let buffers = [
+            ("q", format!("\\cut_q_{number}"), self.value.to_owned()),
+            ("d", self.next.to_owned(), format!("\\cut_d_{number}")),
+        ];
+        for (suffix, from, to) in buffers {
+            let _ = write!(
+                text,
+                "  cell $pos {cell}${suffix}\n    parameter \\A_SIGNED 0\n    parameter \\A_WIDTH {width}\n    parameter \\Y_WIDTH {width}\n    \
+                 connect \\A {from}\n    connect \\Y {to}\n  end\n"
+            );
+        }
+    }
+}
+
+/// The options of a mutant, for the netlist with cut registers.
+pub(crate) fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
+    let is_register = netlist.lines().any(|line| {
+        let cell_of_line = line.trim_start().strip_prefix("cell $dff ");
+        cell_of_line == Some(cell)
+    });
+    if !is_register {
+        return command.to_owned();
+    }
+    let place = |port: &str| format!("-cell {cell} -port {port} ");
+    command
+        .replace(&place("Q"), &format!("-cell {cell}$q -port Y "))
+        .replace(&place("D"), &format!("-cell {cell}$d -port A "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NETLIST: &str = "module \\m
+  attribute \\init 3'000
+  wire width 3 output 2 \\value
+  cell $dff $r$1
+    parameter \\CLK_POLARITY 1
+    parameter \\WIDTH 3
+    connect \\CLK \\clock
+    connect \\D $next
+    connect \\Q \\value
+  end
+end
+";
+
+    #[test]
+    fn a_register_becomes_three_ports() {
+        let text = cut(NETLIST, |place| place + 4);
+        assert!(!text.contains("$dff") && !text.contains("init"), "{text}");
+        for part in [
+            "wire width 3 input 10012 \\cut_q_4",
+            "wire width 3 output 10013 \\cut_d_4",
+            "wire output 10014 \\cut_c_4",
+            "connect \\cut_c_4 \\clock",
+            "connect \\A \\cut_q_4\n    connect \\Y \\value",
+            "connect \\A $next\n    connect \\Y \\cut_d_4",
+        ] {
+            assert!(text.contains(part), "no '{part}' in {text}");
+        }
+    }
+
+    #[test]
+    fn mutants_of_a_register_move_to_its_buffers() {
+        let moved = |port: &str| {
+            let command = format!("-mode inv -cell $r$1 -port {port} -portbit 2");
+            cut_command(&command, "$r$1", NETLIST)
+        };
+        assert_eq!(moved("Q"), "-mode inv -cell $r$1$q -port Y -portbit 2");
+        assert_eq!(moved("D"), "-mode inv -cell $r$1$d -port A -portbit 2");
+        let other = "-mode inv -cell $add$1 -port Y -portbit 2";
+        assert_eq!(cut_command(other, "$add$1", NETLIST), other);
+    }
+}
