@@ -42,7 +42,7 @@ macro_rules! kernel {
                     _asleep: false,
                 };
                 let scope = collect(block).map_err(|error| error.to_string())?;
-                let modules = modules(&scope).map_err(|error| error.to_string())?;
+                let modules = modules(&scope, "").map_err(|error| error.to_string())?;
                 Ok(modules.into_iter().map(|(_, text)| text).collect())
             }
         }
