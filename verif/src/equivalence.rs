@@ -104,7 +104,7 @@ pub fn with_ranges(raw: &str) -> String {
             .split_once("localparam signed ")
             .and_then(|(indent, rest)| {
                 let (name, value) = rest.split_once(" = ")?;
-                let width: usize = value.split_once("'h")?.0.parse().ok()?;
+                let width: usize = value.split_once('\'')?.0.parse().ok()?;
                 Some(format!(
                     "{indent}localparam signed [{}:0] {name} = {value}\n",
                     width - 1
@@ -189,8 +189,8 @@ mod tests {
 
     #[test]
     fn only_signed_constants_get_a_range() {
-        let text = "    localparam signed low = 26'h3800001;\n    localparam one = 24'h1;\n    wire signed [3:0] a;\n";
-        let ranged = "    localparam signed [25:0] low = 26'h3800001;\n    localparam one = 24'h1;\n    wire signed [3:0] a;\n";
+        let text = "    localparam signed low = 26'h3800001;\n    localparam signed two = 3'b10;\n    localparam one = 24'h1;\n    wire signed [3:0] a;\n";
+        let ranged = "    localparam signed [25:0] low = 26'h3800001;\n    localparam signed [2:0] two = 3'b10;\n    localparam one = 24'h1;\n    wire signed [3:0] a;\n";
         assert_eq!(with_ranges(text), ranged);
     }
 }
