@@ -155,6 +155,9 @@ pub struct Emit {
     /// One file for each module, and UNIT.f that lists them, instead of the one file UNIT.v.
     #[arg(long)]
     pub split: bool,
+    /// Put NAME before the names of all modules and files, so that several configurations of a unit fit in one design.
+    #[arg(long, value_name = "NAME")]
+    pub prefix: Option<String>,
 }
 
 /// Arguments of `contract`.

@@ -207,8 +207,12 @@ fn unwritable_output_folder() {
 fn usage_and_parameters_out_of_range() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let runs: [(Vec<&str>, &[&str]); 10] = [
+    let runs: [(Vec<&str>, &[&str]); 11] = [
         (vec!["emit", "pe3", "--out", out], &["pe3", "pe2"]),
+        (
+            vec!["emit", "pe1", "--prefix", "1st-", "--out", out],
+            &["1st-", "begin with a letter"],
+        ),
         (
             vec!["emit", "pe1", "--format", "23", "--out", out],
             &["23", "24"],

@@ -161,6 +161,35 @@ fn emit_split_writes_each_module_once_and_lists_them() {
 }
 
 #[test]
+fn emit_puts_a_prefix_before_modules_and_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    for (prefix, word) in [("narrow_", "16"), ("wide_", "24")] {
+        let report = json(&[
+            "emit",
+            "square_root",
+            "--format",
+            word,
+            "--split",
+            "--prefix",
+            prefix,
+            "--out",
+            out,
+        ]);
+        assert_eq!(report["top"], format!("{prefix}square_root"));
+        let list = folder.path().join(format!("{prefix}square_root.f"));
+        let list = std::fs::read_to_string(list).unwrap();
+        assert_eq!(list.lines().count(), 3);
+        for file in list.lines() {
+            let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+            let module = file.strip_suffix(".v").unwrap();
+            assert!(module.starts_with(prefix), "{file}");
+            assert!(text.contains(&format!("\nmodule {module} (")), "{file}");
+        }
+    }
+}
+
+#[test]
 fn units_prepare_and_check_answer_in_json() {
     let units = json(&["units"]);
     let names: Vec<&str> = units

@@ -1,4 +1,6 @@
-//! The units: names, parameters, latencies, sources.
+//! The units: names, parameters, latencies, sources, errors.
+
+mod accuracy;
 
 use crate::emit::EmitError;
 use crate::format::{MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES};

@@ -67,7 +67,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         },
     )?;
     // Written first: an unwritable folder is found before the long work.
-    let (emitted, mut files) = write_verilog(&request, &options.out, false)?;
+    let (emitted, mut files) = write_verilog(&request, None, &options.out, false)?;
 
     let bar = output::progress(
         u64::from(SIZE.width * SIZE.height),

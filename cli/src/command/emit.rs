@@ -5,7 +5,7 @@ use crate::arguments::Emit;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
-use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit};
+use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,12 @@ struct PortEntry {
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     let request = emit_request(&options.unit, options.shape)?;
-    let (emitted, files) = write_verilog(&request, &options.out, options.split)?;
+    let (emitted, files) = write_verilog(
+        &request,
+        options.prefix.as_deref(),
+        &options.out,
+        options.split,
+    )?;
     let report = EmitReport {
         unit: request.unit.name(),
         top: emitted.top.clone(),
@@ -61,10 +66,15 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
 /// Emits and writes one file, or one for each module and a list of them; returns what was emitted and the files.
 pub fn write_verilog(
     request: &EmitRequest,
+    prefix: Option<&str>,
     folder: &Path,
     split: bool,
 ) -> Result<(Emitted, Vec<PathBuf>), Failure> {
-    let emitted = emit(request).map_err(Failure::input)?;
+    let emitted = match prefix {
+        Some(prefix) => emit_with_prefix(request, prefix),
+        None => emit(request),
+    };
+    let emitted = emitted.map_err(Failure::input)?;
     let texts = if split {
         let mut texts = emitted.files();
         let names: Vec<String> = texts.iter().map(|(name, _)| format!("{name}\n")).collect();

@@ -3,6 +3,7 @@
 // parameters: format 24
 //             planes 3
 // latency:    1 clock
+// error:      exact
 // source:     architecture, 7
 // ports:
 //   in  clock           1 unsigned

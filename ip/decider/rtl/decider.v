@@ -3,6 +3,7 @@
 // parameters: format 24
 //             objects 4
 // latency:    2 clocks
+// error:      exact
 // source:     architecture, 6
 // ports:
 //   in  clock           1 unsigned

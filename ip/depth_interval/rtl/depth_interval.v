@@ -2,6 +2,7 @@
 //
 // parameters: format 24
 // latency:    1 clock
+// error:      exact
 // source:     Nyiri 1994, 2.4.2
 // ports:
 //   in  clock           1 unsigned

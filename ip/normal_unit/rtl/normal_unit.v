@@ -3,6 +3,8 @@
 // parameters: format 24
 //             planes 3
 // latency:    3 clocks
+// error:      exact in its integer words; against a normal in real numbers: the product K r loses the places shifted
+//             out and 6 bits, the result the low 8 of 24 bits, each by a floor
 // source:     Nyiri 1994, 2.4.2
 // ports:
 //   in  clock           1 unsigned

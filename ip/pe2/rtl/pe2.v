@@ -2,6 +2,7 @@
 //
 // parameters: format 24
 // latency:    1 clock
+// error:      exact modulo the width of the value; whoever makes the coefficients proves that the true value fits
 // source:     Nyiri 1994, 2.3.2 and B.2.1
 // ports:
 //   in  clock           1 unsigned

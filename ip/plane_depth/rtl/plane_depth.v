@@ -2,6 +2,7 @@
 //
 // parameters: format 24
 // latency:    2 clocks
+// error:      exact after clamping; whoever makes the coefficients proves that the plane fits its words
 // source:     Nyiri 1994, 2.4.2
 // ports:
 //   in  clock           1 unsigned

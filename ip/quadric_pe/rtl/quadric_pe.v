@@ -3,6 +3,7 @@
 // parameters: format 24
 //             rows per stage 1
 // latency:    26 clocks
+// error:      exact in f1 and f2 modulo their widths; the root is rounded down
 // source:     Nyiri 1994, 2.4.2
 // ports:
 //   in  clock           1 unsigned

@@ -4,6 +4,7 @@
 //             planes 3
 //             rows per stage 1
 // latency:    34 clocks
+// error:      exact in its integer words; imogene check SCENE bounds what the rounding of a scene to those words costs
 // source:     Nyiri 1994, 2.4.2
 // ports:
 //   in  clock           1 unsigned

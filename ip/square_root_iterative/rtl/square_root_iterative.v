@@ -2,6 +2,7 @@
 //
 // parameters: format 24
 // latency:    24 clocks
+// error:      exact
 // source:     Nyiri 1994, 2.3.3
 // ports:
 //   in  clock           1 unsigned

@@ -4,6 +4,7 @@
 //             digits 12
 //             rows per stage 1
 // latency:    14 clocks
+// error:      bound: below 2^-11 of the root, downwards, or of one last place if that is more
 // source:     Nyiri 1994, B.10
 // ports:
 //   in  clock           1 unsigned

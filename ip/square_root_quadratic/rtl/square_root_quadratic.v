@@ -3,6 +3,8 @@
 // parameters: format 24
 //             corrections 1
 // latency:    5 clocks
+// error:      bound: 0.532 % of the root besides floors; measured maximum with floors: 0.540 % at W = 24 and radicands
+//             not below 2^23; not monotone: the root steps down by one at some radicands
 // source:     Nyiri 1994, 2.3.3
 // ports:
 //   in  clock           1 unsigned

@@ -4,6 +4,7 @@
 //             digits 12
 //             rows per stage 1
 // latency:    12 clocks
+// error:      bound: below 2^12 of the last place, downwards, for every radicand: small roots are lost
 // source:     Nyiri 1994, 2.3.3
 // ports:
 //   in  clock           1 unsigned

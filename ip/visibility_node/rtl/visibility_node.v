@@ -2,6 +2,7 @@
 //
 // parameters: format 24
 // latency:    1 clock
+// error:      exact
 // source:     architecture, 6
 // ports:
 //   in  clock           1 unsigned

@@ -21,7 +21,7 @@ pub(super) fn page(contract: &Contract) -> String {
         ("throughput", contract.throughput),
         ("reset", contract.reset),
         ("ties", contract.ties),
-        ("error", contract.error),
+        ("error", &contract.error),
         ("made by", &format!("`{}`", contract.command)),
     ] {
         let _ = writeln!(text, "| {what} | {value} |");

@@ -64,7 +64,7 @@ pub struct Contract {
     /// What happens at equality.
     pub ties: &'static str,
     /// How far results are from what is computed.
-    pub error: &'static str,
+    pub error: String,
     /// The command that makes the Verilog.
     pub command: String,
 }
@@ -138,7 +138,7 @@ pub fn of_emitted(request: &EmitRequest, emitted: &Emitted) -> Result<Contract, 
         throughput: statement.throughput,
         reset: RESET,
         ties: statement.ties,
-        error: statement.error,
+        error: unit.error(request),
         command: request.command(),
     })
 }

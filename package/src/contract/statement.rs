@@ -1,4 +1,4 @@
-//! Throughput, ties and error of every unit.
+//! Throughput and ties of every unit. The error is stated by the catalogue, for the header of the Verilog states it too.
 
 use imogene_rtl::catalogue::Unit;
 
@@ -9,15 +9,11 @@ pub struct Statement {
     pub throughput: &'static str,
     /// What happens at equality.
     pub ties: &'static str,
-    /// How far a result is from what is computed.
-    pub error: &'static str,
 }
 
 const EVERY_CLOCK: &str = "one result per clock";
 const PIXELS: &str = "one pixel per clock, no bubble between lines or zones";
 const NO_TIES: &str = "none: nothing is compared";
-const EXACT: &str = "exact";
-const MODULO: &str = "exact modulo the width of the value; whoever makes the coefficients proves that the true value fits";
 const SMALLER_ID: &str =
     "at equal depth the smaller id wins, so the result does not depend on the order of the inputs";
 
@@ -26,7 +22,6 @@ pub const fn of(unit: Unit) -> Statement {
     Statement {
         throughput: throughput(unit),
         ties: ties(unit),
-        error: error(unit),
     }
 }
 
@@ -75,34 +70,5 @@ const fn ties(unit: Unit) -> &'static str {
             "at equal depth the smaller slot wins; within an object those of the quadric processor"
         }
         _ => NO_TIES,
-    }
-}
-
-const fn error(unit: Unit) -> &'static str {
-    match unit {
-        Unit::Pe1 | Unit::Pe2 => MODULO,
-        Unit::SquareRootRows => {
-            "below 2^(W-D) of the last place, downwards, for every radicand: small roots are lost"
-        }
-        Unit::SquareRootLeading => {
-            "below 2^(1-D) of the root, downwards, or of one last place if that is more"
-        }
-        Unit::SquareRootLinear => {
-            "6.066, 1.647, 0.473 % of the root after 0, 1, 2 corrections, besides floors; with floors 6.066, 1.681, 0.507 % at W = 24 and radicands not below 2^23; monotone"
-        }
-        Unit::SquareRootQuadratic => {
-            "1.345, 0.532, 0.219 % of the root after 0, 1, 2 corrections, besides floors; with floors 1.364, 0.540, 0.221 % at W = 24 and radicands not below 2^23; not monotone: the root steps down by one at some radicands"
-        }
-        Unit::QuadricPe => "exact in f1 and f2 modulo their widths; the root is rounded down",
-        Unit::PlaneDepth => {
-            "exact after clamping; whoever makes the coefficients proves that the plane fits its words"
-        }
-        Unit::NormalUnit => {
-            "exact in its integer words; against a normal in real numbers: the product K r loses the places shifted out and 6 bits, the result the low 8 of 24 bits, each by a floor"
-        }
-        Unit::QuadricProcessor | Unit::Beam => {
-            "exact in its integer words; `imogene check SCENE` bounds what the rounding of a scene to those words costs"
-        }
-        _ => EXACT,
     }
 }

@@ -35,6 +35,11 @@ pub enum EmitError {
         /// The name asked for.
         name: String,
     },
+    /// A prefix that no identifier can begin with.
+    Prefix {
+        /// The prefix asked for.
+        prefix: String,
+    },
     /// A block is not written as the emitter needs it; a defect of this crate.
     Block {
         /// The block, name or expression.
@@ -91,6 +96,12 @@ impl fmt::Display for EmitError {
                     f,
                     "there is no unit `{name}`; the units are {}",
                     legal.join(", ")
+                )
+            }
+            Self::Prefix { prefix } => {
+                write!(
+                    f,
+                    "prefix `{prefix}` begins no portable name of a module; legal prefixes begin with a letter and go on with letters, digits and single underscores"
                 )
             }
             Self::Block { place, problem } => write!(f, "`{place}` {problem}"),

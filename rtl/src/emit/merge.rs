@@ -128,11 +128,16 @@ fn distinct(scope: &Scope, key: &(String, String)) -> Distinct {
     }
 }
 
-/// The modules of a block, leaves first, the block itself last under the name of its unit.
-pub fn modules(scope: &Scope) -> Result<Vec<(String, String)>, EmitError> {
+/// The modules of a block, leaves first, the block itself last under the name of its unit; every name has the prefix.
+pub fn modules(scope: &Scope, prefix: &str) -> Result<Vec<(String, String)>, EmitError> {
     let mut merger = Merger::default();
     let top = merger.module(scope)?;
-    let names = merger.names(top);
+    let names: Vec<String> = merger
+        .names(top)
+        .iter()
+        .map(|name| format!("{prefix}{name}"))
+        .collect();
+    names.iter().try_for_each(|name| check_identifier(name))?;
     let named = |text: &str| -> String {
         let parts = text.split(MARK).enumerate();
         parts

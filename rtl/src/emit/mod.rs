@@ -138,13 +138,27 @@ macro_rules! for_format {
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
 pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
+    emitted(request, "")
+}
+
+/// Emits the Verilog of a unit with a prefix before the name of every module, so that several configurations fit in one design.
+///
+/// # Errors
+///
+/// As for [`emit`], and when a name with the prefix is no identifier.
+pub fn emit_with_prefix(request: &EmitRequest, prefix: &str) -> Result<Emitted, EmitError> {
+    names::check_prefix(prefix)?;
+    emitted(request, prefix)
+}
+
+fn emitted(request: &EmitRequest, prefix: &str) -> Result<Emitted, EmitError> {
     let scope = with_block(request, Collect)?;
     let ports = ports(&scope);
     let latency = request.latency();
     Ok(Emitted {
-        top: request.unit.name().to_owned(),
-        header: header(request, &ports, latency),
-        modules: module_texts(merge::modules(&scope)?),
+        top: format!("{prefix}{}", request.unit.name()),
+        header: header(request, &ports, latency, prefix),
+        modules: module_texts(merge::modules(&scope, prefix)?),
         ports,
         latency,
     })
@@ -156,7 +170,7 @@ pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
 ///
 /// When rust-hdl's checks fail, or the block uses a form that the emitter does not take; the error names it.
 pub fn emit_block<B: Block>(block: B) -> Result<Vec<(String, String)>, EmitError> {
-    Ok(module_texts(merge::modules(&collect(block)?)?))
+    Ok(module_texts(merge::modules(&collect(block)?, "")?))
 }
 
 fn module_texts(modules: Vec<(String, String)>) -> Vec<(String, String)> {
@@ -263,10 +277,13 @@ fn ports(scope: &Scope) -> Vec<Port> {
         .collect()
 }
 
-fn header(request: &EmitRequest, ports: &[Port], latency: usize) -> String {
+/// Columns of the statements of a header at most.
+const COLUMNS: usize = 120;
+
+fn header(request: &EmitRequest, ports: &[Port], latency: usize, prefix: &str) -> String {
     let mut text = String::new();
     let unit = request.unit;
-    let _ = writeln!(text, "// {}: {}", unit.name(), unit.contract());
+    let _ = writeln!(text, "// {prefix}{}: {}", unit.name(), unit.contract());
     let _ = writeln!(text, "//");
     let _ = writeln!(text, "// parameters: format {}", request.depth_word);
     for (option, value) in request.options() {
@@ -277,6 +294,7 @@ fn header(request: &EmitRequest, ports: &[Port], latency: usize) -> String {
         "// latency:    {latency} {}",
         if latency == 1 { "clock" } else { "clocks" }
     );
+    let _ = writeln!(text, "// error:      {}", wrapped(&unit.error(request)));
     let _ = writeln!(text, "// source:     {}", unit.source());
     let _ = writeln!(text, "// ports:");
     for port in ports {
@@ -297,7 +315,25 @@ fn header(request: &EmitRequest, ports: &[Port], latency: usize) -> String {
         );
     }
     let _ = writeln!(text, "//");
-    let _ = writeln!(text, "// Made by: {}", request.command());
+    let _ = writeln!(text, "// Made by: {}", request.command_with_prefix(prefix));
     let _ = writeln!(text, "// SPDX-License-Identifier: {LICENCE}");
+    text
+}
+
+/// A statement on as many lines as it needs, the later ones indented like the first.
+fn wrapped(statement: &str) -> String {
+    let mut text = String::new();
+    let mut column = "//             ".len();
+    for (place, word) in statement.split(' ').enumerate() {
+        if place > 0 && column + 1 + word.len() > COLUMNS {
+            text += "\n//             ";
+            column = "//             ".len();
+        } else if place > 0 {
+            text.push(' ');
+            column += 1;
+        }
+        text += word;
+        column += word.len();
+    }
     text
 }

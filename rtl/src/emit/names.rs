@@ -45,6 +45,21 @@ pub fn check_identifier(name: &str) -> Result<(), EmitError> {
     }
 }
 
+/// Refuses what cannot stand before the name of a module: also VHDL begins identifiers with a letter and knows no two underscores in a row.
+pub fn check_prefix(prefix: &str) -> Result<(), EmitError> {
+    let begins = prefix.starts_with(|c: char| c.is_ascii_alphabetic());
+    let plain = prefix
+        .chars()
+        .all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if begins && plain && !prefix.contains("__") {
+        Ok(())
+    } else {
+        Err(EmitError::Prefix {
+            prefix: prefix.to_owned(),
+        })
+    }
+}
+
 /// Replaces every `[index]` of a path by `$value`. `lookup` gives the value of a loop variable or constant.
 pub fn resolve(path: &str, lookup: &dyn Fn(&str) -> Option<u64>) -> Result<String, EmitError> {
     let path = path.trim_start_matches('.').trim_end_matches("$next");

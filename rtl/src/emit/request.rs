@@ -112,6 +112,11 @@ impl EmitRequest {
 
     /// The command line that makes the same text.
     pub fn command(&self) -> String {
+        self.command_with_prefix("")
+    }
+
+    /// The command line that makes the same text with a prefix before the names of modules; none if it is empty.
+    pub fn command_with_prefix(&self, prefix: &str) -> String {
         let mut command = format!(
             "imogene emit {} --format {}",
             self.unit.name(),
@@ -119,6 +124,9 @@ impl EmitRequest {
         );
         for (option, value) in self.options() {
             let _ = write!(command, " --{option} {value}");
+        }
+        if !prefix.is_empty() {
+            let _ = write!(command, " --prefix {prefix}");
         }
         command + " --out DIR"
     }
