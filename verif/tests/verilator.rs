@@ -23,12 +23,7 @@ fn verilog(name: &str) -> String {
 }
 
 fn compile(unit: &Subject, text: &str) -> Result<Model, DesignError> {
-    Model::compile(&Source {
-        top: &unit.name,
-        text,
-        inputs: &unit.inputs,
-        outputs: &unit.outputs,
-    })
+    Model::compile(&Source::of(unit, &unit.name, text))
 }
 
 fn base(name: &str) -> Subject {

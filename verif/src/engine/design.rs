@@ -72,6 +72,18 @@ pub struct Source<'a> {
     pub outputs: &'a [Signal],
 }
 
+impl<'a> Source<'a> {
+    /// Verilog with the ports of a subject.
+    pub fn of(subject: &'a Subject, top: &'a str, text: &'a str) -> Source<'a> {
+        Source {
+            top,
+            text,
+            inputs: &subject.inputs,
+            outputs: &subject.outputs,
+        }
+    }
+}
+
 /// A compiled design; makes any number of instances.
 pub trait Design: Send + Sync {
     /// A fresh instance: registers have their initial values.
@@ -96,12 +108,7 @@ pub fn with_verilog(
     top: &str,
     text: &str,
 ) -> Result<Subject, DesignError> {
-    let design = simulator.compile(&Source {
-        top,
-        text,
-        inputs: &subject.inputs,
-        outputs: &subject.outputs,
-    })?;
+    let design = simulator.compile(&Source::of(&subject, top, text))?;
     let inputs: Arc<[Signal]> = subject.inputs.clone().into();
     let outputs: Arc<[Signal]> = subject.outputs.clone().into();
     Ok(Subject {

@@ -99,11 +99,15 @@ impl Process {
         self.stdout.read_line(line)?;
         Ok(())
     }
+}
 
-    fn end(mut self) {
-        // The bench ends where its input does.
-        drop(self.stdin);
-        let _ = self.child.wait();
+impl IcarusInstance {
+    fn end(&mut self) {
+        if let Some(mut process) = self.process.take() {
+            // The bench ends where its input does.
+            drop(process.stdin);
+            let _ = process.child.wait();
+        }
     }
 }
 
@@ -132,14 +136,14 @@ impl Instance for IcarusInstance {
                 "{} ended before its input did; its outputs count as undefined from here",
                 VVP.name
             );
-            self.process.take().map(Process::end);
+            self.end();
         }
     }
 }
 
 impl Drop for IcarusInstance {
     fn drop(&mut self) {
-        self.process.take().map(Process::end);
+        self.end();
     }
 }
 

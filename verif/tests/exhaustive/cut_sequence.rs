@@ -14,6 +14,7 @@ use imogene_models::unit::cut_plane::{PlaneKind, cut};
 use imogene_models::unit::interval::Interval;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::engine::design::Source;
 use imogene_verif::engine::verilator::{Model, VerilatedUnit};
 use imogene_verif::unit::{Parameters, subject};
 use rayon::prelude::*;
@@ -159,7 +160,7 @@ fn compile() -> Model {
     };
     let ports = subject("cut_plane", parameters).expect("a legal subject");
     let text = &emitted.bundle();
-    let model = Model::compile(&emitted.top, text, &ports.inputs, &ports.outputs);
+    let model = Model::compile(&Source::of(&ports, &emitted.top, text));
     model.expect("Verilator compiles the unit")
 }
 

@@ -6,6 +6,7 @@
 use super::{account, is_full_run};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::engine::design::Source;
 use imogene_verif::engine::verilator::Model;
 use imogene_verif::unit::{Parameters, subject};
 use num_bigint::BigUint;
@@ -34,7 +35,7 @@ fn compile(unit: Unit, depth_word: usize) -> (Model, usize) {
         ..Parameters::default()
     };
     let ports = subject(unit.name(), parameters).expect("a legal subject");
-    let model = Model::compile(&emitted.top, &text, &ports.inputs, &ports.outputs);
+    let model = Model::compile(&Source::of(&ports, &emitted.top, &text));
     (model.expect("Verilator compiles the unit"), emitted.latency)
 }
 
