@@ -354,6 +354,9 @@ pub struct Speed {
     /// Parameters.
     #[command(flatten)]
     pub shape: Shape,
+    /// Drive it with the random stimulus of `cosim` instead of a frame of constant words.
+    #[arg(long)]
+    pub random: bool,
     /// Seconds for each engine and each kind of work.
     #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
     pub seconds: u32,

@@ -7,7 +7,7 @@ use crate::output;
 use clap::ValueEnum;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::with_verilog;
-use imogene_verif::engine::speed::{self, FRAME, measure};
+use imogene_verif::engine::speed::{self, Drive, FRAME, measure};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::time::Duration;
@@ -19,7 +19,12 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
         .map(|engine| subject(options, *engine))
         .collect::<Result<_, Failure>>()?;
     let seconds = Duration::from_secs(options.seconds.into());
-    let speeds = measure(&engines, seconds).map_err(Failure::input)?;
+    let drive = if options.random {
+        Drive::Random
+    } else {
+        Drive::Frame
+    };
+    let speeds = measure(&engines, drive, seconds).map_err(Failure::input)?;
     if json {
         output::json(&speeds);
     } else {

@@ -1,5 +1,6 @@
 //! How fast the engines run a unit: clocks per second of the hardware alone, with the scoreboard, and with waveforms.
 
+use crate::random;
 use crate::subject::{Inputs, Subject};
 use imogene_models::picture::WriteError;
 use serde::Serialize;
@@ -17,6 +18,18 @@ const CHUNK: usize = 250;
 
 /// Most clocks of which the waveforms are kept: they lie in memory until they are written.
 const MOST_TRACED: usize = 20_000;
+
+/// Clocks of random stimulus before it is repeated.
+const RANDOM_CLOCKS: usize = 10_000;
+
+/// What the unit is driven with. rust-hdl does not simulate what is at rest, so that a quiet picture suits it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drive {
+    /// A whole frame from one set of random words, for a unit with raster flags; as [`Drive::Random`] for any other.
+    Frame,
+    /// The random stimulus of the co-simulation: new words in every clock, short lines, gaps.
+    Random,
+}
 
 /// What runs besides the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -55,10 +68,15 @@ type Sample = (usize, f64, u64);
 /// # Errors
 ///
 /// When the waveforms cannot be written.
-pub fn measure(engines: &[Subject], most: Duration) -> Result<Vec<Speed>, WriteError> {
-    let stimulus = match engines.first() {
-        Some(subject) => frame_stimulus(subject),
-        None => return Ok(Vec::new()),
+pub fn measure(
+    engines: &[Subject],
+    drive: Drive,
+    most: Duration,
+) -> Result<Vec<Speed>, WriteError> {
+    let stimulus = match (engines.first(), drive) {
+        (None, _) => return Ok(Vec::new()),
+        (Some(subject), Drive::Frame) => frame_stimulus(subject),
+        (Some(subject), Drive::Random) => random::stimuli(subject, RANDOM_CLOCKS, 1).concat(),
     };
     let most = most / ROUNDS as u32;
     let mut speeds: Vec<Speed> = Vec::new();
@@ -97,10 +115,9 @@ fn median(samples: &[Sample]) -> f64 {
     rates[rates.len() / 2]
 }
 
-/// A whole frame for a unit with raster flags, from one set of random words; random words in every clock for the others.
 fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
     let names: Vec<&str> = subject.inputs.iter().map(|s| s.name.as_str()).collect();
-    let random = subject.seeded_stimulus(CHUNK, 1);
+    let random = random::stimuli(subject, RANDOM_CLOCKS, 1).concat();
     if !names.starts_with(&["valid", "start", "line"]) {
         return random;
     }
@@ -124,7 +141,7 @@ fn run(
         Work::Hardware => Ok(alone(subject, stimulus, most)),
         Work::Scoreboard => {
             let clocks = clocks_within(subject, stimulus, most);
-            Ok(scored(subject, &stimulus[..clocks]))
+            Ok(scored(subject, &stimulus[..clocks], most))
         }
         Work::Waveforms => {
             let clocks = clocks_within(subject, stimulus, most).min(MOST_TRACED);
@@ -157,9 +174,13 @@ fn clocks_within(subject: &Subject, stimulus: &[Inputs], most: Duration) -> usiz
     (clocks as usize).clamp(1, stimulus.len())
 }
 
-fn scored(subject: &Subject, stimulus: &[Inputs]) -> Sample {
-    let (report, _) = subject.run(stimulus, false);
-    (stimulus.len(), report.seconds, 0)
+fn scored(subject: &Subject, stimulus: &[Inputs], most: Duration) -> Sample {
+    let (mut clocks, mut seconds) = (0, 0.0);
+    while clocks == 0 || seconds < most.as_secs_f64() {
+        seconds += subject.run(stimulus, false).0.seconds;
+        clocks += stimulus.len();
+    }
+    (clocks, seconds, 0)
 }
 
 fn traced(subject: &Subject, stimulus: &[Inputs]) -> Result<Sample, WriteError> {
@@ -184,7 +205,12 @@ mod tests {
     #[test]
     fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
         let pe1 = || subject("pe1", Parameters::default()).expect("a legal subject");
-        let speeds = measure(&[pe1(), pe1()], Duration::from_millis(30)).expect("a trace");
+        for drive in [Drive::Frame, Drive::Random] {
+            check(&measure(&[pe1(), pe1()], drive, Duration::from_millis(30)).expect("a trace"));
+        }
+    }
+
+    fn check(speeds: &[Speed]) {
         assert_eq!(speeds.len(), 6);
         for pair in speeds.chunks(2) {
             assert_eq!(pair[0].ratio, 1.0);
