@@ -4,14 +4,14 @@
 //! say which face is seen.
 
 use super::quadric::{ObjectPixel, ScreenBox};
-use crate::format::{Format, wrap64};
+use crate::format::Format;
 use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::patch_decider::{Faces, decide, visible};
 use crate::unit::pe1::{Linear, Pe1};
 use crate::unit::pe2::{Pe2, Quadratic};
 use crate::unit::plane_depth::saturate;
-use crate::unit::root::restoring_root;
+use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
 use serde::{Deserialize, Serialize};
 
 /// Coefficient words of one of the two planes.
@@ -148,8 +148,7 @@ pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
 pub struct FirstGenerationProcessor {
     format: Format,
     words: FirstGenerationWords,
-    f1: Pe1,
-    f2: Pe2,
+    core: QuadricPe,
     depths: [Pe1; 2],
     conics: [Pe2; 2],
     polars: [Pe1; 2],
@@ -166,8 +165,7 @@ impl FirstGenerationProcessor {
         FirstGenerationProcessor {
             format: *format,
             words: words.clone(),
-            f1: Pe1::object_start(&words.f1, format.sum),
-            f2: Pe2::object_start(&words.f2, format.quadratic),
+            core: QuadricPe::object_start(&words.f1, &words.f2, format),
             depths: planes.each_ref().map(|p| plane_pe(&p.depth)),
             conics: planes
                 .each_ref()
@@ -184,8 +182,7 @@ impl FirstGenerationProcessor {
 
     /// Line step: the next pixel is the first of the next line.
     pub fn line_step(&mut self) {
-        self.f1.line_step();
-        self.f2.line_step();
+        self.core.line_step();
         self.depths.iter_mut().for_each(Pe1::line_step);
         self.conics.iter_mut().for_each(Pe2::line_step);
         self.polars.iter_mut().for_each(Pe1::line_step);
@@ -197,12 +194,13 @@ impl FirstGenerationProcessor {
     /// What the processor hands on for the next pixel of the line.
     pub fn pixel(&mut self) -> ObjectPixel {
         let format = self.format;
-        let f1 = self.f1.pixel() as i64;
-        let f2 = self.f2.pixel() as i64;
-        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        let root = restoring_root(radicand, format.root).root as i64;
-        let near = wrap64(f1 - root, format.sum);
-        let far = wrap64(f1 + root, format.sum);
+        let QuadricDepths {
+            f2,
+            root,
+            near,
+            far,
+            ..
+        } = self.core.pixel(&format);
         let planes = self
             .depths
             .each_mut()

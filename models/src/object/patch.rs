@@ -4,14 +4,13 @@
 //! no merge, no plane normals, and one selection of a depth in the place of a chain.
 
 use super::quadric::{ObjectPixel, QuadricWords};
-use crate::format::{Format, wrap64};
+use crate::format::Format;
 use crate::unit::interval::Interval;
 use crate::unit::normal::select;
 use crate::unit::patch_decider::{Faces, decide, kept, visible};
 use crate::unit::pe1::Pe1;
-use crate::unit::pe2::Pe2;
 use crate::unit::plane_depth::saturate;
-use crate::unit::root::restoring_root;
+use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
 
 /// Latency in clocks from the raster flags to the outputs; the same for any number of planes.
 pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
@@ -52,8 +51,7 @@ pub struct PatchProbe {
 pub struct PatchProcessor {
     format: Format,
     words: QuadricWords,
-    f1: Pe1,
-    f2: Pe2,
+    core: QuadricPe,
     planes: Vec<Pe1>,
     g: [Pe1; 3],
     x: i64,
@@ -67,8 +65,7 @@ impl PatchProcessor {
         PatchProcessor {
             format: *format,
             words: words.clone(),
-            f1: Pe1::object_start(&words.f1, format.pe1_width()),
-            f2: Pe2::object_start(&words.f2, format.pe2_width()),
+            core: QuadricPe::object_start(&words.f1, &words.f2, format),
             planes: words.planes.iter().map(plane).collect(),
             g: words
                 .normal
@@ -81,8 +78,7 @@ impl PatchProcessor {
 
     /// Line step: the next pixel is the first of the next line.
     pub fn line_step(&mut self) {
-        self.f1.line_step();
-        self.f2.line_step();
+        self.core.line_step();
         self.planes.iter_mut().for_each(Pe1::line_step);
         self.g.iter_mut().for_each(Pe1::line_step);
         self.x = 0;
@@ -92,12 +88,13 @@ impl PatchProcessor {
     /// The values of the next pixel of the line, with everything in between.
     pub fn probe(&mut self) -> PatchProbe {
         let format = self.format;
-        let f1 = format.drop_linear(self.f1.pixel() as i64);
-        let f2 = format.drop_quadratic(self.f2.pixel() as i64);
-        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        let root = restoring_root(radicand, format.root).root as i64;
-        let near = wrap64(f1 - root, format.sum);
-        let far = wrap64(f1 + root, format.sum);
+        let QuadricDepths {
+            f1,
+            f2,
+            root,
+            near,
+            far,
+        } = self.core.pixel(&format);
         let there = f2 >= 0 && self.words.screen_box.contains(self.x, self.y);
         let visible = visible(near, far, there, &format);
         let depth = |pe: &mut Pe1| saturate(pe.pixel() as i64, &format);

@@ -1,14 +1,14 @@
 //! The quadric object processor of the second generation, any number of cut planes (source: 2.4.2).
 
-use crate::format::{Format, wrap64};
+use crate::format::Format;
 use crate::unit::cut_plane::{PlaneKind, cut};
 use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::merge::merge;
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::pe2::Quadratic;
 use crate::unit::plane_depth::saturate;
-use crate::unit::root::restoring_root;
+use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of cut planes of one object.
@@ -207,8 +207,7 @@ pub struct QuadricProcessor {
     format: Format,
     words: QuadricWords,
     normals: Vec<[i16; 3]>,
-    f1: Pe1,
-    f2: Pe2,
+    core: QuadricPe,
     planes: Vec<Pe1>,
     g: [Pe1; 3],
     x: i64,
@@ -222,8 +221,7 @@ impl QuadricProcessor {
             format: *format,
             words: words.clone(),
             normals: words.planes.iter().map(|p| p.normal).collect(),
-            f1: Pe1::object_start(&words.f1, format.pe1_width()),
-            f2: Pe2::object_start(&words.f2, format.pe2_width()),
+            core: QuadricPe::object_start(&words.f1, &words.f2, format),
             planes: words
                 .planes
                 .iter()
@@ -240,8 +238,7 @@ impl QuadricProcessor {
 
     /// Line step: the next pixel is the first of the next line.
     pub fn line_step(&mut self) {
-        self.f1.line_step();
-        self.f2.line_step();
+        self.core.line_step();
         self.planes.iter_mut().for_each(Pe1::line_step);
         self.g.iter_mut().for_each(Pe1::line_step);
         self.x = 0;
@@ -251,12 +248,13 @@ impl QuadricProcessor {
     /// The values of the next pixel of the line, with everything in between.
     pub fn probe(&mut self) -> Probe {
         let format = &self.format;
-        let f1 = format.drop_linear(self.f1.pixel() as i64);
-        let f2 = format.drop_quadratic(self.f2.pixel() as i64);
-        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        let root = restoring_root(radicand, format.root).root as i64;
-        let near = wrap64(f1 - root, format.sum);
-        let far = wrap64(f1 + root, format.sum);
+        let QuadricDepths {
+            f1,
+            f2,
+            root,
+            near,
+            far,
+        } = self.core.pixel(format);
         let inside = self.words.screen_box.contains(self.x, self.y);
         let interval = if inside {
             halves(self.words.class, near, far, f2 < 0, format)

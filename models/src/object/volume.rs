@@ -4,13 +4,13 @@
 //! no normals and hands on no depth.
 
 use super::quadric::ScreenBox;
-use crate::format::{Format, wrap64};
+use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
 use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
-use crate::unit::root::restoring_root;
+use crate::unit::pe2::Quadratic;
+use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
 use serde::{Deserialize, Serialize};
 
 /// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source, and one through the
@@ -101,8 +101,7 @@ pub const fn polyhedral_latency() -> u32 {
 #[derive(Clone, Debug)]
 struct QuadricPart {
     class: Class,
-    f1: Pe1,
-    f2: Pe2,
+    core: QuadricPe,
 }
 
 /// The processor running over a zone, pixel by pixel.
@@ -121,8 +120,7 @@ impl VolumeProcessor {
     pub fn zone_start(words: &VolumeWords, format: &Format) -> VolumeProcessor {
         let quadric = words.quadric.map(|q| QuadricPart {
             class: q.class,
-            f1: Pe1::object_start(&q.f1, format.pe1_width()),
-            f2: Pe2::object_start(&q.f2, format.pe2_width()),
+            core: QuadricPe::object_start(&q.f1, &q.f2, format),
         });
         let plane = |p: &VolumePlane| Pe1::object_start(&p.depth, format.plane);
         VolumeProcessor {
@@ -138,8 +136,7 @@ impl VolumeProcessor {
     /// Line step: the next pixel is the first of the next line.
     pub fn line_step(&mut self) {
         if let Some(quadric) = &mut self.quadric {
-            quadric.f1.line_step();
-            quadric.f2.line_step();
+            quadric.core.line_step();
         }
         self.planes.iter_mut().for_each(Pe1::line_step);
         self.x = 0;
@@ -165,12 +162,7 @@ impl VolumeProcessor {
 
 impl QuadricPart {
     fn holds(&mut self, point: Point, format: &Format) -> bool {
-        let f1 = format.drop_linear(self.f1.pixel() as i64);
-        let f2 = format.drop_quadratic(self.f2.pixel() as i64);
-        let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        let root = restoring_root(radicand, format.root).root as i64;
-        let near = wrap64(f1 - root, format.sum);
-        let far = wrap64(f1 + root, format.sum);
+        let QuadricDepths { f2, near, far, .. } = self.core.pixel(format);
         in_quadric(self.class, near, far, f2 < 0, point)
     }
 }

@@ -12,4 +12,5 @@ pub mod pe1;
 pub mod pe2;
 pub mod plane_depth;
 pub mod programmable;
+pub mod quadric_pe;
 pub mod root;
