@@ -1,6 +1,7 @@
 //! Arguments of every command.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use imogene_rtl::catalogue::Unit;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
@@ -28,6 +29,8 @@ pub enum Command {
     Demo(Demo),
     /// List every unit: parameters with legal ranges, latency, sources.
     Units,
+    /// List the object processors: what each is made of, its latency, and what the sources count.
+    Processors(Processors),
     /// Measure the family of square root networks: error, steps, depth of a test sphere, cost.
     Roots(Roots),
     /// Write the Verilog of one unit or of the whole machine.
@@ -88,6 +91,14 @@ pub struct Mutate {
     pub out: Option<PathBuf>,
 }
 
+/// Arguments of `processors`.
+#[derive(Debug, Args)]
+pub struct Processors {
+    /// Write the list as a page (Markdown) to this file.
+    #[arg(long, value_name = "FILE.md")]
+    pub out: Option<PathBuf>,
+}
+
 /// Arguments of `roots`.
 #[derive(Debug, Args)]
 pub struct Roots {
@@ -110,9 +121,9 @@ pub struct Shape {
     /// Depth word in bits: 16, 20, 24, 28 or 32.
     #[arg(long, default_value_t = 24, value_name = "W")]
     pub format: u32,
-    /// Cut planes of an object, 0 to 12.
-    #[arg(long, default_value_t = 3, value_name = "N")]
-    pub planes: usize,
+    /// Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra].
+    #[arg(long, value_name = "N")]
+    pub planes: Option<usize>,
     /// Rows of the root network per register stage, 1 to W.
     #[arg(long, default_value_t = 1, value_name = "R")]
     pub rows_per_stage: usize,
@@ -125,18 +136,28 @@ pub struct Shape {
     /// Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2.
     #[arg(long, value_name = "C")]
     pub corrections: Option<usize>,
+    /// Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3].
+    #[arg(long, value_name = "E")]
+    pub sides: Option<usize>,
 }
 
 impl Shape {
-    /// The same for a co-simulation.
-    pub fn parameters(&self) -> Parameters {
+    /// The planes asked for, or the default of the unit of this name.
+    pub fn planes_of(&self, unit: &str) -> usize {
+        let default = Unit::from_name(unit).map_or(3, Unit::default_planes);
+        self.planes.unwrap_or(default)
+    }
+
+    /// The same for a co-simulation of the unit of this name.
+    pub fn parameters(&self, unit: &str) -> Parameters {
         Parameters {
             depth_word: self.format,
-            planes: self.planes,
+            planes: self.planes_of(unit),
             rows_per_stage: self.rows_per_stage,
             objects: self.objects,
             digits: self.digits,
             corrections: self.corrections,
+            sides: self.sides,
         }
     }
 }

@@ -15,6 +15,7 @@ fn main() -> ExitCode {
     let outcome = match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),
         Command::Units => command::units::run(json),
+        Command::Processors(options) => command::processors::run(options, json),
         Command::Roots(options) => command::roots::run(options, json),
         Command::Emit(options) => command::emit::run(options, json),
         Command::Contract(options) => command::contract::run(options, json),

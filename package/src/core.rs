@@ -51,7 +51,10 @@ pub fn package(clocks: usize) -> Result<Vec<File>, PackageError> {
 ///
 /// As for [`package`].
 pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, PackageError> {
-    let parameters = Parameters::default();
+    let parameters = Parameters {
+        planes: unit.default_planes(),
+        ..Parameters::default()
+    };
     let request: EmitRequest = parameters.request(unit);
     let emitted = emit(&request).map_err(PackageError::Emit)?;
     let contract = of_emitted(&request, &emitted)?;
@@ -146,7 +149,7 @@ targets:
 
 fn readme(clocks: usize) -> String {
     let mut text = String::from(
-        "# The units of imogene as IP cores\n\nBase format 24, 3 cut planes, 1 row of the root network per register stage, 4 objects. \
+        "# The units of imogene as IP cores\n\nBase format 24, the planes that `imogene units` gives as default, 1 row of the root network per register stage, 4 objects. \
          Each folder holds the Verilog of a unit (`rtl/`, one file\nfor each module), its contract (`CONTRACT.md`, `contract.json`) and a FuseSoC core file.\n",
     );
     let _ = writeln!(

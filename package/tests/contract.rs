@@ -16,7 +16,8 @@ fn requests() -> impl Iterator<Item = EmitRequest> {
         DEPTH_WORDS.into_iter().flat_map(move |depth_word| {
             SHAPES.map(|(planes, objects)| EmitRequest {
                 depth_word,
-                planes,
+                // A polyhedron has a plane at least.
+                planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
                 objects,
                 ..EmitRequest::new(unit)
             })

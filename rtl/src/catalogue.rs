@@ -3,7 +3,7 @@
 mod accuracy;
 
 use crate::emit::EmitError;
-use crate::format::{MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES};
+use crate::format::{MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 
 /// A unit that can be emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -12,6 +12,10 @@ pub enum Unit {
     Pe1,
     /// Second-degree elementary processor, at the width of a quadratic.
     Pe2,
+    /// One processor of second degree, or four of first degree.
+    ProgrammablePe,
+    /// Second-degree elementary processor with a coefficient memory and a microprogram.
+    MemoryPe2,
     /// Square root network, restoring.
     SquareRoot,
     /// Square root network, non-restoring.
@@ -38,8 +42,28 @@ pub enum Unit {
     TwoVolumeMerge,
     /// Normal of the visible face.
     NormalUnit,
+    /// Decision of a patch.
+    PatchDecider,
     /// Quadric object processor.
     QuadricProcessor,
+    /// Patch object processor.
+    PatchProcessor,
+    /// Quadric object processor, first generation.
+    FirstGenerationProcessor,
+    /// Convex polyhedron processor.
+    PolyhedronProcessor,
+    /// Flat facet processor.
+    FacetProcessor,
+    /// Non-planar facet processor.
+    CurvedFacetProcessor,
+    /// Sphere processor.
+    SphereProcessor,
+    /// Cylinder processor.
+    CylinderProcessor,
+    /// Shadow or light volume of a quadric.
+    QuadricVolume,
+    /// Shadow or light volume of planes.
+    PolyhedralVolume,
     /// Raster control.
     RasterControl,
     /// Node of the decider.
@@ -79,6 +103,14 @@ const OBJECTS: Parameter = Parameter {
     most: Some(MOST_OBJECTS),
 };
 
+const HALF_SPACES: Parameter = Parameter { least: 1, ..PLANES };
+const SIDES: Parameter = Parameter {
+    option: "sides",
+    least: 3,
+    most: Some(MOST_SIDES),
+};
+const CURVED_SIDES: Parameter = Parameter { least: 1, ..SIDES };
+
 const DIGITS: Parameter = Parameter {
     option: "digits",
     least: 1,
@@ -92,9 +124,11 @@ const CORRECTIONS: Parameter = Parameter {
 
 impl Unit {
     /// All units, from the smallest to the machine.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 33] = [
         Self::Pe1,
         Self::Pe2,
+        Self::ProgrammablePe,
+        Self::MemoryPe2,
         Self::SquareRoot,
         Self::SquareRootNonRestoring,
         Self::SquareRootIterative,
@@ -108,7 +142,17 @@ impl Unit {
         Self::DepthInterval,
         Self::TwoVolumeMerge,
         Self::NormalUnit,
+        Self::PatchDecider,
         Self::QuadricProcessor,
+        Self::PatchProcessor,
+        Self::FirstGenerationProcessor,
+        Self::PolyhedronProcessor,
+        Self::FacetProcessor,
+        Self::CurvedFacetProcessor,
+        Self::SphereProcessor,
+        Self::CylinderProcessor,
+        Self::QuadricVolume,
+        Self::PolyhedralVolume,
         Self::RasterControl,
         Self::VisibilityNode,
         Self::Decider,
@@ -139,6 +183,18 @@ impl Unit {
             Self::VisibilityNode => "visibility_node",
             Self::Decider => "decider",
             Self::CoefficientStore => "coefficient_store",
+            Self::ProgrammablePe => "programmable_pe",
+            Self::MemoryPe2 => "memory_pe2",
+            Self::PatchDecider => "patch_decider",
+            Self::PatchProcessor => "patch_processor",
+            Self::FirstGenerationProcessor => "first_generation_processor",
+            Self::PolyhedronProcessor => "polyhedron_processor",
+            Self::FacetProcessor => "facet_processor",
+            Self::CurvedFacetProcessor => "curved_facet_processor",
+            Self::SphereProcessor => "sphere_processor",
+            Self::CylinderProcessor => "cylinder_processor",
+            Self::QuadricVolume => "quadric_volume",
+            Self::PolyhedralVolume => "polyhedral_volume",
             Self::Beam => "beam",
         }
     }
@@ -195,6 +251,40 @@ impl Unit {
             Self::VisibilityNode => "the nearer of two objects",
             Self::Decider => "the nearest of many objects",
             Self::CoefficientStore => "the coefficient words of one object, loaded over a bus",
+            Self::ProgrammablePe => {
+                "value(x, y) of second degree, or four of first degree with the decision on their signs, by additions alone"
+            }
+            Self::MemoryPe2 => {
+                "value(x, y) of second degree by two adders, three registers and a memory of one port, field by field"
+            }
+            Self::PatchDecider => {
+                "the first face of a bare surface that every plane keeps, all planes at once"
+            }
+            Self::PatchProcessor => {
+                "depth, face and normal of the visible face of a bare quadric surface cut by planes"
+            }
+            Self::FirstGenerationProcessor => {
+                "depth, face and normal of a quadric between two parallel planes, found by contours on the screen"
+            }
+            Self::PolyhedronProcessor => {
+                "front and back depth, faces and normals of a convex solid of planes"
+            }
+            Self::FacetProcessor => {
+                "depth and interpolated normal of a flat facet of three or four sides"
+            }
+            Self::CurvedFacetProcessor => {
+                "depth and normal of a facet with sides, depth and normal of second degree"
+            }
+            Self::SphereProcessor => {
+                "depth and normal of a sphere with exact outline and a paraboloid for the depth"
+            }
+            Self::CylinderProcessor => {
+                "depth and normal of a cylinder with exact outline and a parabolic body"
+            }
+            Self::QuadricVolume => {
+                "is the visible point in a shadow or light volume of a quadric and planes"
+            }
+            Self::PolyhedralVolume => "is the visible point in a shadow or light volume of planes",
             Self::Beam => "the visible surface of many quadric objects, pixel by pixel",
         }
     }
@@ -217,6 +307,18 @@ impl Unit {
             | Self::TwoVolumeMerge
             | Self::NormalUnit
             | Self::QuadricProcessor => "Nyiri 1994, 2.4.2",
+            Self::ProgrammablePe => "Chaillou 1991, IV.1.7",
+            Self::MemoryPe2 => "Chaillou 1991, IV.1.5",
+            Self::PatchDecider => "Nyiri 1994, 2.4.3",
+            Self::PatchProcessor => "Nyiri 1994, 2.4.3 and 5.2.1",
+            Self::FirstGenerationProcessor => "Nyiri 1994, 2.4.1",
+            Self::PolyhedronProcessor => "Nyiri 1994, annex A; Chaillou 1991, IV.2.3",
+            Self::FacetProcessor => "Chaillou 1991, IV.2.2",
+            Self::CurvedFacetProcessor => "Chaillou 1991, IV.2.6.1",
+            Self::SphereProcessor => "Chaillou 1991, IV.2.4",
+            Self::CylinderProcessor => "Chaillou 1991, IV.2.5",
+            Self::QuadricVolume => "Nyiri 1994, 3.2.1 and 4.1.3",
+            Self::PolyhedralVolume => "Nyiri 1994, 3.2.1 and 4.1.3",
             Self::RasterControl => "architecture, 2",
             Self::VisibilityNode | Self::Decider => "architecture, 6",
             Self::CoefficientStore | Self::Beam => "architecture, 7",
@@ -230,14 +332,31 @@ impl Unit {
             Self::SquareRootRows | Self::SquareRootLeading => &[DIGITS, ROWS],
             Self::SquareRootLinear | Self::SquareRootQuadratic => &[CORRECTIONS],
             Self::NormalUnit | Self::CoefficientStore => &[PLANES],
-            Self::QuadricProcessor => &[PLANES, ROWS],
+            Self::QuadricProcessor | Self::PatchProcessor | Self::QuadricVolume => &[PLANES, ROWS],
+            Self::PatchDecider | Self::PolyhedralVolume => &[PLANES],
+            Self::FirstGenerationProcessor => &[ROWS],
+            Self::PolyhedronProcessor => &[HALF_SPACES],
+            Self::FacetProcessor => &[SIDES],
+            Self::CurvedFacetProcessor => &[CURVED_SIDES],
             Self::Decider => &[OBJECTS],
             Self::Beam => &[PLANES, ROWS, OBJECTS],
             _ => &[],
         }
     }
 
-    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections.
+    /// Planes of the unit if nobody asks for another number: those of the source, where it has another than 3.
+    pub const fn default_planes(self) -> usize {
+        match self {
+            Self::PolyhedronProcessor => 6,
+            Self::PatchDecider
+            | Self::PatchProcessor
+            | Self::QuadricVolume
+            | Self::PolyhedralVolume => 4,
+            _ => 3,
+        }
+    }
+
+    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections, `E` sides.
     pub const fn latency_formula(self) -> &'static str {
         match self {
             Self::SquareRoot | Self::SquareRootNonRestoring => "ceil(W / R)",
@@ -250,6 +369,13 @@ impl Unit {
             Self::PlaneDepth => "2",
             Self::NormalUnit => "3",
             Self::QuadricProcessor => "ceil(W / R) + N + 7",
+            Self::PatchProcessor => "ceil(W / R) + 7",
+            Self::FirstGenerationProcessor => "ceil(W / R) + 6",
+            Self::QuadricVolume => "ceil(W / R) + 4",
+            Self::PolyhedralVolume | Self::CylinderProcessor => "3",
+            Self::PolyhedronProcessor => "ceil(log2 N) + 4",
+            Self::PatchDecider | Self::FacetProcessor | Self::CurvedFacetProcessor => "2",
+            Self::SphereProcessor => "4",
             Self::Decider => "ceil(log2 M)",
             Self::Beam => "1 + (ceil(W / R) + N + 7) + ceil(log2 M)",
             _ => "1",

@@ -11,6 +11,8 @@ pub const NORMAL_PART: usize = 24;
 pub const NORMAL: usize = 16;
 /// Most cut planes of one object.
 pub const MOST_PLANES: usize = 12;
+/// Most sides of a facet.
+pub const MOST_SIDES: usize = 4;
 /// Most objects of one machine.
 pub const MOST_OBJECTS: usize = 256;
 

@@ -1,6 +1,6 @@
 //! What every kernel file uses: rust-hdl's block language, the word types and a few shorthands.
 
-pub(crate) use crate::word::{Int, Word, bit_cast, signed_cast, unsigned_cast};
+pub(crate) use crate::word::{Int, Word, bit_cast, bits_signed, signed_cast, unsigned_cast};
 pub(crate) use rust_hdl::core::prelude::{
     Bit, Clock, Constant, In, Local, Logic, Out, Signal, Synth, ast, clock, hdl_gen, logic,
 };
@@ -82,7 +82,18 @@ macro_rules! block {
     };
 }
 
-pub(crate) use {block, clocked, comment};
+/// A block, from the names of the fields that begin at their defaults and the values of the others.
+macro_rules! fields {
+    ([$($plain:ident),*] $($field:ident: $value:expr,)*) => {
+        Self {
+            $($plain: Default::default(),)*
+            $($field: $value,)*
+            _asleep: false,
+        }
+    };
+}
+
+pub(crate) use {block, clocked, comment, fields};
 
 /// An input that has a new value to take over.
 pub(crate) trait Pending {

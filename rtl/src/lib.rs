@@ -13,5 +13,6 @@ pub mod machine;
 pub mod object;
 pub mod simulator;
 pub mod step;
+mod tree;
 pub mod unit;
 pub mod word;

@@ -19,7 +19,8 @@ fn requests() -> Vec<EmitRequest> {
     ];
     let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
         depth_word,
-        planes,
+        // A polyhedron has a plane at least.
+        planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
         rows_per_stage,
         objects,
         ..EmitRequest::new(unit)

@@ -254,7 +254,8 @@ fn every_unit_agrees() {
         ] {
             let request = EmitRequest {
                 depth_word,
-                planes,
+                // A polyhedron has a plane at least.
+                planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
                 rows_per_stage,
                 objects,
                 ..EmitRequest::new(unit)

@@ -114,6 +114,92 @@ fn processors_with_0_to_12_planes() {
 }
 
 #[test]
+fn other_processors_with_every_number_of_planes_and_sides() {
+    for planes in 0..=12 {
+        let parameters = Parameters {
+            planes,
+            rows_per_stage: 7,
+            ..Parameters::default()
+        };
+        for name in [
+            "patch_decider",
+            "patch_processor",
+            "quadric_volume",
+            "polyhedral_volume",
+            "polyhedron_processor",
+        ] {
+            if planes > 0 || name != "polyhedron_processor" {
+                check(name, parameters, CLOCKS);
+            }
+        }
+    }
+    for (name, sides) in [
+        ("facet_processor", 3..=4),
+        ("curved_facet_processor", 1..=4),
+    ] {
+        for sides in sides {
+            let parameters = Parameters {
+                sides: Some(sides),
+                ..Parameters::default()
+            };
+            check(name, parameters, CLOCKS);
+        }
+    }
+}
+
+/// The hardware's latency and the golden model's are stated by two crates that do not know each other.
+#[test]
+fn both_sides_state_the_same_latency() {
+    use imogene_models::object::{
+        curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, sphere, volume,
+    };
+    use imogene_rtl::catalogue::Unit;
+    for depth_word in Format::CATALOGUE {
+        let format = Format::new(depth_word).unwrap();
+        for planes in 1..=12 {
+            for rows in [1, 3, 7, 16] {
+                let stated = |unit| {
+                    let parameters = Parameters {
+                        depth_word,
+                        planes,
+                        rows_per_stage: rows,
+                        ..Parameters::default()
+                    };
+                    parameters.request(unit).latency() as u32
+                };
+                let rows = rows as u32;
+                let pairs = [
+                    (
+                        Unit::QuadricProcessor,
+                        quadric::latency(&format, planes, rows),
+                    ),
+                    (Unit::PatchProcessor, patch::latency(&format, rows)),
+                    (
+                        Unit::FirstGenerationProcessor,
+                        first_generation::latency(&format, rows),
+                    ),
+                    (Unit::PolyhedronProcessor, polyhedron::latency(planes)),
+                    (Unit::QuadricVolume, volume::quadric_latency(&format, rows)),
+                    (Unit::PolyhedralVolume, volume::polyhedral_latency()),
+                    (Unit::FacetProcessor, facet::LATENCY),
+                    (Unit::CurvedFacetProcessor, curved_facet::LATENCY),
+                    (Unit::SphereProcessor, sphere::LATENCY),
+                    (Unit::CylinderProcessor, cylinder::LATENCY),
+                ];
+                for (unit, golden) in pairs {
+                    assert_eq!(
+                        stated(unit),
+                        golden,
+                        "{} {depth_word} {planes}",
+                        unit.name()
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn deciders_of_every_shape_of_tree() {
     for objects in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 13, 16, 17] {
         let parameters = Parameters {

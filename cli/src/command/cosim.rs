@@ -38,7 +38,7 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
 }
 
 fn run_unit(options: &Cosim) -> Result<Report, Failure> {
-    let parameters = options.shape.parameters();
+    let parameters = options.shape.parameters(&options.subject);
     let subject = unit::subject(&options.subject, parameters).map_err(Failure::input)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(

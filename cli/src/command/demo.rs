@@ -59,11 +59,12 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         "beam",
         Shape {
             format: shape.depth_word,
-            planes: shape.planes,
+            planes: Some(shape.planes),
             rows_per_stage: shape.rows_per_stage,
             objects: shape.objects,
             digits: None,
             corrections: None,
+            sides: None,
         },
     )?;
     // Written first: an unwritable folder is found before the long work.

@@ -11,6 +11,7 @@ pub mod mutate;
 pub mod package;
 pub mod peers;
 pub mod prepare;
+pub mod processors;
 pub mod prove;
 pub mod render;
 pub mod roots;
@@ -64,11 +65,12 @@ fn emit_request(name: &str, shape: Shape) -> Result<EmitRequest, Failure> {
     Ok(EmitRequest {
         unit: Unit::from_name(name).map_err(Failure::input)?,
         depth_word: shape.format as usize,
-        planes: shape.planes,
+        planes: shape.planes_of(name),
         rows_per_stage: shape.rows_per_stage,
         objects: shape.objects,
         digits: shape.digits,
         corrections: shape.corrections,
+        sides: shape.sides,
     })
 }
 

@@ -35,8 +35,8 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
 
 fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
     let request = emit_request(&options.unit, options.shape)?;
-    let subject =
-        unit::subject(&options.unit, options.shape.parameters()).map_err(Failure::input)?;
+    let subject = unit::subject(&options.unit, options.shape.parameters(&options.unit))
+        .map_err(Failure::input)?;
     let Some(simulator) = engine.simulator() else {
         return Ok(subject);
     };

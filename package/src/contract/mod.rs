@@ -5,6 +5,7 @@
 
 mod markdown;
 pub mod ports;
+mod processors;
 mod shared;
 pub mod statement;
 pub mod width;
@@ -18,12 +19,13 @@ use thiserror::Error;
 pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something under valid only, or where there is none after the latency has passed";
 
 /// Symbols of the parameters in formulas.
-const SYMBOLS: [(&str, &str); 5] = [
+const SYMBOLS: [(&str, &str); 6] = [
     ("planes", "N"),
     ("rows-per-stage", "R"),
     ("objects", "M"),
     ("digits", "D"),
     ("corrections", "C"),
+    ("sides", "E"),
 ];
 
 /// Why a unit has no contract.

@@ -1,5 +1,6 @@
 //! Meanings and width formulas of the ports of every unit.
 
+use super::processors::{self, Polynomial};
 use super::shared::*;
 use super::width::Width;
 use imogene_rtl::catalogue::Unit;
@@ -262,6 +263,7 @@ fn groups(unit: Unit) -> Vec<&'static [Text]> {
                 ),
             ],
         ],
+        _ => processors::groups(unit),
     };
     list.extend(more);
     list
@@ -271,18 +273,40 @@ fn groups(unit: Unit) -> Vec<&'static [Text]> {
 pub fn described(request: &EmitRequest) -> Vec<Described> {
     let groups = groups(request.unit);
     let texts = groups.into_iter().flatten();
-    texts.flat_map(|text| repeated(text, request)).collect()
+    let ports = texts.flat_map(|Text(name, width, meaning)| {
+        repeated(name, *width, meaning.to_string(), request)
+    });
+    let polynomials = processors::polynomials(request.unit).iter();
+    ports
+        .chain(polynomials.flat_map(|polynomial| words(polynomial, request)))
+        .collect()
 }
 
-fn repeated(Text(name, width, meaning): &Text, request: &EmitRequest) -> Vec<Described> {
+/// The ports of a polynomial's words.
+fn words(
+    Polynomial(prefix, degree, width, meaning): &Polynomial,
+    request: &EmitRequest,
+) -> Vec<Described> {
+    let ports = degree.words().iter();
+    ports
+        .flat_map(|(part, what)| {
+            let text = format!("{meaning}: {what}");
+            repeated(&format!("{prefix}_{part}"), *width, text, request)
+        })
+        .collect()
+}
+
+fn repeated(name: &str, width: Width, meaning: String, request: &EmitRequest) -> Vec<Described> {
     let count = match (name.contains('#'), request.unit) {
         (false, _) => 1,
         (true, Unit::Decider) => request.objects,
+        (true, Unit::FacetProcessor | Unit::CurvedFacetProcessor) => request.sides(),
+        (true, Unit::FirstGenerationProcessor) => 2,
         (true, _) => request.planes,
     };
     let one = |index: usize| Described {
         name: name.replace('#', &index.to_string()),
-        width: *width,
+        width,
         meaning: meaning.replace('#', &index.to_string()),
     };
     (0..count).map(one).collect()

@@ -31,11 +31,25 @@ const fn throughput(unit: Unit) -> &'static str {
         Unit::CoefficientStore => "one word written per clock",
         Unit::Pe1
         | Unit::Pe2
+        | Unit::ProgrammablePe
+        | Unit::FacetProcessor
+        | Unit::CurvedFacetProcessor
         | Unit::QuadricPe
         | Unit::PlaneDepth
         | Unit::NormalUnit
         | Unit::RasterControl => PIXELS,
-        Unit::QuadricProcessor | Unit::Beam => {
+        Unit::MemoryPe2 => {
+            "one pixel per clock within a line; 15 clocks between lines, 27 in a field"
+        }
+        Unit::QuadricProcessor
+        | Unit::PatchProcessor
+        | Unit::FirstGenerationProcessor
+        | Unit::PolyhedronProcessor
+        | Unit::SphereProcessor
+        | Unit::CylinderProcessor
+        | Unit::QuadricVolume
+        | Unit::PolyhedralVolume
+        | Unit::Beam => {
             "one pixel per clock, no bubble between lines; coefficients change only when the pipeline has drained"
         }
         _ => EVERY_CLOCK,
@@ -64,6 +78,23 @@ const fn ties(unit: Unit) -> &'static str {
         Unit::TwoVolumeMerge => "half A wins at equal front depth",
         Unit::QuadricProcessor => {
             "those of its parts: f2 = 0 is inside, planes at a face keep it, half A wins at equal front depth; box bounds are inclusive"
+        }
+        Unit::PatchDecider | Unit::PatchProcessor => {
+            "a plane keeps a face that lies in it; the near face wins where both are left; f2 = 0 is inside"
+        }
+        Unit::FirstGenerationProcessor => {
+            "a plane exactly at a root of a solid is its face; of a surface it has removed that root; f2 = 0 is inside"
+        }
+        Unit::PolyhedronProcessor => {
+            "of planes at equal depth the smallest index wins; an interval of no thickness is there; a plane at the near end is not a face, the end is"
+        }
+        Unit::ProgrammablePe
+        | Unit::FacetProcessor
+        | Unit::CurvedFacetProcessor
+        | Unit::SphereProcessor => "zero is inside",
+        Unit::CylinderProcessor => "zero is inside; the front disc goes before the body",
+        Unit::QuadricVolume | Unit::PolyhedralVolume => {
+            "with margin 0 a point on the boundary is inside; with more the beginning is open by the margin, the end stays closed"
         }
         Unit::VisibilityNode | Unit::Decider => SMALLER_ID,
         Unit::Beam => {

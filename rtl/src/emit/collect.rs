@@ -36,6 +36,14 @@ impl Scope {
         matches!(self.kernel, Ok(Kernel::Register))
     }
 
+    /// The module that it is an instance of, if it is not a register.
+    pub fn unit(&self) -> Option<&str> {
+        match &self.kernel {
+            Ok(Kernel::Statements { unit, .. }) => Some(unit),
+            _ => None,
+        }
+    }
+
     /// A signal by name.
     pub fn net(&self, name: &str) -> Option<&Net> {
         self.nets.iter().find(|net| net.name == name)

@@ -4,6 +4,7 @@
 //! Verilog-2005: each distinct module once, registers as `reg`s, no identifier that another language reserves. rust-hdl's own
 //! text is not used: it drops widths and precedence. The same request gives the same text, byte for byte.
 
+mod census;
 mod collect;
 mod error;
 mod lower;
@@ -22,14 +23,26 @@ use crate::machine::coefficient_store::CoefficientStore;
 use crate::machine::decider::Decider;
 use crate::machine::raster_control::RasterControl;
 use crate::machine::visibility_node::VisibilityNode;
+use crate::object::curved_facet_processor::CurvedFacetProcessor;
+use crate::object::cylinder_processor::CylinderProcessor;
+use crate::object::facet_processor::FacetProcessor;
+use crate::object::first_generation_processor::FirstGenerationProcessor;
+use crate::object::patch_processor::PatchProcessor;
+use crate::object::polyhedral_volume::PolyhedralVolume;
+use crate::object::polyhedron_processor::PolyhedronProcessor;
 use crate::object::quadric_processor::QuadricProcessor;
+use crate::object::quadric_volume::QuadricVolume;
+use crate::object::sphere_processor::SphereProcessor;
 use crate::step::Clocked;
 use crate::unit::cut_plane::CutPlane;
 use crate::unit::depth_interval::DepthInterval;
+use crate::unit::memory_pe2::MemoryPe2;
 use crate::unit::normal_unit::NormalUnit;
+use crate::unit::patch_decider::PatchDecider;
 use crate::unit::pe1::Pe1;
 use crate::unit::pe2::Pe2;
 use crate::unit::plane_depth::PlaneDepth;
+use crate::unit::programmable_pe::ProgrammablePe;
 use crate::unit::quadric_pe::QuadricPe;
 use crate::unit::square_root::SquareRoot;
 use crate::unit::square_root_iterative::SquareRootIterative;
@@ -39,6 +52,7 @@ use crate::unit::square_root_non_restoring::SquareRootNonRestoring;
 use crate::unit::square_root_quadratic::SquareRootQuadratic;
 use crate::unit::square_root_rows::SquareRootRows;
 use crate::unit::two_volume_merge::TwoVolumeMerge;
+pub use census::{Census, census};
 use collect::{Scope, collect};
 pub use error::EmitError;
 pub use raw::raw;
@@ -253,6 +267,27 @@ fn with_block_of_format<
             planes,
             rows_per_stage,
         )),
+        Unit::ProgrammablePe => task.run(ProgrammablePe::<W, W1, F>::new()),
+        Unit::MemoryPe2 => task.run(MemoryPe2::<F>::new()),
+        Unit::PatchDecider => task.run(PatchDecider::<W, S>::new(planes)),
+        Unit::PatchProcessor => task.run(PatchProcessor::<W, W1, S, F, P>::new(
+            planes,
+            rows_per_stage,
+        )),
+        Unit::FirstGenerationProcessor => task.run(
+            FirstGenerationProcessor::<W, W1, S, F, P>::new(rows_per_stage),
+        ),
+        Unit::PolyhedronProcessor => task.run(PolyhedronProcessor::<W, P>::new(planes)),
+        Unit::FacetProcessor => task.run(FacetProcessor::<W, S, P>::new(request.sides())),
+        Unit::CurvedFacetProcessor => {
+            task.run(CurvedFacetProcessor::<W, S, F>::new(request.sides()))
+        }
+        Unit::SphereProcessor => task.run(SphereProcessor::<W, S, F>::new()),
+        Unit::CylinderProcessor => task.run(CylinderProcessor::<W, S, F, P>::new()),
+        Unit::QuadricVolume => {
+            task.run(QuadricVolume::<W, W1, S, F, P>::new(planes, rows_per_stage))
+        }
+        Unit::PolyhedralVolume => task.run(PolyhedralVolume::<W, S, P>::new(planes)),
         Unit::RasterControl => task.run(RasterControl::new()),
         Unit::VisibilityNode => task.run(VisibilityNode::<W>::default()),
         Unit::Decider => task.run(Decider::<W>::new(objects)),

@@ -2,7 +2,7 @@
 
 use super::EmitError;
 use crate::catalogue::Unit;
-use crate::format::{DEPTH_WORDS, MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES};
+use crate::format::{DEPTH_WORDS, MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 use std::fmt::Write;
 
 /// What to emit.
@@ -22,19 +22,22 @@ pub struct EmitRequest {
     pub digits: Option<usize>,
     /// Corrections of an approximate square root, 0 to 2; if not given, the fewest that stay under 1 % (section 4.1.2).
     pub corrections: Option<usize>,
+    /// Sides of a facet, up to 4; 3 if not given.
+    pub sides: Option<usize>,
 }
 
 impl EmitRequest {
-    /// A unit at the base format 24, with 3 planes, 1 row per stage and 4 objects.
+    /// A unit at the base format 24, with the planes that are its default, 1 row per stage and 4 objects.
     pub fn new(unit: Unit) -> Self {
         Self {
             unit,
             depth_word: 24,
-            planes: 3,
+            planes: unit.default_planes(),
             rows_per_stage: 1,
             objects: 4,
             digits: None,
             corrections: None,
+            sides: None,
         }
     }
 
@@ -53,15 +56,25 @@ impl EmitRequest {
         self.corrections.unwrap_or(fewest)
     }
 
+    /// Sides of the facet.
+    pub fn sides(&self) -> usize {
+        self.sides.unwrap_or(3)
+    }
+
     /// Checks every parameter against its legal range.
     pub fn check(&self) -> Result<(), EmitError> {
         check_format(self.depth_word)?;
-        check_range("planes", self.planes, 0, MOST_PLANES)?;
+        check_range("planes", self.planes, self.least("planes"), MOST_PLANES)?;
         check_range("rows per stage", self.rows_per_stage, 1, self.depth_word)?;
         check_range("objects", self.objects, 1, MOST_OBJECTS)?;
         check_range("digits", self.digits(), 1, self.depth_word)?;
         check_range("corrections", self.corrections(), 0, MOST_CORRECTIONS)?;
-        let given = [("digits", self.digits), ("corrections", self.corrections)];
+        check_range("sides", self.sides(), self.least("sides"), MOST_SIDES)?;
+        let given = [
+            ("digits", self.digits),
+            ("corrections", self.corrections),
+            ("sides", self.sides),
+        ];
         let has = |name| self.unit.parameters().iter().any(|p| p.option == name);
         match given
             .iter()
@@ -75,6 +88,14 @@ impl EmitRequest {
         }
     }
 
+    /// Least legal value of a parameter, 0 if the unit does not have it.
+    fn least(&self, option: &str) -> usize {
+        let mut parameters = self.unit.parameters().iter();
+        parameters
+            .find(|p| p.option == option)
+            .map_or(0, |p| p.least)
+    }
+
     /// Options of the command line and their values.
     pub fn options(&self) -> Vec<(&'static str, usize)> {
         let value = |option| match option {
@@ -82,6 +103,7 @@ impl EmitRequest {
             "rows-per-stage" => self.rows_per_stage,
             "digits" => self.digits(),
             "corrections" => self.corrections(),
+            "sides" => self.sides(),
             _ => self.objects,
         };
         let parameters = self.unit.parameters().iter();
@@ -104,6 +126,15 @@ impl EmitRequest {
             Unit::PlaneDepth => 2,
             Unit::NormalUnit => 3,
             Unit::QuadricProcessor => root + self.planes + 7,
+            Unit::PatchProcessor => root + 7,
+            Unit::FirstGenerationProcessor => root + 6,
+            Unit::QuadricVolume => root + 4,
+            Unit::PolyhedralVolume | Unit::CylinderProcessor => 3,
+            Unit::PolyhedronProcessor => {
+                self.planes.next_power_of_two().trailing_zeros() as usize + 4
+            }
+            Unit::PatchDecider | Unit::FacetProcessor | Unit::CurvedFacetProcessor => 2,
+            Unit::SphereProcessor => 4,
             Unit::Decider => tree,
             Unit::Beam => 1 + (root + self.planes + 7) + tree,
             _ => 1,

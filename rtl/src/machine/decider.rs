@@ -3,46 +3,7 @@
 use super::visibility_node::{VisibilityNode, VisibilityRegister};
 use crate::format::MOST_OBJECTS;
 use crate::kernel::*;
-
-/// Where the blocks of the tree take their inputs and put their outputs. A branch is an input of the decider or the output
-/// of a block; branches are numbered level by level, the winner last.
-struct Tree {
-    nodes: Vec<[usize; 3]>,
-    registers: Vec<[usize; 2]>,
-    branches: usize,
-}
-
-impl Tree {
-    fn new(inputs: usize) -> Self {
-        let mut tree = Self {
-            nodes: Vec::new(),
-            registers: Vec::new(),
-            branches: inputs,
-        };
-        let mut first = 0;
-        let mut level = inputs;
-        while level > 1 {
-            for pair in 0..level / 2 {
-                let input = first + 2 * pair;
-                tree.nodes.push([input, input + 1, tree.branches]);
-                tree.branches += 1;
-            }
-            if level % 2 == 1 {
-                tree.registers.push([first + level - 1, tree.branches]);
-                tree.branches += 1;
-            }
-            first += level;
-            level = level.div_ceil(2);
-        }
-        tree
-    }
-}
-
-fn table<const N: usize>(rows: &[[usize; N]], column: usize) -> Vec<Constant<Word<16>>> {
-    rows.iter()
-        .map(|row| constant(row[column] as u64))
-        .collect()
-}
+use crate::tree::{Tree, table};
 
 /// Hands on the nearest of `M` objects: a binary tree of [`VisibilityNode`]s; an odd one out passes a register.
 ///

@@ -1,16 +1,31 @@
 //! The units from which processors and machines are built.
 
+pub mod contour_choice;
 pub mod cut_plane;
 pub mod delay;
 pub mod depth_interval;
 pub mod fifteenth;
+pub mod half_space_node;
+pub mod half_space_register;
+pub mod half_space_test;
+pub mod half_spaces;
+pub mod memory_pe2;
 pub mod normal_unit;
+pub mod one_face;
+pub mod patch_decider;
+pub mod patch_plane;
 pub mod pe1;
 pub mod pe2;
 pub mod plane_depth;
+pub mod plane_normal;
+pub mod programmable_pe;
 pub mod quadric_pe;
+pub mod quadric_test;
 pub mod root_correction;
 pub mod root_length;
+pub mod screen_box;
+pub mod side_interval;
+pub mod split_adder;
 pub mod square;
 pub mod square_root;
 pub mod square_root_iterative;
@@ -20,3 +35,4 @@ pub mod square_root_non_restoring;
 pub mod square_root_quadratic;
 pub mod square_root_rows;
 pub mod two_volume_merge;
+pub mod visible_point;

@@ -16,7 +16,7 @@ const VIDEO: [(f64, &str); 4] = [
 ];
 
 const UNITS: &str = "
-Base format 24, 3 cut planes, 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
+Base format 24, 3 cut planes (4 of patches and volumes, 6 of the polyhedron), 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
 and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
 unit, and is not measured. The other forms of the root are in [root-network.md](root-network.md).
 

@@ -3,12 +3,21 @@
 mod decision;
 mod depth;
 mod elementary;
+mod facet;
+mod first_generation;
 mod machine;
+mod memory;
 mod normal;
+mod patch;
+mod polyhedron;
 mod processor;
+mod programmable;
 mod raster;
 mod root;
 mod root_family;
+mod round;
+mod volume;
+mod zone;
 
 use crate::signal::Signal;
 use crate::subject::{Golden, Hardware, Inputs, Stimulus, Subject};
@@ -33,6 +42,8 @@ pub struct Parameters {
     pub digits: Option<usize>,
     /// Corrections of an approximate square root; the unit's own choice if not given.
     pub corrections: Option<usize>,
+    /// Sides of a facet; 3 if not given.
+    pub sides: Option<usize>,
 }
 
 impl Parameters {
@@ -46,6 +57,7 @@ impl Parameters {
             objects: self.objects,
             digits: self.digits,
             corrections: self.corrections,
+            sides: self.sides,
         }
     }
 }
@@ -59,6 +71,7 @@ impl Default for Parameters {
             objects: 4,
             digits: None,
             corrections: None,
+            sides: None,
         }
     }
 }
@@ -78,9 +91,11 @@ pub enum UnitError {
 }
 
 /// Units that can be co-simulated on their own.
-pub const NAMES: [&str; 19] = [
+pub const NAMES: [&str; 31] = [
     "pe1",
     "pe2",
+    "programmable_pe",
+    "memory_pe2",
     "square_root",
     "square_root_non_restoring",
     "square_root_iterative",
@@ -94,7 +109,17 @@ pub const NAMES: [&str; 19] = [
     "cut_plane",
     "two_volume_merge",
     "normal_unit",
+    "patch_decider",
     "quadric_processor",
+    "patch_processor",
+    "first_generation_processor",
+    "polyhedron_processor",
+    "facet_processor",
+    "curved_facet_processor",
+    "sphere_processor",
+    "cylinder_processor",
+    "quadric_volume",
+    "polyhedral_volume",
     "raster_control",
     "visibility_node",
     "decider",
@@ -162,6 +187,20 @@ fn describe(p: &EmitRequest, format: Format) -> Description {
         "two_volume_merge" => depth::two_volume_merge(format),
         "normal_unit" => normal::normal_unit(format, p.planes),
         "quadric_processor" => processor::quadric_processor(format, p.planes, p.rows_per_stage),
+        "programmable_pe" => programmable::programmable_pe(format),
+        "memory_pe2" => memory::memory_pe2(format),
+        "patch_decider" => patch::patch_decider(format, p.planes),
+        "patch_processor" => patch::patch_processor(format, p.planes, p.rows_per_stage),
+        "first_generation_processor" => {
+            first_generation::first_generation_processor(format, p.rows_per_stage)
+        }
+        "polyhedron_processor" => polyhedron::polyhedron_processor(format, p.planes),
+        "facet_processor" => facet::facet_processor(format, p.sides()),
+        "curved_facet_processor" => facet::curved_facet_processor(format, p.sides()),
+        "sphere_processor" => round::sphere_processor(format),
+        "cylinder_processor" => round::cylinder_processor(format),
+        "quadric_volume" => volume::quadric_volume(format, p.planes, p.rows_per_stage),
+        "polyhedral_volume" => volume::polyhedral_volume(format, p.planes),
         "raster_control" => raster::raster_control(),
         "coefficient_store" => machine::coefficient_store(format, p.planes),
         "beam" => machine::beam(format, p.objects, p.planes, p.rows_per_stage),

@@ -1,0 +1,46 @@
+//! `imogene processors`.
+
+use crate::arguments::Processors;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::picture::write_whole;
+use imogene_package::processors::{COMMAND, markdown, processors};
+use std::io::Write;
+
+/// Lists the object processors with their parts, or writes the list to a file.
+pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
+    let list = processors().map_err(Failure::input)?;
+    if let Some(path) = &options.out {
+        let text = markdown(&list, COMMAND);
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    }
+    if json {
+        output::json(&list);
+        return Ok(());
+    }
+    for p in list {
+        let parts = [
+            (p.pe1, "pe1"),
+            (p.pe2, "pe2"),
+            (p.roots, "root"),
+            (p.multipliers, "multipliers"),
+        ];
+        let parts: Vec<String> = parts
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}"))
+            .collect();
+        output::text(format!(
+            "{} {}\n  parts:      {}\n  latency:    {} clocks = {}\n  source:     {} ({})\n  difference: {}\n",
+            p.unit,
+            p.parameters,
+            parts.join(", "),
+            p.latency,
+            p.latency_formula,
+            p.source,
+            p.section,
+            p.difference
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,34 @@
+// flag_delay: part of sphere_processor; see there.
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module flag_delay (
+    input  wire clock,
+    input  wire valid,
+    input  wire start,
+    input  wire line,
+    output wire late_valid,
+    output wire late_start,
+    output wire late_line
+);
+
+    reg valid_at_0 = 1'd0;
+    reg valid_at_1 = 1'd0;
+    reg start_at_0 = 1'd0;
+    reg start_at_1 = 1'd0;
+    reg line_at_0 = 1'd0;
+    reg line_at_1 = 1'd0;
+
+    assign late_valid = valid_at_1;
+    assign late_start = start_at_1;
+    assign late_line = line_at_1;
+
+    always @(posedge clock) begin
+        valid_at_0 <= valid;
+        start_at_0 <= start;
+        line_at_0 <= line;
+        valid_at_1 <= valid_at_0;
+        start_at_1 <= start_at_0;
+        line_at_1 <= line_at_0;
+    end
+
+endmodule

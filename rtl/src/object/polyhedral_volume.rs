@@ -1,0 +1,166 @@
+//! Shadow or light volume of planes.
+
+use crate::format::MOST_PLANES;
+use crate::kernel::*;
+use crate::unit::delay::WordDelay;
+use crate::unit::half_space_test::HalfSpaceTest;
+use crate::unit::pe1::Pe1;
+use crate::unit::screen_box::ScreenBox;
+use crate::unit::visible_point::VisiblePoint;
+
+/// Says, for every pixel, whether the visible point lies in a shadow or light volume: an intersection of half-spaces.
+///
+/// A point is in an intersection exactly if it is in every part, so every part is asked by itself: no chain of cuts, no second half.
+///
+/// Widths: `S = W + 2`, `P = W + 12`.
+///
+/// | port | direction | format |
+/// |---|---|---|
+/// | `clock` | in | rising edge |
+/// | `valid`, `start`, `line` | in | raster flags |
+/// | `x`, `y` | in | 12 bits, pixel of the flags |
+/// | `depth` | in | `W` bits, visible depth of the pixel, with its flags |
+/// | `box_x0`, `box_x1`, `box_y0`, `box_y1` | in | 12 bits, inclusive |
+/// | `margin` | in | `W` bits, unsigned: counts that a point has to lie behind the beginning; at most half the depth word |
+/// | `plane_i_kind` | in | 2 bits |
+/// | `plane_i_a`, `plane_i_b`, `plane_i_c` | in | `P` bits |
+/// | `out_valid` | out | `valid`, with the result |
+/// | `is_inside` | out | the point lies in the volume; the background is in none |
+///
+/// Latency `3`. The coefficients stay unchanged from the first flags of a zone until that many clocks after its last.
+/// Sections 3.2.1 and 4.1.3.
+pub struct PolyhedralVolume<const W: usize, const S: usize, const P: usize> {
+    /// Rising edge.
+    pub clock: Signal<In, Clock>,
+    /// This clock carries a pixel.
+    pub valid: Signal<In, Bit>,
+    /// First pixel of the zone.
+    pub start: Signal<In, Bit>,
+    /// First pixel of a later line.
+    pub line: Signal<In, Bit>,
+    /// Column.
+    pub x: Signal<In, Word<12>>,
+    /// Line.
+    pub y: Signal<In, Word<12>>,
+    /// Visible depth.
+    pub depth: Signal<In, Int<W>>,
+    /// First column of the screen box.
+    pub box_x0: Signal<In, Word<12>>,
+    /// Last column of the screen box.
+    pub box_x1: Signal<In, Word<12>>,
+    /// First line of the screen box.
+    pub box_y0: Signal<In, Word<12>>,
+    /// Last line of the screen box.
+    pub box_y1: Signal<In, Word<12>>,
+    /// Counts that a point has to lie behind the beginning.
+    pub margin: Signal<In, Word<W>>,
+    /// Kind of each plane.
+    pub plane_kind: Vec<Signal<In, Word<2>>>,
+    /// Each plane: increment along the line.
+    pub plane_a: Vec<Signal<In, Int<P>>>,
+    /// Each plane: increment from line to line.
+    pub plane_b: Vec<Signal<In, Int<P>>>,
+    /// Each plane: value of the first pixel.
+    pub plane_c: Vec<Signal<In, Int<P>>>,
+    /// The result belongs to a pixel.
+    pub out_valid: Signal<Out, Bit>,
+    /// The point lies in the volume.
+    pub is_inside: Signal<Out, Bit>,
+    /// Test against the screen box.
+    pub screen_box: ScreenBox,
+    in_box: WordDelay<Bit>,
+    /// The visible point.
+    pub point: VisiblePoint<W, S>,
+    /// Depth of each plane.
+    pub planes: Vec<Pe1<P>>,
+    tests: Vec<HalfSpaceTest<W, S, P>>,
+    in_all: Signal<Local, Bit>,
+    kept: DFF<Bit>,
+    valid_delay: WordDelay<Bit>,
+    _planes: usize,
+    _asleep: bool,
+}
+
+block! {
+    [const W: usize, const S: usize, const P: usize] PolyhedralVolume [W, S, P]
+    inputs { clock, valid, start, line, x, y, depth, box_x0, box_x1, box_y0, box_y1, margin,
+        plane_kind, plane_a, plane_b, plane_c }
+    parts { out_valid, is_inside, screen_box, in_box, point, planes, tests, in_all, kept, valid_delay }
+    data { _planes }
+}
+
+impl<const W: usize, const S: usize, const P: usize> PolyhedralVolume<W, S, P> {
+    /// A volume of `planes` planes.
+    ///
+    /// # Panics
+    ///
+    /// When the widths do not fit each other or `planes` exceeds 12.
+    pub fn new(planes: usize) -> Self {
+        assert!(
+            planes <= MOST_PLANES,
+            "a volume has at most {MOST_PLANES} planes"
+        );
+        fields! {
+            [clock, valid, start, line, x, y, depth, box_x0, box_x1, box_y0, box_y1, margin,
+                out_valid, is_inside, screen_box, in_all, kept]
+            plane_kind: repeat(planes, Default::default),
+            plane_a: repeat(planes, Default::default),
+            plane_b: repeat(planes, Default::default),
+            plane_c: repeat(planes, Default::default),
+            in_box: WordDelay::new(2),
+            point: VisiblePoint::new(),
+            planes: repeat(planes, Pe1::default),
+            tests: repeat(planes, HalfSpaceTest::new),
+            valid_delay: WordDelay::new(3),
+            _planes: planes,
+        }
+    }
+
+    /// Clocks from the flags to the result.
+    pub const fn latency() -> usize {
+        Pe1::<P>::latency() + HalfSpaceTest::<W, S, P>::latency() + 1
+    }
+}
+
+impl<const W: usize, const S: usize, const P: usize> Logic for PolyhedralVolume<W, S, P> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("polyhedral_volume");
+        clock!(self, clock, in_box, point, kept, valid_delay);
+        self.screen_box.x.next = self.x.val();
+        self.screen_box.y.next = self.y.val();
+        self.screen_box.box_x0.next = self.box_x0.val();
+        self.screen_box.box_x1.next = self.box_x1.val();
+        self.screen_box.box_y0.next = self.box_y0.val();
+        self.screen_box.box_y1.next = self.box_y1.val();
+        self.in_box.word.next = self.screen_box.in_box.val();
+        self.point.depth.next = self.depth.val();
+        self.point.margin.next = self.margin.val();
+        for i in 0..self._planes {
+            self.planes[i].clock.next = self.clock.val();
+            self.planes[i].valid.next = self.valid.val();
+            self.planes[i].start.next = self.start.val();
+            self.planes[i].line.next = self.line.val();
+            self.planes[i].a.next = self.plane_a[i].val();
+            self.planes[i].b.next = self.plane_b[i].val();
+            self.planes[i].c.next = self.plane_c[i].val();
+            self.tests[i].clock.next = self.clock.val();
+            self.tests[i].kind.next = self.plane_kind[i].val();
+            self.tests[i].zp.next = self.planes[i].value.val();
+            self.tests[i].z.next = self.point.z.val();
+            self.tests[i].entered.next = self.point.entered.val();
+        }
+        self.in_all.next = self.in_box.late.val() & self.point.is_surface.val();
+        for i in 0..self._planes {
+            if !self.tests[i].holds.val() {
+                self.in_all.next = false;
+            }
+        }
+        self.kept.d.next = self.in_all.val();
+        self.is_inside.next = self.kept.q.val();
+        self.valid_delay.word.next = self.valid.val();
+        self.out_valid.next = self.valid_delay.late.val();
+    }
+}
+
+clocked!(PolyhedralVolume<const W: usize, const S: usize, const P: usize>);

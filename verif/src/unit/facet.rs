@@ -1,0 +1,101 @@
+//! The flat and the non-planar facet processor.
+
+use super::Description;
+use super::zone::{
+    Likely, Processor, Reader, Timing, box_ports, golden, held, linear_ports, object_outputs,
+    object_values, quadratic_ports, raster_ports, words,
+};
+use crate::subject::{Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::object::curved_facet::{self, CurvedFacetProcessor, CurvedFacetWords};
+use imogene_models::object::facet::{self, FacetProcessor, FacetWords};
+use proptest::prelude::*;
+
+impl Processor for FacetProcessor {
+    fn line_step(&mut self) {
+        FacetProcessor::line_step(self);
+    }
+
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        object_values(&FacetProcessor::pixel(self))
+    }
+}
+
+impl Processor for CurvedFacetProcessor {
+    fn line_step(&mut self) {
+        CurvedFacetProcessor::line_step(self);
+    }
+
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        object_values(&CurvedFacetProcessor::pixel(self))
+    }
+}
+
+pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
+    let mut inputs = raster_ports();
+    inputs.extend(box_ports());
+    for i in 0..sides {
+        inputs.extend(linear_ports(&format!("side_{i}"), format.plane));
+    }
+    inputs.extend(linear_ports("depth", format.plane));
+    for name in ["nx", "ny", "nz"] {
+        inputs.extend(linear_ports(name, format.normal_linear));
+    }
+    Description {
+        name: "facet_processor".into(),
+        inputs,
+        outputs: object_outputs(format.depth),
+        golden: golden(Timing::of(facet::LATENCY), 6, move |i| {
+            let mut reader = Reader::new(i);
+            let words = FacetWords {
+                screen_box: reader.screen_box(),
+                edges: (0..sides).map(|_| reader.linear()).collect(),
+                depth: reader.linear(),
+                normal: [(); 3].map(|()| reader.linear()),
+            };
+            Box::new(FacetProcessor::zone_start(&words, &format))
+        }),
+        stimulus: |subject, clocks| {
+            let plan = [("side_", Likely::Line), ("depth_", Likely::Depth(10))];
+            zones(subject, clocks, &plan)
+        },
+    }
+}
+
+pub(super) fn curved_facet_processor(format: Format, sides: usize) -> Description {
+    let mut inputs = raster_ports();
+    inputs.extend(box_ports());
+    for i in 0..sides {
+        inputs.extend(quadratic_ports(&format!("side_{i}"), format.quadratic));
+    }
+    for name in ["depth", "nx", "ny", "nz"] {
+        inputs.extend(quadratic_ports(name, format.quadratic));
+    }
+    Description {
+        name: "curved_facet_processor".into(),
+        inputs,
+        outputs: object_outputs(format.depth),
+        golden: golden(Timing::of(curved_facet::LATENCY), 6, move |i| {
+            let mut reader = Reader::new(i);
+            let words = CurvedFacetWords {
+                screen_box: reader.screen_box(),
+                sides: (0..sides).map(|_| reader.quadratic()).collect(),
+                depth: reader.quadratic(),
+                normal: [(); 3].map(|()| reader.quadratic()),
+            };
+            Box::new(CurvedFacetProcessor::zone_start(&words, &format))
+        }),
+        stimulus: |subject, clocks| {
+            let guard = subject.outputs[1].width - 2;
+            let plan = [("side_", Likely::Conic), ("depth_", Likely::Bulge(guard))];
+            zones(subject, clocks, &plan)
+        },
+    }
+}
+
+fn zones(subject: &Subject, clocks: usize, plan: &[(&str, Likely)]) -> BoxedStrategy<Vec<Inputs>> {
+    held(
+        words(&subject.inputs, subject.outputs[1].width, plan),
+        clocks,
+    )
+}

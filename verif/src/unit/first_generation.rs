@@ -1,0 +1,86 @@
+//! The quadric processor of the first generation.
+
+use super::patch::{quadric_ports, quadric_words};
+use super::zone::{
+    Likely, Processor, Reader, Timing, golden, held, linear_ports, object_outputs, object_values,
+    quadratic_ports, words,
+};
+use super::{Description, bit};
+use crate::signal::Signal;
+use crate::subject::{Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::object::first_generation::{
+    ContourPlane, FirstGenerationProcessor, FirstGenerationWords, latency,
+};
+use imogene_models::unit::interval::Class;
+use proptest::prelude::*;
+
+impl Processor for FirstGenerationProcessor {
+    fn line_step(&mut self) {
+        FirstGenerationProcessor::line_step(self);
+    }
+
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        object_values(&FirstGenerationProcessor::pixel(self))
+    }
+}
+
+fn ports(format: &Format) -> Vec<Signal> {
+    let mut ports = quadric_ports(format);
+    ports.push(Signal::bit("surface"));
+    for i in 0..2 {
+        ports.extend(linear_ports(&format!("depth_{i}"), format.plane));
+        ports.extend(quadratic_ports(&format!("conic_{i}"), format.quadratic));
+        ports.extend(linear_ports(&format!("polar_{i}"), format.plane));
+        ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
+    }
+    ports
+}
+
+fn words_of(i: &[i64]) -> FirstGenerationWords {
+    let mut reader = Reader::new(i);
+    let quadric = quadric_words(&mut reader, Class::Side);
+    let patch = bit(reader.word());
+    let mut plane = || ContourPlane {
+        depth: reader.linear(),
+        conic: reader.quadratic(),
+        polar: reader.linear(),
+        normal: reader.vector(),
+    };
+    FirstGenerationWords {
+        patch,
+        screen_box: quadric.screen_box,
+        f1: quadric.f1,
+        f2: quadric.f2,
+        normal: quadric.normal,
+        front: plane(),
+        back: plane(),
+    }
+}
+
+pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) -> Description {
+    let timing = Timing::of(latency(&format, rows_per_stage as u32));
+    Description {
+        name: "first_generation_processor".into(),
+        inputs: ports(&format),
+        outputs: object_outputs(format.depth),
+        golden: golden(timing, 6, move |i| {
+            Box::new(FirstGenerationProcessor::zone_start(&words_of(i), &format))
+        }),
+        stimulus: quadrics,
+    }
+}
+
+fn quadrics(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let plan = [
+        ("f1_", Likely::Depth(0)),
+        ("f2_", Likely::Conic),
+        ("depth_", Likely::Depth(0)),
+        ("conic_", Likely::Conic),
+        ("polar_", Likely::Line),
+    ];
+    held(
+        words(&subject.inputs, subject.outputs[1].width, &plan),
+        clocks,
+    )
+}

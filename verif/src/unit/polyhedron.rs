@@ -1,0 +1,72 @@
+//! The polyhedron processor.
+
+use super::Description;
+use super::patch::{plane_kind, plane_ports, planes_any_kind};
+use super::zone::{
+    Likely, Processor, Reader, Timing, box_ports, golden, held, object_outputs, raster_ports, words,
+};
+use crate::signal::Signal;
+use crate::subject::{Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::object::polyhedron::{
+    PolyhedronPixel, PolyhedronProcessor, PolyhedronWords, latency,
+};
+use imogene_models::object::quadric::PlaneWords;
+use proptest::prelude::*;
+
+impl Processor for PolyhedronProcessor {
+    fn line_step(&mut self) {
+        PolyhedronProcessor::line_step(self);
+    }
+
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        let PolyhedronPixel {
+            interval,
+            front_normal,
+            back_normal,
+        } = PolyhedronProcessor::pixel(self);
+        let mut values = vec![interval.zf, interval.zb, interval.nf.into()];
+        values.extend(front_normal.map(i64::from));
+        values.push(interval.nb.into());
+        values.extend(back_normal.map(i64::from));
+        values
+    }
+}
+
+pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
+    let mut inputs = raster_ports();
+    inputs.extend(box_ports());
+    inputs.extend(plane_ports(&format, planes, true));
+    let mut outputs = object_outputs(format.depth);
+    outputs.push(Signal::unsigned("back_number", 4));
+    outputs.extend(["back_nx", "back_ny", "back_nz"].map(|name| Signal::signed(name, 16)));
+    Description {
+        name: "polyhedron_processor".into(),
+        inputs,
+        outputs,
+        golden: golden(Timing::of(latency(planes)), 10, move |i| {
+            let mut reader = Reader::new(i);
+            let screen_box = reader.screen_box();
+            let mut plane = || PlaneWords {
+                kind: plane_kind(reader.word()),
+                depth: reader.linear(),
+                normal: reader.vector(),
+            };
+            let words = PolyhedronWords {
+                screen_box,
+                planes: (0..planes).map(|_| plane()).collect(),
+            };
+            Box::new(PolyhedronProcessor::zone_start(&words, &format))
+        }),
+        stimulus: solids,
+    }
+}
+
+fn solids(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let mut plan = Vec::new();
+    let normals: Vec<String> = (0..12).map(|i| format!("plane_{i}_n")).collect();
+    plan.extend(normals.iter().map(|prefix| (prefix.as_str(), Likely::Any)));
+    plan.push(("plane_", Likely::Depth(0)));
+    let words = words(&subject.inputs, subject.outputs[1].width, &plan);
+    held(planes_any_kind(words, subject), clocks)
+}

@@ -1,0 +1,66 @@
+//! The programmable elementary processor.
+
+use super::elementary::flag_ports;
+use super::{Description, any_raster, bit};
+use crate::signal::Signal;
+use crate::subject::GoldenFn;
+use imogene_models::format::Format;
+use imogene_models::unit::pe2::PreconditionedWords;
+use imogene_models::unit::programmable::{Programmable, ProgrammableWords};
+
+pub(super) fn programmable_pe(format: Format) -> Description {
+    let mut inputs = flag_ports();
+    inputs.push(Signal::bit("split"));
+    inputs.push(Signal::unsigned("used", 4));
+    inputs.extend(
+        ["a2", "b2", "c", "i0", "p0", "f"].map(|name| Signal::signed(name, format.quadratic)),
+    );
+    let mut outputs = vec![Signal::signed("value", format.quadratic)];
+    outputs.extend((0..4).map(|k| Signal::signed(format!("lane_{k}"), format.depth)));
+    outputs.push(Signal::bit("is_inside"));
+    Description {
+        name: "programmable_pe".into(),
+        inputs,
+        outputs,
+        golden: Box::new(move || {
+            let mut pe: Option<Programmable> = None;
+            let mut inside = None;
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[0]) {
+                    match &mut pe {
+                        _ if bit(i[1]) => {
+                            pe = Some(Programmable::start(&words_of(i), format.depth));
+                        }
+                        Some(pe) if bit(i[2]) => pe.next_line(),
+                        Some(pe) => pe.next_pixel(),
+                        None => {}
+                    }
+                }
+                // The decision is a clock behind the values.
+                let Some(pe) = &pe else { return vec![None; 6] };
+                let pixel = pe.pixel();
+                let mut values = vec![Some(pixel.value as i64)];
+                values.extend(pixel.lanes.map(|lane| Some(lane as i64)));
+                values.push(inside.replace(i64::from(pixel.inside)));
+                values
+            }))
+        }),
+        stimulus: any_raster,
+    }
+}
+
+fn words_of(i: &[i64]) -> ProgrammableWords {
+    let [a2, b2, c, i0, p0, f] = [5, 6, 7, 8, 9, 10].map(|k| i128::from(i[k]));
+    ProgrammableWords {
+        split: bit(i[3]),
+        words: PreconditionedWords {
+            a2,
+            b2,
+            c,
+            i0,
+            p0,
+            f,
+        },
+        used: [0, 1, 2, 3].map(|lane| i[4] >> lane & 1 == 1),
+    }
+}

@@ -1,0 +1,101 @@
+//! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the planes.
+
+use imogene_models::format::Format;
+use imogene_models::unit::cut_plane::{PlaneKind, cut};
+use imogene_models::unit::interval::{Class, Interval, halves};
+use imogene_verif::unit::{Parameters, subject};
+
+const KINDS: [PlaneKind; 4] = [
+    PlaneKind::None,
+    PlaneKind::Front,
+    PlaneKind::Back,
+    PlaneKind::Perpendicular,
+];
+
+/// All orders of `n` planes.
+fn orders(n: usize) -> Vec<Vec<usize>> {
+    if n == 0 {
+        return vec![vec![]];
+    }
+    let mut list = Vec::new();
+    for shorter in orders(n - 1) {
+        for place in 0..n {
+            let mut order = shorter.clone();
+            order.insert(place, n - 1);
+            list.push(order);
+        }
+    }
+    list
+}
+
+/// A plane: kind and depth.
+type Plane = (i64, i64);
+
+/// What the chain of cuts leaves of both roots, if every order leaves the same.
+fn chain(
+    near: i64,
+    far: i64,
+    planes: &[Plane],
+    orders: &[Vec<usize>],
+    format: &Format,
+) -> Interval {
+    let start = halves(Class::Patch, near, far, false, format).0;
+    let run = |order: &Vec<usize>| {
+        order.iter().fold(start, |state, &i| {
+            let (kind, zp) = planes[i];
+            cut(state, KINDS[kind as usize], zp, 2 + i as u8, true, format)
+        })
+    };
+    let first = run(&orders[0]);
+    for order in &orders[1..] {
+        assert_eq!(
+            run(order),
+            first,
+            "roots {near}, {far}, {planes:?}, {order:?}"
+        );
+    }
+    first
+}
+
+/// Two roots and up to four planes on as many levels and one more each side: every configuration there is, with every tie. One a clock.
+#[test]
+fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
+    let format = Format::new(16).unwrap();
+    for planes in 0..=4usize {
+        let parameters = Parameters {
+            depth_word: 16,
+            planes,
+            ..Parameters::default()
+        };
+        let subject = subject("patch_decider", parameters).unwrap();
+        let mut hardware = (subject.hardware)();
+        let orders = orders(planes);
+        let levels: Vec<i64> = (0..planes as i64 + 2).collect();
+        let mut choices: Vec<Plane> = levels.iter().flat_map(|&z| [(1, z), (2, z)]).collect();
+        choices.extend([(0, 0), (3, 0), (3, -1)]);
+        let mut expected = std::collections::VecDeque::new();
+        let mut compared = 0u64;
+        for code in 0..choices.len().pow(planes as u32) {
+            let drawn: Vec<Plane> = (0..planes)
+                .map(|i| choices[code / choices.len().pow(i as u32) % choices.len()])
+                .collect();
+            for (place, &near) in levels.iter().enumerate() {
+                for &far in &levels[place..] {
+                    let mut inputs = vec![near, far, 1, 1];
+                    inputs.extend(drawn.iter().flat_map(|&(kind, zp)| [kind, zp]));
+                    expected.push_back(chain(near, far, &drawn, &orders, &format));
+                    let found = hardware.clock(&inputs);
+                    if expected.len() == 2 {
+                        let face = expected.pop_front().unwrap();
+                        let wanted = [face.zf, face.zb, face.nf.into()].map(Some);
+                        assert_eq!(found, wanted, "roots and planes before {inputs:?}");
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        let configurations =
+            choices.len().pow(planes as u32) * levels.len() * (levels.len() + 1) / 2;
+        assert_eq!(compared, configurations as u64 - 1);
+    }
+}
