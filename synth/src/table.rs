@@ -61,6 +61,9 @@ const DEVICES: [Target; 2] = [Target::Ecp5With45k, Target::Ice40Hx8k];
 /// Cut planes of the object processors.
 const PLANES: [usize; 5] = [0, 1, 2, 3, 4];
 
+/// The object processors whose planes are counted.
+const CUT: [Unit; 2] = [Unit::QuadricProcessor, Unit::PatchProcessor];
+
 /// Rows per stage of the root networks; the last is the whole network of the base format.
 const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
 
@@ -89,16 +92,9 @@ pub fn rows() -> Vec<Row> {
     let units = DEVICES
         .into_iter()
         .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
-    let planes = PLANES.map(|planes| Row {
-        section: Section::Planes,
-        request: EmitRequest {
-            planes,
-            ..EmitRequest::new(Unit::QuadricProcessor)
-        },
-        target: Target::Ecp5With45k,
-        // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
-        options: Options { seeds: 0 },
-    });
+    let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes));
+    let planes = CUT.into_iter().flat_map(over_planes);
+
     let roots = DEVICES.into_iter().flat_map(|target| {
         let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows, target));
         ROOTS.into_iter().flat_map(rows)
@@ -114,6 +110,19 @@ pub fn rows() -> Vec<Row> {
         .chain(roots)
         .chain(transistors)
         .collect()
+}
+
+fn planes_row(unit: Unit, planes: usize) -> Row {
+    Row {
+        section: Section::Planes,
+        request: EmitRequest {
+            planes,
+            ..EmitRequest::new(unit)
+        },
+        target: Target::Ecp5With45k,
+        // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+        options: Options { seeds: 0 },
+    }
 }
 
 fn unit_row(unit: Unit, target: Target) -> Row {

@@ -31,6 +31,10 @@ const PLANES: &str = "
 A plane adds a pipeline stage like those of the others; the clock is measured at 3 planes, above.
 ";
 
+const RATIO: &str = "
+A patch has no second half of its depth interval, no merge, no normals of planes, and its planes keep or remove faces in place of
+cutting intervals. Its processor over the quadric processor with as many planes, in cells: ";
+
 const ROWS: &str = "
 The radicand has 48 bits, the root 24. 24 rows per stage are the whole network between two registers. `square_root` restores the
 remainder where the divisor is too large, `square_root_non_restoring` adds it back in the next row; both hand on root and remainder.
@@ -42,8 +46,8 @@ pub const PICTURE: &str = "images/rows-per-stage.svg";
 /// Heading of a section.
 pub const fn title(section: Section) -> &'static str {
     match section {
-        Section::Units => "Every unit of the machine",
-        Section::Planes => "Object processor and its cut planes",
+        Section::Units => "Every unit",
+        Section::Planes => "Object processors and their cut planes",
         Section::Rows => "Root networks and their register stages",
         Section::Transistors => "Transistors",
     }
@@ -60,6 +64,7 @@ pub fn write(table: &Table) -> String {
     text += &reading(table);
     text += &opening(Section::Planes, PLANES);
     text += &devices(table, Section::Planes, Target::Ecp5With45k);
+    text += &ratios(table);
     text += &opening(Section::Rows, ROWS);
     for target in super::DEVICES {
         text += &devices(table, Section::Rows, target);
@@ -139,6 +144,31 @@ The core is limited by the accumulators of PE2, whose sum of 48 bits has to be r
 The object processor is limited by the cut plane, a comparison that steers a multiplexer in one clock, and by the normal unit, a
 product and a negation in one clock; neither is in a loop.
 "
+}
+
+/// The patch processor over the quadric processor, plane by plane.
+fn ratios(table: &Table) -> String {
+    let reports: Vec<&SynthReport> = table
+        .section(Section::Planes, Target::Ecp5With45k)
+        .collect();
+    let cells = |unit: &str, planes: usize| {
+        let found = reports
+            .iter()
+            .find(|report| report.unit == unit && report.parameters["planes"] == planes);
+        found.and_then(|report| report.logic_cells)
+    };
+    let ratio = |planes: usize| {
+        let (patch, quadric) = (
+            cells("patch_processor", planes)?,
+            cells("quadric_processor", planes)?,
+        );
+        Some(format!(
+            "{:.2} with {planes}",
+            patch as f64 / quadric as f64
+        ))
+    };
+    let list: Vec<String> = super::PLANES.into_iter().filter_map(ratio).collect();
+    format!("{RATIO}{}.\n", list.join(", "))
 }
 
 /// Block memory has no column while no unit uses any.
