@@ -7,7 +7,7 @@ use imogene_models::object::line::for_each_present;
 use imogene_models::object::quadric::{QuadricWords, ScreenBox};
 use imogene_models::prepare::prepare;
 use imogene_models::rational::{integer, to_f64};
-use imogene_models::scene::{FramedObject, FramedScene, Plane, Projection, Quadric, Surface};
+use imogene_models::scene::{FramedQuadric, FramedScene, Plane, Projection, Quadric, Surface};
 use std::hint::black_box;
 
 const WIDTH: u32 = 720;
@@ -21,7 +21,7 @@ fn scene() -> FramedScene {
         let [a, b, c, d] = coefficients.map(integer);
         Plane { a, b, c, d }
     };
-    let cut = FramedObject {
+    let cut = FramedQuadric {
         name: "cut ball".into(),
         surface: Surface::Solid,
         quadric: Quadric {
@@ -41,6 +41,7 @@ fn scene() -> FramedScene {
             plane([2, 1, -2, 420]),
             plane([-1, 3, -2, 510]),
         ],
+        corners: None,
         material: 0,
     };
     FramedScene {
@@ -50,7 +51,7 @@ fn scene() -> FramedScene {
         projection: Projection::Perspective {
             distance: integer(DISTANCE),
         },
-        objects: vec![cut],
+        objects: vec![cut.into()],
         materials: vec![],
         lights: vec![],
         ambient: [1.0; 3],
@@ -78,7 +79,7 @@ struct Caster {
 }
 
 impl Caster {
-    fn new(object: &FramedObject) -> Caster {
+    fn new(object: &FramedQuadric) -> Caster {
         Caster {
             quadric: object.quadric.coefficients().map(to_f64),
             planes: object
@@ -167,9 +168,9 @@ fn float(caster: &Caster, window: &ScreenBox) -> f64 {
 fn benchmark(criterion: &mut Criterion) {
     let scene = scene();
     let prepared = prepare(&scene, Format::BASE).expect("fits the base format");
-    let words = &prepared.objects[0].words;
+    let words = &prepared.objects[0].quadric().expect("a quadric").words;
     let window = words.screen_box;
-    let caster = Caster::new(&scene.objects[0]);
+    let caster = Caster::new(scene.objects[0].quadric().expect("a quadric"));
     let mut group = criterion.benchmark_group("quadric processor, three planes");
     group.throughput(Throughput::Elements(window.pixels()));
     group.bench_function("golden integer model", |b| {

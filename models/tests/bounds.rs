@@ -6,7 +6,7 @@ use common::*;
 use imogene_models::check::depth_bound;
 use imogene_models::exact::real::SurdReal;
 use imogene_models::format::Format;
-use imogene_models::prepare::{PreparedObject, prepare as prepare_for};
+use imogene_models::prepare::{PreparedQuadric, prepare as prepare_for};
 use imogene_models::rational::{fraction, from_f64_exact, integer, power_of_two};
 use imogene_models::scene::Surface;
 use imogene_models::unit::interval::{Class, FACE_FAR, FACE_NEAR};
@@ -42,7 +42,7 @@ fn depth_within(depth: i64, f1: &BigRational, sign: i32, f2: &BigRational, bound
 }
 
 fn check_pixel(
-    object: &PreparedObject,
+    object: &PreparedQuadric,
     format: &Format,
     x: i64,
     y: i64,
@@ -103,7 +103,7 @@ proptest! {
         let prepared = prepare_for(&scene, format);
         prop_assume!(prepared.is_ok());
         let prepared = prepared.expect("assumed");
-        let object = &prepared.objects[0];
+        let object = first(&prepared);
         let b = object.words.screen_box;
         prop_assume!(!b.is_empty());
         for (x, y) in [(b.x0, b.y0), (b.x1, b.y0), (b.x0, b.y1), (b.x1, b.y1)] {

@@ -6,13 +6,13 @@ use common::*;
 use imogene_models::check::{CheckReport, check, depth_bound};
 use imogene_models::format::Format;
 use imogene_models::object::quadric::ScreenBox;
-use imogene_models::prepare::{PreparedObject, prepare as prepare_scene};
+use imogene_models::prepare::{PreparedQuadric, prepare as prepare_scene};
 use imogene_models::rational::from_f64_exact;
 use imogene_models::scene::{FramedScene, Quadric, Surface};
 use imogene_models::unit::interval::Class;
 use num_traits::Signed;
 
-fn report(objects: Vec<imogene_models::scene::FramedObject>) -> CheckReport {
+fn report(objects: Vec<imogene_models::scene::FramedQuadric>) -> CheckReport {
     let scene = scene(objects);
     check(&scene, &prepare(&scene))
 }
@@ -28,7 +28,7 @@ fn double_cone() -> Quadric {
 
 #[track_caller]
 fn assert_problem(report: &CheckReport, essential: &str) {
-    let problems = &report.objects[0].problems;
+    let problems = &report.objects[0].quadric().expect("a quadric").problems;
     assert!(
         problems.iter().any(|p| p.contains(essential)),
         "'{essential}' not in {problems:?}"
@@ -38,7 +38,7 @@ fn assert_problem(report: &CheckReport, essential: &str) {
 #[test]
 fn a_plain_ball_has_no_problem() {
     let report = report(vec![object("ball", Surface::Solid, ball(), &[])]);
-    let ball = &report.objects[0];
+    let ball = report.objects[0].quadric().expect("a quadric");
     assert!(report.ok && ball.problems.is_empty(), "{:?}", ball.problems);
     assert_eq!(
         (ball.name.as_str(), ball.kind, ball.class),
@@ -71,7 +71,14 @@ fn planes_without_effect_are_named() {
     let cuts = [[0, 0, -1, 250], [0, 0, 1, -500]];
     let report = report(vec![object("ball", Surface::Solid, ball(), &cuts)]);
     assert_problem(&report, "cut 1 changes no pixel");
-    assert_eq!(report.objects[0].problems.len(), 1);
+    assert_eq!(
+        report.objects[0]
+            .quadric()
+            .expect("a quadric")
+            .problems
+            .len(),
+        1
+    );
 }
 
 #[test]
@@ -83,7 +90,7 @@ fn objects_off_the_screen_and_notes_of_the_preparation_are_told() {
         &[],
     )]);
     assert_problem(&aside, "outside the screen");
-    assert_eq!(aside.objects[0].pixels, 0);
+    assert_eq!(aside.objects[0].quadric().expect("a quadric").pixels, 0);
     let apart = [[1, 0, 0, 0], [-1, 0, 0, 1]];
     let empty = report(vec![object(
         "slice",
@@ -92,7 +99,7 @@ fn objects_off_the_screen_and_notes_of_the_preparation_are_told() {
         &apart,
     )]);
     assert_problem(&empty, "leave nothing");
-    assert_eq!(empty.objects[0].pixels, 0);
+    assert_eq!(empty.objects[0].quadric().expect("a quadric").pixels, 0);
 }
 
 #[test]
@@ -116,7 +123,7 @@ fn the_apex_of_a_double_cone_is_told_and_bounded() {
         &[[0, 1, 0, -120], [0, -1, 0, -120]],
     )]);
     assert_problem(&report, "no direction");
-    let cone = &report.objects[0];
+    let cone = report.objects[0].quadric().expect("a quadric");
     assert_eq!(cone.kind, "cone");
     assert!(cone.bounds.silhouette_singular);
     println!(
@@ -141,7 +148,7 @@ fn a_silhouette_that_may_vanish_fails_the_check() {
 }
 
 /// Points of the computed contour, one for each crossing of a line of the box, with the unit gradient.
-fn contour_points(object: &PreparedObject) -> Vec<([f64; 2], [f64; 2])> {
+fn contour_points(object: &PreparedQuadric) -> Vec<([f64; 2], [f64; 2])> {
     let q = &object.words.f2;
     let ScreenBox { x0, x1, y0, y1 } = object.words.screen_box;
     let mut points = vec![];
@@ -169,7 +176,7 @@ fn contour_points(object: &PreparedObject) -> Vec<([f64; 2], [f64; 2])> {
     points
 }
 
-fn exact_sign(object: &PreparedObject, [x, y]: [f64; 2]) -> bool {
+fn exact_sign(object: &PreparedQuadric, [x, y]: [f64; 2]) -> bool {
     object
         .exact
         .f2
@@ -193,7 +200,7 @@ fn the_true_silhouette_lies_within_the_stated_displacement() {
             let format = Format::new(depth).expect("in the catalogue");
             let format = format.with_guards(3, guards).expect("within limits");
             let prepared = prepare_scene(&scene, format).expect("fits");
-            let object = &prepared.objects[0];
+            let object = first(&prepared);
             let reach = check(&scene, &prepared).bounds.silhouette_px;
             let points = contour_points(object);
             assert!(points.len() > 100);
@@ -223,7 +230,7 @@ fn longer_words_are_never_worse() {
     for depth in [16, 20, 24, 28, 32] {
         let prepared =
             prepare_scene(&scene, Format::new(depth).expect("in the catalogue")).expect("fits");
-        let object = &prepared.objects[0];
+        let object = first(&prepared);
         assert!(depth_bound(object, 0, 1 << 20) < 1e4);
         let silhouette = check(&scene, &prepared).bounds.silhouette_px;
         assert!(silhouette < last, "{depth} bits");

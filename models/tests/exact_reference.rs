@@ -7,7 +7,7 @@ use imogene_models::exact::ray::RayObject;
 use imogene_models::exact::render::{DEPTH_FRACTION, render};
 use imogene_models::format::Format;
 use imogene_models::rational::{fraction, integer, to_f64};
-use imogene_models::scene::{FramedObject, FramedScene, Projection, SceneFile, Surface};
+use imogene_models::scene::{FramedQuadric, FramedScene, Projection, SceneFile, Surface};
 use imogene_models::unit::interval::{FACE_NEAR_END, FACE_PLANE};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -56,7 +56,7 @@ fn point_at(scene: &FramedScene, x: usize, y: usize, depth: f64) -> [f64; 3] {
         .antecedent(scene.pixel_centre(x, y), depth * full)
 }
 
-fn quadric_value(object: &FramedObject, p: [f64; 3]) -> f64 {
+fn quadric_value(object: &FramedQuadric, p: [f64; 3]) -> f64 {
     let n = gradient(&object.quadric, p);
     let greatest = object
         .quadric
@@ -74,7 +74,7 @@ fn quadric_value(object: &FramedObject, p: [f64; 3]) -> f64 {
     (n[0] + g) * p[0] + (n[1] + h) * p[1] + (n[2] + i) * p[2] + j
 }
 
-fn plane_value(object: &FramedObject, index: usize, p: [f64; 3]) -> f64 {
+fn plane_value(object: &FramedQuadric, index: usize, p: [f64; 3]) -> f64 {
     let [a, b, c, d] = object.planes[index].coefficients().map(to_f64);
     let length = (a * a + b * b + c * c).sqrt();
     (a * p[0] + b * p[1] + c * p[2] + d) / length
@@ -90,7 +90,7 @@ fn quadratic_along(value: impl Fn(f64) -> f64) -> [f64; 3] {
 /// Depth fractions of the quadric in order, nothing if there are none, an error if it is unclear.
 fn roots(
     scene: &FramedScene,
-    object: &FramedObject,
+    object: &FramedQuadric,
     x: usize,
     y: usize,
 ) -> Result<Vec<Candidate>, ()> {
@@ -119,7 +119,7 @@ fn roots(
         .collect())
 }
 
-fn cast(scene: &FramedScene, object: &FramedObject, x: usize, y: usize) -> Found {
+fn cast(scene: &FramedScene, object: &FramedQuadric, x: usize, y: usize) -> Found {
     let Ok(quadric) = roots(scene, object, x, y) else {
         return Found::Unclear;
     };
@@ -171,6 +171,7 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
         let rays: Vec<_> = scene
             .objects
             .iter()
+            .filter_map(|o| o.quadric())
             .map(|o| RayObject::new(o, &scene.projection, scene.width, scene.height))
             .collect();
         for _ in 0..1500 {
@@ -179,7 +180,7 @@ fn agrees_with_a_slow_ray_caster_wherever_floats_can_tell() {
                 at(random.signed(), scene.width),
                 at(random.signed(), scene.height),
             );
-            for (object, ray) in scene.objects.iter().zip(&rays) {
+            for (object, ray) in scene.objects.iter().filter_map(|o| o.quadric()).zip(&rays) {
                 let exact = ray.first_hit(x as i64, y as i64);
                 let depth = |w: &imogene_models::exact::real::SurdReal| {
                     let fixed: i64 = w
@@ -228,7 +229,7 @@ fn face_value(
     y: i64,
     depth: &BigRational,
 ) -> BigRational {
-    let object = &scene.objects[id as usize];
+    let object = scene.objects[id as usize].quadric().expect("a quadric");
     let [px, py, pz] = exact_point(scene, x, y, depth);
     match number {
         0 | 1 => object.quadric.value_at(&px, &py, &pz),
@@ -277,7 +278,7 @@ fn rational_roots_are_exact() {
             projection.clone(),
             vec![object("ball", surface, sphere([0, 0, 0], 25), &[])],
         );
-        let ray = RayObject::new(&scene.objects[0], &scene.projection, 64, 64);
+        let ray = RayObject::new(framed(&scene), &scene.projection, 64, 64);
         for (u, v, z) in [
             (0, 0, 25),
             (7, 0, 24),

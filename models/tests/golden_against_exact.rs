@@ -7,7 +7,7 @@ use imogene_models::check::{depth_bound, normal_bound, undecided_pixels};
 use imogene_models::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_models::format::Format;
 use imogene_models::machine::{beam, frame::Frame};
-use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::prepare::{PreparedQuadric, PreparedScene, prepare};
 use imogene_models::scene::{FramedScene, Projection, SceneFile};
 use imogene_models::unit::interval::{FACE_NEAR_END, FACE_PLANE};
 use std::path::{Path, PathBuf};
@@ -74,9 +74,14 @@ fn pictures(file: &Path, format: Format) -> Pictures {
         .frame(SIZE.0, SIZE.1)
         .expect("valid size");
     let prepared = prepare(&scene, format).expect("the scenes of the collection fit");
-    let words: Vec<_> = prepared.objects.iter().map(|o| o.words.clone()).collect();
     Pictures {
-        golden: beam::render(&words, &format, SIZE.0 as usize, SIZE.1 as usize, || ()),
+        golden: beam::render(
+            &prepared.slots(),
+            &format,
+            SIZE.0 as usize,
+            SIZE.1 as usize,
+            || (),
+        ),
         exact: imogene_models::exact::render::render(&scene, &format, || ()),
         undecided: undecided_pixels(&prepared),
         scene,
@@ -119,16 +124,22 @@ impl Pictures {
         }
     }
 
+    fn quadric(&self, id: u32) -> &PreparedQuadric {
+        self.prepared.objects[id as usize]
+            .quadric()
+            .expect("a quadric")
+    }
+
     fn f2_at(&self, index: usize, id: u32) -> i64 {
         let (x, y) = self.column_line(index);
-        let words = &self.prepared.objects[id as usize].words;
+        let words = &self.quadric(id).words;
         words.f2_at(x as i64, y as i64, &self.prepared.format)
     }
 
     fn compare_depths(&self, name: &str) -> Tightness {
         let mut tightness = Tightness::default();
         for (index, exact) in self.seen() {
-            let object = &self.prepared.objects[exact.id as usize];
+            let object = self.quadric(exact.id);
             let bound = depth_bound(object, exact.number, self.f2_at(index, exact.id));
             let unit = f64::from(1u32 << DEPTH_FRACTION);
             let off = (self.golden.depth[index] as f64 - exact.depth as f64 / unit).abs();
@@ -146,7 +157,7 @@ impl Pictures {
     fn compare_normals(&self, name: &str) -> Tightness {
         let mut tightness = Tightness::default();
         for (index, exact) in self.seen() {
-            let object = &self.prepared.objects[exact.id as usize];
+            let object = self.quadric(exact.id);
             let normal = self.golden.normal[index];
             let bound = normal_bound(object, exact.number, self.f2_at(index, exact.id), normal);
             let off = angle_deg(normal.map(f64::from), self.true_normal(index, exact));
@@ -170,7 +181,9 @@ impl Pictures {
     }
 
     fn true_normal(&self, index: usize, exact: &ExactPixel) -> [f64; 3] {
-        let object = &self.scene.objects[exact.id as usize];
+        let object = self.scene.objects[exact.id as usize]
+            .quadric()
+            .expect("a quadric");
         if exact.number == FACE_NEAR_END {
             return [0.0, 0.0, -1.0];
         }

@@ -6,7 +6,7 @@ use common::*;
 use imogene_models::exact::ray::RayObject;
 use imogene_models::format::{Format, wrap64};
 use imogene_models::object::quadric::QuadricWords;
-use imogene_models::prepare::PreparedObject;
+use imogene_models::prepare::PreparedQuadric;
 use imogene_models::prepare::perspective::ScreenQuadric;
 use imogene_models::rational::{fraction, from_f64_exact, integer};
 use imogene_models::scene::{FramedScene, Surface};
@@ -39,7 +39,7 @@ fn sphere_scene() -> FramedScene {
 }
 
 fn words_of(scene: &FramedScene) -> QuadricWords {
-    prepare_at_origin(scene).objects.remove(0).words
+    first(&prepare_at_origin(scene)).words.clone()
 }
 
 fn radicand_at(words: &QuadricWords, x: i64, y: i64) -> i64 {
@@ -258,12 +258,7 @@ fn sphere_words_and_pixels() {
 
 /// The exact front depth in depth words, from the reference that solves the ray.
 fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
-    let ray = RayObject::new(
-        &scene.objects[0],
-        &scene.projection,
-        scene.width,
-        scene.height,
-    );
+    let ray = RayObject::new(framed(scene), &scene.projection, scene.width, scene.height);
     let full = BigInt::from(Format::BASE.z_max());
     let hit = ray.first_hit(x, y).expect("the object is seen here");
     let fixed: i64 = hit
@@ -274,7 +269,7 @@ fn exact_front(scene: &FramedScene, x: i64, y: i64) -> f64 {
     fixed as f64 / f64::from(1 << 20)
 }
 
-fn assert_within_bounds(scene: &FramedScene, object: &PreparedObject, x: i64, y: i64) {
+fn assert_within_bounds(scene: &FramedScene, object: &PreparedQuadric, x: i64, y: i64) {
     let (px, py) = (integer(x), integer(y));
     let holds = |computed: BigInt, exact: BigRational, bound: f64, what: &str| {
         let off = (BigRational::from_integer(computed) - exact).abs();
@@ -319,12 +314,12 @@ fn rounding_about_the_box_centre_stays_within_the_stated_bounds() {
         let scene = cut_cylinder(surface);
         let prepared = prepare(&scene);
         for ((x, y), ..) in CYLINDER_ROWS.iter().take(6) {
-            assert_within_bounds(&scene, &prepared.objects[0], *x, *y);
+            assert_within_bounds(&scene, first(&prepared), *x, *y);
         }
     }
     let scene = sphere_scene();
     let prepared = prepare(&scene);
     for ((x, y), ..) in SPHERE_ROWS {
-        assert_within_bounds(&scene, &prepared.objects[0], x, y);
+        assert_within_bounds(&scene, first(&prepared), x, y);
     }
 }

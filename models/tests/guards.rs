@@ -87,7 +87,7 @@ fn processors_hold_the_range_of_their_guard_bits() {
 fn depth_error(format: Format) -> (f64, f64) {
     let ball = object("ball", Surface::Solid, sphere([20, -10, 300], 100), &[]);
     let prepared = prepare_for(&scene(vec![ball]), format).expect("fits");
-    let object = &prepared.objects[0];
+    let object = first(&prepared);
     let (mut worst, mut sum, mut count) = (0.0f64, 0.0, 0);
     for y in (object.words.screen_box.y0..=object.words.screen_box.y1).step_by(7) {
         for_each_present(&object.words, &format, y, |x, pixel| {
@@ -142,7 +142,7 @@ fn guard_bits_change_no_range() {
             let ball = |name| object(name, Surface::Solid, sphere([0, 0, -451], radius), &[]);
             let [plain, guarded] = [base, wide]
                 .map(|format| prepare_for(&scene(vec![ball("ball")]), format).expect("fits"));
-            let (a, b) = (&plain.objects[0].needed, &guarded.objects[0].needed);
+            let (a, b) = (&first(&plain).needed, &first(&guarded).needed);
             assert_eq!((a.sum, a.quadratic), (b.sum, b.quadratic));
         }
     }

@@ -26,12 +26,7 @@ fn values(words: &QuadricWords, x: i64, y: i64) -> (i64, i64) {
 }
 
 fn exact_number(scene: &FramedScene, x: i64, y: i64) -> Option<u8> {
-    let ray = RayObject::new(
-        &scene.objects[0],
-        &scene.projection,
-        scene.width,
-        scene.height,
-    );
+    let ray = RayObject::new(framed(scene), &scene.projection, scene.width, scene.height);
     ray.first_hit(x, y).map(|hit| hit.number)
 }
 
@@ -51,7 +46,7 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
             sphere([0, 0, 0], 40),
             &cut,
         )]));
-        let object = &prepared.objects[0];
+        let object = first(&prepared);
         let plane = &object.words.planes[0];
         let corners = [(0, 0), (719, 0), (0, 539), (719, 539)];
         let leaves = |bits: u32, (x, y)| {
@@ -81,7 +76,7 @@ fn depth_sums_need_two_more_bits_than_the_depth() {
         sphere([0, 0, -451], 290),
         &[],
     )]));
-    let object = &prepared.objects[0];
+    let object = first(&prepared);
     let (f1, f2) = values(&object.words, 360, 270);
     let near = f1 - fast_root(f2);
     assert!(near < -(1 << 24), "near root {near}");
@@ -105,7 +100,7 @@ fn room(planes: &[[i64; 4]]) -> FramedScene {
 #[test]
 fn from_inside_a_patch_the_inner_wall_is_seen_and_nothing_behind_the_viewer() {
     let scene = room(&[]);
-    let words = &prepare(&scene).objects[0].words;
+    let words = &first(&prepare(&scene)).words.clone();
     assert_eq!(golden_pixels(words), (WIDTH * HEIGHT) as usize);
     for (x, y) in [(0, 0), (360, 270), (719, 539), (100, 400)] {
         let (f1, f2) = values(words, x, y);
@@ -122,7 +117,7 @@ fn from_inside_a_patch_the_inner_wall_is_seen_and_nothing_behind_the_viewer() {
 #[test]
 fn a_cut_wall_does_not_show_the_ghost_behind_the_viewer() {
     let scene = room(&[[0, 0, -1, -310]]);
-    let words = &prepare(&scene).objects[0].words;
+    let words = &first(&prepare(&scene)).words.clone();
     let plane = &words.planes[0];
     assert_eq!(plane.kind, PlaneKind::Front);
     let naive = |x, y| {
@@ -176,7 +171,7 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
             projection,
             vec![object("cap", Surface::Solid, quadric, &cuts)],
         );
-        let words = &prepare(&scene).objects[0].words;
+        let words = &first(&prepare(&scene)).words.clone();
         assert_eq!(words.class, Class::Front);
         let radius = unit * unit * (1 + zc * zc);
         let (mut cap, mut hole) = (0, 0);
@@ -262,7 +257,7 @@ fn the_near_root_is_the_one_with_the_minus_sign() {
         &[],
     )]);
     for scene in [ball, room(&[])] {
-        let words = &prepare(&scene).objects[0].words;
+        let words = &first(&prepare(&scene)).words.clone();
         let (f1, f2) = values(words, 365, 268);
         let pixel = golden_at(words, 365, 268).expect("covered");
         assert_eq!(exact_number(&scene, 365, 268), Some(FACE_NEAR));
@@ -283,7 +278,7 @@ fn the_screen_box_hides_the_wrapped_discriminant() {
         projection,
         vec![object("ball", Surface::Solid, sphere([0, 0, 0], 30), &[])],
     );
-    let words = &prepare(&scene).objects[0].words;
+    let words = &first(&prepare(&scene)).words.clone();
     let (x, y) = (360 + 300, 270);
     assert!(words.f2.exact_at(x, y) < (-(1i64 << 47)).into());
     assert!(values(words, x, y).1 > 0, "the word has the wrong sign");
@@ -308,7 +303,7 @@ fn the_screen_box_hides_the_wrapped_discriminant() {
 fn half_ball(planes: Vec<Plane>) -> QuadricWords {
     let mut half = object("half", Surface::Solid, sphere([0, 0, 300], 100), &[]);
     half.planes = planes;
-    prepare(&scene(vec![half])).objects.remove(0).words
+    first(&prepare(&scene(vec![half]))).words.clone()
 }
 
 /// A mirror exchanges left and right, not the kept and the removed side.
@@ -351,7 +346,7 @@ fn a_plane_nearly_through_the_eye_is_taken_as_a_half_plane_by_proof() {
         &[[100, 0, 0, -1]],
     )]);
     let prepared = prepare(&scene);
-    let object = &prepared.objects[0];
+    let object = first(&prepared);
     assert_eq!(object.words.planes[0].kind, PlaneKind::Perpendicular);
     assert!(
         object.notes.iter().any(|n| n.contains("steep")),

@@ -17,7 +17,7 @@ fn true_normal(scene: &FramedScene, x: i64, y: i64, depth: i64) -> [f64; 3] {
     let full = 1000.0 / F.z_max() as f64;
     let centre = scene.pixel_centre(x as usize, y as usize);
     let point = scene.projection.antecedent(centre, depth as f64 * full);
-    gradient(&scene.objects[0].quadric, point)
+    gradient(&framed(scene).quadric, point)
 }
 
 /// The normal with the factors' signs lost, as printed.
@@ -48,7 +48,7 @@ fn factors_of_either_sign_give_the_true_gradient_on_both_faces() {
     for (planes, number) in [(vec![], 0), (vec![[0, 0, -1, 300]], 1)] {
         let scene = off_axis_ball(&planes);
         let prepared = prepare(&scene);
-        let object = &prepared.objects[0];
+        let object = first(&prepared);
         let words = &object.words;
         assert!(
             words.normal.k.iter().any(|&k| k < 0),

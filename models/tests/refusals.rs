@@ -7,9 +7,9 @@ use imogene_models::format::Format;
 use imogene_models::prepare::error::PrepareError;
 use imogene_models::prepare::prepare as prepare_scene;
 use imogene_models::rational::integer;
-use imogene_models::scene::{FramedObject, Projection, Surface};
+use imogene_models::scene::{FramedQuadric, Projection, Surface};
 
-fn refusal(object: FramedObject) -> PrepareError {
+fn refusal(object: FramedQuadric) -> PrepareError {
     refusal_in(
         Projection::Perspective {
             distance: integer(1000),
@@ -19,7 +19,7 @@ fn refusal(object: FramedObject) -> PrepareError {
     )
 }
 
-fn refusal_in(projection: Projection, format: Format, object: FramedObject) -> PrepareError {
+fn refusal_in(projection: Projection, format: Format, object: FramedQuadric) -> PrepareError {
     let scene = scene_of(WIDTH, HEIGHT, projection, vec![object]);
     prepare_scene(&scene, format).expect_err("must be refused")
 }
@@ -57,7 +57,7 @@ fn viewer_in_the_part_that_is_cut_away_is_accepted() {
         &[[0, 0, -1, 100]],
     );
     let prepared = prepare(&scene(vec![cut]));
-    assert!(golden_pixels(&prepared.objects[0].words) > 0);
+    assert!(golden_pixels(&first(&prepared).words) > 0);
 }
 
 #[test]

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use imogene_models::rational::{fraction, from_decimal, integer};
 use imogene_models::scene::{
-    Axis, Cut, FramedLight, FramedScene, Plane, Projection, Quadric, Rotation, Scale, SceneFile,
-    Shape, Step, Transform,
+    Axis, Cut, FramedLight, FramedQuadric, FramedScene, Plane, Projection, Quadric, Rotation,
+    Scale, SceneFile, Shape, Step, Transform,
 };
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -24,6 +24,10 @@ fn value(quadric: &Quadric, [x, y, z]: &Point) -> BigRational {
 
 fn side(plane: &Plane, [x, y, z]: &Point) -> BigRational {
     plane.value_at(x, y, z)
+}
+
+fn only(scene: &FramedScene) -> &FramedQuadric {
+    scene.objects[0].quadric().expect("a quadric")
 }
 
 fn coefficients(quadric: &Quadric) -> Vec<BigRational> {
@@ -90,6 +94,7 @@ fn sample_quadric() -> Quadric {
     Quadric::from_shape(&Shape::Quadric {
         coefficients: [1.0, -0.7, 2.0, 0.3, -0.2, 0.1, 0.6, -1.1, 0.4, -0.9],
     })
+    .expect("a quadric")
 }
 
 fn sample_plane() -> Plane {
@@ -248,7 +253,7 @@ fn camera_axes_and_unit() {
         25,
         10_000 + 2_500 + 625 - 10_000,
     ]);
-    assert_eq!(coefficients(&scene.objects[0].quadric), expected);
+    assert_eq!(coefficients(&only(&scene).quadric), expected);
     assert_eq!(
         scene.projection,
         Projection::Perspective {
@@ -262,7 +267,7 @@ fn camera_axes_and_unit() {
 fn decimals_stay_decimals() {
     let scene = framed("kind = \"sphere\"\nradius = 0.1\nplace = [{ translate = [0.3, 0, 0] }]");
     let expected = integers(&[1, 1, 1, 0, 0, 0, -30, 0, 0, 800]);
-    assert_eq!(coefficients(&scene.objects[0].quadric), expected);
+    assert_eq!(coefficients(&only(&scene).quadric), expected);
 }
 
 #[test]
@@ -291,7 +296,7 @@ fn quarter_turns_are_exact() {
     );
     // Rulings along z: no trace of z is left in the quadric.
     let expected = integers(&[4, 1, 0, 0, 0, 0, 0, 0, 0, -40_000]);
-    assert_eq!(coefficients(&scene.objects[0].quadric), expected);
+    assert_eq!(coefficients(&only(&scene).quadric), expected);
 }
 
 #[test]
@@ -332,7 +337,7 @@ fn cut_keeps_the_side_behind_its_normal() {
             "kind = \"sphere\"\nradius = 1\nplace = [{{ translate = [0, 0, 0]}}{mirror}]\n\
              cuts = [{{ point = [0.25, 0, 0], normal = [3, 0, 0] }}]"
         ));
-        let plane = &scene.objects[0].planes[0];
+        let plane = &only(&scene).planes[0];
         // The primitive form of x - 25 <= 0.
         let expected = integers(&[1, 0, 0, -25]);
         assert_eq!(
@@ -356,7 +361,7 @@ fn the_eye_stands_exactly_at_minus_d() {
     assert_eq!(*distance, fraction(33 * 400, 17));
     assert!(
         value(
-            &scene.objects[0].quadric,
+            &only(&scene).quadric,
             &[integer(0), integer(0), -distance.clone()]
         )
         .is_zero()
@@ -371,7 +376,7 @@ fn orthographic_screen_plane_passes_through_the_target() {
     );
     // Seen along -x: z is to the left, so the centre is at (-25, 0, 50).
     let expected = integers(&[1, 1, 1, 0, 0, 0, 25, 0, -50, 625 + 2500 - 10_000]);
-    assert_eq!(coefficients(&scene.objects[0].quadric), expected);
+    assert_eq!(coefficients(&only(&scene).quadric), expected);
     assert_eq!(
         scene.projection,
         Projection::Orthographic {
@@ -452,7 +457,7 @@ fn canonical_quadrics() {
         ),
     ];
     for (shape, [inside, on, outside]) in cases {
-        let quadric = Quadric::from_shape(&shape);
+        let quadric = Quadric::from_shape(&shape).expect("a quadric");
         let at = |p: [f64; 3]| value(&quadric, &p.map(from_decimal));
         assert!(at(inside).is_negative(), "{shape:?} inside");
         assert!(at(on).is_zero(), "{shape:?} on the surface");
@@ -465,7 +470,7 @@ fn framed_coefficients_are_whole_and_primitive() {
     let scene = framed(
         "kind = \"ellipsoid\"\nradii = [0.7, 0.3, 1.9]\ncuts = [{ point = [0.1, 0, 0], normal = [0.2, 0.4, 0.6] }]",
     );
-    let object = &scene.objects[0];
+    let object = only(&scene);
     let gcd = |values: &[&BigRational]| {
         values
             .iter()

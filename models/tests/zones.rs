@@ -27,9 +27,8 @@ static OBJECTS: LazyLock<Vec<QuadricWords>> = LazyLock::new(|| {
         ),
     ];
     prepare(&scene(objects))
-        .objects
-        .into_iter()
-        .map(|o| o.words)
+        .quadrics()
+        .map(|(_, o)| o.words.clone())
         .collect()
 });
 

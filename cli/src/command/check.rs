@@ -4,7 +4,7 @@ use super::load_scene;
 use crate::arguments::Check;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::{CheckReport, check};
+use imogene_models::check::{CheckReport, ObjectReport, PartsReport, check};
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
@@ -36,12 +36,37 @@ fn describe(report: &CheckReport) {
         needed.sum, format.sum, needed.quadratic, format.quadratic, needed.plane, format.plane
     ));
     for object in &report.objects {
-        output::text(format!(
-            "{}: {}, class {:?}",
-            object.name, object.kind, object.class
-        ));
-        for problem in &object.problems {
+        let problems = match object {
+            ObjectReport::Quadric(o) => {
+                let by = match o.processor {
+                    "quadric" => String::new(),
+                    other => format!(", processor {other}"),
+                };
+                output::text(format!("{}: {}, class {:?}{by}", o.name, o.kind, o.class));
+                &o.problems
+            }
+            ObjectReport::Parts(o) => {
+                describe_parts(o);
+                &o.problems
+            }
+        };
+        for problem in problems {
             output::text(format!("  {problem}"));
         }
+    }
+}
+
+fn describe_parts(o: &PartsReport) {
+    output::text(format!(
+        "{}: {}, {} of processor {}, {} pixels, no bounds",
+        o.name, o.kind, o.processors, o.processor, o.pixels
+    ));
+    let needed: Vec<String> = o
+        .needed
+        .iter()
+        .map(|n| format!("{} {} / {}", n.word, n.needed, n.available))
+        .collect();
+    if !needed.is_empty() {
+        output::text(format!("  bits needed / available: {}", needed.join(", ")));
     }
 }

@@ -6,26 +6,33 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::object::load::load_words;
 use imogene_models::object::quadric::MAX_PLANES;
-use imogene_models::prepare::PreparedObject;
+use imogene_models::object::quadric::ScreenBox;
+use imogene_models::prepare::{PreparedObject, PreparedParts, PreparedQuadric};
 use imogene_models::rational::to_f64;
+use imogene_models::scene::FramedObject;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.
 pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
-    let (_, scene) = load_scene(&options.scene)?;
-    let object = |o: &PreparedObject| -> Value {
-        let planes = o.words.planes.len().min(MAX_PLANES);
+    let (framed, scene) = load_scene(&options.scene)?;
+    let object = |(framed, o): (&FramedObject, &PreparedObject)| -> Value {
+        let Some(q) = o.quadric() else {
+            return parts(framed, o);
+        };
+        let planes = q.words.planes.len().min(MAX_PLANES);
         json!({
-            "name": o.name,
-            "words": o.words,
-            "preconditioned_f2": o.words.f2.preconditioned(scene.format.pe2_width()),
-            "load_words": load_words(&o.words, &scene.format, planes),
-            "needed_bits": o.needed,
-            "rounding_bounds": o.bounds,
-            "notes": o.notes,
+            "name": q.name,
+            "processor": framed.processor(),
+            "words": q.words,
+            "preconditioned_f2": q.words.f2.preconditioned(scene.format.pe2_width()),
+            "load_words": load_words(&q.words, &scene.format, planes),
+            "needed_bits": q.needed,
+            "rounding_bounds": q.bounds,
+            "notes": q.notes,
         })
     };
-    let objects: Vec<Value> = scene.objects.iter().map(object).collect();
+    let pairs = || framed.objects.iter().zip(&scene.objects);
+    let objects: Vec<Value> = pairs().map(object).collect();
     if json {
         output::json(&json!({
             "width": scene.width,
@@ -45,16 +52,48 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         scene.format.guard_quadratic,
         to_f64(&scene.depth_scale)
     ));
-    for o in &scene.objects {
-        describe(o);
+    for (framed, object) in pairs() {
+        match object {
+            PreparedObject::Quadric(o) | PreparedObject::Patch(o) => describe(framed, o),
+            PreparedObject::Parts(o) => describe_parts(framed, o),
+        }
     }
     Ok(())
 }
 
-fn describe(o: &PreparedObject) {
-    let w = &o.words;
-    let b = &w.screen_box;
-    output::text(format!("\n{} ({:?})", o.name, w.class));
+/// An object of other processors than quadric and patch: a list of their words.
+fn parts(framed: &FramedObject, o: &PreparedObject) -> Value {
+    let needed = match o {
+        PreparedObject::Parts(parts) => json!(parts.needed),
+        PreparedObject::Quadric(_) | PreparedObject::Patch(_) => json!([]),
+    };
+    json!({
+        "name": o.name(),
+        "processor": framed.processor(),
+        "processors": o.words(),
+        "screen_box": o.screen_box(),
+        "needed_bits": needed,
+        "notes": o.notes(),
+    })
+}
+
+fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
+    output::text(format!(
+        "\n{} ({} of processor {})",
+        o.name,
+        o.words.len(),
+        framed.processor()
+    ));
+    describe_box(&o.screen_box);
+    for words in &o.words {
+        output::text(format!("  {}", json!(words)));
+    }
+    for note in &o.notes {
+        output::text(format!("  note: {note}"));
+    }
+}
+
+fn describe_box(b: &ScreenBox) {
     if b.is_empty() {
         output::text("  box  empty");
     } else {
@@ -63,6 +102,15 @@ fn describe(o: &PreparedObject) {
             b.x0, b.x1, b.y0, b.y1
         ));
     }
+}
+
+fn describe(framed: &FramedObject, o: &PreparedQuadric) {
+    let w = &o.words;
+    match framed.processor() {
+        "quadric" => output::text(format!("\n{} ({:?})", o.name, w.class)),
+        other => output::text(format!("\n{} ({:?}, processor {other})", o.name, w.class)),
+    }
+    describe_box(&w.screen_box);
     output::text(format!("  f1   {} {} {}", w.f1.a, w.f1.b, w.f1.c));
     let f2 = &w.f2;
     output::text(format!(

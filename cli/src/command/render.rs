@@ -6,7 +6,6 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::frame::Frame;
 use imogene_models::machine::{beam, shading};
-use imogene_models::object::quadric::QuadricWords;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
 use imogene_models::{exact, picture};
@@ -73,9 +72,10 @@ fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
 /// The golden model's frame.
 pub fn golden_frame(prepared: &PreparedScene) -> Frame {
     let bar = output::progress(u64::from(prepared.height), "golden model");
-    let words: Vec<QuadricWords> = prepared.objects.iter().map(|o| o.words.clone()).collect();
     let (width, height) = (prepared.width as usize, prepared.height as usize);
-    let frame = beam::render(&words, &prepared.format, width, height, || bar.inc(1));
+    let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || {
+        bar.inc(1)
+    });
     bar.finish_and_clear();
     frame
 }

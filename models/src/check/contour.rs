@@ -19,7 +19,7 @@
 
 use crate::format::Format;
 use crate::object::quadric::QuadricWords;
-use crate::prepare::PreparedObject;
+use crate::prepare::PreparedQuadric;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::Class;
 use rayon::prelude::*;
@@ -51,7 +51,7 @@ impl Displacement {
 }
 
 /// Bounds the displacement of the contour on the object's screen box.
-pub(super) fn displacement(object: &PreparedObject, format: &Format) -> Displacement {
+pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displacement {
     let contour = Contour::new(object, format);
     let trimmed = contour.search(true);
     if trimmed.pixels <= SPARE - 0.5 {
@@ -124,7 +124,7 @@ impl Survey {
 
 /// All values of f2 in units of the last guard bit.
 struct Contour<'a> {
-    object: &'a PreparedObject,
+    object: &'a PreparedQuadric,
     words: &'a QuadricWords,
     format: &'a Format,
     /// e2.
@@ -139,7 +139,7 @@ struct Local {
 }
 
 impl<'a> Contour<'a> {
-    fn new(object: &'a PreparedObject, format: &'a Format) -> Contour<'a> {
+    fn new(object: &'a PreparedQuadric, format: &'a Format) -> Contour<'a> {
         let q = &object.words.f2;
         Contour {
             object,

@@ -17,7 +17,7 @@
 //! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from f2': `sqrt(f2)` lies between
 //! `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these from r counts.
 
-use crate::prepare::{PreparedObject, RoundingBounds};
+use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use crate::unit::root::fast_root;
 use serde::Serialize;
@@ -146,7 +146,7 @@ fn difference_of_roots(high: f64, step: f64) -> f64 {
 
 /// Greatest distance, in depth words, of the golden depth of face `number` from the true depth of that face, at a pixel of the object's
 /// screen box where the f2 processor hands on `f2` (of no meaning for a plane or the near end).
-pub fn depth_bound(object: &PreparedObject, number: u8, f2: i64) -> f64 {
+pub fn depth_bound(object: &PreparedQuadric, number: u8, f2: i64) -> f64 {
     face_bound(&object.bounds, number, f2)
 }
 

@@ -131,7 +131,7 @@ mod tests {
         ];
         let turn = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
         for (shape, name) in shapes {
-            let quadric = Quadric::from_shape(&shape);
+            let quadric = Quadric::from_shape(&shape).expect("a quadric");
             assert_eq!(quadric_kind(&quadric), name);
             let moved = Transform::translation([3, -5, 7].map(crate::rational::integer));
             let frame = Transform::linear(turn).after(&moved);

@@ -10,6 +10,7 @@ pub mod headroom;
 mod kind;
 mod normal;
 mod object;
+mod parts;
 mod silhouette;
 pub mod trial;
 mod verdict;
@@ -17,7 +18,8 @@ mod verdict;
 pub use depth::{DepthTerms, depth_bound, depth_terms};
 pub use kind::quadric_kind;
 pub use normal::normal_bound;
-pub use object::{ObjectBounds, ObjectReport, Undecided};
+pub use object::{ObjectBounds, QuadricReport, Undecided};
+pub use parts::PartsReport;
 pub use silhouette::displacement_at;
 
 use crate::format::Format;
@@ -37,7 +39,7 @@ pub struct CheckReport {
     pub bounds: SceneBounds,
     /// Widths of the format, and those that the scene needs.
     pub widths: Widths,
-    /// Pixels of the picture at which rounding could change the visible object or face.
+    /// Pixels of the picture at which rounding could change the visible object or face, among the objects that have bounds.
     pub undecided_pixels: usize,
     /// Objects in the order of the scene.
     pub objects: Vec<ObjectReport>,
@@ -69,17 +71,48 @@ pub struct Widths {
     pub needed: NeededWidths,
 }
 
+/// One object of a checked scene.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum ObjectReport {
+    /// Of the quadric or the patch processor, with bounds.
+    Quadric(Box<QuadricReport>),
+    /// Of any other processor.
+    Parts(PartsReport),
+}
+
+impl ObjectReport {
+    /// The report with bounds, if the object has one.
+    pub fn quadric(&self) -> Option<&QuadricReport> {
+        match self {
+            Self::Quadric(report) => Some(report),
+            Self::Parts(_) => None,
+        }
+    }
+}
+
 /// Checks a prepared scene; `prepared` must come from `scene`.
 pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
-    let reviews: Vec<object::Review> = scene
+    let mut reviews: Vec<object::Review> = vec![];
+    let objects: Vec<ObjectReport> = scene
         .objects
         .iter()
         .zip(&prepared.objects)
-        .map(|(framed, prepared_object)| object::review(framed, prepared_object, &prepared.format))
+        .map(
+            |(framed, object)| match (framed.quadric(), object.quadric()) {
+                (Some(framed_quadric), Some(quadric)) => {
+                    let review = object::review(framed_quadric, quadric, &prepared.format);
+                    let mut report = review.report.clone();
+                    report.processor = framed.processor();
+                    reviews.push(review);
+                    ObjectReport::Quadric(Box::new(report))
+                }
+                _ => ObjectReport::Parts(parts::report(framed, object, &prepared.format)),
+            },
+        )
         .collect();
     let bounds = scene_bounds(&reviews);
-    let objects: Vec<ObjectReport> = reviews.into_iter().map(|r| r.report).collect();
-    let needed = needed_widths(&objects);
+    let needed = needed_widths(&reviews);
     let fits = needed.sum <= prepared.format.sum
         && needed.quadratic <= prepared.format.quadratic
         && needed.plane <= prepared.format.plane;
@@ -96,14 +129,14 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
 }
 
 /// For every pixel of the picture, row-major, whether rounding could change the visible object or face; everywhere else golden and
-/// true picture are proven to show the same face of the same object.
+/// true picture are proven to show the same face of the same object. Objects without bounds, those of other processors than quadric and patch, are left out.
 pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
     let line = |y: i64| {
         let crossing =
             |window: &ScreenBox| !window.is_empty() && (window.y0..=window.y1).contains(&y);
         let objects: Vec<_> = prepared
-            .objects
-            .iter()
+            .quadrics()
+            .map(|(_, object)| object)
             .filter(|o| crossing(&o.words.screen_box))
             .collect();
         (0..i64::from(prepared.width)).map(move |x| {
@@ -144,9 +177,10 @@ fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
     }
 }
 
-fn needed_widths(objects: &[ObjectReport]) -> NeededWidths {
-    objects
+fn needed_widths(reviews: &[object::Review]) -> NeededWidths {
+    reviews
         .iter()
+        .map(|review| &review.report)
         .fold(NeededWidths::default(), |most, object| NeededWidths {
             sum: most.sum.max(object.needed.sum),
             quadratic: most.quadratic.max(object.needed.quadratic),

@@ -12,7 +12,7 @@
 //! most `asin(E / L)` away from the true one. Where E >= L the direction is not determined.
 
 use super::depth::root_error;
-use crate::prepare::{PreparedObject, RoundingBounds};
+use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
 use crate::unit::root::fast_root;
@@ -24,7 +24,7 @@ const FLOAT_MARGIN: f64 = 32.0 * f64::EPSILON;
 
 /// Greatest angle, in degrees, between the golden normal of face `number` and the true gradient, at a pixel of the object's screen box where
 /// the f2 processor hands on `f2`; 180 where the words do not determine the direction.
-pub fn normal_bound(object: &PreparedObject, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
+pub fn normal_bound(object: &PreparedQuadric, number: u8, f2: i64, normal: [i16; 3]) -> f64 {
     match number {
         FACE_NEAR_END => 0.0,
         FACE_NEAR | FACE_FAR => degrees(quadric_sine(

@@ -8,20 +8,22 @@ use super::verdict::{Verdict, decide};
 use crate::format::Format;
 use crate::object::line::for_each_present;
 use crate::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
-use crate::prepare::{NeededWidths, PreparedObject};
-use crate::scene::{FramedObject, Surface};
+use crate::prepare::{NeededWidths, PreparedQuadric};
+use crate::scene::{FramedQuadric, Surface};
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::{Class, FACE_NEAR_END};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// One object of a checked scene.
+/// One object of a checked scene that a quadric or a patch processor draws.
 #[derive(Clone, Debug, Serialize)]
-pub struct ObjectReport {
+pub struct QuadricReport {
     /// Name in the scene.
     pub name: String,
     /// Type of the quadric, as in scene files.
     pub kind: &'static str,
+    /// The processor that draws it.
+    pub processor: &'static str,
     /// Volume or surface.
     pub surface: Surface,
     /// How the object lies to the viewer.
@@ -80,7 +82,7 @@ pub struct Undecided {
 
 /// A report, and the normal bounds that the scene's quantile is taken of.
 pub(super) struct Review {
-    pub report: ObjectReport,
+    pub report: QuadricReport,
     pub angles: Vec<f32>,
 }
 
@@ -108,7 +110,7 @@ impl Findings {
     }
 }
 
-pub(super) fn review(framed: &FramedObject, object: &PreparedObject, format: &Format) -> Review {
+pub(super) fn review(framed: &FramedQuadric, object: &PreparedQuadric, format: &Format) -> Review {
     let window = object.words.screen_box;
     let mut found = lines(&window)
         .map(|y| pass_line(object, format, y))
@@ -131,9 +133,10 @@ pub(super) fn review(framed: &FramedObject, object: &PreparedObject, format: &Fo
         normal_deg_999: quantile_999(&mut found.angles),
         normals_undetermined: found.undetermined,
     };
-    let report = ObjectReport {
+    let report = QuadricReport {
         name: object.name.clone(),
         kind: quadric_kind(&framed.quadric),
+        processor: "quadric",
         surface: framed.surface,
         class: object.words.class,
         planes: framed.planes.len(),
@@ -168,7 +171,7 @@ fn lines(window: &ScreenBox) -> impl ParallelIterator<Item = i64> + use<> {
     lines.into_par_iter()
 }
 
-fn pass_line(object: &PreparedObject, format: &Format, y: i64) -> Findings {
+fn pass_line(object: &PreparedQuadric, format: &Format, y: i64) -> Findings {
     let words = &object.words;
     let mut found = Findings::default();
     for_each_present(words, format, y, |x, pixel| {
@@ -197,7 +200,7 @@ fn pass_line(object: &PreparedObject, format: &Format, y: i64) -> Findings {
 }
 
 fn problems(
-    object: &PreparedObject,
+    object: &PreparedQuadric,
     format: &Format,
     found: &Findings,
     silhouette: Displacement,

@@ -6,7 +6,7 @@
 use super::depth::{Range, face_ranges};
 use crate::format::Format;
 use crate::object::quadric::QuadricWords;
-use crate::prepare::{PreparedObject, RoundingBounds};
+use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::{Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 
@@ -45,7 +45,7 @@ struct Pixel<'a> {
 }
 
 /// Decides a pixel of the object's screen box; outside the box the object is proven absent.
-pub(super) fn decide(object: &PreparedObject, format: &Format, x: i64, y: i64) -> Verdict {
+pub(super) fn decide(object: &PreparedQuadric, format: &Format, x: i64, y: i64) -> Verdict {
     if !object.words.screen_box.contains(x, y) {
         return Verdict::Absent;
     }

@@ -5,7 +5,7 @@
 
 use super::real::SurdReal;
 use crate::rational::integer;
-use crate::scene::{FramedObject, Projection, Surface};
+use crate::scene::{FramedQuadric, Projection, Surface};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -20,6 +20,8 @@ pub struct Hit {
     pub w: SurdReal,
     /// Number of the face that is met, numbered as in the hardware.
     pub number: u8,
+    /// Index of the facet of a mesh; 0 for any other object.
+    pub part: usize,
 }
 
 /// An object's equation along the rays of a screen: polynomials in pixel column and line with integer coefficients.
@@ -33,12 +35,12 @@ pub struct RayObject {
 }
 
 /// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in w.
-type Affine = [BigRational; 3];
+pub(super) type Affine = [BigRational; 3];
 
 impl RayObject {
     /// Sets up the rays of a screen of `width` x `height` pixels.
     pub fn new(
-        object: &FramedObject,
+        object: &FramedQuadric,
         projection: &Projection,
         width: u32,
         height: u32,
@@ -78,13 +80,22 @@ impl RayObject {
         }
     }
 
-    /// A patch: the first root that all planes keep.
+    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, a non-planar facet, has a near face alone.
     fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
+        if a.is_zero() && !b.is_zero() {
+            let w = SurdReal::ratio(-c, b.clone());
+            let there = self.is_visible(&w) && self.planes_keep(&w, x, y);
+            return there.then_some(Hit {
+                w,
+                number: FACE_NEAR,
+                part: 0,
+            });
+        }
         ordered_roots(a, b, c)?
             .into_iter()
             .zip([FACE_NEAR, FACE_FAR])
             .find(|(w, _)| self.is_visible(w) && self.planes_keep(w, x, y))
-            .map(|(w, number)| Hit { w, number })
+            .map(|(w, number)| Hit { w, number, part: 0 })
     }
 
     fn is_visible(&self, w: &SurdReal) -> bool {
@@ -119,6 +130,7 @@ impl RayObject {
             return Some(Hit {
                 w: SurdReal::ratio(start.0.clone(), start.1.clone()),
                 number: low.number,
+                part: 0,
             });
         }
         let roots = ordered_roots(a, b, c)?;
@@ -130,7 +142,7 @@ impl RayObject {
                     && w.cmp_ratio(&end.0, &end.1) != Ordering::Greater
                     && w.signum() == Ordering::Less
             })
-            .map(|(w, number)| Hit { w, number })
+            .map(|(w, number)| Hit { w, number, part: 0 })
     }
 
     /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and an end.
@@ -200,7 +212,11 @@ fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdReal; 2]> {
 }
 
 /// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column and line.
-fn ray_points(projection: &Projection, width: u32, height: u32) -> ([Affine; 4], [Affine; 4]) {
+pub(super) fn ray_points(
+    projection: &Projection,
+    width: u32,
+    height: u32,
+) -> ([Affine; 4], [Affine; 4]) {
     let zero = || [integer(0), integer(0), integer(0)];
     let only = |c: BigRational| [integer(0), integer(0), c];
     let half = |n: u32| -integer(i64::from(n)) / integer(2);
@@ -240,12 +256,12 @@ fn bilinear(matrix: &[[&BigRational; 4]; 4], u: &[Affine; 4], v: &[Affine; 4]) -
     sum
 }
 
-fn dot(factors: &[&BigRational; 4], point: &[Affine; 4]) -> Affine {
+pub(super) fn dot(factors: &[&BigRational; 4], point: &[Affine; 4]) -> Affine {
     std::array::from_fn(|k| factors.iter().zip(point).map(|(f, p)| *f * &p[k]).sum())
 }
 
 /// Brings coefficients to integers by one common positive factor.
-fn common_integers<const N: usize, const M: usize>(
+pub(super) fn common_integers<const N: usize, const M: usize>(
     forms: [[BigRational; N]; M],
 ) -> [[BigInt; N]; M] {
     let all = || forms.iter().flatten();
@@ -268,6 +284,6 @@ fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
     (&p[0] * x + &p[2] * y + &p[3]) * x + (&p[1] * y + &p[4]) * y + &p[5]
 }
 
-fn first_degree(p: &[BigInt; 3], x: i64, y: i64) -> BigInt {
+pub(super) fn first_degree(p: &[BigInt; 3], x: i64, y: i64) -> BigInt {
     &p[0] * x + &p[1] * y + &p[2]
 }

@@ -1,10 +1,11 @@
 //! A whole picture from the exact reference.
 
+use super::facet::{MeshNormals, RayMesh};
 use super::ray::{Hit, RayObject};
 use crate::format::Format;
 use crate::machine::frame::Frame;
 use crate::rational::{integer, to_f64};
-use crate::scene::{FramedObject, FramedScene, Projection};
+use crate::scene::{FramedObject, FramedQuadric, FramedScene, Projection};
 use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE};
 use crate::unit::normal::NEAR_END_NORMAL;
 use num_bigint::BigInt;
@@ -24,6 +25,34 @@ pub struct ExactPixel {
     pub id: u32,
     /// Number of the visible face.
     pub number: u8,
+    /// Index of the visible facet of a mesh; 0 for any other object.
+    pub part: u32,
+}
+
+/// An object along the rays of a screen.
+enum Rays {
+    Cut(Box<RayObject>),
+    Mesh(RayMesh),
+}
+
+impl Rays {
+    fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
+        let (projection, width, height) = (&scene.projection, scene.width, scene.height);
+        match (object, object.cut_quadric()) {
+            (FramedObject::Mesh(mesh), _) => {
+                Rays::Mesh(RayMesh::new(mesh, projection, width, height))
+            }
+            (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, projection, width, height))),
+            (_, None) => unreachable!("only a mesh is no cut quadric"),
+        }
+    }
+
+    fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
+        match self {
+            Rays::Cut(object) => object.first_hit(x, y),
+            Rays::Mesh(mesh) => mesh.first_hit(x, y),
+        }
+    }
 }
 
 /// The exact picture, row-major; `None` is background. `line_done` is called once a line, from any thread.
@@ -32,11 +61,7 @@ pub fn render(
     format: &Format,
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
-    let objects: Vec<RayObject> = scene
-        .objects
-        .iter()
-        .map(|o| RayObject::new(o, &scene.projection, scene.width, scene.height))
-        .collect();
+    let objects: Vec<Rays> = scene.objects.iter().map(|o| Rays::new(o, scene)).collect();
     let full = BigInt::from(format.z_max());
     let width = i64::from(scene.width);
     let line = |y: i64| {
@@ -50,6 +75,7 @@ pub fn render(
                         .expect("visible depths lie in the depth word"),
                     id,
                     number: hit.number,
+                    part: hit.part as u32,
                 })
             })
             .collect();
@@ -63,7 +89,7 @@ pub fn render(
 }
 
 /// The nearest hit; the smaller id where two are exactly equal.
-fn visible(objects: &[RayObject], x: i64, y: i64) -> Option<(u32, Hit)> {
+fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
     let mut nearest: Option<(u32, Hit)> = None;
     for (id, object) in objects.iter().enumerate() {
         if let Some(hit) = object.first_hit(x, y)
@@ -80,7 +106,7 @@ pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &For
     let width = scene.width as usize;
     let mut frame = Frame::background(width, scene.height as usize, format.z_max());
     let full = full_depth(&scene.projection);
-    let gradients: Vec<Gradient> = scene.objects.iter().map(Gradient::new).collect();
+    let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
     for (index, pixel) in pixels.iter().enumerate() {
         let Some(pixel) = pixel else { continue };
         frame.depth[index] = pixel.depth >> DEPTH_FRACTION;
@@ -91,7 +117,7 @@ pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &For
         let point = scene
             .projection
             .antecedent(scene.pixel_centre(index % width, index / width), depth);
-        frame.normal[index] = gradients[pixel.id as usize].normal(pixel.number, point);
+        frame.normal[index] = normals[pixel.id as usize].at(pixel, point);
     }
     frame
 }
@@ -103,6 +129,34 @@ fn full_depth(projection: &Projection) -> f64 {
     })
 }
 
+/// Where the normals of an object come from.
+enum Normals<'a> {
+    Cut(Box<Gradient>),
+    Mesh(MeshNormals<'a>),
+}
+
+impl Normals<'_> {
+    fn new(object: &FramedObject) -> Normals<'_> {
+        match (object, object.cut_quadric()) {
+            (FramedObject::Mesh(mesh), _) => Normals::Mesh(MeshNormals::new(mesh)),
+            (_, Some(cut)) => Normals::Cut(Box::new(Gradient::new(&cut))),
+            (_, None) => unreachable!("only a mesh is no cut quadric"),
+        }
+    }
+
+    fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [i16; 3] {
+        match self {
+            Normals::Cut(gradient) => gradient.normal(pixel.number, point),
+            Normals::Mesh(mesh) => full_length(mesh.at(pixel.part as usize, point)),
+        }
+    }
+}
+
+fn full_length(direction: [f64; 3]) -> [i16; 3] {
+    let length = direction.iter().map(|v| v * v).sum::<f64>().sqrt();
+    direction.map(|v| (v / length * 32767.0).round() as i16)
+}
+
 /// An object's equation in floating point, for the direction of its normal only.
 struct Gradient {
     quadric: [f64; 10],
@@ -110,7 +164,7 @@ struct Gradient {
 }
 
 impl Gradient {
-    fn new(object: &FramedObject) -> Gradient {
+    fn new(object: &FramedQuadric) -> Gradient {
         let scaled = |coefficients: &[&BigRational]| -> Vec<f64> {
             let greatest = coefficients
                 .iter()
@@ -151,7 +205,6 @@ impl Gradient {
                 ]
             }
         };
-        let length = direction.iter().map(|v| v * v).sum::<f64>().sqrt();
-        direction.map(|v| (v / length * 32767.0).round() as i16)
+        full_length(direction)
     }
 }

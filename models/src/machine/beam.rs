@@ -1,9 +1,8 @@
-//! The golden beam machine: all objects over a frame, through the decider.
+//! The golden beam machine: all slots over a frame, through the decider. The id of a pixel is the object of its slot.
 
 use super::frame::Frame;
 use crate::format::Format;
-use crate::object::line::for_each_present;
-use crate::object::quadric::QuadricWords;
+use crate::object::slot::Slot;
 use rayon::prelude::*;
 
 /// One line of a frame, borrowed.
@@ -14,9 +13,9 @@ struct Line<'a> {
     normal: &'a mut [[i16; 3]],
 }
 
-/// The frame that the machine draws of these objects; `line_done` is called once a line, from any thread.
+/// The frame that the machine draws of these slots; `line_done` is called once a line, from any thread.
 pub fn render(
-    objects: &[QuadricWords],
+    slots: &[Slot],
     format: &Format,
     width: usize,
     height: usize,
@@ -37,20 +36,20 @@ pub fn render(
                 number,
                 normal,
             };
-            render_line(objects, format, y as i64, line);
+            render_line(slots, format, y as i64, line);
             line_done();
         });
     frame
 }
 
-/// Objects are visited by ascending id, so that a strict comparison leaves ties with the smaller id.
-fn render_line(objects: &[QuadricWords], format: &Format, y: i64, line: Line) {
-    for (id, words) in objects.iter().enumerate() {
-        for_each_present(words, format, y, |x, pixel| {
+/// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller id.
+fn render_line(slots: &[Slot], format: &Format, y: i64, line: Line) {
+    for slot in slots {
+        slot.words.for_each_present(format, y, |x, pixel| {
             let x = x as usize;
             if pixel.zf < line.depth[x] {
                 line.depth[x] = pixel.zf;
-                line.id[x] = id as i32;
+                line.id[x] = slot.object as i32;
                 line.number[x] = pixel.number;
                 line.normal[x] = pixel.normal;
             }

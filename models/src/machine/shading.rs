@@ -63,7 +63,7 @@ pub fn shade(frame: &Frame, scene: &FramedScene, format: &Format) -> Vec<u8> {
         let point = scene
             .projection
             .antecedent(centre, frame.depth[index] as f64 * scale);
-        let material = &scene.materials[scene.objects[id].material];
+        let material = &scene.materials[scene.objects[id].material()];
         let normal = frame.normal[index].map(f64::from);
         colour(scene, material, point, normal).map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
     };

@@ -57,6 +57,18 @@ impl CurvedFacetWords {
             normal: normal.map(|n| second_degree(n, normal_guard(format))),
         }
     }
+
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> CurvedFacetWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        for side in &mut words.sides {
+            *side = side.from_zone(x0, y0);
+        }
+        words.depth = self.depth.from_zone(x0, y0);
+        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
+        words
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.

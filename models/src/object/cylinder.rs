@@ -136,7 +136,8 @@ impl CylinderShape {
         )
     }
 
-    fn sides(&self) -> [Affine; 4] {
+    /// Sides of the rectangle between the discs' centres, not negative inside.
+    pub fn sides(&self) -> [[BigRational; 3]; 4] {
         let (one, minus, zero) = (integer(1), integer(-1), integer(0));
         let (a, t) = (self.along(), self.across());
         let of = |p: &BigRational, q: &BigRational, c: &BigRational| {
@@ -150,57 +151,90 @@ impl CylinderShape {
         ]
     }
 
+    /// Outlines of the front and the back disc, not negative inside.
+    pub fn discs(&self) -> [Exact; 2] {
+        [
+            self.ellipse(integer(0)),
+            self.ellipse(&self.length * &self.level),
+        ]
+    }
+
+    /// Normal of the body, outward, of length [`NORMAL_LENGTH`] where it is exact: t across the axis, and the bulge times (deep cos, deep sin, -level).
+    pub fn body_normal(&self) -> [Exact; 3] {
+        let [cos, sin] = &self.direction;
+        let per_radius = integer(NORMAL_LENGTH) / &self.radius;
+        let normal = |across: BigRational, bulge: BigRational| {
+            let zero = integer(0);
+            let along = self.along();
+            let rest = affine([(&across, &self.across()), (&zero, &along)], integer(0));
+            self.bulge_and(&bulge, &rest)
+        };
+        [
+            normal(-sin * &per_radius, &self.deep * cos * &per_radius),
+            normal(cos * &per_radius, &self.deep * sin * &per_radius),
+            normal(integer(0), -&self.level * &per_radius),
+        ]
+    }
+
+    /// Depth of the front disc in depth words.
+    pub fn disc(&self) -> [BigRational; 3] {
+        let slope = -&self.scale * &self.level / &self.deep;
+        let middle = &self.scale * &self.centre[2];
+        affine(
+            [(&slope, &self.along()), (&integer(0), &self.across())],
+            middle,
+        )
+    }
+
+    /// Normal of the front disc.
+    pub fn disc_normal(&self) -> [i16; 3] {
+        let [cos, sin] = &self.direction;
+        let component = |v: &BigRational| {
+            round_half_up(&(-v * integer(NORMAL_LENGTH)))
+                .to_i16()
+                .expect("a unit vector's component")
+        };
+        [
+            component(&(&self.level * cos)),
+            component(&(&self.level * sin)),
+            component(&self.deep),
+        ]
+    }
+
     /// The coefficient words.
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> CylinderWords {
-        let [cos, sin] = &self.direction;
-        let conic = |exact: Exact| {
-            let [a, b, c, d, e, f] = contour(&exact);
+        let conic = |exact: &Exact| {
+            let [a, b, c, d, e, f] = contour(exact);
             Quadratic { a, b, c, d, e, f }
         };
         let side = |exact: &Affine| {
             let [a, b, c] = contour(exact);
             Linear::new(a, b, c)
         };
-        let length = integer(NORMAL_LENGTH);
-        let per_radius = &length / &self.radius;
-        // Outward: t across the axis, and the bulge times (deep cos, deep sin, -level).
-        let normal = |across: BigRational, bulge: BigRational| {
-            let zero = integer(0);
-            let along = self.along();
-            let rest = affine([(&across, &self.across()), (&zero, &along)], integer(0));
-            second_degree(&self.bulge_and(&bulge, &rest), normal_guard(format))
-        };
-        let disc_slope = -&self.scale * &self.level / &self.deep;
-        let middle = &self.scale * &self.centre[2];
-        let disc = affine(
-            [(&disc_slope, &self.along()), (&integer(0), &self.across())],
-            middle,
-        );
-        let component = |v: &BigRational| {
-            round_half_up(&(-v * &length))
-                .to_i16()
-                .expect("a unit vector's component")
-        };
+        let normal = |exact: &Exact| second_degree(exact, normal_guard(format));
         CylinderWords {
             screen_box,
             sides: self.sides().each_ref().map(side),
-            discs: [
-                conic(self.ellipse(integer(0))),
-                conic(self.ellipse(&self.length * &self.level)),
-            ],
+            discs: self.discs().each_ref().map(conic),
             body: second_degree(&self.body(), depth_guard(format)),
-            normal: [
-                normal(-sin * &per_radius, &self.deep * cos * &per_radius),
-                normal(cos * &per_radius, &self.deep * sin * &per_radius),
-                normal(integer(0), -&self.level * &per_radius),
-            ],
-            disc: first_degree(&disc, plane_guard(format)),
-            disc_normal: [
-                component(&(&self.level * cos)),
-                component(&(&self.level * sin)),
-                component(&self.deep),
-            ],
+            normal: self.body_normal().each_ref().map(normal),
+            disc: first_degree(&self.disc(), plane_guard(format)),
+            disc_normal: self.disc_normal(),
         }
+    }
+}
+
+impl CylinderWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> CylinderWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        words.sides = self.sides.map(|s| s.from_zone(x0, y0));
+        words.discs = self.discs.map(|d| d.from_zone(x0, y0));
+        words.body = self.body.from_zone(x0, y0);
+        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
+        words.disc = self.disc.from_zone(x0, y0);
+        words
     }
 }
 

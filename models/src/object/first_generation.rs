@@ -67,7 +67,7 @@ impl ContourPlane {
     }
 }
 
-/// All coefficient words of one object for one zone. Guard bits are not provided for.
+/// All coefficient words of one object for one zone. f1 and f2 may have guard bits, which the core drops; conics and lines have a scale of their own.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FirstGenerationWords {
     /// The surface alone, not the solid.
@@ -84,6 +84,23 @@ pub struct FirstGenerationWords {
     pub front: ContourPlane,
     /// The back plane, parallel to the front plane and behind it.
     pub back: ContourPlane,
+}
+
+impl FirstGenerationWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> FirstGenerationWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        words.f1 = self.f1.from_zone(x0, y0);
+        words.f2 = self.f2.from_zone(x0, y0);
+        words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
+        for plane in [&mut words.front, &mut words.back] {
+            plane.depth = plane.depth.from_zone(x0, y0);
+            plane.conic = plane.conic.from_zone(x0, y0);
+            plane.polar = plane.polar.from_zone(x0, y0);
+        }
+        words
+    }
 }
 
 /// Signs of the contour expressions at a pixel: what the control unit of the source decides on.

@@ -10,5 +10,6 @@ pub mod paraboloid;
 pub mod patch;
 pub mod polyhedron;
 pub mod quadric;
+pub mod slot;
 pub mod sphere;
 pub mod volume;

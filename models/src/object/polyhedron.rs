@@ -1,6 +1,6 @@
 //! The polyhedron processor: a convex solid of planes with its front and back depth and both faces (source: annex A; Chaillou: IV.2.3).
 
-use super::quadric::{PlaneWords, ScreenBox};
+use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
 use crate::format::Format;
 use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
 use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
@@ -21,6 +21,18 @@ pub struct PolyhedronWords {
     pub planes: Vec<PlaneWords>,
 }
 
+impl PolyhedronWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> PolyhedronWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.from_zone(x0, y0);
+        }
+        words
+    }
+}
+
 /// What the processor hands on for one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct PolyhedronPixel {
@@ -30,6 +42,18 @@ pub struct PolyhedronPixel {
     pub front_normal: [i16; 3],
     /// Outward normal of the back face.
     pub back_normal: [i16; 3],
+}
+
+impl PolyhedronPixel {
+    /// What a decider needs: both depths, and number and normal of the front face.
+    pub fn front(&self) -> ObjectPixel {
+        ObjectPixel {
+            zf: self.interval.zf,
+            zb: self.interval.zb,
+            number: self.interval.nf,
+            normal: self.front_normal,
+        }
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, normals.

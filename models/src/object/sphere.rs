@@ -69,19 +69,32 @@ impl SphereShape {
         ]
     }
 
+    /// Not negative inside the outline: `R^2 - r^2`.
+    pub fn outline(&self) -> Exact {
+        self.round(&integer(-1), &self.radius * &self.radius)
+    }
+
+    /// The normal's parts along columns and along lines, of length [`NORMAL_LENGTH`].
+    pub fn normal_across(&self) -> [[BigRational; 3]; 2] {
+        let slope = integer(NORMAL_LENGTH) / &self.radius;
+        [
+            [slope.clone(), integer(0), -&slope * &self.x],
+            [integer(0), slope.clone(), -&slope * &self.y],
+        ]
+    }
+
+    /// The normal's part along the depth, by the same paraboloid as the depth.
+    pub fn normal_deep(&self) -> Exact {
+        let (high, low) = bulge();
+        let length = integer(NORMAL_LENGTH);
+        let deep = low * &length / (&self.radius * &self.radius);
+        self.round(&deep, -high * length)
+    }
+
     /// The coefficient words.
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> SphereWords {
-        let outline = self.round(&integer(-1), &self.radius * &self.radius);
-        let [a, b, c, d, e, f] = contour(&outline);
-        let length = integer(NORMAL_LENGTH);
-        let across = |centre: &BigRational, axis: usize| {
-            let slope = &length / &self.radius;
-            let mut exact = [integer(0), integer(0), -&slope * centre];
-            exact[axis] = slope;
-            first_degree(&exact, LINEAR_WIDTH - format.normal)
-        };
-        let (high, low) = bulge();
-        let deep = low * &length / (&self.radius * &self.radius);
+        let [a, b, c, d, e, f] = contour(&self.outline());
+        let across = |exact: &[BigRational; 3]| first_degree(exact, LINEAR_WIDTH - format.normal);
         let sum = round_half_up(&(integer(2) * &self.z));
         SphereWords {
             screen_box,
@@ -90,9 +103,22 @@ impl SphereShape {
             sum: sum
                 .to_i64()
                 .expect("twice a depth word has fewer than 64 bits"),
-            normal: [across(&self.x, 0), across(&self.y, 1)],
-            normal_z: second_degree(&self.round(&deep, -high * length), normal_guard(format)),
+            normal: self.normal_across().each_ref().map(across),
+            normal_z: second_degree(&self.normal_deep(), normal_guard(format)),
         }
+    }
+}
+
+impl SphereWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> SphereWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        words.contour = self.contour.from_zone(x0, y0);
+        words.front = self.front.from_zone(x0, y0);
+        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
+        words.normal_z = self.normal_z.from_zone(x0, y0);
+        words
     }
 }
 

@@ -65,6 +65,37 @@ pub enum PrepareError {
         /// Last line of the box.
         y1: i64,
     },
+    /// The eye lies in a polyhedron.
+    #[error("object '{object}': the viewer is inside this polyhedron; move the camera outside it")]
+    ViewerInsidePolyhedron {
+        /// Name of the object.
+        object: String,
+    },
+    /// The two-plane algorithm of the first generation does not apply.
+    #[error(
+        "object '{object}': not for the processor \"first_generation\": {problem}; \
+         move the camera, or draw it by the processor \"quadric\""
+    )]
+    FirstGeneration {
+        /// Name of the object.
+        object: String,
+        /// What is in the way.
+        problem: &'static str,
+    },
+    /// A corner of a mesh that has no place on the screen.
+    #[error(
+        "object '{object}', faces[{face}]: vertex {vertex} {problem}; move the mesh or the camera, or leave the face out"
+    )]
+    Corner {
+        /// Name of the object.
+        object: String,
+        /// Index of the face, from 0.
+        face: usize,
+        /// Index of the vertex, from 0.
+        vertex: usize,
+        /// What is in the way.
+        problem: &'static str,
+    },
     /// A plane too steep for the plane word, and not provably a perpendicular one.
     #[error(
         "object '{object}', cut {plane}: the plane passes so nearly through the viewer that its depth needs {needed} bits \

@@ -109,6 +109,11 @@ impl QuadraticForm {
         }
     }
 
+    /// The factors, in the order of [`Quadratic`].
+    pub fn factors(&self) -> [&BigRational; 6] {
+        [&self.a, &self.b, &self.c, &self.d, &self.e, &self.f]
+    }
+
     /// Value at a point.
     pub fn at(&self, x: &BigRational, y: &BigRational) -> BigRational {
         (&self.a * x + &self.c * y + &self.d) * x + (&self.b * y + &self.e) * y + &self.f
@@ -136,6 +141,61 @@ impl QuadraticForm {
             d: &self.d * k,
             e: &self.e * k,
             f: &self.f * k,
+        }
+    }
+
+    /// The same expression in coordinates (u, v) with `x = u column(u) + v column(v) + origin`, where each column and the origin are pairs (x, y).
+    pub fn in_frame(
+        &self,
+        columns: [[&BigRational; 2]; 2],
+        origin: [&BigRational; 2],
+    ) -> QuadraticForm {
+        let moved = self.about(origin[0], origin[1]);
+        let two = integer(2);
+        let [[ux, uy], [vx, vy]] = columns;
+        QuadraticForm {
+            a: (&moved.a * ux + &moved.c * uy) * ux + &moved.b * uy * uy,
+            b: (&moved.a * vx + &moved.c * vy) * vx + &moved.b * vy * vy,
+            c: &two * (&moved.a * ux * vx + &moved.b * uy * vy) + &moved.c * (ux * vy + uy * vx),
+            d: &moved.d * ux + &moved.e * uy,
+            e: &moved.d * vx + &moved.e * vy,
+            f: moved.f,
+        }
+    }
+
+    /// The expression with these factors, in the order of [`Quadratic`].
+    pub fn of_array([a, b, c, d, e, f]: [BigRational; 6]) -> QuadraticForm {
+        QuadraticForm { a, b, c, d, e, f }
+    }
+
+    /// A first-degree expression as one of second degree.
+    pub fn of_linear(form: &LinearForm) -> QuadraticForm {
+        QuadraticForm {
+            d: form.a.clone(),
+            e: form.b.clone(),
+            f: form.c.clone(),
+            ..QuadraticForm::zero()
+        }
+    }
+
+    /// The expression plus a constant.
+    pub fn raised(&self, constant: &BigRational) -> QuadraticForm {
+        QuadraticForm {
+            f: &self.f + constant,
+            ..self.clone()
+        }
+    }
+
+    /// The square of a first-degree expression.
+    pub fn square_of(form: &LinearForm) -> QuadraticForm {
+        let two = integer(2);
+        QuadraticForm {
+            a: &form.a * &form.a,
+            b: &form.b * &form.b,
+            c: &two * &form.a * &form.b,
+            d: &two * &form.a * &form.c,
+            e: &two * &form.b * &form.c,
+            f: &form.c * &form.c,
         }
     }
 
@@ -169,11 +229,18 @@ impl QuadraticForm {
         least.abs().max(greatest.abs())
     }
 
-    /// Least and greatest value over the rectangle of a box of pixels: they lie in a corner, on an edge where the derivative
-    /// along the edge is zero, or where both derivatives are zero.
+    /// Least and greatest value over the rectangle of a box of pixels.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
-        let mut points = corners(window).to_vec();
-        let [x0, x1, y0, y1] = [window.x0, window.x1, window.y0, window.y1].map(integer);
+        self.range_between(&[window.x0, window.x1, window.y0, window.y1].map(integer))
+    }
+
+    /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`: they lie in a corner, on an edge where the derivative
+    /// along the edge is zero, or where both derivatives are zero.
+    pub fn range_between(&self, rectangle: &[BigRational; 4]) -> (BigRational, BigRational) {
+        let [x0, x1, y0, y1] = rectangle.clone();
+        let mut points: Vec<_> = [(&x0, &y0), (&x1, &y0), (&x0, &y1), (&x1, &y1)]
+            .map(|(x, y)| (x.clone(), y.clone()))
+            .to_vec();
         let two = integer(2);
         if !self.a.is_zero() {
             for y in [&y0, &y1] {

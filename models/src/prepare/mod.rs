@@ -3,21 +3,33 @@
 //! Exact rationals all the way, rounded once ([`rounding`]); every accumulator is proven to hold its value on the object's screen box, or the
 //! object is refused by name ([`error`]).
 
+mod curved_facet;
 pub mod error;
+mod first_generation;
 pub mod forms;
+mod ledger;
+mod mesh;
 mod object;
+mod parts;
 pub mod perspective;
 mod planes;
+mod polyhedron;
+mod round;
 pub mod rounding;
 pub mod screen_box;
 
 use crate::format::Format;
-use crate::object::quadric::QuadricWords;
-use crate::rational::integer;
-use crate::scene::{FramedScene, Projection};
+use crate::object::quadric::{QuadricWords, ScreenBox};
+use crate::object::slot::Slot;
+use crate::rational::{floor, integer};
+use crate::scene::{FramedObject, FramedScene, Projection};
 use error::PrepareError;
 use forms::{LinearForm, QuadraticForm};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
 use serde::Serialize;
@@ -37,9 +49,26 @@ pub struct PreparedScene {
     pub objects: Vec<PreparedObject>,
 }
 
-/// One object: words, and what is known of them.
+impl PreparedScene {
+    /// The processors of a machine that draws the scene, in the order of the objects.
+    pub fn slots(&self) -> Vec<Slot> {
+        let of = |(object, prepared): (usize, &PreparedObject)| {
+            let slot = move |words| Slot { object, words };
+            prepared.words().into_iter().map(slot)
+        };
+        self.objects.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// The objects of the quadric and the patch processor, the only ones with bounds; the index is the id.
+    pub fn quadrics(&self) -> impl Iterator<Item = (usize, &PreparedQuadric)> {
+        let objects = self.objects.iter().enumerate();
+        objects.filter_map(|(id, object)| Some((id, object.quadric()?)))
+    }
+}
+
+/// One object of the quadric or the patch processor: words, and what is known of them.
 #[derive(Clone, Debug)]
-pub struct PreparedObject {
+pub struct PreparedQuadric {
     /// Name in the scene.
     pub name: String,
     /// Coefficient words for the whole screen; [`QuadricWords::for_zone`] gives those of a zone.
@@ -144,6 +173,68 @@ impl Context {
         let half = |n: u32| -integer(i64::from(n)) / integer(2);
         (half(self.width), half(self.height))
     }
+
+    /// The pixels of the screen with columns x0 to x1 and lines y0 to y1, both ends included.
+    fn pixels_between(&self, [x0, x1, y0, y1]: [BigRational; 4]) -> ScreenBox {
+        let within = |value: BigInt, size: u32| {
+            let last = i64::from(size);
+            value
+                .clamp(BigInt::from(-1), BigInt::from(last))
+                .to_i64()
+                .unwrap_or(-1)
+        };
+        let first = |value: BigRational, size| within(value.ceil().to_integer(), size).max(0);
+        let last = |value: BigRational, size| within(floor(&value), size).min(i64::from(size) - 1);
+        let found = ScreenBox {
+            x0: first(x0, self.width),
+            x1: last(x1, self.width),
+            y0: first(y0, self.height),
+            y1: last(y1, self.height),
+        };
+        if found.is_empty() {
+            ScreenBox::EMPTY
+        } else {
+            found
+        }
+    }
+}
+
+/// The positive factor that turns all coefficients into integers without a common divisor.
+fn integer_scale<const N: usize>(coefficients: [&BigRational; N]) -> BigRational {
+    let denominator = coefficients
+        .iter()
+        .fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
+    let content = coefficients.iter().fold(BigInt::zero(), |acc, c| {
+        acc.gcd(&(c.numer() * (&denominator / c.denom())))
+    });
+    if content.is_zero() {
+        BigRational::one()
+    } else {
+        BigRational::new(denominator, content)
+    }
+}
+
+fn prepare_object(
+    object: &FramedObject,
+    context: &Context,
+) -> Result<PreparedObject, PrepareError> {
+    Ok(PreparedObject::Parts(match object {
+        FramedObject::Quadric(q) => {
+            return Ok(PreparedObject::Quadric(object::prepare_quadric(
+                q, context,
+            )?));
+        }
+        FramedObject::Patch(q) => {
+            return Ok(PreparedObject::Patch(object::prepare_quadric(q, context)?));
+        }
+        FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context)?,
+        FramedObject::Polyhedron(q) => polyhedron::prepare_polyhedron(q, context)?,
+        FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context)?,
+        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context)?,
+        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context)?,
+        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context)?,
+        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context)?,
+    }))
 }
 
 /// Prepares a scene for a format.
@@ -172,7 +263,7 @@ pub fn prepare_with(
     let objects: Vec<Result<PreparedObject, PrepareError>> = scene
         .objects
         .par_iter()
-        .map(|object| object::prepare_object(object, &context))
+        .map(|object| prepare_object(object, &context))
         .collect();
     Ok(PreparedScene {
         format,

@@ -8,21 +8,21 @@ use super::rounding::{
     Anchor, Unrepresentable, linear_error, quadratic_error, round_linear, round_quadratic,
 };
 use super::screen_box::{Cell, Existence, Region};
-use super::{Context, ExactForms, NeededWidths, PreparedObject, RoundingBounds};
+use super::{Context, ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
 use crate::format::{Format, word_max};
 use crate::object::quadric::{QuadricWords, ScreenBox};
-use crate::rational::{integer, power_of_two, to_f64, to_f64_up};
-use crate::scene::{FramedObject, Plane, Surface};
+use crate::rational::{floor, integer, power_of_two, to_f64, to_f64_up};
+use crate::scene::{FramedQuadric, Plane, Surface};
 use crate::unit::interval::Class;
 use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-pub(super) fn prepare_object(
-    object: &FramedObject,
+pub(super) fn prepare_quadric(
+    object: &FramedQuadric,
     context: &Context,
-) -> Result<PreparedObject, PrepareError> {
+) -> Result<PreparedQuadric, PrepareError> {
     let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
     let planes: Vec<Plane> = object
         .planes
@@ -42,30 +42,64 @@ pub(super) fn prepare_object(
         .unwrap_or_else(|| Anchor::middle_of(&window));
     let mut prepared = quadric_words(object, &quadric, class, &window, anchor, context)?;
     for (index, (original, projected)) in object.planes.iter().zip(&planes).enumerate() {
+        let anchor = match (&object.corners, context.options.anchor) {
+            (Some(corners), None) => face_anchor(corners, index, context),
+            _ => anchor,
+        };
         let plane = prepare_plane(
             &object.name,
             index,
             original,
             projected,
-            &region,
-            &window,
+            (&region, &window, anchor),
             context,
         )?;
+        prepared.notes.extend(plane.note(index));
         prepared.words.planes.push(plane.words);
         prepared.exact.planes.push(plane.exact);
         prepared.bounds.planes.push(plane.bound);
         prepared.needed.plane = prepared.needed.plane.max(plane.needed);
-        if plane.steep {
-            prepared.notes.push(format!(
-                "cut {index} is so steep that its half-plane form is used, proven equal on every pixel of the box"
-            ));
-        }
     }
     Ok(prepared)
 }
 
+/// The pixel about which the plane of a tetrahedron's face is rounded: the middle of the face's corners on the screen, which depends on nothing but the face,
+/// so that two tetrahedra with a common face have the same words for it.
+fn face_anchor(corners: &[[BigRational; 3]; 4], face: usize, context: &Context) -> Anchor {
+    let (x0, y0) = context.first_pixel();
+    let mut middle = [integer(0), integer(0)];
+    let others = || {
+        corners
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| *index != face)
+    };
+    for (_, [x, y, z]) in others() {
+        let divisor = integer(1) + z * &context.inverse_distance;
+        if !divisor.is_positive() {
+            return Anchor {
+                x: i64::from(context.width / 2),
+                y: i64::from(context.height / 2),
+            };
+        }
+        for (sum, value) in middle.iter_mut().zip([x, y]) {
+            *sum += value / &divisor / integer(3);
+        }
+    }
+    let [x, y] = middle;
+    let on_screen = |value: BigRational, size: u32| {
+        let last = BigRational::from_integer(BigInt::from(size - 1));
+        let value = value.max(integer(0)).min(last);
+        floor(&value).to_i64().expect("on the screen")
+    };
+    Anchor {
+        x: on_screen(x - x0, context.width),
+        y: on_screen(y - y0, context.height),
+    }
+}
+
 fn classify(
-    object: &FramedObject,
+    object: &FramedQuadric,
     quadric: &ScreenQuadric,
     planes: &[Plane],
     context: &Context,
@@ -95,23 +129,13 @@ fn classify(
 
 /// An object of which nothing is on the screen: off to a side, or an error if it is wholly behind the viewer.
 fn unseen(
-    object: &FramedObject,
+    object: &FramedQuadric,
     class: Class,
     edge_on: bool,
     context: &Context,
-) -> Result<PreparedObject, PrepareError> {
-    let note = if edge_on {
-        "a patch seen exactly edge-on: nothing to draw"
-    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
-        "outside the screen or its depth range: nothing to draw"
-    } else if is_empty_between(object, -64.0, -1.0, context) {
-        "its planes leave nothing of it: nothing to draw"
-    } else {
-        return Err(PrepareError::BehindViewer {
-            object: object.name.clone(),
-        });
-    };
-    Ok(PreparedObject {
+) -> Result<PreparedQuadric, PrepareError> {
+    let note = unseen_note(object, edge_on, context)?;
+    Ok(PreparedQuadric {
         name: object.name.clone(),
         words: empty_words(class, ScreenBox::EMPTY),
         exact: ExactForms {
@@ -122,6 +146,25 @@ fn unseen(
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec![note.to_string()],
+    })
+}
+
+/// Why nothing of an object is on the screen, or an error if it is wholly behind the viewer.
+pub(super) fn unseen_note(
+    object: &FramedQuadric,
+    edge_on: bool,
+    context: &Context,
+) -> Result<&'static str, PrepareError> {
+    Ok(if edge_on {
+        "a patch seen exactly edge-on: nothing to draw"
+    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
+        "outside the screen or its depth range: nothing to draw"
+    } else if is_empty_between(object, -64.0, -1.0, context) {
+        "its planes leave nothing of it: nothing to draw"
+    } else {
+        return Err(PrepareError::BehindViewer {
+            object: object.name.clone(),
+        });
     })
 }
 
@@ -138,7 +181,7 @@ fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
 
 /// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out to many viewer distances
 /// sideways, proves that nothing of the object is there.
-fn is_empty_between(object: &FramedObject, near: f64, far: f64, context: &Context) -> bool {
+fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Context) -> bool {
     let distance = to_f64(&context.full_depth);
     let side = 64.0 * distance;
     let cell = Cell::between(
@@ -151,18 +194,18 @@ fn is_empty_between(object: &FramedObject, near: f64, far: f64, context: &Contex
 
 /// The words of the quadric itself, without planes.
 fn quadric_words(
-    object: &FramedObject,
+    object: &FramedQuadric,
     quadric: &ScreenQuadric,
     class: Class,
     window: &ScreenBox,
     anchor: Anchor,
     context: &Context,
-) -> Result<PreparedObject, PrepareError> {
+) -> Result<PreparedQuadric, PrepareError> {
     let scale = &context.depth_scale;
     let refusal = |word: &str, magnitude: &BigRational, available: u32| {
         too_large(&object.name, word, magnitude, available, window)
     };
-    let mut prepared = PreparedObject {
+    let mut prepared = PreparedQuadric {
         name: object.name.clone(),
         words: empty_words(class, *window),
         exact: ExactForms {
@@ -205,7 +248,7 @@ fn quadric_words(
 /// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with the word, the value and
 /// the width available.
 fn round(
-    prepared: &mut PreparedObject,
+    prepared: &mut PreparedQuadric,
     anchor: Anchor,
     format: &Format,
 ) -> Result<(), (&'static str, BigRational, u32)> {
@@ -229,7 +272,7 @@ fn round(
 /// The values are those with guard bits. Dropping them downwards adds less than one to a magnitude, which rounding the magnitude up to an
 /// integer covers; and if that integer fits `S` or `F` bits, the value with its guard bits fits the processor.
 fn prove_widths(
-    prepared: &mut PreparedObject,
+    prepared: &mut PreparedQuadric,
     refusal: &dyn Fn(&str, &BigRational, u32) -> PrepareError,
     context: &Context,
 ) -> Result<BigInt, PrepareError> {
@@ -255,7 +298,7 @@ fn prove_widths(
 
 /// Scales of the normal (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits.
 fn normal_words(
-    prepared: &mut PreparedObject,
+    prepared: &mut PreparedQuadric,
     quadric: &ScreenQuadric,
     root_max: &BigInt,
     anchor: Anchor,
@@ -319,7 +362,7 @@ fn contour_scaled(form: QuadraticForm, window: &ScreenBox, width: u32) -> Quadra
     form.scaled(&scale)
 }
 
-fn too_large(
+pub(super) fn too_large(
     object: &str,
     word: &str,
     magnitude: &BigRational,

@@ -1,19 +1,18 @@
 //! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4 replaced by a proof).
 
-use super::Context;
 use super::error::PrepareError;
 use super::forms::LinearForm;
 use super::rounding::{Anchor, linear_error, round_linear};
 use super::screen_box::Region;
+use super::{Context, integer_scale};
 use crate::format::word_max;
 use crate::object::quadric::{PlaneWords, ScreenBox};
 use crate::rational::{floor, from_f64_exact, integer, round_half_up, to_f64_up};
 use crate::scene::Plane;
 use crate::unit::cut_plane::PlaneKind;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 /// A prepared plane with what is known of it.
 pub(super) struct PreparedPlane {
@@ -24,20 +23,24 @@ pub(super) struct PreparedPlane {
     pub steep: bool,
 }
 
-/// Prepares plane number `index` of an object; `projected` is after perspective, `original` before.
+impl PreparedPlane {
+    /// What a person should know of plane number `index`.
+    pub fn note(&self, index: usize) -> Option<String> {
+        self.steep.then(|| {
+            format!("cut {index} is so steep that its half-plane form is used, proven equal on every pixel of the box")
+        })
+    }
+}
+
+/// Prepares plane number `index` of an object, rounded about an anchor; `projected` is after perspective, `original` before.
 pub(super) fn prepare_plane(
     object: &str,
     index: usize,
     original: &Plane,
     projected: &Plane,
-    region: &Region,
-    window: &ScreenBox,
+    (region, window, anchor): (&Region, &ScreenBox, Anchor),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
-    let anchor = context
-        .options
-        .anchor
-        .unwrap_or_else(|| Anchor::middle_of(window));
     let normal = constant_normal(original);
     // The half-plane value; kept where it is not negative.
     let value = context.to_pixels_linear(&LinearForm::new(
@@ -110,7 +113,7 @@ fn perpendicular(
     steep: bool,
 ) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
-    let whole = value.scaled(&integer_scale(&value));
+    let whole = value.scaled(&integer_scale([&value.a, &value.b, &value.c]));
     let exact = if whole.max_abs_on(window) <= limit {
         whole
     } else {
@@ -128,22 +131,6 @@ fn perpendicular(
         bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
         exact,
         steep,
-    }
-}
-
-/// The factor that turns all three coefficients into integers without a common divisor.
-fn integer_scale(form: &LinearForm) -> BigRational {
-    let coefficients = [&form.a, &form.b, &form.c];
-    let denominator = coefficients
-        .iter()
-        .fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
-    let content = coefficients.iter().fold(BigInt::zero(), |acc, c| {
-        acc.gcd(&(c.numer() * (&denominator / c.denom())))
-    });
-    if content.is_zero() {
-        BigRational::one()
-    } else {
-        BigRational::new(denominator, content)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::check_kind::check_kind;
 use super::error::SceneError;
 use super::file::{
     Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
@@ -24,7 +25,7 @@ pub const MAX_INTENSITY: f64 = 10.0;
 /// Sine of the angle under which `up` counts as parallel to the viewing direction.
 const PARALLEL: f64 = 1e-9;
 
-type Checked = Result<(), SceneError>;
+pub(super) type Checked = Result<(), SceneError>;
 
 impl SceneFile {
     /// Refuses a scene that cannot be drawn; [`SceneFile::parse`] has done so already.
@@ -89,6 +90,7 @@ impl SceneFile {
             }
             self.check_material_name(&place, object)?;
             check_object(&place, object)?;
+            check_kind(&place, object, &self.camera)?;
         }
         Ok(())
     }
@@ -237,6 +239,7 @@ fn check_shape(place: &str, shape: &Shape) -> Checked {
     let radii: &[f64] = match shape {
         Shape::Sphere { radius } => return check_positive(&format!("{place}, radius"), *radius),
         Shape::Quadric { coefficients } => return check_coefficients(place, coefficients),
+        Shape::Polyhedron | Shape::Mesh(_) | Shape::TetrahedronPatch { .. } => return Ok(()),
         Shape::EllipticCylinder { radii }
         | Shape::HyperbolicCylinder { radii }
         | Shape::ParabolicCylinder { radii } => radii,
@@ -338,7 +341,7 @@ fn check_number(place: &str, value: f64) -> Checked {
     Ok(())
 }
 
-fn check_numbers(place: &str, values: &[f64]) -> Checked {
+pub(super) fn check_numbers(place: &str, values: &[f64]) -> Checked {
     match values {
         [value] => check_number(place, *value),
         _ => values
@@ -348,7 +351,7 @@ fn check_numbers(place: &str, values: &[f64]) -> Checked {
     }
 }
 
-fn check_direction(place: &str, vector: [f64; 3]) -> Checked {
+pub(super) fn check_direction(place: &str, vector: [f64; 3]) -> Checked {
     check_numbers(place, &vector)?;
     if vector == [0.0; 3] {
         return Err(SceneError::value(

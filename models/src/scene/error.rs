@@ -111,6 +111,10 @@ fn in_plain_words(message: &str) -> String {
     message
         .trim_end()
         .replace('\n', ", ")
+        .replace(
+            "expected usize",
+            "expected a whole number that is not negative",
+        )
         .replace("expected f64", "expected a number")
         .replace(
             "expected u32",

@@ -151,14 +151,45 @@ pub enum Surface {
     Patch,
 }
 
-/// One quadric bounded by planes.
+/// The processor that draws an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Processor {
+    /// The quadric processor of the second generation.
+    Quadric,
+    /// The patch processor.
+    Patch,
+    /// The quadric processor of the first generation.
+    FirstGeneration,
+    /// The sphere or the cylinder processor, by paraboloids.
+    Paraboloid,
+    /// The processor of non-planar facets.
+    CurvedFacet,
+}
+
+impl Processor {
+    /// Its word in a scene file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quadric => "quadric",
+            Self::Patch => "patch",
+            Self::FirstGeneration => "first_generation",
+            Self::Paraboloid => "paraboloid",
+            Self::CurvedFacet => "curved_facet",
+        }
+    }
+}
+
+/// One object: a quadric bounded by planes, a polyhedron, a mesh or a tetrahedral patch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "ObjectKeys", into = "ObjectKeys")]
 pub struct Object {
     /// Unique name.
     pub name: String,
-    /// The quadric in local coordinates.
+    /// What it is, in local coordinates.
     pub shape: Shape,
+    /// The processor asked for; the kind's own if none is.
+    pub processor: Option<Processor>,
     /// Volume or surface.
     pub mode: Surface,
     /// Name of the material.
@@ -169,7 +200,29 @@ pub struct Object {
     pub cuts: Vec<Cut>,
 }
 
-/// A quadric in canonical position, inside where the expression is negative or zero (thesis Table 2.1).
+impl Object {
+    /// The processor that draws it; polyhedra and meshes have one of their own.
+    pub fn drawn_by(&self) -> Option<Processor> {
+        match self.shape {
+            Shape::Polyhedron | Shape::Mesh(_) => None,
+            Shape::TetrahedronPatch { .. } => Some(self.processor.unwrap_or(Processor::Patch)),
+            _ => Some(self.processor.unwrap_or(Processor::Quadric)),
+        }
+    }
+}
+
+/// Flat facets with common corners.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Corners.
+    pub vertices: Vec<[f64; 3]>,
+    /// Facets of three or four corners, as indices of vertices from 0.
+    pub faces: Vec<Vec<usize>>,
+    /// A normal for each vertex, interpolated over the facets; flat facets if there are none.
+    pub normals: Vec<[f64; 3]>,
+}
+
+/// What an object is. The quadrics are in canonical position, inside where the expression is negative or zero (thesis Table 2.1).
 ///
 /// Axes of revolution, of two-sheetedness and of rulings of the cylinders all lie along the local y axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -228,6 +281,17 @@ pub enum Shape {
     Quadric {
         /// a to j.
         coefficients: [f64; 10],
+    },
+    /// The convex solid that the cuts leave.
+    Polyhedron,
+    /// Flat facets.
+    Mesh(Mesh),
+    /// The quadric `sum of w_ii b_i^2 + sum of w_ij 2 b_i b_j = 0` inside a tetrahedron, b the barycentric coordinates of its corners.
+    TetrahedronPatch {
+        /// Corners 0 to 3.
+        corners: [[f64; 3]; 4],
+        /// w00, w11, w22, w33, w01, w02, w03, w12, w13, w23.
+        weights: [f64; 10],
     },
 }
 

@@ -14,7 +14,11 @@ use num_traits::{One, Signed, Zero};
 
 use super::check::check_image_size;
 use super::error::SceneError;
-use super::file::{Camera, Cut, Light, Material, Object, SceneFile, Shape, Surface};
+use super::file::{Camera, Cut, Light, Material, Object, Processor, SceneFile, Shape};
+use super::framed::{FramedObject, FramedQuadric};
+use super::mesh::FramedMesh;
+use super::round::{FramedCylinder, FramedSphere};
+use super::tetrahedron::implicit;
 use super::transform::{Transform, cross, normalised, product};
 use crate::rational::{from_decimal, integer, to_f64};
 
@@ -54,21 +58,6 @@ pub enum Projection {
         /// Depth in pixels covered on each side of the screen plane.
         half_depth: BigRational,
     },
-}
-
-/// A quadric bounded by planes, in the camera frame.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FramedObject {
-    /// Unique name.
-    pub name: String,
-    /// Volume or surface.
-    pub surface: Surface,
-    /// The quadric.
-    pub quadric: Quadric,
-    /// The cut planes in the order of the file.
-    pub planes: Vec<Plane>,
-    /// Index of the material.
-    pub material: usize,
 }
 
 /// `Q = a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`, inside where `Q <= 0`.
@@ -143,7 +132,7 @@ impl SceneFile {
             width,
             height,
             projection,
-            objects: self.framed_objects(&camera),
+            objects: self.framed_objects(&camera)?,
             materials: self.materials.clone(),
             lights: self
                 .lights
@@ -155,7 +144,7 @@ impl SceneFile {
         })
     }
 
-    fn framed_objects(&self, camera: &Transform) -> Vec<FramedObject> {
+    fn framed_objects(&self, camera: &Transform) -> Result<Vec<FramedObject>, SceneError> {
         self.objects
             .iter()
             .map(|object| {
@@ -171,10 +160,18 @@ impl SceneFile {
 }
 
 impl Quadric {
-    /// The canonical quadric of a shape, in its local coordinates.
-    pub fn from_shape(shape: &Shape) -> Self {
+    /// The quadric that is nowhere positive: all of space.
+    pub fn everywhere() -> Self {
+        Self::from_array(std::array::from_fn(|_| BigRational::zero()))
+    }
+
+    /// The quadric of a shape, in its local coordinates; [`Quadric::everywhere`] for a polyhedron, which has none, and nothing for a mesh.
+    pub fn from_shape(shape: &Shape) -> Option<Self> {
         let one = integer(1);
-        match shape {
+        Some(match shape {
+            Shape::Polyhedron => Self::everywhere(),
+            Shape::Mesh(_) => return None,
+            Shape::TetrahedronPatch { corners, weights } => implicit(corners, weights)?.0,
             Shape::Ellipsoid { radii } => {
                 let [a, b, c] = inverse_squares(radii);
                 Self::diagonal(a, b, c, -one)
@@ -222,7 +219,7 @@ impl Quadric {
                 quadric
             }
             Shape::Quadric { coefficients } => Self::from_array(coefficients.map(from_decimal)),
-        }
+        })
     }
 
     /// The value of Q at a point, exactly.
@@ -242,7 +239,12 @@ impl Quadric {
         let transposed =
             std::array::from_fn(|row| std::array::from_fn(|column| cofactors[column][row].clone()));
         let m = product(&product(&cofactors, &self.matrix()), &transposed);
-        let [[a, d, e, g], [_, b, f, h], [_, _, c, i], [_, _, _, j]] = m;
+        Self::from_matrix(m)
+    }
+
+    /// The quadric of a symmetric matrix.
+    pub(super) fn from_matrix(matrix: [[BigRational; 4]; 4]) -> Self {
+        let [[a, d, e, g], [_, b, f, h], [_, _, c, i], [_, _, _, j]] = matrix;
         Self::from_array([a, b, c, d, e, f, g, h, i, j])
     }
 
@@ -271,11 +273,11 @@ impl Quadric {
             .map(|row| row.map(BigRational::clone))
     }
 
-    fn primitive(self) -> Self {
+    pub(super) fn primitive(self) -> Self {
         Self::from_array(primitive(self.coefficients().map(BigRational::clone)))
     }
 
-    fn diagonal(a: BigRational, b: BigRational, c: BigRational, j: BigRational) -> Self {
+    pub(super) fn diagonal(a: BigRational, b: BigRational, c: BigRational, j: BigRational) -> Self {
         let [d, e, f, g, h, i] = std::array::from_fn(|_| BigRational::zero());
         Self {
             a,
@@ -340,7 +342,7 @@ impl Plane {
         [&self.a, &self.b, &self.c, &self.d]
     }
 
-    fn primitive(self) -> Self {
+    pub(super) fn primitive(self) -> Self {
         let [a, b, c, d] = primitive(self.coefficients().map(BigRational::clone));
         Self { a, b, c, d }
     }
@@ -401,21 +403,92 @@ fn looking(
     Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
 }
 
-fn framed_object(object: &Object, material: usize, camera: &Transform) -> FramedObject {
+fn framed_object(
+    object: &Object,
+    material: usize,
+    camera: &Transform,
+) -> Result<FramedObject, SceneError> {
     let to_camera = camera.after(&Transform::placement(&object.place));
-    FramedObject {
+    let name = &object.name;
+    let cut = || cut_quadric(object, material, &to_camera);
+    Ok(match (&object.shape, object.drawn_by()) {
+        (Shape::Mesh(mesh), _) => {
+            FramedObject::Mesh(FramedMesh::new(name, material, mesh, &to_camera))
+        }
+        (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
+        (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
+        (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),
+        (_, Some(Processor::FirstGeneration)) => FramedObject::FirstGeneration(cut()),
+        (Shape::Sphere { radius }, Some(Processor::Paraboloid)) => {
+            FramedObject::Sphere(FramedSphere::new(name, material, *radius, &to_camera))
+        }
+        (Shape::Sphere { radius }, Some(Processor::CurvedFacet)) => {
+            FramedObject::CurvedSphere(FramedSphere::new(name, material, *radius, &to_camera))
+        }
+        (Shape::EllipticCylinder { radii }, Some(Processor::Paraboloid)) => {
+            let ends = [&object.cuts[0], &object.cuts[1]].map(|cut| from_decimal(cut.point[1]));
+            let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera)?;
+            FramedObject::Cylinder(cylinder)
+        }
+        (_, Some(Processor::Paraboloid | Processor::CurvedFacet)) => {
+            let facet = cut();
+            check_one_depth(&facet)?;
+            FramedObject::CurvedFacet(facet)
+        }
+    })
+}
+
+/// An object that is a quadric bounded by planes.
+fn cut_quadric(object: &Object, material: usize, to_camera: &Transform) -> FramedQuadric {
+    let local = match &object.shape {
+        Shape::TetrahedronPatch { corners, weights } => {
+            let (_, planes) = implicit(corners, weights).expect("checked: no flat tetrahedron");
+            planes.to_vec()
+        }
+        _ => object.cuts.iter().map(Plane::from_cut).collect(),
+    };
+    let corners = match &object.shape {
+        Shape::TetrahedronPatch { corners, .. } => Some(Box::new(
+            corners.map(|c| to_camera.point(&c.map(from_decimal))),
+        )),
+        _ => None,
+    };
+    FramedQuadric {
         name: object.name.clone(),
         surface: object.mode,
         quadric: Quadric::from_shape(&object.shape)
-            .transformed(&to_camera)
+            .expect("a mesh is framed apart")
+            .transformed(to_camera)
             .primitive(),
-        planes: object
-            .cuts
+        planes: local
             .iter()
-            .map(|cut| Plane::from_cut(cut).transformed(&to_camera).primitive())
+            .map(|plane| plane.transformed(to_camera).primitive())
             .collect(),
+        corners,
         material,
     }
+}
+
+/// Refuses a non-planar facet whose depth is not of second degree in the pixel's place.
+fn check_one_depth(facet: &FramedQuadric) -> Result<(), SceneError> {
+    let q = &facet.quadric;
+    let place = format!("object `{}`, processor", facet.name);
+    if [&q.c, &q.e, &q.f].iter().any(|v| !v.is_zero()) || q.i.is_zero() {
+        return Err(SceneError::value(
+            place,
+            "the depth of this surface is not of second degree in the place on the screen",
+            "\"curved_facet\" draws a sphere, or a quadric that depends on the depth in the first degree alone, \
+             such as a paraboloid seen exactly along its axis",
+        ));
+    }
+    if let Some(index) = facet.planes.iter().position(|p| !p.c.is_zero()) {
+        return Err(SceneError::value(
+            format!("object `{}`, cuts[{index}]", facet.name),
+            "the plane is not perpendicular to the screen",
+            "the cuts of a \"curved_facet\" are its sides on the screen: planes along the viewing direction",
+        ));
+    }
+    Ok(())
 }
 
 fn framed_light(light: &Light, camera: &Transform) -> FramedLight {

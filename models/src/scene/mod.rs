@@ -5,10 +5,15 @@
 //! preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
 
 mod check;
+mod check_kind;
 mod error;
 mod file;
 mod frame;
+mod framed;
 mod keys;
+mod mesh;
+mod round;
+mod tetrahedron;
 mod transform;
 
 pub use check::{
@@ -16,8 +21,11 @@ pub use check::{
 };
 pub use error::SceneError;
 pub use file::{
-    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, Scale,
-    SceneFile, Shape, Step, Surface,
+    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
+    Rotation, Scale, SceneFile, Shape, Step, Surface,
 };
-pub use frame::{FramedLight, FramedObject, FramedScene, Plane, Projection, Quadric};
+pub use frame::{FramedLight, FramedScene, Plane, Projection, Quadric};
+pub use framed::{FramedObject, FramedQuadric};
+pub use mesh::{FramedFacet, FramedMesh};
+pub use round::{FramedCylinder, FramedSphere};
 pub use transform::Transform;

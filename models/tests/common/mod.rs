@@ -7,10 +7,10 @@ use imogene_models::format::Format;
 use imogene_models::object::line::for_each_present;
 use imogene_models::object::quadric::{ObjectPixel, QuadricWords};
 use imogene_models::prepare::rounding::Anchor;
-use imogene_models::prepare::{Options, PreparedScene, prepare_with};
+use imogene_models::prepare::{Options, PreparedQuadric, PreparedScene, prepare_with};
 use imogene_models::rational::integer;
 use imogene_models::scene::{
-    FramedObject, FramedScene, Material, Plane, Projection, Quadric, Surface,
+    FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric, Surface,
 };
 use num_rational::BigRational;
 
@@ -59,18 +59,24 @@ pub fn plane([a, b, c, d]: [i64; 4]) -> Plane {
 }
 
 /// An object of the first material.
-pub fn object(name: &str, surface: Surface, quadric: Quadric, planes: &[[i64; 4]]) -> FramedObject {
-    FramedObject {
+pub fn object(
+    name: &str,
+    surface: Surface,
+    quadric: Quadric,
+    planes: &[[i64; 4]],
+) -> FramedQuadric {
+    FramedQuadric {
         name: name.into(),
         surface,
         quadric,
         planes: planes.iter().copied().map(plane).collect(),
+        corners: None,
         material: 0,
     }
 }
 
 /// A perspective scene of 720 x 540 pixels at 1000 pixels from the viewer.
-pub fn scene(objects: Vec<FramedObject>) -> FramedScene {
+pub fn scene(objects: Vec<FramedQuadric>) -> FramedScene {
     scene_of(
         WIDTH,
         HEIGHT,
@@ -86,14 +92,14 @@ pub fn scene_of(
     width: u32,
     height: u32,
     projection: Projection,
-    objects: Vec<FramedObject>,
+    objects: Vec<FramedQuadric>,
 ) -> FramedScene {
     FramedScene {
         title: "test".into(),
         width,
         height,
         projection,
-        objects,
+        objects: objects.into_iter().map(FramedObject::from).collect(),
         materials: vec![Material {
             name: "plain".into(),
             colour: [1.0; 3],
@@ -119,6 +125,16 @@ pub fn prepare_at_origin(scene: &FramedScene) -> PreparedScene {
 /// Prepared as a machine is loaded.
 pub fn prepare(scene: &FramedScene) -> PreparedScene {
     imogene_models::prepare::prepare(scene, Format::BASE).expect("fits the base format")
+}
+
+/// The first object of a framed scene.
+pub fn framed(scene: &FramedScene) -> &FramedQuadric {
+    scene.objects[0].quadric().expect("a quadric")
+}
+
+/// The first object of a prepared scene.
+pub fn first(prepared: &PreparedScene) -> &PreparedQuadric {
+    prepared.objects[0].quadric().expect("a quadric")
 }
 
 /// What the golden processor hands on at a pixel; nothing where the object is absent.

@@ -52,7 +52,8 @@ impl Pictures {
     /// The check fails and says of an object that its silhouette has no direction.
     pub fn unbounded(&self) -> Result<String, String> {
         let report = check(&self.scene, &self.prepared);
-        match report.objects.iter().find(|o| o.bounds.silhouette_singular) {
+        let mut objects = report.objects.iter().filter_map(|o| o.quadric());
+        match objects.find(|o| o.bounds.silhouette_singular) {
             Some(object) if !report.ok => Ok(format!("check fails: object '{}'", object.name)),
             _ => Err("check finds nothing wrong".into()),
         }
@@ -60,7 +61,8 @@ impl Pictures {
 
     fn depth_holds(&self, index: usize, exact: &ExactPixel) -> Result<(), String> {
         let (x, y) = (index % self.frame.width, index / self.frame.width);
-        let object = &self.prepared.objects[exact.id as usize];
+        let object = self.prepared.objects[exact.id as usize].quadric();
+        let object = object.ok_or("only quadrics have bounds")?;
         let f2 = object.words.f2.exact_at(x as i64, y as i64);
         let f2 = i64::try_from(f2).map_err(|_| format!("f2 at ({x}, {y}) leaves its word"))?;
         let bound = depth_bound(object, exact.number, f2);

@@ -13,7 +13,7 @@ use band::Band;
 use imogene_models::machine::frame::Frame;
 use imogene_models::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_models::picture::WriteError;
-use imogene_models::prepare::PreparedScene;
+use imogene_models::prepare::{PreparedObject, PreparedScene};
 use std::path::PathBuf;
 use std::time::Instant;
 use thiserror::Error;
@@ -71,6 +71,15 @@ pub enum CosimError {
         /// Planes of the object.
         count: usize,
     },
+    /// An object of a processor that the machine does not have.
+    #[error(
+        "object '{object}' is not drawn by a quadric processor, and a beam machine has no other; \
+         co-simulate a scene of quadrics, or draw this one by `imogene render --model golden`"
+    )]
+    Processor {
+        /// Name of the object.
+        object: String,
+    },
     /// Rows per stage out of range.
     #[error("rows-per-stage is {value}; accepted: 1 to {limit}")]
     Rows {
@@ -114,12 +123,8 @@ pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineS
     if !(1..=MAX_OBJECTS).contains(&count) {
         return Err(CosimError::Objects { count });
     }
-    let planes = scene
-        .objects
-        .iter()
-        .map(|o| o.words.planes.len())
-        .max()
-        .unwrap_or(0);
+    let words = quadric_words(scene)?;
+    let planes = words.iter().map(|w| w.planes.len()).max().unwrap_or(0);
     if planes > MAX_PLANES {
         return Err(CosimError::Planes { count: planes });
     }
@@ -136,6 +141,19 @@ pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineS
         planes,
         rows_per_stage,
     })
+}
+
+/// The words of a scene of quadric processors alone.
+fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError> {
+    fn words(object: &PreparedObject) -> Result<&QuadricWords, CosimError> {
+        match object {
+            PreparedObject::Quadric(quadric) => Ok(&quadric.words),
+            other => Err(CosimError::Processor {
+                object: other.name().to_owned(),
+            }),
+        }
+    }
+    scene.objects.iter().map(words).collect()
 }
 
 /// Latency in clocks from `go` to the first pixel of a machine.
@@ -157,24 +175,22 @@ pub fn run<E: Engine>(
 ) -> Result<(Report, Frame), CosimError> {
     let shape = shape_of(scene, options.rows_per_stage)?;
     check_requests(options, &shape)?;
+    let all_words = quadric_words(scene)?;
     let (width, height) = (scene.width as usize, scene.height as usize);
     let started = Instant::now();
     let bands = split(height, options.bands);
     let traced_band = options.trace.as_ref().map_or(0, |request| {
-        let middle = middle_line(&scene.objects[request.object].words);
+        let middle = middle_line(all_words[request.object]);
         bands
             .iter()
             .rposition(|&(first, _)| first <= middle)
             .unwrap_or(0)
     });
     let run_band = |index: usize, first: usize, lines: usize| {
-        let objects: Vec<QuadricWords> = scene
-            .objects
+        let objects: Vec<QuadricWords> = all_words
             .iter()
-            .map(|o| {
-                let mut words = o
-                    .words
-                    .for_zone(0, first as i64, width as i64, lines as i64);
+            .map(|words| {
+                let mut words = words.for_zone(0, first as i64, width as i64, lines as i64);
                 // Every slot has the same chain; planes that an object does not use are of kind none.
                 words.planes.resize(shape.planes, PlaneWords::default());
                 words

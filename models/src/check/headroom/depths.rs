@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
-use crate::prepare::PreparedObject;
+use crate::prepare::PreparedQuadric;
 use crate::prepare::forms::{LinearForm, QuadraticForm};
 use crate::prepare::rounding::Anchor;
 use crate::rational::{integer, to_f64};
@@ -51,7 +51,7 @@ struct Residuals {
 }
 
 impl Residuals {
-    fn of(object: &PreparedObject, anchor: Anchor) -> Residuals {
+    fn of(object: &PreparedQuadric, anchor: Anchor) -> Residuals {
         let (words, exact) = (&object.words, &object.exact);
         let (x, y) = (integer(anchor.x), integer(anchor.y));
         let f1 = LinearForm::of_words(&words.f1)
@@ -77,7 +77,7 @@ impl Residuals {
 }
 
 /// Errors of both roots within the depth range, at the pixels where computed and true f2 are not negative; `present` says where the true one is.
-pub(super) fn errors(object: &PreparedObject, present: &[bool], format: &Format) -> DepthErrors {
+pub(super) fn errors(object: &PreparedQuadric, present: &[bool], format: &Format) -> DepthErrors {
     if object.words.class == Class::Prism {
         return DepthErrors::default();
     }
@@ -103,7 +103,7 @@ pub(super) fn errors(object: &PreparedObject, present: &[bool], format: &Format)
 }
 
 fn add_pixel(
-    object: &PreparedObject,
+    object: &PreparedQuadric,
     residuals: &Residuals,
     format: &Format,
     (x, y): (i64, i64),

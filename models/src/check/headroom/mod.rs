@@ -12,7 +12,7 @@ mod signs;
 use crate::object::quadric::ScreenBox;
 use crate::prepare::forms::QuadraticForm;
 use crate::prepare::rounding::{Anchor, round_quadratic};
-use crate::prepare::{PreparedObject, PreparedScene};
+use crate::prepare::{PreparedQuadric, PreparedScene};
 use crate::rational::power_of_two;
 use crate::unit::pe2::Quadratic;
 use depths::DepthErrors;
@@ -128,8 +128,8 @@ fn summary(rows: &[&Headroom]) -> Summary {
 /// Counts errors and needs; `prepared` must have no guard bits.
 pub fn headroom(prepared: &PreparedScene) -> Headroom {
     let objects: Vec<Subject> = prepared
-        .objects
-        .iter()
+        .quadrics()
+        .map(|(_, object)| object)
         .filter(|o| !o.words.screen_box.is_empty())
         .map(Subject::new)
         .collect();
@@ -183,14 +183,14 @@ fn bits_above(risk: f64) -> i32 {
 
 /// One object with its true signs.
 struct Subject<'a> {
-    object: &'a PreparedObject,
+    object: &'a PreparedQuadric,
     window: ScreenBox,
     anchor: Anchor,
     signs: TrueSigns,
 }
 
 impl Subject<'_> {
-    fn new(object: &PreparedObject) -> Subject<'_> {
+    fn new(object: &PreparedQuadric) -> Subject<'_> {
         let window = object.words.screen_box;
         let anchor = Anchor::middle_of(&window);
         let signs = true_signs(&object.exact.f2, &window, |x, y| {

@@ -23,7 +23,7 @@ fn guarded(depth: u32, guards: u32) -> Format {
 fn counted(scene: &FramedScene, format: Format) -> u64 {
     let prepared = prepare(scene, format).expect("fits");
     let mut errors = 0;
-    for object in &prepared.objects {
+    for (_, object) in prepared.quadrics() {
         let window = object.words.screen_box;
         for y in window.y0..=window.y1 {
             for x in window.x0..=window.x1 {
@@ -80,7 +80,7 @@ fn depth_errors_are_those_of_exact_pixels() {
         let prepared = prepare(&scene, format).expect("fits");
         let found = headroom(&prepared);
         let mut worst = 0.0f64;
-        for object in &prepared.objects {
+        for (_, object) in prepared.quadrics() {
             let window = object.words.screen_box;
             for y in window.y0..=window.y1 {
                 for x in window.x0..=window.x1 {

@@ -1,0 +1,127 @@
+//! The words of any object processor, and the slots of a golden machine that has processors of every kind.
+
+use super::curved_facet::{CurvedFacetProcessor, CurvedFacetWords};
+use super::cylinder::{CylinderProcessor, CylinderWords};
+use super::facet::{FacetProcessor, FacetWords};
+use super::first_generation::{FirstGenerationProcessor, FirstGenerationWords};
+use super::line;
+use super::patch::PatchProcessor;
+use super::polyhedron::{PolyhedronProcessor, PolyhedronWords};
+use super::quadric::{ObjectPixel, QuadricProcessor, QuadricWords, ScreenBox};
+use super::sphere::{SphereProcessor, SphereWords};
+use crate::format::Format;
+use serde::Serialize;
+
+/// Coefficient words of one object processor, which say what processor it is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ProcessorWords {
+    /// Quadric processor of the second generation.
+    Quadric(QuadricWords),
+    /// Patch processor.
+    Patch(QuadricWords),
+    /// Quadric processor of the first generation.
+    FirstGeneration(FirstGenerationWords),
+    /// Polyhedron processor.
+    Polyhedron(PolyhedronWords),
+    /// Facet processor.
+    Facet(FacetWords),
+    /// Sphere processor.
+    Sphere(SphereWords),
+    /// Cylinder processor.
+    Cylinder(CylinderWords),
+    /// Processor of non-planar facets.
+    CurvedFacet(CurvedFacetWords),
+}
+
+/// A processor of a machine and the object of the scene that it draws a part of.
+///
+/// Slots are in the order of the objects; an object of several parts has as many slots, one after the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slot {
+    /// Index of the object in the scene: the id of its pixels.
+    pub object: usize,
+    /// Words of the processor.
+    pub words: ProcessorWords,
+}
+
+impl ProcessorWords {
+    /// Where the object can be on the screen.
+    pub fn screen_box(&self) -> &ScreenBox {
+        match self {
+            Self::Quadric(words) | Self::Patch(words) => &words.screen_box,
+            Self::FirstGeneration(words) => &words.screen_box,
+            Self::Polyhedron(words) => &words.screen_box,
+            Self::Facet(words) => &words.screen_box,
+            Self::Sphere(words) => &words.screen_box,
+            Self::Cylinder(words) => &words.screen_box,
+            Self::CurvedFacet(words) => &words.screen_box,
+        }
+    }
+
+    /// Calls `sink(x, pixel)` for every pixel of line `y` at which the object is present, left to right.
+    pub fn for_each_present(
+        &self,
+        format: &Format,
+        y: i64,
+        mut sink: impl FnMut(i64, ObjectPixel),
+    ) {
+        if let Self::Quadric(words) = self {
+            return line::for_each_present(words, format, y, sink);
+        }
+        let window = self.screen_box();
+        if window.is_empty() || !(window.y0..=window.y1).contains(&y) {
+            return;
+        }
+        let mut next = self.run(format, y);
+        for x in window.x0..=window.x1 {
+            let pixel = next();
+            if pixel.zf < format.z_max() {
+                sink(x, pixel);
+            }
+        }
+    }
+
+    /// The processor from the first column of the box on line `y`, a zone of one line; each call is a pixel.
+    fn run(&self, format: &Format, y: i64) -> Box<dyn FnMut() -> ObjectPixel> {
+        let window = self.screen_box();
+        let (x, width) = (window.x0, window.x1 - window.x0 + 1);
+        match self {
+            Self::Quadric(words) => {
+                let mut p = QuadricProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
+                Box::new(move || p.pixel())
+            }
+            Self::Patch(words) => {
+                let mut p = PatchProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
+                Box::new(move || p.pixel())
+            }
+            Self::FirstGeneration(words) => {
+                let zone = words.for_zone(x, y, width, 1);
+                let mut p = FirstGenerationProcessor::zone_start(&zone, format);
+                Box::new(move || p.pixel())
+            }
+            Self::Polyhedron(words) => {
+                let zone = words.for_zone(x, y, width, 1);
+                let mut p = PolyhedronProcessor::zone_start(&zone, format);
+                Box::new(move || p.pixel().front())
+            }
+            Self::Facet(words) => {
+                let mut p = FacetProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
+                Box::new(move || p.pixel())
+            }
+            Self::Sphere(words) => {
+                let mut p = SphereProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
+                Box::new(move || p.pixel())
+            }
+            Self::Cylinder(words) => {
+                let mut p = CylinderProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
+                Box::new(move || p.pixel())
+            }
+            Self::CurvedFacet(words) => {
+                let zone = words.for_zone(x, y, width, 1);
+                let mut p = CurvedFacetProcessor::zone_start(&zone, format);
+                Box::new(move || p.pixel())
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! What an object of a scene is in the camera frame.
+
+use super::file::Surface;
+use super::frame::{Plane, Quadric};
+use super::mesh::FramedMesh;
+use super::round::{FramedCylinder, FramedSphere};
+use num_rational::BigRational;
+
+/// An object in the camera frame, by the processor that draws it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FramedObject {
+    /// A cut quadric for the quadric processor.
+    Quadric(FramedQuadric),
+    /// A cut surface for the patch processor.
+    Patch(FramedQuadric),
+    /// A quadric between two parallel planes for the first generation.
+    FirstGeneration(FramedQuadric),
+    /// A convex solid of planes: a quadric that is everywhere, [`Quadric::everywhere`], with its cuts.
+    Polyhedron(FramedQuadric),
+    /// Flat facets.
+    Mesh(FramedMesh),
+    /// A sphere for the sphere processor.
+    Sphere(FramedSphere),
+    /// A cylinder with its two discs for the cylinder processor.
+    Cylinder(FramedCylinder),
+    /// A sphere as one non-planar facet.
+    CurvedSphere(FramedSphere),
+    /// A surface with one depth of second degree at each pixel, as one non-planar facet; its planes are perpendicular to the screen.
+    CurvedFacet(FramedQuadric),
+}
+
+/// A quadric bounded by planes, in the camera frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramedQuadric {
+    /// Unique name.
+    pub name: String,
+    /// Volume or surface.
+    pub surface: Surface,
+    /// The quadric.
+    pub quadric: Quadric,
+    /// The cut planes in the order of the file.
+    pub planes: Vec<Plane>,
+    /// Corners of the tetrahedron whose faces the four planes are, face i opposite corner i; a face that two tetrahedra share has the same words in both.
+    pub corners: Option<Box<[[BigRational; 3]; 4]>>,
+    /// Index of the material.
+    pub material: usize,
+}
+
+impl From<FramedQuadric> for FramedObject {
+    fn from(object: FramedQuadric) -> FramedObject {
+        FramedObject::Quadric(object)
+    }
+}
+
+impl FramedObject {
+    /// Unique name.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Mesh(mesh) => &mesh.name,
+            Self::Sphere(sphere) | Self::CurvedSphere(sphere) => &sphere.name,
+            Self::Cylinder(cylinder) => &cylinder.name,
+            Self::Quadric(q)
+            | Self::Patch(q)
+            | Self::FirstGeneration(q)
+            | Self::Polyhedron(q)
+            | Self::CurvedFacet(q) => &q.name,
+        }
+    }
+
+    /// Index of the material.
+    pub fn material(&self) -> usize {
+        match self {
+            Self::Mesh(mesh) => mesh.material,
+            Self::Sphere(sphere) | Self::CurvedSphere(sphere) => sphere.material,
+            Self::Cylinder(cylinder) => cylinder.material,
+            Self::Quadric(q)
+            | Self::Patch(q)
+            | Self::FirstGeneration(q)
+            | Self::Polyhedron(q)
+            | Self::CurvedFacet(q) => q.material,
+        }
+    }
+
+    /// Name of the processor that draws it.
+    pub fn processor(&self) -> &'static str {
+        match self {
+            Self::Quadric(_) => "quadric",
+            Self::Patch(_) => "patch",
+            Self::FirstGeneration(_) => "first_generation",
+            Self::Polyhedron(_) => "polyhedron",
+            Self::Mesh(_) => "facet",
+            Self::Sphere(_) => "sphere",
+            Self::Cylinder(_) => "cylinder",
+            Self::CurvedSphere(_) | Self::CurvedFacet(_) => "curved_facet",
+        }
+    }
+
+    /// The cut quadric of an object whose words are those of the quadric processor.
+    pub fn quadric(&self) -> Option<&FramedQuadric> {
+        match self {
+            Self::Quadric(q) | Self::Patch(q) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// The true object as a cut quadric; a mesh is none.
+    pub fn cut_quadric(&self) -> Option<FramedQuadric> {
+        match self {
+            Self::Mesh(_) => None,
+            Self::Sphere(sphere) => Some(sphere.cut_quadric(Surface::Solid)),
+            Self::CurvedSphere(sphere) => Some(sphere.cut_quadric(Surface::Patch)),
+            Self::Cylinder(cylinder) => Some(cylinder.cut_quadric()),
+            Self::Quadric(q)
+            | Self::Patch(q)
+            | Self::FirstGeneration(q)
+            | Self::Polyhedron(q)
+            | Self::CurvedFacet(q) => Some(q.clone()),
+        }
+    }
+}
