@@ -167,6 +167,12 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
 
 fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row, Failure> {
     let (_, prepared) = frame_scene(file, Some(size), format)?;
+    if prepared.quadrics().next().is_none() {
+        return Err(Failure::Input(format!(
+            "{}: no object is drawn by a quadric or patch processor, the ones whose roundings are bounded",
+            path.display()
+        )));
+    }
     Ok(Row {
         scene: path.to_path_buf(),
         headroom: headroom(&prepared),

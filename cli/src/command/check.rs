@@ -25,16 +25,11 @@ pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
 }
 
 fn describe(report: &CheckReport) {
-    let bounds = &report.bounds;
-    output::text(format!(
-        "depth within {:.1} LSB, silhouette within {:.2e} px, normal within {:.3} degrees; {} pixels undecided",
-        bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, report.undecided_pixels
-    ));
-    let (needed, format) = (&report.widths.needed, &report.widths.format);
-    output::text(format!(
-        "bits needed / available: f1 -+ r {} / {}, f2 {} / {}, planes {} / {}",
-        needed.sum, format.sum, needed.quadratic, format.quadratic, needed.plane, format.plane
-    ));
+    if report.objects.iter().any(|o| o.quadric().is_some()) {
+        describe_bounds(report);
+    } else {
+        output::text("no object is drawn by a quadric or patch processor, the ones with bounds");
+    }
     for object in &report.objects {
         let problems = match object {
             ObjectReport::Quadric(o) => {
@@ -54,6 +49,19 @@ fn describe(report: &CheckReport) {
             output::text(format!("  {problem}"));
         }
     }
+}
+
+fn describe_bounds(report: &CheckReport) {
+    let bounds = &report.bounds;
+    output::text(format!(
+        "depth within {:.1} LSB, silhouette within {:.2e} px, normal within {:.3} degrees; {} pixels undecided",
+        bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, report.undecided_pixels
+    ));
+    let (needed, format) = (&report.widths.needed, &report.widths.format);
+    output::text(format!(
+        "bits needed / available: f1 -+ r {} / {}, f2 {} / {}, planes {} / {}",
+        needed.sum, format.sum, needed.quadratic, format.quadratic, needed.plane, format.plane
+    ));
 }
 
 fn describe_parts(o: &PartsReport) {

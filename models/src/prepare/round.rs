@@ -11,13 +11,15 @@ use crate::object::paraboloid::{depth_guard, normal_guard, plane_guard};
 use crate::object::quadric::ScreenBox;
 use crate::object::slot::ProcessorWords;
 use crate::object::sphere::{SphereShape, SphereWords};
-use crate::rational::{integer, round_half_up, to_f64};
-use crate::scene::{FramedCylinder, FramedSphere};
+use crate::rational::{fraction, integer, round_half_up};
+use crate::scene::{FramedCylinder, FramedSphere, root};
 use crate::unit::normal::LINEAR_WIDTH;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 const UNSEEN: &str = "outside the screen or its depth range: nothing to draw";
+
+const UNCAPPED: &str = "reaches nearer than the near end; it is absent there, without a cap";
 
 /// Words of the sphere processor.
 pub(super) fn prepare_sphere(
@@ -99,12 +101,16 @@ pub(super) fn prepare_curved_sphere(
             ledger.value("normal z", &form(shape.normal_deep()), guard, full, &on_box)?,
         ],
     };
-    Ok(parts(
+    let mut parts = parts(
         &sphere.name,
         window,
         ProcessorWords::CurvedFacet(words),
         ledger,
-    ))
+    );
+    if &sphere.centre[2] - &sphere.radius < -&context.full_depth {
+        parts.notes.push(UNCAPPED.into());
+    }
+    Ok(parts)
 }
 
 /// Words of the cylinder processor.
@@ -176,9 +182,7 @@ pub(super) fn prepare_cylinder(
         ledger,
     );
     if nearest(&shape) < -&context.full_depth {
-        parts
-            .notes
-            .push("reaches nearer than the near end; it is absent there, without a cap".into());
+        parts.notes.push(UNCAPPED.into());
     }
     Ok(parts)
 }
@@ -248,8 +252,7 @@ fn cylinder_box(shape: &CylinderShape, context: &Context) -> ScreenBox {
     let [cos, sin] = &shape.direction;
     let across = |along: &BigRational, beside: &BigRational| {
         let square = (&shape.deep * along).pow(2) + beside.pow(2);
-        let extent = to_f64(&shape.radius) * to_f64(&square).sqrt() + 1e-3;
-        crate::rational::from_f64_exact(extent)
+        &shape.radius * root(&square) + fraction(1, 1000)
     };
     let length = &shape.length * &shape.level;
     let side = |axis: usize, along: &BigRational, beside: &BigRational| {

@@ -27,5 +27,6 @@ pub use file::{
 pub use frame::{FramedLight, FramedScene, Plane, Projection, Quadric};
 pub use framed::{FramedObject, FramedQuadric};
 pub use mesh::{FramedFacet, FramedMesh};
+pub(crate) use round::root;
 pub use round::{FramedCylinder, FramedSphere};
 pub use transform::Transform;

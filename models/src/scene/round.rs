@@ -1,7 +1,7 @@
 //! Spheres and circular cylinders of an orthographic view, for the processors that draw them by paraboloids.
 //!
-//! A length or an angle that no fraction holds is computed once in `f64` and taken as exact from then on, as the entries of a rotation are; a direction
-//! becomes a rational point of the unit circle by the tangent of its half angle. The object *is* the exact sphere or cylinder with these numbers.
+//! A length that no fraction holds is cut once after 64 significant bits, an angle is computed once in `f64`, and both are exact from then on, as the
+//! entries of a rotation are; a direction becomes a rational point of the unit circle by the tangent of its half angle. The object *is* the exact sphere or cylinder with these numbers.
 
 use super::error::SceneError;
 use super::file::Surface;
@@ -117,7 +117,12 @@ impl FramedCylinder {
             std::mem::swap(&mut front, &mut back);
         }
         let axis: Vector = std::array::from_fn(|k| &back[k] - &front[k]);
-        let [x, y, z] = axis.each_ref().map(to_f64);
+        let greatest = axis
+            .iter()
+            .map(Signed::abs)
+            .max()
+            .expect("three components");
+        let [x, y, z] = axis.each_ref().map(|v| to_f64(&(v / &greatest)));
         let (level, length) = (x.hypot(y), x.hypot(y).hypot(z));
         let seen = if level < LEAST_PART * length {
             Some("end-on")
@@ -219,14 +224,16 @@ fn across(u: &Vector, v: &Vector) -> bool {
     dot(u, v).pow(2) <= square(u) * square(v) * bound
 }
 
-/// The square root, exact where it is a fraction.
-fn root(value: &BigRational) -> BigRational {
-    let whole = [value.numer(), value.denom()].map(|v| v.sqrt());
-    if &(&whole[0] * &whole[0]) == value.numer() && &(&whole[1] * &whole[1]) == value.denom() {
-        let [numerator, denominator] = whole;
-        return BigRational::new(numerator, denominator);
+/// The square root, exact where it is a fraction, else cut after at least 64 significant bits.
+pub(crate) fn root(value: &BigRational) -> BigRational {
+    // sqrt(n / d) = sqrt(n d) / d.
+    let product = value.numer() * value.denom();
+    let whole = product.sqrt();
+    if &whole * &whole == product {
+        return BigRational::new(whole, value.denom().clone());
     }
-    from_f64_exact(to_f64(value).sqrt())
+    let shift = 128u64.saturating_sub(product.bits()).div_ceil(2);
+    BigRational::new((product << (2 * shift)).sqrt(), value.denom() << shift)
 }
 
 /// The direction (x, y) as a rational point of the unit circle: cosine and sine from the tangent of half its angle.
@@ -247,7 +254,7 @@ fn on_unit_circle(x: f64, y: f64) -> [BigRational; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rational::fraction;
+    use crate::rational::{fraction, power_of_two};
 
     #[test]
     fn directions_are_exactly_of_length_one() {
@@ -271,6 +278,10 @@ mod tests {
     #[test]
     fn roots_of_fractions_are_exact() {
         assert_eq!(root(&fraction(49, 144)), fraction(7, 12));
-        assert_eq!(root(&integer(2)), from_f64_exact(2f64.sqrt()));
+        let two = root(&integer(2));
+        let off = (&two * &two - integer(2)).abs();
+        assert!(off > integer(0) && off < power_of_two(62).recip());
+        let tiny = root(&power_of_two(4001).recip());
+        assert!(tiny > power_of_two(2001).recip() && tiny < power_of_two(2000).recip());
     }
 }
