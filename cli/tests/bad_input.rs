@@ -254,6 +254,44 @@ fn usage_and_parameters_out_of_range() {
     assert_eq!(files_below(folder.path()), Vec::<std::path::PathBuf>::new());
 }
 
+/// A beam machine has quadric processors only, and only theirs and the patch processor's words have bounds.
+#[test]
+fn scenes_of_other_processors_are_refused_where_hardware_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("picture.png");
+    let picture = picture.to_str().unwrap();
+    let mesh = scene("processors/mesh.toml");
+    let tetrahedra = scene("processors/tetrahedra.toml");
+    let [mesh, tetrahedra] = [&mesh, &tetrahedra].map(|path| path.to_str().unwrap());
+    let hardware = ["not drawn by a quadric processor", "--model golden"];
+    let runs: [(Vec<&str>, [&str; 3]); 5] = [
+        (vec!["cosim", mesh], ["'cube'", hardware[0], hardware[1]]),
+        (
+            vec!["cosim", mesh, "--engine", "verilator"],
+            ["'cube'", hardware[0], hardware[1]],
+        ),
+        (
+            vec!["cosim", tetrahedra],
+            ["'eighth'", hardware[0], hardware[1]],
+        ),
+        (
+            vec!["render", mesh, "--model", "rtl", "-o", picture],
+            ["'cube'", hardware[0], hardware[1]],
+        ),
+        (
+            vec!["bounds", mesh],
+            ["mesh.toml", "no object", "quadric or patch processor"],
+        ),
+    ];
+    for (arguments, parts) in runs {
+        let output = imogene().args(&arguments).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        assert_mentions(&message, &parts);
+    }
+    assert_eq!(files_below(folder.path()), Vec::<std::path::PathBuf>::new());
+}
+
 /// The message with which a command refuses guard bits.
 fn guards_refusal(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();

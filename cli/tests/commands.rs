@@ -216,6 +216,57 @@ fn units_prepare_and_check_answer_in_json() {
     );
 }
 
+/// Moved to the screen's corner, a 64-bit word can be longer; it is shown as its register holds it.
+#[test]
+fn the_longest_words_are_printed() {
+    let path = scene("orthographic.toml");
+    let prepared = json(&["prepare", path.to_str().unwrap(), "--format", "32"]);
+    assert!(prepared["objects"].as_array().unwrap().len() > 3);
+}
+
+/// Objects of the other processors: their words, widths and problems under stable keys, in every format.
+#[test]
+fn scenes_of_other_processors_are_drawn_prepared_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let expected = [
+        ("polyhedron", "polyhedron", "polyhedron"),
+        ("mesh", "mesh", "facet"),
+        ("paraboloids", "sphere", "sphere"),
+        ("first-generation", "ellipsoid", "first_generation"),
+        ("patch-processor", "elliptic_paraboloid", "patch"),
+        ("tetrahedra", "ellipsoid", "patch"),
+        ("curved-facet", "sphere", "curved_facet"),
+    ];
+    for (name, kind, processor) in expected {
+        let path = scene(&format!("processors/{name}.toml"));
+        let path = path.to_str().unwrap();
+        for format in ["16", "24", "32"] {
+            let options = [path, "--size", "120x90", "--format", format];
+            let prepared = json(&[&["prepare"], &options[..]].concat());
+            assert_eq!(prepared["objects"][0]["processor"], processor, "{name}");
+            let checked = json(&[&["check"], &options[..]].concat());
+            let object = &checked["objects"][0];
+            assert_eq!(
+                (&object["kind"], &object["processor"]),
+                (&kind.into(), &processor.into())
+            );
+            assert_keys(
+                object,
+                &["name", "screen_box", "pixels", "needed", "problems"],
+            );
+            assert!(object["pixels"].as_u64().unwrap() > 100, "{name}");
+            for model in ["golden", "exact"] {
+                let picture = folder.path().join(format!("{name}-{model}.png"));
+                let picture = picture.to_str().unwrap();
+                let drawn =
+                    json(&[&["render", "--model", model, "-o", picture], &options[..]].concat());
+                assert!(drawn["covered_pixels"].as_u64().unwrap() > 500, "{name}");
+                assert!(std::fs::metadata(picture).unwrap().len() > 500);
+            }
+        }
+    }
+}
+
 #[test]
 fn cosim_replays_its_seed_and_writes_waveforms() {
     let folder = tempfile::tempdir().unwrap();

@@ -23,7 +23,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         json!({
             "name": q.name,
             "processor": framed.processor(),
-            "words": q.words,
+            "words": q.words.wrapped(&scene.format),
             "preconditioned_f2": q.words.f2.preconditioned(scene.format.pe2_width()),
             "load_words": load_words(&q.words, &scene.format, planes),
             "needed_bits": q.needed,

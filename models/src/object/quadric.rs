@@ -142,6 +142,18 @@ impl QuadricWords {
         words
     }
 
+    /// The same words as the registers of a format hold them; every accumulator takes the same values.
+    pub fn wrapped(&self, format: &Format) -> QuadricWords {
+        let mut words = self.clone();
+        words.f1 = self.f1.wrapped(format.pe1_width());
+        words.f2 = self.f2.wrapped(format.pe2_width());
+        words.normal.g = self.normal.g.map(|g| g.wrapped(format.normal_linear));
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.wrapped(format.plane);
+        }
+        words
+    }
+
     /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone: a field of an interlaced picture.
     pub fn every_line(&self, step: i64, first: i64) -> QuadricWords {
         let mut words = self.clone();

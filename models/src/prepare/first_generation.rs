@@ -43,13 +43,14 @@ pub(super) fn prepare_first_generation(
             "the viewer is between its two planes, or sees them edge-on, so that there is no front plane and back plane",
         );
     };
+    let held = prepared.words.wrapped(&context.format);
     let mut ledger = Ledger::new(name, prepared.words.screen_box, context);
     let words = FirstGenerationWords {
         patch: object.surface == Surface::Patch,
         screen_box: prepared.words.screen_box,
-        f1: prepared.words.f1,
-        f2: prepared.words.f2,
-        normal: prepared.words.normal,
+        f1: held.f1,
+        f2: held.f2,
+        normal: held.normal,
         front: contours(&prepared, front, -1, &mut ledger, context)?,
         back: contours(&prepared, back, 1, &mut ledger, context)?,
     };
@@ -86,7 +87,7 @@ fn contours(
     let side = if sign < 0 { "front" } else { "back" };
     let plane = &prepared.words.planes[index];
     Ok(ContourPlane {
-        depth: plane.depth,
+        depth: plane.depth.wrapped(context.format.plane),
         conic: ledger.sign(
             &format!("conic of the {side} plane"),
             &conic,

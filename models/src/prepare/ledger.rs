@@ -22,7 +22,7 @@ const SCALES: i64 = 12;
 /// Least and greatest value of an expression where its value counts.
 pub(super) type Range<'a> = &'a dyn Fn(&QuadraticForm) -> (BigRational, BigRational);
 
-/// The words of one object so far.
+/// The words of one object so far; they are handed out as the registers of the processor hold them, whose sums are modulo its width.
 pub(super) struct Ledger<'a> {
     object: &'a str,
     window: ScreenBox,
@@ -76,7 +76,7 @@ impl<'a> Ledger<'a> {
         let (least, greatest) = range(&scaled);
         let off = quadratic_error(&rounded, &scaled, 0, &self.window);
         self.prove(word, &(least.abs().max(greatest.abs()) + off), width)?;
-        Ok(rounded)
+        Ok(rounded.wrapped(width))
     }
 
     /// The same for a first-degree expression.
@@ -106,7 +106,7 @@ impl<'a> Ledger<'a> {
             && let Ok(words) = round_quadratic(&whole, self.anchor)
         {
             self.prove(word, &greatest, width)?;
-            return Ok(words);
+            return Ok(words.wrapped(width));
         }
         let mut best: Option<(u64, Quadratic)> = None;
         for k in 1..=SCALES {
@@ -136,7 +136,7 @@ impl<'a> Ledger<'a> {
             width,
         )?;
         self.wrong_signs += wrong;
-        Ok(words)
+        Ok(words.wrapped(width))
     }
 
     /// The same for a first-degree expression.

@@ -194,7 +194,17 @@ fn words(
         word: one.word.split(" of face").next().unwrap_or_default().into(),
         ..one
     }));
-    Ok(Some(Some(words)))
+    // As the registers hold them: all sums are modulo the width.
+    Ok(Some(Some(FacetWords {
+        edges: words
+            .edges
+            .iter()
+            .map(|e| e.wrapped(format.plane))
+            .collect(),
+        depth: words.depth.wrapped(format.plane),
+        normal: words.normal.map(|n| n.wrapped(LINEAR_WIDTH)),
+        ..words
+    })))
 }
 
 /// The pixels between the corners.

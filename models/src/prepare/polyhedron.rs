@@ -9,6 +9,7 @@ use super::planes::prepare_plane;
 use super::rounding::Anchor;
 use super::screen_box::Region;
 use crate::object::polyhedron::PolyhedronWords;
+use crate::object::quadric::PlaneWords;
 use crate::object::slot::ProcessorWords;
 use crate::rational::to_f64;
 use crate::scene::{FramedQuadric, Plane};
@@ -51,13 +52,16 @@ pub(super) fn prepare_polyhedron(
             (&region, &window, anchor),
             context,
         )?;
-        words.planes.push(plane.words);
+        notes.extend(plane.note(index));
+        words.planes.push(PlaneWords {
+            depth: plane.words.depth.wrapped(context.format.plane),
+            ..plane.words
+        });
         needed.push(NeededWord {
             word: format!("plane {index}"),
             needed: plane.needed,
             available: context.format.plane,
         });
-        notes.extend(plane.note(index));
     }
     Ok(PreparedParts {
         name: object.name.clone(),

@@ -79,6 +79,13 @@ impl Quadratic {
         }
     }
 
+    /// The coefficients as registers of `width` bits hold them.
+    pub fn wrapped(&self, width: u32) -> Quadratic {
+        let Quadratic { a, b, c, d, e, f } = *self;
+        let [a, b, c, d, e, f] = [a, b, c, d, e, f].map(|v| wrap(v, width));
+        Quadratic { a, b, c, d, e, f }
+    }
+
     /// The words the hardware is loaded with, as registers of `width` bits hold them.
     pub fn preconditioned(&self, width: u32) -> PreconditionedWords {
         PreconditionedWords {
