@@ -56,6 +56,8 @@ pub struct Subject {
     pub golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
     /// Random stimulus of about this many clocks, biased to the edges.
     pub stimulus: Stimulus,
+    /// Clocks from an input to its result.
+    pub latency: usize,
     /// Options of the command line that give this configuration.
     pub options: String,
 }
@@ -77,6 +79,23 @@ impl Subject {
     ///
     /// `record` also keeps the waveforms.
     pub fn run(&self, stimulus: &[Inputs], record: bool) -> (Report, Option<Trace>) {
+        let mut trace = record.then(|| Trace::new(vec![self.group()]));
+        let mut cycle = 0;
+        let report = self.run_each(stimulus.iter().cloned(), |sample| {
+            if let Some(trace) = &mut trace {
+                trace.record(cycle, vec![sample]);
+            }
+            cycle += 1;
+        });
+        (report, trace)
+    }
+
+    /// The same over a stimulus that is made clock by clock; `seen` takes what was compared.
+    pub fn run_each(
+        &self,
+        stimulus: impl IntoIterator<Item = Inputs>,
+        mut seen: impl FnMut(Sample),
+    ) -> Report {
         let started = Instant::now();
         let mut hardware = (self.hardware)();
         let mut golden = (self.golden)();
@@ -85,21 +104,18 @@ impl Subject {
             engine: self.engine.into(),
             ..Report::default()
         };
-        let mut trace = record.then(|| Trace::new(vec![self.group()]));
         for inputs in stimulus {
             let sample = Sample {
-                hardware: hardware.clock(inputs),
-                golden: golden.clock(inputs),
-                stimulus: inputs.clone(),
+                hardware: hardware.clock(&inputs),
+                golden: golden.clock(&inputs),
+                stimulus: inputs,
             };
             self.score(&sample, &mut report);
-            if let Some(trace) = &mut trace {
-                trace.record(report.cycles, vec![sample]);
-            }
+            seen(sample);
             report.cycles += 1;
         }
         report.timed(started.elapsed().as_secs_f64());
-        (report, trace)
+        report
     }
 
     fn group(&self) -> Group {

@@ -4,15 +4,16 @@ use super::{describe, emit_request, extremes, frame_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::beam::BeamDesign;
-use imogene_verif::engine::design::with_verilog;
+use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::random;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, TraceRequest};
+use imogene_verif::scene::{self, TraceRequest, slots};
 use imogene_verif::unit;
 use std::path::Path;
 
@@ -103,6 +104,9 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     }
     let file = SceneFile::read(path).map_err(Failure::input)?;
     let (_, prepared) = frame_scene(&file, options.size, options.shape.format)?;
+    if !slots::is_for_beam(&prepared) {
+        return run_slots(options, &prepared);
+    }
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage,
         bands: threads(),
@@ -146,5 +150,42 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     if let Some(f) = run_options.fault {
         report.reproduce += &format!(" --inject-fault {}:{}:{}", f.object, f.address, f.bit);
     }
+    Ok(report)
+}
+
+/// A scene with processors that a beam machine does not have: each processor by itself.
+fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
+    for (option, given) in [
+        ("--vcd", options.vcd.is_some()),
+        ("--inject-fault", options.inject_fault.is_some()),
+    ] {
+        if given {
+            return Err(Failure::Input(format!(
+                "{option} takes a scene of quadric processors alone, which a beam machine draws; this one has others, and each is run by itself"
+            )));
+        }
+    }
+    let engine = |subject, request: &_| match options.engine.simulator() {
+        None => Ok(subject),
+        Some(simulator) => {
+            let emitted = emit(request).expect("a checked request");
+            with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
+        }
+    };
+    let rows = options.shape.rows_per_stage;
+    let bar = output::progress(slots::pixels(prepared), "processors in simulation");
+    let (mut report, _) =
+        slots::run(prepared, rows, &engine, |pixels| bar.inc(pixels)).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    report.engine = options
+        .engine
+        .simulator()
+        .map_or("rust-hdl", Simulator::name)
+        .into();
+    report.subject = options.subject.clone();
+    report.reproduce = format!(
+        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {rows}",
+        options.subject, report.engine, prepared.width, prepared.height, options.shape.format
+    );
     Ok(report)
 }

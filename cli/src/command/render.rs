@@ -10,7 +10,8 @@ use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
 use imogene_models::{exact, picture};
 use imogene_verif::engine::rust_hdl::RustHdl;
-use imogene_verif::scene;
+use imogene_verif::report::Report;
+use imogene_verif::scene::{self, slots};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -86,6 +87,24 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
             "the hardware has no guard bits; give --guards 0:0, or --model golden or exact".into(),
         ));
     }
+    let (mut report, frame) = if slots::is_for_beam(prepared) {
+        beam_frame(options, prepared)?
+    } else {
+        let bar = output::progress(slots::pixels(prepared), "processors in simulation");
+        let drawn = slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
+            bar.inc(n)
+        });
+        bar.finish_and_clear();
+        drawn.map_err(Failure::input)?
+    };
+    report.subject = options.scene.scene.display().to_string();
+    report.reproduce = format!("imogene cosim {}", report.subject);
+    verdict(&report)?;
+    Ok(frame)
+}
+
+/// The frame of a beam machine.
+fn beam_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
     let pixels = u64::from(prepared.width) * u64::from(prepared.height);
     let bar = output::progress(pixels, "hardware in simulation");
     let run_options = scene::Options {
@@ -95,13 +114,9 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
         fault: None,
     };
     let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
-    let (mut report, frame) =
-        scene::run(prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
+    let drawn = scene::run(prepared, &run_options, engine, || bar.inc(1));
     bar.finish_and_clear();
-    report.subject = options.scene.scene.display().to_string();
-    report.reproduce = format!("imogene cosim {}", report.subject);
-    verdict(&report)?;
-    Ok(frame)
+    drawn.map_err(Failure::input)
 }
 
 fn write(

@@ -59,6 +59,22 @@ impl ProcessorWords {
         }
     }
 
+    /// The words for a zone of the screen.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> ProcessorWords {
+        match self {
+            Self::Quadric(words) => Self::Quadric(words.for_zone(x0, y0, width, height)),
+            Self::Patch(words) => Self::Patch(words.for_zone(x0, y0, width, height)),
+            Self::FirstGeneration(words) => {
+                Self::FirstGeneration(words.for_zone(x0, y0, width, height))
+            }
+            Self::Polyhedron(words) => Self::Polyhedron(words.for_zone(x0, y0, width, height)),
+            Self::Facet(words) => Self::Facet(words.for_zone(x0, y0, width, height)),
+            Self::Sphere(words) => Self::Sphere(words.for_zone(x0, y0, width, height)),
+            Self::Cylinder(words) => Self::Cylinder(words.for_zone(x0, y0, width, height)),
+            Self::CurvedFacet(words) => Self::CurvedFacet(words.for_zone(x0, y0, width, height)),
+        }
+    }
+
     /// Calls `sink(x, pixel)` for every pixel of line `y` at which the object is present, left to right.
     pub fn for_each_present(
         &self,

@@ -5,6 +5,7 @@
 
 mod band;
 mod golden;
+pub mod slots;
 
 use crate::engine::{Engine, MachineShape};
 use crate::report::Report;

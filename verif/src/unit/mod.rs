@@ -17,6 +17,7 @@ mod root;
 mod root_family;
 mod round;
 mod volume;
+pub mod words;
 mod zone;
 
 use crate::signal::Signal;
@@ -147,6 +148,7 @@ pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError>
         hardware: Box::new(move || Box::new(UnitHardware::new(&request, &inputs, &outputs))),
         golden: unit.golden,
         stimulus: unit.stimulus,
+        latency: request.latency(),
         options: options(&request),
     })
 }
