@@ -348,6 +348,66 @@ fn curved_facets_have_the_exact_outline_and_depth() {
     assert!(compared.iter().all(|&n| n > 3000), "{compared:?}");
 }
 
+/// A mesh of four vertices and one face, seen straight on, a hundred pixels to the unit.
+fn one_face(vertices: [[f64; 3]; 4], face: [usize; 4]) -> Pictures {
+    let mut file = file("mesh");
+    file.objects.truncate(1);
+    file.objects[0].place.clear();
+    file.objects[0].shape = Shape::Mesh(imogene_models::scene::Mesh {
+        vertices: vertices.to_vec(),
+        faces: vec![face.to_vec()],
+        normals: vec![],
+    });
+    file.camera = parallel_view([0.0, 0.1, 9.0]);
+    Pictures::of_file(&file, (533, 400), Format::BASE)
+}
+
+/// A face is one processor if its corners are in a plane on the screen, two if not, split where both halves are inside; none if it is seen edge-on.
+#[test]
+fn faces_are_split_where_they_must_be() {
+    let square = [
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [-1.0, 1.0, 0.0],
+    ];
+    let lifted = |corner: usize, to: [f64; 3]| {
+        let mut vertices = square;
+        vertices[corner] = to;
+        vertices
+    };
+    let whole = [0, 1, 2, 3];
+    // Vertices, processors, and pixels up to those on the sides.
+    let cases = [
+        (square, 1, 40_000),
+        (lifted(2, [1.0, 1.0, 0.4]), 2, 40_000),
+        // Concave at corner 2, then at corner 1: a quarter is missing.
+        (lifted(2, [0.0, 0.0, 0.0]), 2, 20_000),
+        (lifted(2, [-0.5, -0.5, 0.3]), 2, 10_000),
+        (lifted(1, [-0.5, 0.5, 0.3]), 2, 10_000),
+    ];
+    for (vertices, processors, pixels) in cases {
+        let pictures = one_face(vertices, whole);
+        assert_eq!(pictures.prepared.slots().len(), processors, "{vertices:?}");
+        let (golden, exact) = (
+            pictures.golden.covered() as i64,
+            pictures.exact.iter().flatten().count() as i64,
+        );
+        assert!((golden - pixels).abs() < 300, "{vertices:?}: {golden}");
+        // The exact picture has the pixels on all of its sides.
+        assert!((exact - golden).abs() < 500, "{golden} {exact}");
+    }
+    let upright = square.map(|[x, y, _]| [x, 0.1, y]);
+    let pictures = one_face(upright, whole);
+    assert_eq!(pictures.prepared.slots().len(), 0);
+    assert_eq!(pictures.golden.covered(), 0);
+    let notes = pictures.prepared.objects[0].notes();
+    assert!(
+        notes[0].contains("edge-on") && notes[0].contains("faces 0"),
+        "{notes:?}"
+    );
+}
+
 /// Slots are in the order of the objects, and a pixel carries the index of its object.
 #[test]
 fn slots_follow_the_objects() {
