@@ -43,6 +43,7 @@ fn scene() -> FramedScene {
         ],
         corners: None,
         material: 0,
+        casts_shadow: true,
     };
     FramedScene {
         title: "benchmark".into(),
@@ -54,6 +55,7 @@ fn scene() -> FramedScene {
         objects: vec![cut.into()],
         materials: vec![],
         lights: vec![],
+        sources: vec![],
         ambient: [1.0; 3],
         background: [0; 3],
     }

@@ -4,6 +4,7 @@
 //! rounded, once, to the word the hardware is loaded with. These helpers are the two ends of that path.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive, Zero};
 
@@ -91,7 +92,9 @@ pub fn floor(value: &BigRational) -> BigInt {
 
 /// `value` rounded to the nearest integer, halves upwards: `floor(value + 1/2)`.
 pub fn round_half_up(value: &BigRational) -> BigInt {
-    floor(&(value + fraction(1, 2)))
+    // Of the doubled fraction, so that nothing has to be reduced.
+    let doubled: BigInt = value.numer() * 2 + value.denom();
+    doubled.div_floor(&(value.denom() * 2))
 }
 
 #[cfg(test)]

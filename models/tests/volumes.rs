@@ -80,8 +80,9 @@ fn half_space_exact(plane: &VolumePlane, x: i64, y: i64, z: i64, margin: i64) ->
 fn quadric_exact(q: &VolumeQuadric, x: i64, y: i64, z: i64, margin: i64) -> bool {
     let f2 = q.f2.exact_at(x, y);
     let middle = q.f1.exact_at(x, y);
-    let entered: BigInt = &middle - z + margin;
-    let left: BigInt = z - &middle;
+    // Both faces are compared in the unit of the quadric, the point downwards.
+    let entered: BigInt = &middle - ((z - margin) >> q.shift);
+    let left: BigInt = (z >> q.shift) - &middle;
     match q.class {
         Class::Side => {
             let before_end = !left.is_positive() || &left * &left <= f2;
@@ -102,17 +103,20 @@ fn quadric_exact(q: &VolumeQuadric, x: i64, y: i64, z: i64, margin: i64) -> bool
 fn quadric() -> impl Strategy<Value = VolumeQuadric> {
     let class = prop_oneof![Just(Class::Side), Just(Class::Front), Just(Class::Prism)];
     let factors = (-300i128..=40, -300i128..=40, -40i128..=40, 0i128..30_000);
-    (class, linear(20), factors).prop_map(|(class, f1, (a, b, c, f))| VolumeQuadric {
-        class,
-        f1,
-        f2: Quadratic {
-            a,
-            b,
-            c,
-            d: -SIDE as i128 * a,
-            e: -SIDE as i128 * b,
-            f,
-        },
+    (class, linear(20), factors, 0u8..=3).prop_map(|(class, f1, (a, b, c, f), shift)| {
+        VolumeQuadric {
+            class,
+            f1,
+            f2: Quadratic {
+                a,
+                b,
+                c,
+                d: -SIDE as i128 * a,
+                e: -SIDE as i128 * b,
+                f,
+            },
+            shift,
+        }
     })
 }
 
@@ -348,6 +352,7 @@ fn sphere_shadow(c: Vector, radius: i64, s: Vector) -> VolumeWords {
         class: Class::Side,
         f1,
         f2,
+        shift: 0,
     };
     words(Some(quadric), vec![half_space(s, c)], 1)
 }

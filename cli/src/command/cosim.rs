@@ -1,19 +1,21 @@
 //! `imogene cosim`.
 
+use super::render::golden_frame;
 use super::{describe, emit_request, extremes, frame_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::SceneFile;
-use imogene_rtl::emit::emit;
+use imogene_rtl::emit::{EmitRequest, emit};
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::beam::BeamDesign;
-use imogene_verif::engine::design::{Simulator, with_verilog};
+use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
 use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::random;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, TraceRequest, slots};
+use imogene_verif::scene::{self, TraceRequest, slots, volumes};
+use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::path::Path;
 
@@ -104,9 +106,35 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     }
     let file = SceneFile::read(path).map_err(Failure::input)?;
     let (_, prepared) = frame_scene(&file, options.size, options.shape.format)?;
-    if !slots::is_for_beam(&prepared) {
-        return run_slots(options, &prepared);
+    let mut report = if slots::is_for_beam(&prepared) {
+        run_beam(options, &prepared)?
+    } else {
+        run_slots(options, &prepared)?
+    };
+    run_volumes(options, &prepared, &mut report)?;
+    report.engine = options
+        .engine
+        .simulator()
+        .map_or("rust-hdl", Simulator::name)
+        .into();
+    report.subject = options.subject.clone();
+    report.reproduce = format!(
+        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {}",
+        options.subject,
+        report.engine,
+        prepared.width,
+        prepared.height,
+        options.shape.format,
+        options.shape.rows_per_stage
+    );
+    if let Some(f) = options.inject_fault.map(|f| f.0) {
+        report.reproduce += &format!(" --inject-fault {}:{}:{}", f.object, f.address, f.bit);
     }
+    Ok(report)
+}
+
+/// A scene of quadric processors: the beam machine.
+fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage,
         bands: threads(),
@@ -123,34 +151,17 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     let outcome = match options.engine.simulator() {
         Some(simulator) => {
             let shape =
-                scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
+                scene::shape_of(prepared, run_options.rows_per_stage).map_err(Failure::input)?;
             let design = BeamDesign::compile(simulator, &shape).map_err(Failure::input)?;
-            scene::run(&prepared, &run_options, |_| design.machine(), pixel_done)
+            scene::run(prepared, &run_options, |_| design.machine(), pixel_done)
         }
         None => {
             let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
-            scene::run(&prepared, &run_options, engine, pixel_done)
+            scene::run(prepared, &run_options, engine, pixel_done)
         }
     };
-    let (mut report, _) = outcome.map_err(Failure::input)?;
     bar.finish_and_clear();
-    if let Some(simulator) = options.engine.simulator() {
-        report.engine = simulator.name().into();
-    }
-    report.subject = options.subject.clone();
-    report.reproduce = format!(
-        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {}",
-        options.subject,
-        report.engine,
-        prepared.width,
-        prepared.height,
-        options.shape.format,
-        options.shape.rows_per_stage
-    );
-    if let Some(f) = run_options.fault {
-        report.reproduce += &format!(" --inject-fault {}:{}:{}", f.object, f.address, f.bit);
-    }
-    Ok(report)
+    outcome.map(|(report, _)| report).map_err(Failure::input)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
@@ -165,27 +176,48 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             )));
         }
     }
-    let engine = |subject, request: &_| match options.engine.simulator() {
+    let rows = options.shape.rows_per_stage;
+    let bar = output::progress(slots::pixels(prepared), "processors in simulation");
+    let outcome = slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {
+        bar.inc(n)
+    });
+    bar.finish_and_clear();
+    outcome.map(|(report, _)| report).map_err(Failure::input)
+}
+
+/// The shadow and light volumes of a scene, on the depths of its golden frame, into the report of the rest.
+fn run_volumes(
+    options: &Cosim,
+    prepared: &PreparedScene,
+    report: &mut Report,
+) -> Result<(), Failure> {
+    if prepared.volumes.is_empty() {
+        return Ok(());
+    }
+    let frame = golden_frame(prepared);
+    let rows = options.shape.rows_per_stage;
+    let bar = output::progress(volumes::pixels(prepared), "volumes in simulation");
+    let asked = |n| bar.inc(n);
+    let part = volumes::run(prepared, &frame, rows, &|s, r| engine(options, s, r), asked);
+    bar.finish_and_clear();
+    let part = part.map_err(Failure::input)?;
+    let seconds = report.seconds + part.seconds;
+    report.absorb(part);
+    report.timed(seconds);
+    Ok(())
+}
+
+/// Puts the engine asked for under a unit.
+fn engine(
+    options: &Cosim,
+    subject: Subject,
+    request: &EmitRequest,
+) -> Result<Subject, DesignError> {
+    match options.engine.simulator() {
         None => Ok(subject),
         Some(simulator) => {
             let emitted = emit(request).expect("a checked request");
             with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
         }
-    };
-    let rows = options.shape.rows_per_stage;
-    let bar = output::progress(slots::pixels(prepared), "processors in simulation");
-    let (mut report, _) =
-        slots::run(prepared, rows, &engine, |pixels| bar.inc(pixels)).map_err(Failure::input)?;
-    bar.finish_and_clear();
-    report.engine = options
-        .engine
-        .simulator()
-        .map_or("rust-hdl", Simulator::name)
-        .into();
-    report.subject = options.subject.clone();
-    report.reproduce = format!(
-        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {rows}",
-        options.subject, report.engine, prepared.width, prepared.height, options.shape.format
-    );
-    Ok(report)
+    }
 }

@@ -1,7 +1,7 @@
 //! `imogene demo`.
 
 use super::emit::write_verilog;
-use super::render::golden_frame;
+use super::render::{golden_frame, golden_lighting};
 use super::{describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Shape, Size};
 use crate::failure::Failure;
@@ -82,7 +82,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let golden = golden_frame(&prepared);
     for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
         let path = options.out.join(name);
-        let rgb = shading::shade(frame, &framed, &prepared.format);
+        let lighting = golden_lighting(frame, &prepared);
+        let rgb = shading::shade(frame, &lighting, &framed, &prepared.format);
         write_png(&path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
         files.push(path);
     }

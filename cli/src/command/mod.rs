@@ -21,8 +21,9 @@ pub mod units;
 
 use crate::arguments::{Guards, Scene, Shape, Size};
 use crate::failure::Failure;
+use crate::output;
 use imogene_models::format::Format;
-use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::prepare::{Options, PreparedScene, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, SceneFile};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
@@ -57,7 +58,10 @@ fn frame_guarded(
         None => (file.image.width, file.image.height),
     };
     let framed = file.frame(width, height).map_err(Failure::input)?;
-    let prepared = prepare(&framed, format).map_err(Failure::input)?;
+    let bar = output::progress(steps(&framed), "preparation");
+    let prepared = prepare_reporting(&framed, format, Options::default(), &|| bar.inc(1));
+    bar.finish_and_clear();
+    let prepared = prepared.map_err(Failure::input)?;
     Ok((framed, prepared))
 }
 

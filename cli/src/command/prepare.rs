@@ -5,11 +5,14 @@ use crate::arguments::Prepare;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::object::load::load_words;
-use imogene_models::object::quadric::MAX_PLANES;
-use imogene_models::object::quadric::ScreenBox;
+use imogene_models::object::quadric::{MAX_PLANES, ScreenBox};
+use imogene_models::prepare::volume::PreparedVolume;
 use imogene_models::prepare::{PreparedObject, PreparedParts, PreparedQuadric};
 use imogene_models::rational::to_f64;
 use imogene_models::scene::FramedObject;
+use imogene_models::unit::cut_plane::PlaneKind;
+use imogene_models::unit::pe1::Linear;
+use imogene_models::unit::pe2::Quadratic;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.
@@ -31,8 +34,20 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
             "notes": q.notes,
         })
     };
+    let volume = |v: &PreparedVolume| -> Value {
+        let f2 = v.words.quadric.map(|q| q.f2);
+        json!({
+            "name": v.name,
+            "words": v.words,
+            "preconditioned_f2": f2.map(|f2| f2.preconditioned(scene.format.pe2_width())),
+            "needed_bits": v.needed,
+            "rounding_bounds": v.bounds,
+            "notes": v.notes,
+        })
+    };
     let pairs = || framed.objects.iter().zip(&scene.objects);
     let objects: Vec<Value> = pairs().map(object).collect();
+    let volumes: Vec<Value> = scene.volumes.iter().map(volume).collect();
     if json {
         output::json(&json!({
             "width": scene.width,
@@ -40,6 +55,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
             "format": scene.format,
             "depth_scale": scene.depth_scale.to_string(),
             "objects": objects,
+            "volumes": volumes,
         }));
         return Ok(());
     }
@@ -57,6 +73,9 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
             PreparedObject::Quadric(o) | PreparedObject::Patch(o) => describe(framed, o),
             PreparedObject::Parts(o) => describe_parts(framed, o),
         }
+    }
+    for v in &scene.volumes {
+        describe_volume(v);
     }
     Ok(())
 }
@@ -93,6 +112,22 @@ fn describe_parts(framed: &FramedObject, o: &PreparedParts) {
     }
 }
 
+fn describe_volume(v: &PreparedVolume) {
+    let w = &v.words;
+    output::text(format!("\n{}", v.name));
+    describe_box(&w.screen_box);
+    if let Some(q) = &w.quadric {
+        output::text(format!("  margin {}, {:?}", w.margin, q.class));
+        describe_quadric(&q.f1, &q.f2);
+    }
+    for (index, plane) in w.planes.iter().enumerate() {
+        describe_plane("plane", index, plane.kind, &plane.depth);
+    }
+    for note in &v.notes {
+        output::text(format!("  note: {note}"));
+    }
+}
+
 fn describe_box(b: &ScreenBox) {
     if b.is_empty() {
         output::text("  box  empty");
@@ -102,6 +137,18 @@ fn describe_box(b: &ScreenBox) {
             b.x0, b.x1, b.y0, b.y1
         ));
     }
+}
+
+fn describe_quadric(f1: &Linear, f2: &Quadratic) {
+    output::text(format!("  f1   {} {} {}", f1.a, f1.b, f1.c));
+    output::text(format!(
+        "  f2   {} {} {} {} {} {}",
+        f2.a, f2.b, f2.c, f2.d, f2.e, f2.f
+    ));
+}
+
+fn describe_plane(what: &str, index: usize, kind: PlaneKind, d: &Linear) {
+    output::text(format!("  {what} {index} {kind:?} {} {} {}", d.a, d.b, d.c));
 }
 
 fn describe(framed: &FramedObject, o: &PreparedQuadric) {

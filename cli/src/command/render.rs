@@ -5,9 +5,10 @@ use crate::arguments::{Model, Render};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::frame::Frame;
+use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::{beam, shading};
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::FramedScene;
+use imogene_models::scene::{FramedScene, FramedSource};
 use imogene_models::{exact, picture};
 use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::report::Report;
@@ -22,31 +23,42 @@ struct RenderReport {
     model: &'static str,
     width: u32,
     height: u32,
+    prepare_seconds: f64,
     seconds: f64,
     pixels_per_second: f64,
     covered_pixels: usize,
+    volumes: usize,
     files: Vec<PathBuf>,
 }
 
 /// Draws a scene.
 pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
+    let started = Instant::now();
     let (framed, prepared) = load_scene(&options.scene)?;
+    let prepare_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
     let (model, frame) = match options.model {
         Model::Exact => ("exact", exact_frame(&framed, &prepared)),
         Model::Golden => ("golden", golden_frame(&prepared)),
         Model::Rtl => ("rtl", hardware_frame(options, &prepared)?),
     };
+    let lighting = match options.model {
+        Model::Exact => exact_lighting(&framed, &frame),
+        // Hardware of volumes does not exist: a frame of the hardware is lit by their golden model.
+        Model::Golden | Model::Rtl => golden_lighting(&frame, &prepared),
+    };
     let seconds = started.elapsed().as_secs_f64();
-    let files = write(options, &frame, &framed, &prepared)?;
+    let files = write(options, &frame, &lighting, &framed, &prepared)?;
     let pixels = f64::from(prepared.width) * f64::from(prepared.height);
     let report = RenderReport {
         model,
         width: prepared.width,
         height: prepared.height,
+        prepare_seconds,
         seconds,
         pixels_per_second: pixels / seconds.max(1e-9),
         covered_pixels: frame.covered(),
+        volumes: prepared.volumes.len(),
         files,
     };
     if json {
@@ -56,6 +68,12 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
             "{} x {} pixels by the {} model in {:.3} s, {} covered",
             report.width, report.height, report.model, report.seconds, report.covered_pixels
         ));
+        if report.volumes > 0 {
+            output::text(format!(
+                "{} shadow and light volumes; prepared in {:.3} s",
+                report.volumes, report.prepare_seconds
+            ));
+        }
         for file in &report.files {
             output::text(format!("wrote {}", file.display()));
         }
@@ -79,6 +97,25 @@ pub fn golden_frame(prepared: &PreparedScene) -> Frame {
     });
     bar.finish_and_clear();
     frame
+}
+
+fn exact_lighting(framed: &FramedScene, frame: &Frame) -> Lighting {
+    let casts = |s: &FramedSource| s.shadows || s.cone.is_some();
+    if !framed.sources.iter().any(casts) {
+        return Lighting::full(frame);
+    }
+    let bar = output::progress(u64::from(framed.height), "exact shadows");
+    let lighting = exact::shadow::lighting(framed, || bar.inc(1));
+    bar.finish_and_clear();
+    lighting
+}
+
+/// What the golden volumes leave of the sources of a frame.
+pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
+    let bar = output::progress(u64::from(prepared.height), "shadow and light volumes");
+    let lighting = Lighting::of(frame, prepared, || bar.inc(1));
+    bar.finish_and_clear();
+    lighting
 }
 
 fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
@@ -122,10 +159,11 @@ fn beam_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Fra
 fn write(
     options: &Render,
     frame: &Frame,
+    lighting: &Lighting,
     framed: &FramedScene,
     prepared: &PreparedScene,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let rgb = shading::shade(frame, framed, &prepared.format);
+    let rgb = shading::shade(frame, lighting, framed, &prepared.format);
     let mut files = vec![options.output.clone()];
     picture::write_png(&options.output, frame.width, frame.height, &rgb).map_err(Failure::input)?;
     type Writer = fn(&std::path::Path, &Frame) -> Result<(), picture::WriteError>;

@@ -8,3 +8,5 @@ pub mod facet;
 pub mod ray;
 pub mod real;
 pub mod render;
+pub mod shadow;
+pub mod surd;

@@ -1,5 +1,6 @@
 //! Real numbers with one square root, compared exactly.
 
+use super::surd::Surd;
 use num_bigint::{BigInt, Sign};
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -34,6 +35,12 @@ impl SurdReal {
             (s, q)
         };
         SurdReal { p, s, q, d }
+    }
+
+    /// Numerator and positive denominator.
+    pub fn as_surd(&self) -> (Surd, BigInt) {
+        let numerator = Surd::new(self.p.clone(), BigInt::from(self.s), self.q.clone());
+        (numerator, self.d.clone())
     }
 
     /// Sign of the number.
@@ -89,7 +96,7 @@ fn order(sign: Sign) -> Ordering {
 }
 
 /// Sign of `a + s sqrt(b)`, b >= 0.
-fn sign_with_root(a: &BigInt, s: i32, b: &BigInt) -> Ordering {
+pub(super) fn sign_with_root(a: &BigInt, s: i32, b: &BigInt) -> Ordering {
     let root = if b.is_zero() { 0 } else { s };
     let rational = order(a.sign());
     match (rational, root) {

@@ -30,13 +30,13 @@ pub struct ExactPixel {
 }
 
 /// An object along the rays of a screen.
-enum Rays {
+pub(super) enum Rays {
     Cut(Box<RayObject>),
     Mesh(RayMesh),
 }
 
 impl Rays {
-    fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
+    pub(super) fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
         let (projection, width, height) = (&scene.projection, scene.width, scene.height);
         match (object, object.cut_quadric()) {
             (FramedObject::Mesh(mesh), _) => {
@@ -89,7 +89,7 @@ pub fn render(
 }
 
 /// The nearest hit; the smaller id where two are exactly equal.
-fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
+pub(super) fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
     let mut nearest: Option<(u32, Hit)> = None;
     for (id, object) in objects.iter().enumerate() {
         if let Some(hit) = object.first_hit(x, y)

@@ -3,5 +3,6 @@
 pub mod beam;
 pub mod decider;
 pub mod frame;
+pub mod lighting;
 pub mod raster;
 pub mod shading;

@@ -4,6 +4,7 @@
 //! are two-sided: the normal is turned towards the viewer.
 
 use super::frame::Frame;
+use super::lighting::Lighting;
 use crate::format::Format;
 use crate::rational::to_f64;
 use crate::scene::Material;
@@ -52,8 +53,8 @@ impl Projection {
     }
 }
 
-/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major.
-pub fn shade(frame: &Frame, scene: &FramedScene, format: &Format) -> Vec<u8> {
+/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds nothing there.
+pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &Format) -> Vec<u8> {
     let scale = scene.projection.full_depth() / format.z_max() as f64;
     let pixel = |index: usize| -> [u8; 3] {
         let Ok(id) = usize::try_from(frame.id[index]) else {
@@ -65,7 +66,9 @@ pub fn shade(frame: &Frame, scene: &FramedScene, format: &Format) -> Vec<u8> {
             .antecedent(centre, frame.depth[index] as f64 * scale);
         let material = &scene.materials[scene.objects[id].material()];
         let normal = frame.normal[index].map(f64::from);
-        colour(scene, material, point, normal).map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
+        let flags = lighting.flags[index];
+        colour(scene, material, point, normal, flags)
+            .map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
     };
     (0..frame.depth.len())
         .into_par_iter()
@@ -73,12 +76,21 @@ pub fn shade(frame: &Frame, scene: &FramedScene, format: &Format) -> Vec<u8> {
         .collect()
 }
 
-fn colour(scene: &FramedScene, material: &Material, point: Vector, normal: Vector) -> Vector {
+fn colour(
+    scene: &FramedScene,
+    material: &Material,
+    point: Vector,
+    normal: Vector,
+    flags: u16,
+) -> Vector {
     let viewer = scene.projection.towards_viewer(point);
     let normal = facing(unit(normal), viewer);
     let mut sum: Vector =
         std::array::from_fn(|k| material.ambient * scene.ambient[k] * material.colour[k]);
-    for light in &scene.lights {
+    for (source, light) in scene.lights.iter().enumerate() {
+        if flags >> source & 1 == 0 {
+            continue;
+        }
         let (direction, intensity) = light_at(light, point);
         let lambert = dot(normal, direction);
         if lambert <= 0.0 {

@@ -8,18 +8,19 @@ use crate::unit::interval::{Class, FACE_PLANE, halves};
 use crate::unit::merge::merge;
 use crate::unit::normal::select;
 use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use crate::unit::plane_depth::saturate;
 use crate::unit::root::fast_root;
 
 /// A first-degree accumulator at the current pixel; wraps at 64 bits, which keeps every narrower word exact.
 #[derive(Clone, Copy, Default)]
-struct Accumulator {
+pub(super) struct Accumulator {
     value: i64,
     step: i64,
 }
 
 impl Accumulator {
-    fn at(expression: &Linear, x: i64, y: i64) -> Accumulator {
+    pub(super) fn at(expression: &Linear, x: i64, y: i64) -> Accumulator {
         Accumulator {
             value: expression.wrapped_at(x, y, 64) as i64,
             step: expression.a as i64,
@@ -27,9 +28,25 @@ impl Accumulator {
     }
 
     #[inline(always)]
-    fn next(&mut self) -> i64 {
+    pub(super) fn next(&mut self) -> i64 {
         let value = self.value;
         self.value = value.wrapping_add(self.step);
+        value
+    }
+
+    /// A second-degree accumulator: its step grows at every pixel.
+    pub(super) fn quadratic_at(expression: &Quadratic, x: i64, y: i64) -> Accumulator {
+        let value = expression.wrapped_at(x, y, 64);
+        Accumulator {
+            value: value as i64,
+            step: expression.wrapped_at(x + 1, y, 64).wrapping_sub(value) as i64,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn next_of_second_degree(&mut self, second_difference: i64) -> i64 {
+        let value = self.next();
+        self.step = self.step.wrapping_add(second_difference);
         value
     }
 }
@@ -64,13 +81,7 @@ fn run<const N: usize>(
     let window = words.screen_box;
     let x0 = window.x0;
     let mut f1 = Accumulator::at(&words.f1, x0, y);
-    let mut f2 = Accumulator {
-        value: words.f2.wrapped_at(x0, y, 64) as i64,
-        step: (words
-            .f2
-            .wrapped_at(x0 + 1, y, 64)
-            .wrapping_sub(words.f2.wrapped_at(x0, y, 64))) as i64,
-    };
+    let mut f2 = Accumulator::quadratic_at(&words.f2, x0, y);
     let second_difference = words.f2.a.wrapping_mul(2) as i64;
     let mut g = words.normal.g.map(|g| Accumulator::at(&g, x0, y));
     let planes: [PlaneWords; N] =
@@ -80,8 +91,8 @@ fn run<const N: usize>(
     let seen_where_negative = words.class == Class::Front;
     let patch = words.class == Class::Patch;
     for x in x0..=window.x1 {
-        let radicand = format.drop_quadratic(wrap64(f2.next(), format.pe2_width()));
-        f2.step = f2.step.wrapping_add(second_difference);
+        let value = f2.next_of_second_degree(second_difference);
+        let radicand = format.drop_quadratic(wrap64(value, format.pe2_width()));
         let linear = format.drop_linear(wrap64(f1.next(), format.pe1_width()));
         let zp: [i64; N] =
             std::array::from_fn(|i| saturate(wrap64(depths[i].next(), format.plane), format));
@@ -123,7 +134,6 @@ mod tests {
     use crate::object::quadric::{QuadricProcessor, ScreenBox};
     use crate::unit::cut_plane::PlaneKind;
     use crate::unit::normal::NormalWords;
-    use crate::unit::pe2::Quadratic;
     use proptest::prelude::*;
 
     fn linear(range: i64) -> impl Strategy<Value = Linear> {

@@ -13,3 +13,4 @@ pub mod quadric;
 pub mod slot;
 pub mod sphere;
 pub mod volume;
+pub mod volume_line;

@@ -20,6 +20,8 @@ pub const QUADRIC_PLANES: usize = 4;
 pub const FACET_PLANES: usize = 4;
 /// Planes of the shadow of a polyhedron of six faces.
 pub const POLYHEDRON_PLANES: usize = 10;
+/// Greatest shift of a volume's quadric.
+pub const MAX_SHIFT: u8 = 8;
 /// Light sources that a pixel has flags for.
 pub const SOURCES: u8 = 16;
 
@@ -51,6 +53,9 @@ pub struct VolumeQuadric {
     pub f1: Linear,
     /// Discriminant part of the depth.
     pub f2: Quadratic,
+    /// The unit of both is `2^shift` depth words, at most [`MAX_SHIFT`]: a shadow that passes near the viewer has depths far beyond the
+    /// depth word.
+    pub shift: u8,
 }
 
 /// All coefficient words of a volume for one zone.
@@ -71,6 +76,27 @@ pub struct VolumeWords {
 }
 
 impl VolumeWords {
+    /// The words for a zone of the screen.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> VolumeWords {
+        VolumeWords {
+            screen_box: self.screen_box.in_zone(x0, y0, width, height),
+            quadric: self.quadric.map(|q| VolumeQuadric {
+                f1: q.f1.from_zone(x0, y0),
+                f2: q.f2.from_zone(x0, y0),
+                ..q
+            }),
+            planes: self
+                .planes
+                .iter()
+                .map(|p| VolumePlane {
+                    depth: p.depth.from_zone(x0, y0),
+                    ..*p
+                })
+                .collect(),
+            ..self.clone()
+        }
+    }
+
     /// The flags of the sources after this volume.
     ///
     /// Both kinds only take flags away, so neither the order of the volumes nor that of lights and shadows matters.
@@ -101,6 +127,7 @@ pub const fn polyhedral_latency() -> u32 {
 #[derive(Clone, Debug)]
 struct QuadricPart {
     class: Class,
+    shift: u8,
     core: QuadricPe,
 }
 
@@ -120,6 +147,7 @@ impl VolumeProcessor {
     pub fn zone_start(words: &VolumeWords, format: &Format) -> VolumeProcessor {
         let quadric = words.quadric.map(|q| QuadricPart {
             class: q.class,
+            shift: q.shift,
             core: QuadricPe::object_start(&q.f1, &q.f2, format),
         });
         let plane = |p: &VolumePlane| Pe1::object_start(&p.depth, format.plane);
@@ -163,7 +191,7 @@ impl VolumeProcessor {
 impl QuadricPart {
     fn holds(&mut self, point: Point, format: &Format) -> bool {
         let QuadricDepths { f2, near, far, .. } = self.core.pixel(format);
-        in_quadric(self.class, near, far, f2 < 0, point)
+        in_quadric(self.class, near, far, f2 < 0, point.coarse(self.shift))
     }
 }
 

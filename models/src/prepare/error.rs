@@ -116,4 +116,71 @@ pub enum PrepareError {
         /// Line of that pixel.
         y: i64,
     },
+    /// A source with shadows stands in a solid that casts one.
+    #[error(
+        "object '{object}': lights[{source_index}] is inside this solid (or the solid is endless towards it), which would leave all else in the dark; \
+         move the light, cut the solid, or give the object `casts_shadow = false`"
+    )]
+    SourceInside {
+        /// Name of the object.
+        object: String,
+        /// Index of the light.
+        source_index: usize,
+    },
+    /// The depth of a volume's quadric is no square root.
+    #[error(
+        "{volume}: the viewer lies exactly on its surface (or looks along an asymptotic direction of it), so its depth is no square root; \
+         move the light or the camera by any small amount"
+    )]
+    ViewerOnVolume {
+        /// The volume.
+        volume: String,
+    },
+    /// An accumulator of a volume would leave its width on the volume's screen box.
+    #[error(
+        "{volume}: too large for the format: {word} reaches 2^{log2:.1} on its screen box (columns {x0}..{x1}, lines {y0}..{y1}) \
+         and would need {needed} bits, the word has {available}; \
+         move the light or the camera, increase `viewer_distance` (perspective) or `half_depth` (orthographic), \
+         or leave the volume out (`shadows` of the light, `casts_shadow` of the object)"
+    )]
+    VolumeTooLarge {
+        /// The volume.
+        volume: String,
+        /// Which expression.
+        word: String,
+        /// log2 of the largest magnitude.
+        log2: f64,
+        /// Bits that would hold it.
+        needed: u32,
+        /// Bits that the format has.
+        available: u32,
+        /// First column of the box.
+        x0: i64,
+        /// Last column of the box.
+        x1: i64,
+        /// First line of the box.
+        y0: i64,
+        /// Last line of the box.
+        y1: i64,
+    },
+    /// A plane of a volume too steep for the plane word, and not provably a perpendicular one.
+    #[error(
+        "{volume}: its plane {plane} passes so nearly through the viewer that its depth needs {needed} bits (the plane word has {available}), \
+         and at pixel ({x}, {y}) it is not perpendicular to the screen either; \
+         move the light or the camera by a small amount, or leave the volume out (`casts_shadow = false`)"
+    )]
+    VolumeSteepPlane {
+        /// The volume.
+        volume: String,
+        /// Index of the plane, from 0.
+        plane: usize,
+        /// Bits that would hold its depth.
+        needed: u32,
+        /// Bits that the format has.
+        available: u32,
+        /// Column of a pixel where the two forms differ.
+        x: i64,
+        /// Line of that pixel.
+        y: i64,
+    },
 }

@@ -4,8 +4,10 @@ use crate::object::quadric::ScreenBox;
 use crate::rational::integer;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// `a x + b y + c` in exact rationals.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,12 +64,24 @@ impl LinearForm {
 
     /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
     pub fn about(&self, dx: &BigRational, dy: &BigRational) -> LinearForm {
-        LinearForm::new(self.a.clone(), self.b.clone(), self.at(dx, dy))
+        let ([a, b, c], d) = self.whole();
+        let ([x, y], e) = common([dx, dy]);
+        let moved = [&a * &e, &b * &e, a * x + b * y + c * &e];
+        LinearForm::of(unreduced(moved, &(d * e)))
     }
 
     /// All coefficients times `k`.
     pub fn scaled(&self, k: &BigRational) -> LinearForm {
-        LinearForm::new(&self.a * k, &self.b * k, &self.c * k)
+        let (n, d) = self.whole();
+        LinearForm::of(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
+    }
+
+    fn whole(&self) -> ([BigInt; 3], BigInt) {
+        common([&self.a, &self.b, &self.c])
+    }
+
+    fn of([a, b, c]: [BigRational; 3]) -> LinearForm {
+        LinearForm { a, b, c }
     }
 
     /// The expression that coefficient words stand for.
@@ -87,11 +101,13 @@ impl LinearForm {
 
     /// Largest magnitude over a box of pixels: a first-degree expression has it in a corner.
     pub fn max_abs_on(&self, window: &ScreenBox) -> BigRational {
-        corners(window)
+        let ([a, b, c], d) = self.whole();
+        let greatest = corners(window)
             .iter()
-            .map(|(x, y)| self.at(x, y).abs())
+            .map(|(x, y)| (&a * x + &b * y + &c).abs())
             .max()
-            .expect("four corners")
+            .expect("four corners");
+        BigRational::new(greatest, d)
     }
 }
 
@@ -121,27 +137,35 @@ impl QuadraticForm {
 
     /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
     pub fn about(&self, dx: &BigRational, dy: &BigRational) -> QuadraticForm {
-        let two = integer(2);
-        QuadraticForm {
-            a: self.a.clone(),
-            b: self.b.clone(),
-            c: self.c.clone(),
-            d: &two * &self.a * dx + &self.c * dy + &self.d,
-            e: &two * &self.b * dy + &self.c * dx + &self.e,
-            f: self.at(dx, dy),
-        }
+        let ([a, b, c, d, e, f], denominator) = self.whole();
+        let ([x, y], unit) = common([dx, dy]);
+        let square = &unit * &unit;
+        let along = &a * &x + &c * &y;
+        let down = &b * &y + &c * &x;
+        let constant = &along * &x + &b * &y * &y + (&d * &x + &e * &y) * &unit + &f * &square;
+        let moved = [
+            &a * &square,
+            &b * &square,
+            &c * &square,
+            (&a * &x + along + &d * &unit) * &unit,
+            (&b * &y + down + &e * &unit) * &unit,
+            constant,
+        ];
+        QuadraticForm::of(unreduced(moved, &(denominator * square)))
     }
 
     /// All coefficients times `k`.
     pub fn scaled(&self, k: &BigRational) -> QuadraticForm {
-        QuadraticForm {
-            a: &self.a * k,
-            b: &self.b * k,
-            c: &self.c * k,
-            d: &self.d * k,
-            e: &self.e * k,
-            f: &self.f * k,
-        }
+        let (n, d) = self.whole();
+        QuadraticForm::of(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
+    }
+
+    fn whole(&self) -> ([BigInt; 6], BigInt) {
+        common([&self.a, &self.b, &self.c, &self.d, &self.e, &self.f])
+    }
+
+    pub(super) fn of([a, b, c, d, e, f]: [BigRational; 6]) -> QuadraticForm {
+        QuadraticForm { a, b, c, d, e, f }
     }
 
     /// The same expression in coordinates (u, v) with `x = u column(u) + v column(v) + origin`, where each column and the origin are pairs (x, y).
@@ -213,14 +237,13 @@ impl QuadraticForm {
 
     /// The difference of two expressions.
     pub fn minus(&self, other: &QuadraticForm) -> QuadraticForm {
-        QuadraticForm {
-            a: &self.a - &other.a,
-            b: &self.b - &other.b,
-            c: &self.c - &other.c,
-            d: &self.d - &other.d,
-            e: &self.e - &other.e,
-            f: &self.f - &other.f,
-        }
+        let ((n, d), (m, e)) = (self.whole(), other.whole());
+        let mut pairs = n.into_iter().zip(m);
+        let difference = std::array::from_fn(|_| {
+            let (n, m) = pairs.next().expect("six coefficients");
+            n * &e - m * &d
+        });
+        QuadraticForm::of(unreduced(difference, &(&d * &e)))
     }
 
     /// Largest magnitude over the rectangle of a box of pixels.
@@ -231,7 +254,35 @@ impl QuadraticForm {
 
     /// Least and greatest value over the rectangle of a box of pixels.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
-        self.range_between(&[window.x0, window.x1, window.y0, window.y1].map(integer))
+        let ([a, b, c, d, e, f], denominator) = self.whole();
+        let whole = |value: BigInt| BigRational::from_integer(value);
+        let mut values: Vec<BigRational> = corners(window)
+            .iter()
+            .map(|&(x, y)| whole((&a * x + &c * y + &d) * x + (&b * y + &e) * y + &f))
+            .collect();
+        for y in [window.y0, window.y1] {
+            let (linear, constant) = (&c * y + &d, (&b * y + &e) * y + &f);
+            values.extend(vertex(&a, &linear, &constant, window.x0, window.x1));
+        }
+        for x in [window.x0, window.x1] {
+            let (linear, constant) = (&c * x + &e, (&a * x + &d) * x + &f);
+            values.extend(vertex(&b, &linear, &constant, window.y0, window.y1));
+        }
+        let determinant: BigInt = &a * &b * 4 - &c * &c;
+        if !determinant.is_zero() {
+            let x: BigInt = &c * &e - &b * &d * 2;
+            let y: BigInt = &c * &d - &a * &e * 2;
+            let inside = is_between(&x, &determinant, window.x0, window.x1)
+                && is_between(&y, &determinant, window.y0, window.y1);
+            if inside {
+                let value = &f * &determinant * 2 + &d * x + &e * y;
+                values.push(quotient(value, &determinant * 2));
+            }
+        }
+        let unit = BigRational::new_raw(BigInt::one(), denominator);
+        let least = values.iter().min().expect("corners are inside") * &unit;
+        let greatest = values.iter().max().expect("corners are inside") * &unit;
+        (least, greatest)
     }
 
     /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`: they lie in a corner, on an edge where the derivative
@@ -273,17 +324,61 @@ impl QuadraticForm {
     }
 }
 
+/// Value of `a t^2 + b t + c` where it has no slope, if that is within the bounds.
+fn vertex(a: &BigInt, b: &BigInt, c: &BigInt, low: i64, high: i64) -> Option<BigRational> {
+    let double: BigInt = a * 2;
+    let met = !double.is_zero() && is_between(&-b, &double, low, high);
+    met.then(|| quotient(&double * c * 2 - b * b, double * 2))
+}
+
+/// Is `n / d` between the bounds.
+fn is_between(n: &BigInt, d: &BigInt, low: i64, high: i64) -> bool {
+    let (n, d) = if d.is_negative() {
+        (-n, -d)
+    } else {
+        (n.clone(), d.clone())
+    };
+    &d * low <= n && n <= d * high
+}
+
+/// Not reduced: reducing is what takes the time.
+fn quotient(n: BigInt, d: BigInt) -> BigRational {
+    if d.is_negative() {
+        BigRational::new_raw(-n, -d)
+    } else {
+        BigRational::new_raw(n, d)
+    }
+}
+
+/// Numerators over one common denominator. Forms keep their coefficients so, unreduced: a greatest common divisor of numbers of a thousand bits
+/// takes longer than everything else that is done with them.
+pub(super) fn common<const N: usize>(values: [&BigRational; N]) -> ([BigInt; N], BigInt) {
+    let first = values[0].denom();
+    if values.iter().all(|v| v.denom() == first) {
+        return (values.map(|v| v.numer().clone()), first.clone());
+    }
+    let denominator = values
+        .iter()
+        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
+    let whole = values.map(|v| v.numer() * (&denominator / v.denom()));
+    (whole, denominator)
+}
+
+/// The quotients as they are.
+pub(super) fn unreduced<const N: usize>(n: [BigInt; N], d: &BigInt) -> [BigRational; N] {
+    n.map(|v| BigRational::new_raw(v, d.clone()))
+}
+
 fn whole(value: i128) -> BigRational {
     BigRational::from_integer(value.into())
 }
 
-fn corners(window: &ScreenBox) -> [(BigRational, BigRational); 4] {
-    let at = |x: i64, y: i64| (integer(x), integer(y));
+fn corners(window: &ScreenBox) -> [(i64, i64); 4] {
     [
-        at(window.x0, window.y0),
-        at(window.x1, window.y0),
-        at(window.x0, window.y1),
-        at(window.x1, window.y1),
+        (window.x0, window.y0),
+        (window.x1, window.y0),
+        (window.x0, window.y1),
+        (window.x1, window.y1),
     ]
 }
 

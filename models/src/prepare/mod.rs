@@ -5,6 +5,7 @@
 
 mod curved_facet;
 pub mod error;
+pub mod extent;
 mod first_generation;
 pub mod forms;
 mod ledger;
@@ -17,6 +18,7 @@ mod polyhedron;
 mod round;
 pub mod rounding;
 pub mod screen_box;
+pub mod volume;
 
 use crate::format::Format;
 use crate::object::quadric::{QuadricWords, ScreenBox};
@@ -33,6 +35,7 @@ pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
 use serde::Serialize;
+use volume::{PreparedVolume, prepare_volumes};
 
 /// A scene as a machine of a format is loaded with it.
 #[derive(Clone, Debug)]
@@ -47,6 +50,8 @@ pub struct PreparedScene {
     pub depth_scale: BigRational,
     /// The objects in the order of the scene; the index is the id.
     pub objects: Vec<PreparedObject>,
+    /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
+    pub volumes: Vec<PreparedVolume>,
 }
 
 impl PreparedScene {
@@ -145,6 +150,7 @@ pub struct Options {
 }
 
 /// What all objects of a scene share.
+#[derive(Clone)]
 struct Context {
     format: Format,
     width: u32,
@@ -248,6 +254,21 @@ pub fn prepare_with(
     format: Format,
     options: Options,
 ) -> Result<PreparedScene, PrepareError> {
+    prepare_reporting(scene, format, options, &|| ())
+}
+
+/// Steps of a preparation, for a bar of its progress.
+pub fn steps(scene: &FramedScene) -> u64 {
+    (scene.objects.len() + volume::pairs(scene).len()) as u64
+}
+
+/// Prepares a scene; `done` is called about once for each of [`steps`], from any thread.
+pub fn prepare_reporting(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+    done: &(impl Fn() + Sync),
+) -> Result<PreparedScene, PrepareError> {
     let full_depth = perspective::full_depth(&scene.projection);
     let context = Context {
         format,
@@ -263,13 +284,20 @@ pub fn prepare_with(
     let objects: Vec<Result<PreparedObject, PrepareError>> = scene
         .objects
         .par_iter()
-        .map(|object| prepare_object(object, &context))
+        .map(|object| {
+            let prepared = prepare_object(object, &context);
+            done();
+            prepared
+        })
         .collect();
+    let mut objects: Vec<PreparedObject> = objects.into_iter().collect::<Result<_, _>>()?;
+    let volumes = prepare_volumes(scene, &mut objects, &context, done)?;
     Ok(PreparedScene {
         format,
         width: scene.width,
         height: scene.height,
         depth_scale: context.depth_scale,
-        objects: objects.into_iter().collect::<Result<_, _>>()?,
+        objects,
+        volumes,
     })
 }

@@ -1,6 +1,7 @@
 //! One object: classification, expressions, scales, rounding and proofs, in the order of the source's preparation module (Fig B.4).
 
 use super::error::PrepareError;
+use super::extent::Extent;
 use super::forms::{LinearForm, QuadraticForm};
 use super::perspective::{ScreenQuadric, project_plane};
 use super::planes::{prepare_plane, signed_bits};
@@ -31,7 +32,7 @@ pub(super) fn prepare_quadric(
         .collect();
     let class = classify(object, &quadric, &planes, context)?;
     let region = Region::new(&quadric.q, &planes, object.surface);
-    let window = region.screen_box(context.width, context.height, to_f64(&context.full_depth));
+    let window = window_of(&quadric, &region, &planes, context);
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
         return unseen(object, class, edge_on, context);
@@ -40,7 +41,11 @@ pub(super) fn prepare_quadric(
         .options
         .anchor
         .unwrap_or_else(|| Anchor::middle_of(&window));
-    let mut prepared = quadric_words(object, &quadric, class, &window, anchor, context)?;
+    let (mut prepared, root_max) =
+        depth_words(&object.name, &quadric, class, &window, anchor, context)?;
+    if class != Class::Prism {
+        normal_words(&mut prepared, &quadric, &root_max, anchor, context);
+    }
     for (index, (original, projected)) in object.planes.iter().zip(&planes).enumerate() {
         let anchor = match (&object.corners, context.options.anchor) {
             (Some(corners), None) => face_anchor(corners, index, context),
@@ -96,6 +101,22 @@ fn face_anchor(corners: &[[BigRational; 3]; 4], face: usize, context: &Context) 
         x: on_screen(x - x0, context.width),
         y: on_screen(y - y0, context.height),
     }
+}
+
+/// The screen box: of an uncut closed quadric from its tangent planes, else by search.
+fn window_of(
+    quadric: &ScreenQuadric,
+    region: &Region,
+    planes: &[Plane],
+    context: &Context,
+) -> ScreenBox {
+    let depth = to_f64(&context.full_depth);
+    let (width, height) = (context.width, context.height);
+    let tangent = planes
+        .is_empty()
+        .then(|| Extent::of(&quadric.q)?.screen_box(width, height, depth))
+        .flatten();
+    tangent.unwrap_or_else(|| region.screen_box(width, height, depth))
 }
 
 fn classify(
@@ -192,21 +213,21 @@ fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Conte
     region.existence(cell, 1e-3 * distance) == Existence::Empty
 }
 
-/// The words of the quadric itself, without planes.
-fn quadric_words(
-    object: &FramedQuadric,
+/// The words of the quadric itself, without planes and normals, and its greatest root.
+pub(super) fn depth_words(
+    name: &str,
     quadric: &ScreenQuadric,
     class: Class,
     window: &ScreenBox,
     anchor: Anchor,
     context: &Context,
-) -> Result<PreparedQuadric, PrepareError> {
+) -> Result<(PreparedQuadric, BigInt), PrepareError> {
     let scale = &context.depth_scale;
     let refusal = |word: &str, magnitude: &BigRational, available: u32| {
-        too_large(&object.name, word, magnitude, available, window)
+        too_large(name, word, magnitude, available, window)
     };
     let mut prepared = PreparedQuadric {
-        name: object.name.clone(),
+        name: name.to_string(),
         words: empty_words(class, *window),
         exact: ExactForms {
             f1: LinearForm::zero(),
@@ -239,10 +260,7 @@ fn quadric_words(
     round(&mut prepared, anchor, &context.format)
         .map_err(|(word, value, bits)| refusal(word, &value, bits))?;
     let root_max = prove_widths(&mut prepared, &refusal, context)?;
-    if class != Class::Prism {
-        normal_words(&mut prepared, quadric, &root_max, anchor, context);
-    }
-    Ok(prepared)
+    Ok((prepared, root_max))
 }
 
 /// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with the word, the value and

@@ -59,6 +59,15 @@ impl PreparedObject {
         }
     }
 
+    /// Adds what a person should know.
+    pub(super) fn add_note(&mut self, note: &str) {
+        let notes = match self {
+            Self::Quadric(object) | Self::Patch(object) => &mut object.notes,
+            Self::Parts(parts) => &mut parts.notes,
+        };
+        notes.push(note.to_owned());
+    }
+
     /// Where the object can be on the screen.
     pub fn screen_box(&self) -> &ScreenBox {
         match self {

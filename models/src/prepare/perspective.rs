@@ -1,9 +1,10 @@
 //! From a quadric or a plane in the camera frame to its expressions on the screen (source: 2.1.1, 2.3.1; factors of Exp. 7 and
 //! root order corrected).
 
-use super::forms::{LinearForm, QuadraticForm};
+use super::forms::{LinearForm, QuadraticForm, common, unreduced};
 use crate::rational::integer;
 use crate::scene::{Plane, Projection, Quadric};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -42,17 +43,26 @@ pub fn project_plane(plane: &Plane, inverse_distance: &BigRational) -> Plane {
 impl ScreenQuadric {
     /// Transforms a quadric of the camera frame.
     pub fn new(quadric: &Quadric, inverse_distance: &BigRational) -> ScreenQuadric {
-        let (o, k) = (quadric, inverse_distance);
-        let q = Quadric {
-            e: &o.e - &o.g * k,
-            f: &o.f - &o.h * k,
-            i: &o.i - &o.j * k,
-            c: &o.c - integer(2) * &o.i * k + &o.j * k * k,
-            ..o.clone()
-        };
+        // e - g k, f - h k, i - j k and c - 2 i k + j k^2 for k = n / m, all over one denominator.
+        let ([a, b, c, d, e, f, g, h, i, j], unit) = common(quadric.coefficients());
+        let (n, m) = (inverse_distance.numer(), inverse_distance.denom());
+        let square = m * m;
+        let less = |value: &BigInt, part: &BigInt| (value * m - part * n) * m;
+        let whole = [
+            &a * &square,
+            &b * &square,
+            (&c * m - &i * n * 2) * m + &j * n * n,
+            &d * &square,
+            less(&e, &g),
+            less(&f, &h),
+            &g * &square,
+            &h * &square,
+            less(&i, &j),
+            &j * &square,
+        ];
         ScreenQuadric {
-            q,
-            inverse_distance: k.clone(),
+            q: Quadric::from_array(unreduced(whole, &(unit * square))),
+            inverse_distance: inverse_distance.clone(),
         }
     }
 
@@ -91,16 +101,18 @@ impl ScreenQuadric {
 
     /// f2: the depths are f1 -+ sqrt(f2). The factor of z^2 must not be zero.
     pub fn f2(&self) -> QuadraticForm {
-        let (q, two) = (&self.q, integer(2));
-        QuadraticForm {
-            a: &q.e * &q.e - &q.a * &q.c,
-            b: &q.f * &q.f - &q.b * &q.c,
-            c: &two * (&q.e * &q.f - &q.d * &q.c),
-            d: &two * (&q.e * &q.i - &q.g * &q.c),
-            e: &two * (&q.f * &q.i - &q.h * &q.c),
-            f: &q.i * &q.i - &q.j * &q.c,
-        }
-        .scaled(&(&q.c * &q.c).recip())
+        // The common denominator of the coefficients cancels against that of the square below.
+        let ([a, b, c, d, e, f, g, h, i, j], _) = common(self.q.coefficients());
+        let square = &c * &c;
+        let factors: [BigInt; 6] = [
+            &e * &e - &a * &c,
+            &f * &f - &b * &c,
+            (&e * &f - &d * &c) * 2,
+            (&e * &i - &g * &c) * 2,
+            (&f * &i - &h * &c) * 2,
+            &i * &i - &j * &c,
+        ];
+        QuadraticForm::of(unreduced(factors, &square))
     }
 
     /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the positive (D - z_p)/D.

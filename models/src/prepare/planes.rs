@@ -7,7 +7,7 @@ use super::screen_box::Region;
 use super::{Context, integer_scale};
 use crate::format::word_max;
 use crate::object::quadric::{PlaneWords, ScreenBox};
-use crate::rational::{floor, from_f64_exact, integer, round_half_up, to_f64_up};
+use crate::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
 use crate::scene::Plane;
 use crate::unit::cut_plane::PlaneKind;
 use num_bigint::BigInt;
@@ -39,6 +39,33 @@ pub(super) fn prepare_plane(
     original: &Plane,
     projected: &Plane,
     (region, window, anchor): (&Region, &ScreenBox, Anchor),
+    context: &Context,
+) -> Result<PreparedPlane, PrepareError> {
+    let depths = || {
+        let full = to_f64(&context.full_depth);
+        region
+            .depth_range(context.width, context.height, full)
+            .unwrap_or((-full, full))
+    };
+    prepare_plane_between(
+        object,
+        index,
+        original,
+        projected,
+        depths,
+        (window, anchor),
+        context,
+    )
+}
+
+/// The same where the plane has to decide between two depths (pixels), which are asked for only if the plane is steep.
+pub(super) fn prepare_plane_between(
+    object: &str,
+    index: usize,
+    original: &Plane,
+    projected: &Plane,
+    depths: impl FnOnce() -> (f64, f64),
+    (window, anchor): (&ScreenBox, Anchor),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
     let normal = constant_normal(original);
@@ -80,8 +107,8 @@ pub(super) fn prepare_plane(
         x,
         y,
     };
-    let form =
-        perpendicular_if_proven(&value, &projected.c, region, window, context).map_err(refusal)?;
+    let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
+        .map_err(refusal)?;
     Ok(perpendicular(form, normal, anchor, window, context, true))
 }
 
@@ -140,14 +167,11 @@ fn perpendicular(
 fn perpendicular_if_proven(
     value: &LinearForm,
     gamma: &BigRational,
-    region: &Region,
+    (near, far): (f64, f64),
     window: &ScreenBox,
     context: &Context,
 ) -> Result<LinearForm, (i64, i64)> {
-    let full = crate::rational::to_f64(&context.full_depth);
-    let (near, far) = region
-        .depth_range(context.width, context.height, full)
-        .unwrap_or((-full, full));
+    let full = to_f64(&context.full_depth);
     let middle = from_f64_exact(0.5 * (near + far));
     let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
     let form = LinearForm::new(value.a.clone(), value.b.clone(), &value.c - gamma * middle);

@@ -3,6 +3,7 @@
 //! A box is a correctness matter, not only a saving: outside it f2 may wrap. It is conservative (interval bounds with a margin for
 //! floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it runs out the box is only larger.
 
+use super::forms::{common, unreduced};
 use crate::object::quadric::ScreenBox;
 use crate::rational::to_f64;
 use crate::scene::{Plane, Quadric, Surface};
@@ -11,10 +12,28 @@ use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Cells no larger than this (pixels) are not split any more.
-const RESOLUTION: f64 = 0.2;
-/// Cells examined per side of the box before the search settles for a larger box.
-const NODE_BUDGET: usize = 20_000;
+/// How far a search goes before it settles for a larger box.
+#[derive(Clone, Copy, Debug)]
+pub struct Search {
+    /// Cells no larger than this (pixels) are not split any more.
+    pub resolution: f64,
+    /// Cells examined per side of the box.
+    pub budget: usize,
+}
+
+impl Search {
+    /// Tight to a fraction of a pixel: objects, whose boxes the hardware scans.
+    pub const FINE: Search = Search {
+        resolution: 0.2,
+        budget: 20_000,
+    };
+    /// Tight to some pixels, in a fraction of the time: volumes, of which there are many.
+    pub const COARSE: Search = Search {
+        resolution: 2.0,
+        budget: 400,
+    };
+}
+
 /// Relative margin for the rounding of the interval evaluation.
 const MARGIN: f64 = 1e-11;
 
@@ -124,7 +143,7 @@ impl Region {
     /// Searches the cell for a point of the region, down to cells of `resolution`.
     pub fn existence(&self, cell: Cell, resolution: f64) -> Existence {
         let mut open = vec![cell];
-        for _ in 0..NODE_BUDGET {
+        for _ in 0..Search::FINE.budget {
             let Some(cell) = open.pop() else {
                 return Existence::Empty;
             };
@@ -139,19 +158,19 @@ impl Region {
     }
 
     /// The least value of `direction * coordinate[axis]` at which the region can be met, or nothing if it is empty.
-    fn extreme(&self, domain: Cell, axis: usize, direction: f64) -> Option<f64> {
+    fn extreme(&self, domain: Cell, axis: usize, direction: f64, search: Search) -> Option<f64> {
         let key = |cell: &Cell| direction * cell.centre[axis] - cell.half[axis];
         let mut open = BinaryHeap::new();
         open.push(Entry {
             key: key(&domain),
             cell: domain,
         });
-        for _ in 0..NODE_BUDGET {
+        for _ in 0..search.budget {
             let Entry { key: bound, cell } = open.pop()?;
             if !self.may_meet(&cell) {
                 continue;
             }
-            if cell.half.iter().all(|&h| 2.0 * h <= RESOLUTION) {
+            if cell.half.iter().all(|&h| 2.0 * h <= search.resolution) {
                 return Some(bound);
             }
             for half in cell.halves() {
@@ -167,19 +186,28 @@ impl Region {
 
     /// Least and greatest depth within `-depth .. depth` at which the region can be met on the screen, if it can be met at all.
     pub fn depth_range(&self, width: u32, height: u32, depth: f64) -> Option<(f64, f64)> {
-        let domain = screen_domain(width, height, depth);
-        let nearest = self.extreme(domain, 2, 1.0)?;
-        let farthest = self.extreme(domain, 2, -1.0)?;
+        self.depth_range_within(screen_domain(width, height, depth), Search::FINE)
+    }
+
+    /// Least and greatest depth at which the region can be met in the domain, if it can be met at all.
+    pub fn depth_range_within(&self, domain: Cell, search: Search) -> Option<(f64, f64)> {
+        let nearest = self.extreme(domain, 2, 1.0, search)?;
+        let farthest = self.extreme(domain, 2, -1.0, search)?;
         Some((nearest, -farthest))
     }
 
     /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for a depth within
     /// `-depth .. depth`, on a screen of `width` x `height` pixels.
     pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> ScreenBox {
+        let domain = screen_domain(width, height, depth);
+        self.box_within(domain, width, height, Search::FINE)
+    }
+
+    /// The box of the pixels at which the region can be met in the domain, a part of that screen's.
+    pub fn box_within(&self, domain: Cell, width: u32, height: u32, search: Search) -> ScreenBox {
         let (w, h) = (f64::from(width), f64::from(height));
         let (left, top) = (-0.5 * w, -0.5 * h);
-        let domain = screen_domain(width, height, depth);
-        let side = |axis, direction| self.extreme(domain, axis, direction);
+        let side = |axis, direction| self.extreme(domain, axis, direction, search);
         let Some(x_low) = side(0, 1.0) else {
             return ScreenBox::EMPTY;
         };
@@ -206,7 +234,7 @@ impl Region {
 }
 
 /// All pixel centres of the screen, within the depth range.
-fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
+pub fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
     let (w, h) = (f64::from(width), f64::from(height));
     Cell::between(
         [-0.5 * w, -0.5 * h, -depth],
@@ -216,7 +244,8 @@ fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
 
 /// The coefficients divided by the greatest magnitude, so that large exact numbers become moderate floats.
 fn normalised<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
-    let greatest = coefficients
+    let (whole, _) = common(coefficients);
+    let greatest = whole
         .iter()
         .map(|c| c.abs())
         .max()
@@ -224,7 +253,7 @@ fn normalised<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
     if greatest.is_zero() {
         return [0.0; N];
     }
-    coefficients.map(|c| to_f64(&(c / &greatest)))
+    unreduced(whole, &greatest).map(|c| to_f64(&c))
 }
 
 fn plane_low(plane: &[f64; 4], cell: &Cell) -> f64 {

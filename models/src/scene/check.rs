@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::check_kind::check_kind;
 use super::error::SceneError;
 use super::file::{
-    Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
+    Aim, Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
 };
 use super::transform::{cross, dot, normalised};
 
@@ -21,6 +21,11 @@ pub const MAX_MAGNITUDE: f64 = 1e12;
 pub const MAX_SPECULAR_EXPONENT: u32 = 200;
 /// Largest factor of a light's colour.
 pub const MAX_INTENSITY: f64 = 10.0;
+
+/// Smallest angle between the axis of a spot and its cone, in degrees.
+pub const SMALLEST_HALF_ANGLE: f64 = 0.1;
+/// Largest angle between the axis of a spot and its cone, in degrees; at 90 the cone is a plane.
+pub const LARGEST_HALF_ANGLE: f64 = 89.0;
 
 /// Sine of the angle under which `up` counts as parallel to the viewing direction.
 const PARALLEL: f64 = 1e-9;
@@ -184,6 +189,7 @@ fn check_light(place: &str, light: &Light) -> Checked {
             from,
             colour,
             intensity,
+            ..
         } => {
             check_direction(&format!("{place}.from"), *from)?;
             (colour, intensity)
@@ -192,13 +198,59 @@ fn check_light(place: &str, light: &Light) -> Checked {
             position,
             colour,
             intensity,
+            ..
         } => {
             check_numbers(&format!("{place}.position"), position)?;
+            (colour, intensity)
+        }
+        Light::Spot {
+            position,
+            aim,
+            half_angle,
+            colour,
+            intensity,
+            ..
+        } => {
+            check_numbers(&format!("{place}.position"), position)?;
+            check_aim(place, *position, *aim)?;
+            check_half_angle(&format!("{place}.half_angle"), *half_angle)?;
             (colour, intensity)
         }
     };
     check_colour(&format!("{place}.colour"), *colour)?;
     check_range(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
+}
+
+fn check_aim(place: &str, position: [f64; 3], aim: Aim) -> Checked {
+    match aim {
+        Aim::Towards(direction) => check_direction(&format!("{place}.towards"), direction),
+        Aim::Target(target) => {
+            let key = format!("{place}.target");
+            check_numbers(&key, &target)?;
+            if target == position {
+                return Err(SceneError::value(
+                    key,
+                    format!("{target:?} is the position of the spot itself, so it has no axis"),
+                    "a point away from `position` is needed",
+                ));
+            }
+            Ok(())
+        }
+    }
+}
+
+fn check_half_angle(key: &str, degrees: f64) -> Checked {
+    check_number(key, degrees)?;
+    if !(SMALLEST_HALF_ANGLE..=LARGEST_HALF_ANGLE).contains(&degrees) {
+        return Err(SceneError::value(
+            key,
+            format!("{degrees} degrees is out of range"),
+            format!(
+                "an angle between axis and cone from {SMALLEST_HALF_ANGLE} to {LARGEST_HALF_ANGLE} degrees is possible"
+            ),
+        ));
+    }
+    Ok(())
 }
 
 fn check_material(place: &str, material: &Material) -> Checked {

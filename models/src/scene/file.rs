@@ -105,6 +105,8 @@ pub enum Light {
         colour: [f64; 3],
         /// Factor of the colour.
         intensity: f64,
+        /// Whether objects in its way keep its light off others.
+        shadows: bool,
     },
     /// Light from one point, without attenuation.
     Point {
@@ -114,7 +116,33 @@ pub enum Light {
         colour: [f64; 3],
         /// Factor of the colour.
         intensity: f64,
+        /// Whether objects in its way keep its light off others.
+        shadows: bool,
     },
+    /// Light from one point into a cone, without attenuation.
+    Spot {
+        /// Where the source stands: the apex of the cone.
+        position: [f64; 3],
+        /// The axis of the cone.
+        aim: Aim,
+        /// Angle in degrees between the axis and the cone.
+        half_angle: f64,
+        /// 0 to 1 for each of red, green, blue.
+        colour: [f64; 3],
+        /// Factor of the colour.
+        intensity: f64,
+        /// Whether objects in its way keep its light off others.
+        shadows: bool,
+    },
+}
+
+/// What a spot is directed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Aim {
+    /// A point on the axis.
+    Target([f64; 3]),
+    /// The direction of the axis.
+    Towards([f64; 3]),
 }
 
 /// What a surface does with light: `I = ambient I_a + sum of I_p (diffuse cos + specular cos^exponent)` (thesis section 1.2.4).
@@ -198,6 +226,8 @@ pub struct Object {
     pub place: Vec<Step>,
     /// Planes that remove a part, in local coordinates.
     pub cuts: Vec<Cut>,
+    /// Whether it keeps the light of sources with shadows off others.
+    pub casts_shadow: bool,
 }
 
 impl Object {

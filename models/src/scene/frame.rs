@@ -11,6 +11,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
+use rayon::prelude::*;
 
 use super::check::check_image_size;
 use super::error::SceneError;
@@ -18,8 +19,9 @@ use super::file::{Camera, Cut, Light, Material, Object, Processor, SceneFile, Sh
 use super::framed::{FramedObject, FramedQuadric};
 use super::mesh::FramedMesh;
 use super::round::{FramedCylinder, FramedSphere};
+use super::source::FramedSource;
 use super::tetrahedron::implicit;
-use super::transform::{Transform, cross, normalised, product};
+use super::transform::{Transform, cross, normalised};
 use crate::rational::{from_decimal, integer, to_f64};
 
 /// A scene prepared for one picture size.
@@ -39,6 +41,8 @@ pub struct FramedScene {
     pub materials: Vec<Material>,
     /// Light sources in the order of the file.
     pub lights: Vec<FramedLight>,
+    /// The same sources for shadows: exactly where they stand, and what they reach.
+    pub sources: Vec<FramedSource>,
     /// Ambient light, 0 to 1 for each of red, green, blue.
     pub ambient: [f64; 3],
     /// Colour of a pixel without object, 8 bits for each of red, green, blue.
@@ -139,6 +143,11 @@ impl SceneFile {
                 .iter()
                 .map(|light| framed_light(light, &camera))
                 .collect(),
+            sources: self
+                .lights
+                .iter()
+                .map(|light| FramedSource::new(light, &camera))
+                .collect(),
             ambient: self.ambient,
             background: self.background.map(|value| (value * 255.0).round() as u8),
         })
@@ -146,7 +155,7 @@ impl SceneFile {
 
     fn framed_objects(&self, camera: &Transform) -> Result<Vec<FramedObject>, SceneError> {
         self.objects
-            .iter()
+            .par_iter()
             .map(|object| {
                 let material = self
                     .materials
@@ -163,6 +172,11 @@ impl Quadric {
     /// The quadric that is nowhere positive: all of space.
     pub fn everywhere() -> Self {
         Self::from_array(std::array::from_fn(|_| BigRational::zero()))
+    }
+
+    /// It is zero everywhere, so that it bounds nothing.
+    pub fn is_everywhere(&self) -> bool {
+        self.coefficients().iter().all(|value| value.is_zero())
     }
 
     /// The quadric of a shape, in its local coordinates; [`Quadric::everywhere`] for a polyhedron, which has none, and nothing for a mesh.
@@ -235,11 +249,34 @@ impl Quadric {
     /// `cof(M) Q cof(M)^T` is the exact image times det(M)^2, a positive factor that changes neither surface nor inside. The
     /// source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
-        let cofactors = transform.cofactors();
-        let transposed =
-            std::array::from_fn(|row| std::array::from_fn(|column| cofactors[column][row].clone()));
-        let m = product(&product(&cofactors, &self.matrix()), &transposed);
-        Self::from_matrix(m)
+        let (cofactors, unit) = transform.whole_cofactors();
+        let [a, b, c, d, e, f, g, h, i, j] = self.coefficients();
+        let denominator = [a, b, c, d, e, f, g, h, i, j]
+            .iter()
+            .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
+        let matrix = self
+            .matrix()
+            .map(|row| row.map(|value| value.numer() * (&denominator / value.denom())));
+        // Whole numbers are multiplied and divided once: reducing fractions on the way would take most of the time.
+        let entry = |row: usize, column: usize| {
+            let sum: BigInt = (0..16)
+                .map(|k| &cofactors[row][k / 4] * &matrix[k / 4][k % 4] * &cofactors[column][k % 4])
+                .sum();
+            BigRational::new_raw(sum, &unit * &unit * &denominator)
+        };
+        let order = [
+            (0, 0),
+            (1, 1),
+            (2, 2),
+            (0, 1),
+            (0, 2),
+            (1, 2),
+            (0, 3),
+            (1, 3),
+            (2, 3),
+            (3, 3),
+        ];
+        Self::from_array(order.map(|(row, column)| entry(row, column)))
     }
 
     /// The quadric of a symmetric matrix.
@@ -256,7 +293,8 @@ impl Quadric {
         ]
     }
 
-    fn matrix(&self) -> [[BigRational; 4]; 4] {
+    /// The symmetric matrix of Q.
+    pub fn matrix(&self) -> [[BigRational; 4]; 4] {
         let Self {
             a,
             b,
@@ -273,7 +311,8 @@ impl Quadric {
             .map(|row| row.map(BigRational::clone))
     }
 
-    pub(super) fn primitive(self) -> Self {
+    /// The positive multiple with whole coefficients without common divisor.
+    pub fn primitive(self) -> Self {
         Self::from_array(primitive(self.coefficients().map(BigRational::clone)))
     }
 
@@ -293,7 +332,8 @@ impl Quadric {
         }
     }
 
-    fn from_array([a, b, c, d, e, f, g, h, i, j]: [BigRational; 10]) -> Self {
+    /// The quadric of the coefficients a to j.
+    pub fn from_array([a, b, c, d, e, f, g, h, i, j]: [BigRational; 10]) -> Self {
         Self {
             a,
             b,
@@ -342,7 +382,8 @@ impl Plane {
         [&self.a, &self.b, &self.c, &self.d]
     }
 
-    pub(super) fn primitive(self) -> Self {
+    /// The positive multiple with whole coefficients without common divisor.
+    pub fn primitive(self) -> Self {
         let [a, b, c, d] = primitive(self.coefficients().map(BigRational::clone));
         Self { a, b, c, d }
     }
@@ -466,6 +507,7 @@ fn cut_quadric(object: &Object, material: usize, to_camera: &Transform) -> Frame
             .collect(),
         corners,
         material,
+        casts_shadow: object.casts_shadow,
     }
 }
 
@@ -497,6 +539,7 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             from,
             colour,
             intensity,
+            ..
         } => FramedLight::Directional {
             towards: normalised(
                 camera
@@ -509,6 +552,14 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             position,
             colour,
             intensity,
+            ..
+        }
+        // Within its cone a spot is a point; the cone is a volume.
+        | Light::Spot {
+            position,
+            colour,
+            intensity,
+            ..
         } => FramedLight::Point {
             position: camera
                 .point(&position.map(from_decimal))
@@ -532,10 +583,10 @@ fn primitive<const N: usize>(values: [BigRational; N]) -> [BigRational; N] {
     let denominator = values
         .iter()
         .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
-    let numerators = values.map(|value| (value * &denominator).to_integer());
-    let divisor = numerators
-        .iter()
-        .fold(BigInt::zero(), |gcd, value| gcd.gcd(value));
+    let numerators = values.map(|value| value.numer() * (&denominator / value.denom()));
+    let divisor = numerators.iter().fold(BigInt::zero(), |gcd, value| {
+        if gcd.is_one() { gcd } else { gcd.gcd(value) }
+    });
     if divisor.is_zero() {
         return numerators.map(BigRational::from_integer);
     }

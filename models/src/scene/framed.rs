@@ -44,6 +44,8 @@ pub struct FramedQuadric {
     pub corners: Option<Box<[[BigRational; 3]; 4]>>,
     /// Index of the material.
     pub material: usize,
+    /// Whether it keeps the light of sources with shadows off others.
+    pub casts_shadow: bool,
 }
 
 impl From<FramedQuadric> for FramedObject {
@@ -99,6 +101,14 @@ impl FramedObject {
     pub fn quadric(&self) -> Option<&FramedQuadric> {
         match self {
             Self::Quadric(q) | Self::Patch(q) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// The cut quadric whose shadow the object casts, if it is one of those that can cast any and is not told not to.
+    pub fn caster(&self) -> Option<&FramedQuadric> {
+        match self {
+            Self::Quadric(q) | Self::Patch(q) | Self::Polyhedron(q) => q.casts_shadow.then_some(q),
             _ => None,
         }
     }

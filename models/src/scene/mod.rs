@@ -13,15 +13,17 @@ mod framed;
 mod keys;
 mod mesh;
 mod round;
+mod source;
 mod tetrahedron;
 mod transform;
 
 pub use check::{
-    MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE, MAX_SPECULAR_EXPONENT,
+    LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
+    MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
 };
 pub use error::SceneError;
 pub use file::{
-    Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
+    Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
     Rotation, Scale, SceneFile, Shape, Step, Surface,
 };
 pub use frame::{FramedLight, FramedScene, Plane, Projection, Quadric};
@@ -29,4 +31,6 @@ pub use framed::{FramedObject, FramedQuadric};
 pub use mesh::{FramedFacet, FramedMesh};
 pub(crate) use round::root;
 pub use round::{FramedCylinder, FramedSphere};
+pub use source::{FramedSource, SpotCone};
 pub use transform::Transform;
+pub(crate) use transform::cofactor;

@@ -98,6 +98,7 @@ impl FramedSphere {
             planes: vec![],
             corners: None,
             material: self.material,
+            casts_shadow: false,
         }
     }
 }
@@ -195,6 +196,7 @@ impl FramedCylinder {
             planes: vec![plane(-1, along.clone()), plane(1, -&along - &self.length)],
             corners: None,
             material: self.material,
+            casts_shadow: false,
         }
     }
 }

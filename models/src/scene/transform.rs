@@ -1,5 +1,7 @@
 //! Exact changes of frame: 4 x 4 matrices of rationals acting on column points.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
 
@@ -90,30 +92,45 @@ impl Transform {
 
     /// The determinant; negative when the transform mirrors.
     pub fn determinant(&self) -> BigRational {
-        (0..4)
-            .map(|column| &self.rows[0][column] * self.cofactor(0, column))
-            .sum()
+        let cofactors = self.cofactors();
+        let terms = self.rows[0].iter().zip(&cofactors[0]);
+        terms.map(|(value, cofactor)| value * cofactor).sum()
+    }
+
+    /// The matrix of cofactors in whole numbers over one positive denominator.
+    pub(super) fn whole_cofactors(&self) -> ([[BigInt; 4]; 4], BigInt) {
+        let all = || self.rows.iter().flatten();
+        let denominator = all().fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
+        let rows = self.rows.each_ref().map(|row| {
+            row.each_ref()
+                .map(|v| v.numer() * (&denominator / v.denom()))
+        });
+        let cofactors =
+            std::array::from_fn(|row| std::array::from_fn(|column| cofactor(&rows, row, column)));
+        (cofactors, denominator.pow(3))
     }
 
     /// The matrix of cofactors, `det(M) M^-T`.
     pub fn cofactors(&self) -> [[BigRational; 4]; 4] {
-        std::array::from_fn(|row| std::array::from_fn(|column| self.cofactor(row, column)))
+        let (cofactors, unit) = self.whole_cofactors();
+        cofactors.map(|row| row.map(|v| BigRational::new(v, unit.clone())))
     }
+}
 
-    fn cofactor(&self, row: usize, column: usize) -> BigRational {
-        let others = |skipped: usize| -> [usize; 3] {
-            std::array::from_fn(|index| index + usize::from(index >= skipped))
-        };
-        let [r0, r1, r2] = others(row).map(|index| &self.rows[index]);
-        let [c0, c1, c2] = others(column);
-        let minor = &r0[c0] * (&r1[c1] * &r2[c2] - &r1[c2] * &r2[c1])
-            - &r0[c1] * (&r1[c0] * &r2[c2] - &r1[c2] * &r2[c0])
-            + &r0[c2] * (&r1[c0] * &r2[c1] - &r1[c1] * &r2[c0]);
-        if (row + column).is_multiple_of(2) {
-            minor
-        } else {
-            -minor
-        }
+/// The signed minor without a row and a column.
+pub(crate) fn cofactor(m: &[[BigInt; 4]; 4], row: usize, column: usize) -> BigInt {
+    let others = |skipped: usize| -> [usize; 3] {
+        std::array::from_fn(|index| index + usize::from(index >= skipped))
+    };
+    let [r0, r1, r2] = others(row).map(|index| &m[index]);
+    let [c0, c1, c2] = others(column);
+    let minor = &r0[c0] * (&r1[c1] * &r2[c2] - &r1[c2] * &r2[c1])
+        - &r0[c1] * (&r1[c0] * &r2[c2] - &r1[c2] * &r2[c0])
+        + &r0[c2] * (&r1[c0] * &r2[c1] - &r1[c1] * &r2[c0]);
+    if (row + column).is_multiple_of(2) {
+        minor
+    } else {
+        -minor
     }
 }
 
@@ -146,7 +163,7 @@ fn rotation_matrix(rotation: &Rotation) -> [[f64; 3]; 3] {
 }
 
 /// Sine and cosine of an angle in degrees, exact at the quarter turns where `f64` radians are not.
-fn sine_and_cosine(degrees: f64) -> (f64, f64) {
+pub(super) fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     let turned = degrees.rem_euclid(360.0);
     match turned {
         0.0 => (0.0, 1.0),

@@ -27,6 +27,15 @@ impl Point {
         }
     }
 
+    /// The point in units of `2^shift`, downwards: `near 2^shift <= entered` exactly if `near` is not above the coarse one.
+    #[inline]
+    pub const fn coarse(&self, shift: u8) -> Point {
+        Point {
+            z: self.z >> shift,
+            entered: self.entered >> shift,
+        }
+    }
+
     /// False for the background, which is in no volume.
     #[inline]
     pub const fn is_surface(&self, format: &Format) -> bool {

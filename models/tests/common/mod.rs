@@ -72,6 +72,7 @@ pub fn object(
         planes: planes.iter().copied().map(plane).collect(),
         corners: None,
         material: 0,
+        casts_shadow: true,
     }
 }
 
@@ -109,6 +110,7 @@ pub fn scene_of(
             exponent: 1,
         }],
         lights: vec![],
+        sources: vec![],
         ambient: [1.0; 3],
         background: [0; 3],
     }

@@ -119,6 +119,11 @@ const POINT: &[Text] = &[
         "the visible point lies in the volume; the background does not",
     ),
 ];
+const UNIT: &[Text] = &[Text(
+    "depth_shift",
+    FACE,
+    "the quadric's depths are in units of 2^depth_shift depth words",
+)];
 const DECISION: &[Text] = &[
     Text(
         "in_box",
@@ -313,7 +318,7 @@ pub(super) fn groups(unit: Unit) -> &'static [&'static [Text]] {
             CYLINDER_FACE,
             NORMAL_RESULT,
         ],
-        Unit::QuadricVolume => &[FLAGS, PIXEL, POINT, F1, F2, BOX, CLASS, PLANES],
+        Unit::QuadricVolume => &[FLAGS, PIXEL, POINT, UNIT, F1, F2, BOX, CLASS, PLANES],
         Unit::PolyhedralVolume => &[FLAGS, PIXEL, POINT, BOX, PLANES],
         _ => &[],
     }

@@ -2,6 +2,7 @@
 
 use crate::format::MOST_PLANES;
 use crate::kernel::*;
+use crate::unit::coarse_point::CoarsePoint;
 use crate::unit::delay::{FlagDelay, WordDelay};
 use crate::unit::half_space_test::HalfSpaceTest;
 use crate::unit::pe1::Pe1;
@@ -26,6 +27,7 @@ use crate::unit::visible_point::VisiblePoint;
 /// | `f2_a2`, `f2_b2`, `f2_c`, `f2_i0`, `f2_p0`, `f2_f` | in | `F` bits |
 /// | `box_x0`, `box_x1`, `box_y0`, `box_y1` | in | 12 bits, inclusive |
 /// | `object_class` | in | 2 bits |
+/// | `depth_shift` | in | 4 bits: the quadric's depths are in units of `2^depth_shift` depth words |
 /// | `margin` | in | `W` bits, unsigned: counts that a point has to lie behind the beginning; at most half the depth word |
 /// | `plane_i_kind` | in | 2 bits |
 /// | `plane_i_a`, `plane_i_b`, `plane_i_c` | in | `P` bits |
@@ -83,6 +85,8 @@ pub struct QuadricVolume<
     pub box_y1: Signal<In, Word<12>>,
     /// Class of the quadric.
     pub object_class: Signal<In, Word<2>>,
+    /// Places by which the quadric's unit of depth is greater.
+    pub depth_shift: Signal<In, Word<4>>,
     /// Counts that a point has to lie behind the beginning.
     pub margin: Signal<In, Word<W>>,
     /// Kind of each plane.
@@ -106,6 +110,7 @@ pub struct QuadricVolume<
     plane_flags: FlagDelay,
     /// The visible point.
     pub point: VisiblePoint<W, S>,
+    coarse_point: CoarsePoint<W, S>,
     /// Depth of each plane.
     pub planes: Vec<Pe1<P>>,
     tests: Vec<HalfSpaceTest<W, S, P>>,
@@ -119,9 +124,9 @@ pub struct QuadricVolume<
 block! {
     [const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize] QuadricVolume [W, W1, S, F, P]
     inputs { clock, valid, start, line, x, y, depth, f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0,
-        f2_p0, f2_f, box_x0, box_x1, box_y0, box_y1, object_class, margin, plane_kind, plane_a,
+        f2_p0, f2_f, box_x0, box_x1, box_y0, box_y1, object_class, depth_shift, margin, plane_kind, plane_a,
         plane_b, plane_c }
-    parts { out_valid, is_inside, screen_box, in_box, quadric, quadric_test, plane_flags, point,
+    parts { out_valid, is_inside, screen_box, in_box, quadric, quadric_test, plane_flags, point, coarse_point,
         planes, tests, in_all, kept, valid_delay }
     data { _planes }
 }
@@ -142,7 +147,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         let sums = QuadricPe::<W, W1, S, F>::latency(rows_per_stage);
         fields! {
             [clock, valid, start, line, x, y, depth, f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0,
-                f2_p0, f2_f, box_x0, box_x1, box_y0, box_y1, object_class, margin, out_valid,
+                f2_p0, f2_f, box_x0, box_x1, box_y0, box_y1, object_class, depth_shift, margin, out_valid,
                 is_inside, screen_box, in_all, kept]
             plane_kind: repeat(planes, Default::default),
             plane_a: repeat(planes, Default::default),
@@ -153,6 +158,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
             quadric_test: QuadricTest::new(),
             plane_flags: FlagDelay::new(1),
             point: VisiblePoint::new(),
+            coarse_point: CoarsePoint::new(),
             planes: repeat(planes, Pe1::default),
             tests: repeat(planes, HalfSpaceTest::new),
             valid_delay: WordDelay::new(sums + 1 + 1),
@@ -180,6 +186,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
             quadric_test,
             plane_flags,
             point,
+            coarse_point,
             kept,
             valid_delay
         );
@@ -192,6 +199,9 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         self.in_box.word.next = self.screen_box.in_box.val();
         self.point.depth.next = self.depth.val();
         self.point.margin.next = self.margin.val();
+        self.coarse_point.depth.next = self.depth.val();
+        self.coarse_point.margin.next = self.margin.val();
+        self.coarse_point.depth_shift.next = self.depth_shift.val();
         self.quadric.valid.next = self.valid.val();
         self.quadric.start.next = self.start.val();
         self.quadric.line.next = self.line.val();
@@ -208,8 +218,8 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         self.quadric_test.near_sum.next = self.quadric.near_sum.val();
         self.quadric_test.far_sum.next = self.quadric.far_sum.val();
         self.quadric_test.is_inside.next = self.quadric.is_inside.val();
-        self.quadric_test.z.next = self.point.z.val();
-        self.quadric_test.entered.next = self.point.entered.val();
+        self.quadric_test.z.next = self.coarse_point.z.val();
+        self.quadric_test.entered.next = self.coarse_point.entered.val();
         self.plane_flags.valid.next = self.quadric.late_valid.val();
         self.plane_flags.start.next = self.quadric.late_start.val();
         self.plane_flags.line.next = self.quadric.late_line.val();

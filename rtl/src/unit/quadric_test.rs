@@ -11,8 +11,8 @@ use crate::kernel::*;
 /// | `object_class` | in | 2 bits: 0 side, 1 front, 2 patch (has no inside), 3 prism |
 /// | `near_sum`, `far_sum` | in | `S = W + 2` bits |
 /// | `is_inside` | in | `f2 >= 0` |
-/// | `z` | in | `W` bits, visible depth |
-/// | `entered` | in | `S` bits, visible depth less the margin |
+/// | `z` | in | `S` bits, visible depth in the unit of the quadric |
+/// | `entered` | in | `S` bits, visible depth less the margin, likewise |
 /// | `holds` | out | the point is inside |
 ///
 /// Latency 1. Where the quadric begins, `entered` is asked; where it ends, `z`. Sections 3.2.1 and 4.1.3.
@@ -28,12 +28,11 @@ pub struct QuadricTest<const W: usize, const S: usize> {
     /// The discriminant is not negative.
     pub is_inside: Signal<In, Bit>,
     /// Visible depth.
-    pub z: Signal<In, Int<W>>,
+    pub z: Signal<In, Int<S>>,
     /// Visible depth less the margin.
     pub entered: Signal<In, Int<S>>,
     /// The point is inside.
     pub holds: Signal<Out, Bit>,
-    leaving: Signal<Local, Int<S>>,
     between: Signal<Local, Bit>,
     outside: Signal<Local, Bit>,
     kept: DFF<Bit>,
@@ -46,7 +45,7 @@ pub struct QuadricTest<const W: usize, const S: usize> {
 block! {
     [const W: usize, const S: usize] QuadricTest [W, S]
     inputs { clock, object_class, near_sum, far_sum, is_inside, z, entered }
-    parts { holds, leaving, between, outside, kept, side, front, prism }
+    parts { holds, between, outside, kept, side, front, prism }
     data { }
 }
 
@@ -59,7 +58,7 @@ impl<const W: usize, const S: usize> QuadricTest<W, S> {
     pub fn new() -> Self {
         assert!(S == W + 2, "a depth sum has two bits more than a depth");
         fields! {
-            [clock, object_class, near_sum, far_sum, is_inside, z, entered, holds, leaving,
+            [clock, object_class, near_sum, far_sum, is_inside, z, entered, holds,
                 between, outside, kept]
             side: constant(SIDE),
             front: constant(FRONT),
@@ -84,11 +83,10 @@ impl<const W: usize, const S: usize> Logic for QuadricTest<W, S> {
     fn update(&mut self) {
         comment!("quadric_test");
         clock!(self, clock, kept);
-        self.leaving.next = bits_signed::<S, W>(self.z.val());
-        self.between.next = (self.near_sum.val() <= self.entered.val())
-            & (self.leaving.val() <= self.far_sum.val());
-        self.outside.next = (self.leaving.val() <= self.near_sum.val())
-            | (self.far_sum.val() <= self.entered.val());
+        self.between.next =
+            (self.near_sum.val() <= self.entered.val()) & (self.z.val() <= self.far_sum.val());
+        self.outside.next =
+            (self.z.val() <= self.near_sum.val()) | (self.far_sum.val() <= self.entered.val());
         self.kept.d.next = false;
         if self.object_class.val() == self.side.val() {
             self.kept.d.next = self.is_inside.val() & self.between.val();

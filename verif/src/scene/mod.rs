@@ -6,6 +6,8 @@
 mod band;
 mod golden;
 pub mod slots;
+pub mod volumes;
+pub mod zone;
 
 use crate::engine::{Engine, MachineShape};
 use crate::report::Report;

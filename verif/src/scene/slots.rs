@@ -4,29 +4,18 @@
 //! The beam machine has quadric processors only. Here every slot's processor runs alone, clock by clock beside its golden model, from
 //! the words that the preparation made; what all of them draw together is compared with the frame of the golden machine.
 
-use crate::engine::design::DesignError;
+use super::zone::{Engine, SlotError, Subjects, Zone};
 use crate::report::{Mismatch, Report};
 use crate::subject::{Inputs, Subject};
 use crate::trace::Sample;
 use crate::unit::words::{Loaded, processor};
-use crate::unit::{UnitError, subject};
 use imogene_models::format::Format;
 use imogene_models::machine::beam::render;
 use imogene_models::machine::frame::Frame;
 use imogene_models::object::slot::{ProcessorWords, Slot};
 use imogene_models::prepare::PreparedScene;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::time::Instant;
-use thiserror::Error;
-
-/// Pixels around the screen box that are drawn too: the object is absent there.
-const BORDER: i64 = 1;
-
-/// A processor and its parameters: slots of the same kind share one description.
-type Kind = (&'static str, Option<usize>, Option<usize>);
 
 /// A slot that is on the screen.
 struct Job<'a> {
@@ -35,35 +24,12 @@ struct Job<'a> {
     loaded: Loaded,
 }
 
-/// Pixels that a processor draws.
-#[derive(Clone, Copy)]
-struct Zone {
-    x: i64,
-    y: i64,
-    width: i64,
-    height: i64,
-}
-
 /// What the hardware says of a pixel.
 struct Drawn {
     at: usize,
     depth: i64,
     number: u8,
     normal: [i16; 3],
-}
-
-/// Puts another engine under the description of a unit that is emitted by a request.
-pub type Engine<'a> = &'a (dyn Fn(Subject, &EmitRequest) -> Result<Subject, DesignError> + Sync);
-
-/// Why a scene's processors cannot be co-simulated.
-#[derive(Debug, Error)]
-pub enum SlotError {
-    /// A processor has no legal parameters.
-    #[error(transparent)]
-    Unit(#[from] UnitError),
-    /// The engine cannot be built.
-    #[error(transparent)]
-    Design(#[from] DesignError),
 }
 
 /// Runs all processors of a scene; `engine` may put another engine under a subject, `pixel_done` is told of pixels, from any thread.
@@ -80,21 +46,13 @@ pub fn run(
     let started = Instant::now();
     let slots = scene.slots();
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
-    let mut subjects: BTreeMap<Kind, Subject> = BTreeMap::new();
-    for job in &jobs {
-        let kind = job.kind();
-        if !subjects.contains_key(&kind) {
-            let parameters = job.loaded.parameters(&scene.format, rows_per_stage);
-            let unit = Unit::from_name(kind.0).expect("a unit of the catalogue");
-            let rust_hdl = subject(kind.0, parameters)?;
-            subjects.insert(kind, engine(rust_hdl, &parameters.request(unit))?);
-        }
-    }
+    let loaded = jobs.iter().map(|job| &job.loaded);
+    let subjects = Subjects::new(loaded, &scene.format, rows_per_stage, engine)?;
     let width = scene.width as usize;
     let parts: Vec<(Report, Vec<Drawn>)> = jobs
         .par_iter()
         .map(|job| {
-            let part = job.run(&subjects[&job.kind()], &scene.format, width);
+            let part = job.run(subjects.of(&job.loaded), &scene.format, width);
             pixel_done(part.0.pixels);
             part
         })
@@ -115,31 +73,20 @@ pub fn run(
 pub fn pixels(scene: &PreparedScene) -> u64 {
     let slots = scene.slots();
     let jobs = slots.iter().filter_map(|slot| job(slot, scene));
-    jobs.map(|job| (job.zone.width * job.zone.height) as u64)
-        .sum()
+    jobs.map(|job| job.zone.pixels() as u64).sum()
 }
 
-/// True if every object of the scene is drawn by a quadric processor, so that a beam machine can draw it.
+/// True if a beam machine can draw the scene: it has quadric processors alone, and no more than there are slots.
 pub fn is_for_beam(scene: &PreparedScene) -> bool {
     let slots = scene.slots();
-    slots
+    let quadrics = slots
         .iter()
-        .all(|slot| matches!(slot.words, ProcessorWords::Quadric(_)))
+        .all(|slot| matches!(slot.words, ProcessorWords::Quadric(_)));
+    quadrics && slots.len() <= super::MAX_OBJECTS
 }
 
 fn job<'a>(slot: &'a Slot, scene: &PreparedScene) -> Option<Job<'a>> {
-    let window = slot.words.screen_box();
-    if window.is_empty() {
-        return None;
-    }
-    let (x, y) = ((window.x0 - BORDER).max(0), (window.y0 - BORDER).max(0));
-    let last = |edge: i64, size: u32| (edge + BORDER).min(i64::from(size) - 1);
-    let zone = Zone {
-        x,
-        y,
-        width: last(window.x1, scene.width) - x + 1,
-        height: last(window.y1, scene.height) - y + 1,
-    };
+    let zone = Zone::around(slot.words.screen_box(), scene.width, scene.height)?;
     let words = slot.words.for_zone(zone.x, zone.y, zone.width, zone.height);
     Some(Job {
         slot,
@@ -149,10 +96,6 @@ fn job<'a>(slot: &'a Slot, scene: &PreparedScene) -> Option<Job<'a>> {
 }
 
 impl Job<'_> {
-    fn kind(&self) -> Kind {
-        (self.loaded.unit, self.loaded.planes, self.loaded.sides)
-    }
-
     /// Draws the zone with hardware and golden model.
     fn run(&self, subject: &Subject, format: &Format, width: usize) -> (Report, Vec<Drawn>) {
         let mut drawn = Vec::new();
@@ -162,12 +105,12 @@ impl Job<'_> {
             if sample.hardware[0] != Some(1) {
                 return;
             }
-            let (x, y) = (pixel % self.zone.width, pixel / self.zone.width);
+            let at = self.zone.place(pixel, width);
             pixel += 1;
             let value = |k: usize| sample.hardware[k].unwrap_or(format.z_max());
             if value(1) < format.z_max() {
                 drawn.push(Drawn {
-                    at: (self.zone.y + y) as usize * width + (self.zone.x + x) as usize,
+                    at,
                     depth: value(1),
                     number: value(3) as u8,
                     normal: [4, 5, 6].map(|k| value(k) as i16),
@@ -180,17 +123,14 @@ impl Job<'_> {
 
     /// One pixel a clock, then as many clocks as the last one takes.
     fn clocks(&self, latency: usize) -> impl Iterator<Item = Inputs> {
-        let Zone { width, height, .. } = self.zone;
-        let words = &self.loaded.words;
-        let inputs = move |flags: [i64; 3], x: i64, y: i64| {
-            let raster = flags.into_iter().chain([x, y]);
-            raster.chain(words.iter().copied()).collect()
+        let inputs = |raster: [i64; 5]| -> Inputs {
+            raster
+                .into_iter()
+                .chain(self.loaded.words.iter().copied())
+                .collect()
         };
-        let raster = (0..width * height).map(move |n| {
-            let (x, y) = (n % width, n / width);
-            inputs([1, i64::from(n == 0), i64::from(x == 0 && y > 0)], x, y)
-        });
-        raster.chain((0..latency).map(move |_| inputs([0; 3], 0, 0)))
+        let raster = (0..self.zone.pixels()).map(move |n| inputs(self.zone.raster(n)));
+        raster.chain((0..latency).map(move |_| inputs([0; 5])))
     }
 
     /// The decider's rule: the nearer one, at equal depth the earlier slot.

@@ -67,6 +67,7 @@ pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usiz
     inputs.extend(linear_ports("f1", format.sum));
     inputs.extend(quadratic_ports("f2", format.quadratic));
     inputs.push(Signal::unsigned("object_class", 2));
+    inputs.push(Signal::unsigned("depth_shift", 4));
     inputs.extend(box_ports());
     inputs.extend(common_ports(&format, planes));
     let depth = inputs.len() - 1;
@@ -87,6 +88,7 @@ pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usiz
                 class: [Class::Side, Class::Front, Class::Patch, Class::Prism][class],
                 f1,
                 f2,
+                shift: reader.word() as u8,
             };
             let words = words_of(&mut reader, Some(quadric), planes);
             let processor = VolumeProcessor::zone_start(&words, &format);
@@ -123,6 +125,7 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         ("f1_", Likely::Depth(0)),
         ("f2_", Likely::Conic),
         ("plane_", Likely::Depth(0)),
+        ("depth_shift", Likely::UpTo(8)),
         ("margin", Likely::UpTo((1 << (width - 1)) - 1)),
     ];
     let words = planes_any_kind(words(&subject.inputs, width, &plan), subject);

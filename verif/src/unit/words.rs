@@ -5,6 +5,7 @@ use imogene_models::format::{Format, wrap};
 use imogene_models::object::first_generation::ContourPlane;
 use imogene_models::object::quadric::{QuadricWords, ScreenBox};
 use imogene_models::object::slot::ProcessorWords;
+use imogene_models::object::volume::VolumeWords;
 use imogene_models::unit::cut_plane::PlaneKind;
 use imogene_models::unit::pe1::Linear;
 use imogene_models::unit::pe2::Quadratic;
@@ -128,6 +129,35 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Loaded {
         unit,
         planes,
         sides,
+        words: w.words,
+    }
+}
+
+/// The processor of a volume; its last port, the visible depth, is left to the caller.
+pub fn volume(words: &VolumeWords, format: &Format) -> Loaded {
+    let mut w = Writer {
+        format,
+        words: Vec::new(),
+    };
+    let unit = match &words.quadric {
+        Some(q) => {
+            w.linear(&q.f1, format.sum);
+            w.quadratic(&q.f2);
+            w.words.push(q.class as i64);
+            w.words.push(q.shift.into());
+            "quadric_volume"
+        }
+        None => "polyhedral_volume",
+    };
+    w.screen_box(&words.screen_box);
+    w.words.push(words.margin.into());
+    for plane in &words.planes {
+        w.plane(plane.kind, &plane.depth);
+    }
+    Loaded {
+        unit,
+        planes: Some(words.planes.len()),
+        sides: None,
         words: w.words,
     }
 }

@@ -1,7 +1,7 @@
 //! `[[lights]]` as they stand in the file.
 
-use super::{numbers, optional_numbers, refuse_key, require};
-use crate::scene::file::{Light, full, white};
+use super::{is_no, numbers, optional_numbers, refuse_key, require};
+use crate::scene::file::{Aim, Light, full, white};
 use serde::{Deserialize, Serialize};
 
 /// The keys of an entry of `[[lights]]` as they stand in the file.
@@ -21,80 +21,180 @@ pub(in crate::scene) struct LightKeys {
         skip_serializing_if = "Option::is_none"
     )]
     position: Option<[f64; 3]>,
+    #[serde(
+        default,
+        deserialize_with = "optional_numbers",
+        skip_serializing_if = "Option::is_none"
+    )]
+    target: Option<[f64; 3]>,
+    #[serde(
+        default,
+        deserialize_with = "optional_numbers",
+        skip_serializing_if = "Option::is_none"
+    )]
+    towards: Option<[f64; 3]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    half_angle: Option<f64>,
     #[serde(default = "white", deserialize_with = "numbers")]
     colour: [f64; 3],
     #[serde(default = "full")]
     intensity: f64,
+    #[serde(default, skip_serializing_if = "is_no")]
+    shadows: bool,
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum LightKind {
     Directional,
     Point,
+    Spot,
+}
+
+impl LightKind {
+    const fn owner(self) -> &'static str {
+        match self {
+            Self::Directional => "a directional light",
+            Self::Point => "a point light",
+            Self::Spot => "a spot",
+        }
+    }
+
+    /// The keys that this kind takes beside those of every light.
+    const fn keys(self) -> &'static str {
+        match self {
+            Self::Directional => "`from`",
+            Self::Point => "`position`",
+            Self::Spot => "`position`, `target` or `towards`, and `half_angle`",
+        }
+    }
+}
+
+impl LightKeys {
+    fn refuse_others(&self) -> Result<(), String> {
+        let spot = self.kind == LightKind::Spot;
+        let directional = self.kind == LightKind::Directional;
+        let keys = [
+            ("from", self.from.is_some(), directional),
+            ("position", self.position.is_some(), !directional),
+            ("target", self.target.is_some(), spot),
+            ("towards", self.towards.is_some(), spot),
+            ("half_angle", self.half_angle.is_some(), spot),
+        ];
+        for (key, present, taken) in keys {
+            refuse_key(present && !taken, key, self.kind.owner(), self.kind.keys())?;
+        }
+        Ok(())
+    }
+
+    fn aim(&self) -> Result<Aim, String> {
+        match (self.target, self.towards) {
+            (Some(target), None) => Ok(Aim::Target(target)),
+            (None, Some(direction)) => Ok(Aim::Towards(direction)),
+            (None, None) => Err(
+                "a spot needs `target`, a point on its axis, or `towards`, the direction of its axis"
+                    .into(),
+            ),
+            (Some(_), Some(_)) => {
+                Err("a spot takes `target` or `towards`; found both".into())
+            }
+        }
+    }
 }
 
 impl TryFrom<LightKeys> for Light {
     type Error = String;
 
     fn try_from(keys: LightKeys) -> Result<Self, String> {
-        let LightKeys {
-            kind,
-            from,
-            position,
-            colour,
-            intensity,
-        } = keys;
-        match kind {
-            LightKind::Directional => {
-                refuse_key(
-                    position.is_some(),
-                    "position",
-                    "a directional light",
-                    "`from`",
-                )?;
-                Ok(Self::Directional {
-                    from: require(
-                        from,
-                        "a directional light",
-                        "`from`, the direction the light comes from",
-                    )?,
-                    colour,
-                    intensity,
-                })
-            }
-            LightKind::Point => {
-                refuse_key(from.is_some(), "from", "a point light", "`position`")?;
-                Ok(Self::Point {
-                    position: require(position, "a point light", "`position`")?,
-                    colour,
-                    intensity,
-                })
-            }
-        }
+        keys.refuse_others()?;
+        let owner = keys.kind.owner();
+        let (colour, intensity, shadows) = (keys.colour, keys.intensity, keys.shadows);
+        let position = || require(keys.position, owner, "`position`");
+        Ok(match keys.kind {
+            LightKind::Directional => Self::Directional {
+                from: require(
+                    keys.from,
+                    owner,
+                    "`from`, the direction the light comes from",
+                )?,
+                colour,
+                intensity,
+                shadows,
+            },
+            LightKind::Point => Self::Point {
+                position: position()?,
+                colour,
+                intensity,
+                shadows,
+            },
+            LightKind::Spot => Self::Spot {
+                position: position()?,
+                aim: keys.aim()?,
+                half_angle: require(
+                    keys.half_angle,
+                    owner,
+                    "`half_angle`, the angle in degrees between its axis and its cone",
+                )?,
+                colour,
+                intensity,
+                shadows,
+            },
+        })
     }
 }
 
 impl From<Light> for LightKeys {
     fn from(light: Light) -> Self {
-        let (kind, from, position, colour, intensity) = match light {
+        let keys = |kind, colour, intensity, shadows| LightKeys {
+            kind,
+            from: None,
+            position: None,
+            target: None,
+            towards: None,
+            half_angle: None,
+            colour,
+            intensity,
+            shadows,
+        };
+        match light {
             Light::Directional {
                 from,
                 colour,
                 intensity,
-            } => (LightKind::Directional, Some(from), None, colour, intensity),
+                shadows,
+            } => LightKeys {
+                from: Some(from),
+                ..keys(LightKind::Directional, colour, intensity, shadows)
+            },
             Light::Point {
                 position,
                 colour,
                 intensity,
-            } => (LightKind::Point, None, Some(position), colour, intensity),
-        };
-        Self {
-            kind,
-            from,
-            position,
-            colour,
-            intensity,
+                shadows,
+            } => LightKeys {
+                position: Some(position),
+                ..keys(LightKind::Point, colour, intensity, shadows)
+            },
+            Light::Spot {
+                position,
+                aim,
+                half_angle,
+                colour,
+                intensity,
+                shadows,
+            } => {
+                let (target, towards) = match aim {
+                    Aim::Target(point) => (Some(point), None),
+                    Aim::Towards(direction) => (None, Some(direction)),
+                };
+                LightKeys {
+                    position: Some(position),
+                    target,
+                    towards,
+                    half_angle: Some(half_angle),
+                    ..keys(LightKind::Spot, colour, intensity, shadows)
+                }
+            }
         }
     }
 }

@@ -14,6 +14,21 @@ pub(super) use step::StepKeys;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, SeqAccess};
 
+/// Default of a switch that is on unless the author turns it off.
+pub(in crate::scene) fn yes() -> bool {
+    true
+}
+
+/// A switch left at that default is not written.
+pub(in crate::scene) fn is_yes(value: &bool) -> bool {
+    *value
+}
+
+/// A switch left off is not written.
+pub(in crate::scene) fn is_no(value: &bool) -> bool {
+    !*value
+}
+
 pub(in crate::scene) fn require<T>(
     value: Option<T>,
     owner: &str,

@@ -1,6 +1,6 @@
 //! `[[objects]]` as they stand in the file.
 
-use super::{fixed, refuse_key, require};
+use super::{fixed, is_yes, refuse_key, require, yes};
 use crate::scene::file::{Cut, Mesh, Object, Processor, Shape, Step, Surface};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +35,8 @@ pub(in crate::scene) struct ObjectKeys {
     place: Vec<Step>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     cuts: Vec<Cut>,
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    casts_shadow: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -189,6 +191,7 @@ impl TryFrom<ObjectKeys> for Object {
             material: keys.material,
             place: keys.place,
             cuts: keys.cuts,
+            casts_shadow: keys.casts_shadow,
         })
     }
 }
@@ -211,6 +214,7 @@ impl From<Object> for ObjectKeys {
             material: object.material,
             place: object.place,
             cuts: object.cuts,
+            casts_shadow: object.casts_shadow,
         };
         keys.kind = match object.shape {
             Shape::Sphere { radius } => {

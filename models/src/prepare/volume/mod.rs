@@ -1,0 +1,251 @@
+//! The volumes of a scene: the shadows of its objects, and what its spots light (source: 3.2.1).
+//!
+//! Their words are needed only where something is seen, so they are proven there: on the screen boxes and between the depths of the objects.
+
+mod shadow;
+mod words;
+
+pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
+
+use super::error::PrepareError;
+use super::extent::Extent;
+use super::perspective::{ScreenQuadric, project_plane};
+use super::screen_box::{Cell, Region, Search, screen_domain};
+use super::{Context, ExactForms, NeededWidths, PreparedObject, RoundingBounds};
+use crate::object::volume::{VolumeKind, VolumeWords};
+use crate::rational::to_f64;
+use crate::scene::{FramedObject, FramedQuadric, FramedScene, Plane, Surface};
+use rayon::prelude::*;
+use words::{Shape, volume_words};
+
+/// One volume: words, and what is known of them.
+#[derive(Clone, Debug)]
+pub struct PreparedVolume {
+    /// Whose it is, as messages say it: "the shadow of object 'lid' from lights[0], part 1 of 3".
+    pub name: String,
+    /// Index of the object whose shadow it is, and where it begins; nothing for a spot.
+    pub caster: Option<(usize, Beginning)>,
+    /// Coefficient words for the whole screen.
+    pub words: VolumeWords,
+    /// The unrounded expressions, before any margin.
+    pub exact: ExactForms,
+    /// Greatest error of each expression on the screen box, the margin not counted.
+    pub bounds: RoundingBounds,
+    /// Bits that each accumulator needs on the screen box.
+    pub needed: NeededWidths,
+    /// What a person should know.
+    pub notes: Vec<String>,
+}
+
+/// Pairs of a source and an object that a scene's preparation has to look at for shadows.
+pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
+    let sources = scene.sources.iter().enumerate().filter(|(_, s)| s.shadows);
+    sources
+        .flat_map(|(source, _)| {
+            let casters = scene.objects.iter().enumerate();
+            let casters = casters.filter(|(_, object)| object.caster().is_some());
+            casters.map(move |(object, _)| (source, object))
+        })
+        .collect()
+}
+
+/// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for each of [`pairs`].
+pub(super) fn prepare_volumes(
+    scene: &FramedScene,
+    objects: &mut [PreparedObject],
+    context: &Context,
+    done: &(impl Fn() + Sync),
+) -> Result<Vec<PreparedVolume>, PrepareError> {
+    let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
+    let pairs = pairs(scene);
+    if pairs.is_empty() && !has_spot {
+        return Ok(vec![]);
+    }
+    let receivers = receivers(scene, objects, context);
+    let mut volumes = spots(scene, receivers.as_ref(), context)?;
+    let Some(receivers) = receivers else {
+        return Ok(volumes);
+    };
+    let prepared: &[PreparedObject] = objects;
+    // Collected before the first error is taken, so that the same volume is named in every run.
+    let shadows: Vec<Result<Vec<PreparedVolume>, PrepareError>> = pairs
+        .par_iter()
+        .filter_map(|&(source, object)| {
+            let framed = scene.objects[object].caster()?;
+            let caster = Caster {
+                framed,
+                object,
+                prepared: &prepared[object],
+            };
+            let casts = why_no_shadow(framed, context).is_none();
+            let found = casts.then(|| shadow(scene, source, &caster, &receivers, context));
+            done();
+            found
+        })
+        .collect();
+    for shadow in shadows {
+        volumes.extend(shadow?);
+    }
+    for (object, prepared) in scene.objects.iter().zip(objects) {
+        let caster = object.caster();
+        if let Some(why) = caster.and_then(|caster| why_no_shadow(caster, context)) {
+            prepared.add_note(why);
+        }
+    }
+    Ok(volumes)
+}
+
+/// Why an object that should cast a shadow casts none.
+fn why_no_shadow(object: &FramedQuadric, context: &Context) -> Option<&'static str> {
+    if object.surface == Surface::Solid {
+        return None;
+    }
+    if !object.planes.is_empty() {
+        return Some(
+            "casts no shadow: the shadow of a cut patch is no union of volumes; \
+             mode = \"solid\" casts one, casts_shadow = false says that none is wanted",
+        );
+    }
+    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let outside = num_traits::Signed::is_positive(quadric.eye_value());
+    (!outside).then_some("casts no shadow: the viewer is inside this patch")
+}
+
+/// An object that casts a shadow.
+struct Caster<'a> {
+    framed: &'a FramedQuadric,
+    object: usize,
+    prepared: &'a PreparedObject,
+}
+
+fn shadow(
+    scene: &FramedScene,
+    source: usize,
+    caster: &Caster,
+    receivers: &Cell,
+    context: &Context,
+) -> Result<Vec<PreparedVolume>, PrepareError> {
+    let framed = caster.framed;
+    let parts = shadow_parts(framed, &scene.sources[source].point).map_err(|SourceInside| {
+        PrepareError::SourceInside {
+            object: framed.name.clone(),
+            source_index: source,
+        }
+    })?;
+    let count = parts.len();
+    let mut volumes = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        let shape = Shape {
+            name: format!(
+                "the shadow of object '{}' from lights[{source}], part {} of {count}",
+                framed.name,
+                index + 1
+            ),
+            kind: VolumeKind::Shadow,
+            source: source as u8,
+            quadric: &part.quadric,
+            planes: &part.planes,
+            caster: Some((caster.object, part.beginning)),
+            face_error: face_error(part.beginning, caster.prepared),
+        };
+        let volume = volume_words(&shape, receivers, context)?;
+        if !volume.words.screen_box.is_empty() {
+            volumes.push(volume);
+        }
+    }
+    Ok(volumes)
+}
+
+/// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the cut plane, or on the
+/// quadric, whose root is at most the square root of its error off, and below the true one by another count.
+fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
+    let Some(quadric) = object.quadric() else {
+        // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the size of the box.
+        let b = object.screen_box();
+        return 0.5 * ((b.x1 - b.x0) + (b.y1 - b.y0) + 1) as f64;
+    };
+    let bounds = &quadric.bounds;
+    match beginning {
+        Beginning::Cut(index) => bounds.planes.get(index).copied().unwrap_or(0.0),
+        Beginning::PolarPlane => {
+            bounds.f1 + bounds.dropped_f1 + (bounds.f2 + bounds.dropped_f2).sqrt() + 1.0
+        }
+    }
+}
+
+fn spots(
+    scene: &FramedScene,
+    receivers: Option<&Cell>,
+    context: &Context,
+) -> Result<Vec<PreparedVolume>, PrepareError> {
+    let mut volumes = Vec::new();
+    for (source, framed) in scene.sources.iter().enumerate() {
+        let (Some(cone), Some(receivers)) = (&framed.cone, receivers) else {
+            continue;
+        };
+        let shape = Shape {
+            name: format!("the cone of the spot lights[{source}]"),
+            kind: VolumeKind::Light,
+            source: source as u8,
+            quadric: &cone.quadric,
+            planes: std::slice::from_ref(&cone.plane),
+            caster: None,
+            face_error: 0.0,
+        };
+        volumes.push(volume_words(&shape, receivers, context)?);
+    }
+    Ok(volumes)
+}
+
+/// The cell of screen space that holds everything seen; nothing if nothing is.
+fn receivers(scene: &FramedScene, prepared: &[PreparedObject], context: &Context) -> Option<Cell> {
+    let full = to_f64(&context.full_depth);
+    let domain = screen_domain(context.width, context.height, full);
+    let seen = scene.objects.par_iter().zip(prepared);
+    seen.filter(|(_, p)| !p.screen_box().is_empty())
+        .filter_map(|(object, p)| {
+            let (near, far) = depths(object, domain, context)?;
+            let b = p.screen_box();
+            let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
+            let low = [at(b.x0, context.width), at(b.y0, context.height), near];
+            let high = [at(b.x1, context.width), at(b.y1, context.height), far];
+            Some((low, high))
+        })
+        .reduce_with(|(low, high), (l, h)| {
+            (
+                std::array::from_fn(|k| f64::min(low[k], l[k])),
+                std::array::from_fn(|k| f64::max(high[k], h[k])),
+            )
+        })
+        .map(|(low, high)| Cell::between(low, high))
+}
+
+/// The depths, in pixels, between which an object is seen, a pixel wider on both sides.
+fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64, f64)> {
+    let full = domain.half[2];
+    let (FramedObject::Quadric(object) | FramedObject::Patch(object)) = object else {
+        // Facets and approximated surfaces: their depths are not those of a quadric.
+        return Some((-full, full));
+    };
+    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let clamped = |(near, far): (f64, f64)| ((near - 1.0).max(-full), (far + 1.0).min(full));
+    if object.planes.is_empty()
+        && let Some(extent) = Extent::of(&quadric.q)
+    {
+        let cell = extent.cell();
+        let (near, far) = (cell.centre[2] - cell.half[2], cell.centre[2] + cell.half[2]);
+        // Beyond an end of the depths an ellipsoid may reach behind the eye.
+        if near >= -full && far <= full {
+            return Some(clamped((near, far)));
+        }
+    }
+    let planes: Vec<Plane> = object
+        .planes
+        .iter()
+        .map(|plane| project_plane(plane, &context.inverse_distance))
+        .collect();
+    let region = Region::new(&quadric.q, &planes, object.surface);
+    region
+        .depth_range_within(domain, Search::COARSE)
+        .map(clamped)
+}

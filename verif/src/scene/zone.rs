@@ -1,0 +1,114 @@
+//! Processors that run by themselves on the zone of their screen box.
+
+use crate::engine::design::DesignError;
+use crate::subject::Subject;
+use crate::unit::words::Loaded;
+use crate::unit::{UnitError, subject};
+use imogene_models::format::Format;
+use imogene_models::object::quadric::ScreenBox;
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::EmitRequest;
+use std::collections::BTreeMap;
+use thiserror::Error;
+
+/// Pixels around the screen box that are drawn too: the object is absent there.
+const BORDER: i64 = 1;
+
+/// Puts another engine under the description of a unit that is emitted by a request.
+pub type Engine<'a> = &'a (dyn Fn(Subject, &EmitRequest) -> Result<Subject, DesignError> + Sync);
+
+/// Why a scene's processors cannot be co-simulated.
+#[derive(Debug, Error)]
+pub enum SlotError {
+    /// A processor has no legal parameters.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// The engine cannot be built.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+}
+
+/// Pixels that a processor draws.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Zone {
+    /// First column.
+    pub x: i64,
+    /// First line.
+    pub y: i64,
+    /// Columns.
+    pub width: i64,
+    /// Lines.
+    pub height: i64,
+}
+
+impl Zone {
+    /// The screen box with a border, as far as there is a screen; nothing if the box is empty.
+    pub fn around(window: &ScreenBox, width: u32, height: u32) -> Option<Zone> {
+        if window.is_empty() {
+            return None;
+        }
+        let (x, y) = ((window.x0 - BORDER).max(0), (window.y0 - BORDER).max(0));
+        let last = |edge: i64, size: u32| (edge + BORDER).min(i64::from(size) - 1);
+        Some(Zone {
+            x,
+            y,
+            width: last(window.x1, width) - x + 1,
+            height: last(window.y1, height) - y + 1,
+        })
+    }
+
+    /// Pixels of the zone.
+    pub fn pixels(&self) -> i64 {
+        self.width * self.height
+    }
+
+    /// Column and line in the zone of pixel `n`, and its raster flags.
+    pub fn raster(&self, n: i64) -> [i64; 5] {
+        let (x, y) = (n % self.width, n / self.width);
+        [1, i64::from(n == 0), i64::from(x == 0 && y > 0), x, y]
+    }
+
+    /// Place on the screen of pixel `n`, row by row.
+    pub fn place(&self, n: i64, screen_width: usize) -> usize {
+        let (x, y) = (n % self.width, n / self.width);
+        (self.y + y) as usize * screen_width + (self.x + x) as usize
+    }
+}
+
+/// A processor and its parameters: those of the same kind share one description.
+type Kind = (&'static str, Option<usize>, Option<usize>);
+
+/// The descriptions of all processors of a scene.
+pub(super) struct Subjects(BTreeMap<Kind, Subject>);
+
+impl Subjects {
+    /// Those that the words are for.
+    pub fn new<'a>(
+        loaded: impl Iterator<Item = &'a Loaded>,
+        format: &Format,
+        rows_per_stage: usize,
+        engine: Engine,
+    ) -> Result<Subjects, SlotError> {
+        let mut list: BTreeMap<Kind, Subject> = BTreeMap::new();
+        for loaded in loaded {
+            let kind = kind(loaded);
+            if list.contains_key(&kind) {
+                continue;
+            }
+            let parameters = loaded.parameters(format, rows_per_stage);
+            let unit = Unit::from_name(kind.0).expect("a unit of the catalogue");
+            let rust_hdl = subject(kind.0, parameters)?;
+            list.insert(kind, engine(rust_hdl, &parameters.request(unit))?);
+        }
+        Ok(Subjects(list))
+    }
+
+    /// The one of these words.
+    pub fn of(&self, loaded: &Loaded) -> &Subject {
+        &self.0[&kind(loaded)]
+    }
+}
+
+fn kind(loaded: &Loaded) -> Kind {
+    (loaded.unit, loaded.planes, loaded.sides)
+}
