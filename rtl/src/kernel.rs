@@ -1,6 +1,6 @@
 //! What every kernel file uses: rust-hdl's block language, the word types and a few shorthands.
 
-pub(crate) use crate::word::{Int, Word, bit_cast, bits_signed, signed_cast, unsigned_cast};
+pub(crate) use crate::word::{Int, Word, bit_cast, signed_bit_cast, signed_cast, unsigned_cast};
 pub(crate) use rust_hdl::core::prelude::{
     Bit, Clock, Constant, In, Local, Logic, Out, Signal, Synth, ast, clock, hdl_gen, logic,
 };

@@ -239,6 +239,14 @@ pub const fn bits_signed<const M: usize, const N: usize>(number: Int<N>) -> Int<
     Int::new(number.0)
 }
 
+/// A number lengthened with its sign to `M` bits. It has to be all that is assigned: rust-hdl prints `$signed` and leaves the width to the
+/// target, while for [`bits_signed`] it prints a mask and loses the sign.
+#[inline(always)]
+pub const fn signed_bit_cast<const M: usize, const N: usize>(number: Int<N>) -> Int<M> {
+    assert!(M >= N, "a number is lengthened");
+    Int::new(number.0)
+}
+
 /// The same bits read as a number.
 #[inline(always)]
 pub const fn signed_cast<const N: usize>(word: Word<N>) -> Int<N> {

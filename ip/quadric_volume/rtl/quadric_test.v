@@ -7,7 +7,7 @@ module quadric_test (
     input  wire signed [25:0] near_sum,
     input  wire signed [25:0] far_sum,
     input  wire is_inside,
-    input  wire signed [23:0] z,
+    input  wire signed [25:0] z,
     input  wire signed [25:0] entered,
     output wire holds
 );
@@ -15,14 +15,12 @@ module quadric_test (
     localparam [1:0] side = 2'd0;
     localparam [1:0] front = 2'd1;
     localparam [1:0] prism = 2'd3;
-    wire signed [25:0] leaving;
     wire between;
     wire outside;
     reg kept = 1'd0;
 
-    assign leaving = {{2{z[23]}}, z};
-    assign between = (near_sum <= entered) & (leaving <= far_sum);
-    assign outside = (leaving <= near_sum) | (far_sum <= entered);
+    assign between = (near_sum <= entered) & (z <= far_sum);
+    assign outside = (z <= near_sum) | (far_sum <= entered);
     assign holds = kept;
 
     always @(posedge clock) begin

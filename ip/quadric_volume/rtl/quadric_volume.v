@@ -28,6 +28,7 @@
 //   in  box_y0         12 unsigned
 //   in  box_y1         12 unsigned
 //   in  object_class    2 unsigned
+//   in  depth_shift     4 unsigned
 //   in  margin         24 unsigned
 //   in  plane_0_kind    2 unsigned
 //   in  plane_1_kind    2 unsigned
@@ -73,6 +74,7 @@ module quadric_volume (
     input  wire [11:0] box_y0,
     input  wire [11:0] box_y1,
     input  wire [1:0] object_class,
+    input  wire [3:0] depth_shift,
     input  wire [23:0] margin,
     input  wire [1:0] plane_0_kind,
     input  wire [1:0] plane_1_kind,
@@ -111,6 +113,8 @@ module quadric_volume (
     wire signed [23:0] point_z;
     wire signed [25:0] point_entered;
     wire point_is_surface;
+    wire signed [25:0] coarse_point_z;
+    wire signed [25:0] coarse_point_entered;
     wire signed [35:0] planes_0_value;
     wire signed [35:0] planes_1_value;
     wire signed [35:0] planes_2_value;
@@ -167,8 +171,8 @@ module quadric_volume (
         .near_sum(quadric_near_sum),
         .far_sum(quadric_far_sum),
         .is_inside(quadric_is_inside),
-        .z(point_z),
-        .entered(point_entered),
+        .z(coarse_point_z),
+        .entered(coarse_point_entered),
         .holds(quadric_test_holds)
     );
 
@@ -189,6 +193,15 @@ module quadric_volume (
         .z(point_z),
         .entered(point_entered),
         .is_surface(point_is_surface)
+    );
+
+    coarse_point coarse_point (
+        .clock(clock),
+        .depth(depth),
+        .margin(margin),
+        .depth_shift(depth_shift),
+        .z(coarse_point_z),
+        .entered(coarse_point_entered)
     );
 
     pe1_w36 planes_0 (

@@ -242,11 +242,14 @@ impl Lowering {
         value: &VerilogExpression,
     ) -> Result<Statement, EmitError> {
         let target = self.name(target)?;
-        let mut value = self.expression(value)?;
+        let width = self.of(&target)?.width;
+        let mut value = match value {
+            VerilogExpression::Signed(inner) => self.lengthened(inner, width)?,
+            other => self.expression(other)?,
+        };
         if self.branches > 0 && is_product(&value) {
             value = self.term(value);
         }
-        let width = self.of(&target)?.width;
         if value.of.width != width {
             return Err(EmitError::block(
                 &target,
@@ -334,6 +337,31 @@ impl Lowering {
             of: Type {
                 width,
                 signed: whole.signed,
+            },
+        })
+    }
+
+    /// Bits read as a number, and lengthened with their sign to the width of what they are assigned to: rust-hdl's `$signed`, which
+    /// states no width.
+    fn lengthened(
+        &mut self,
+        of: &VerilogExpression,
+        width: usize,
+    ) -> Result<Expression, EmitError> {
+        let value = read_as(self.expression(of)?, true);
+        if value.of.width >= width {
+            return Ok(value);
+        }
+        let name = self.named(value);
+        let narrow = Type {
+            signed: true,
+            ..self.of(&name)?
+        };
+        Ok(Expression {
+            form: Form::Extended(name, narrow),
+            of: Type {
+                width,
+                signed: true,
             },
         })
     }

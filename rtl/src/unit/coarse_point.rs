@@ -73,7 +73,7 @@ impl<const W: usize, const S: usize> Logic for CoarsePoint<W, S> {
     fn update(&mut self) {
         comment!("coarse_point");
         clock!(self, clock, kept_z, kept_entered);
-        self.wide_depth.next = bits_signed::<S, W>(self.depth.val());
+        self.wide_depth.next = signed_bit_cast::<S, W>(self.depth.val());
         self.wide_margin.next = bit_cast::<S, W>(self.margin.val());
         // A number raised by half the range of its word is not negative, so that a plain shift rounds it down.
         self.raised_depth.next = unsigned_cast(self.wide_depth.val()) + self.top.val();

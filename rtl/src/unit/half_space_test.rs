@@ -83,8 +83,8 @@ impl<const W: usize, const S: usize, const P: usize> Logic for HalfSpaceTest<W, 
     fn update(&mut self) {
         comment!("half_space_test");
         clock!(self, clock, kept);
-        self.leaving.next = bits_signed::<P, W>(self.z.val());
-        self.entering.next = bits_signed::<P, S>(self.entered.val());
+        self.leaving.next = signed_bit_cast::<P, W>(self.z.val());
+        self.entering.next = signed_bit_cast::<P, S>(self.entered.val());
         self.removed.next = ((self.kind.val() == self.front.val())
             & (self.entering.val() < self.zp.val()))
             | ((self.kind.val() == self.back.val()) & (self.zp.val() < self.leaving.val()))

@@ -87,7 +87,7 @@ impl<const W: usize, const S: usize> Logic for PatchPlane<W, S> {
     fn update(&mut self) {
         comment!("patch_plane");
         clock!(self, clock, kept_near, kept_far);
-        self.plane.next = bits_signed::<S, W>(self.zp.val());
+        self.plane.next = signed_bit_cast::<S, W>(self.zp.val());
         self.is_front.next = self.kind.val() == self.front.val();
         self.is_back.next = self.kind.val() == self.back.val();
         self.removes_both.next = (self.kind.val() == self.perpendicular.val())

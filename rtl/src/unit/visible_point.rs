@@ -73,7 +73,7 @@ impl<const W: usize, const S: usize> Logic for VisiblePoint<W, S> {
     fn update(&mut self) {
         comment!("visible_point");
         clock!(self, clock, kept_z, kept_entered, kept_surface);
-        self.wide_depth.next = bits_signed::<S, W>(self.depth.val());
+        self.wide_depth.next = signed_bit_cast::<S, W>(self.depth.val());
         self.wide_margin.next = bit_cast::<S, W>(self.margin.val());
         self.step.next = signed_cast(self.wide_margin.val());
         self.kept_z.d.next = self.depth.val();

@@ -164,7 +164,7 @@ fn every_kernel_computes_the_same_in_simulation_and_in_verilog() {
         nested::all(&vectors),
     ]
     .concat();
-    assert_eq!(kernels.len(), 55);
+    assert_eq!(kernels.len(), 56);
     let wrong = differences(&kernels, |kernel| &kernel.text, true);
     assert!(wrong.is_empty(), "of {VECTORS} vectors differ: {wrong:?}");
     // rust-hdl's own text of the same kernels.

@@ -1,7 +1,7 @@
 //! Kernels of one operation.
 
 use super::*;
-use crate::word::bits_signed;
+use crate::word::{bits_signed, signed_bit_cast};
 
 kernel!(Sum, Word<8>, {
     #[hdl_gen]
@@ -163,6 +163,14 @@ kernel!(Extended, Int<12>, {
     }
 });
 
+kernel!(Lengthened, Int<12>, {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("lengthened");
+        self.result.next = signed_bit_cast::<12, 8>(self.s.val());
+    }
+});
+
 kernel!(ZeroExtended, Word<12>, {
     #[hdl_gen]
     fn update(&mut self) {
@@ -226,6 +234,7 @@ pub(super) fn all(vectors: &[[u64; 11]]) -> Vec<Tested> {
         SignedDifference::tested(vectors),
         Negated::tested(vectors),
         Extended::tested(vectors),
+        Lengthened::tested(vectors),
         ZeroExtended::tested(vectors),
         Narrowed::tested(vectors),
         Slice::tested(vectors),
