@@ -64,6 +64,19 @@ const PLANES: [usize; 5] = [0, 1, 2, 3, 4];
 /// The object processors whose planes are counted.
 const CUT: [Unit; 2] = [Unit::QuadricProcessor, Unit::PatchProcessor];
 
+/// The object processors beside the quadric processor.
+const OTHER_PROCESSORS: [Unit; 9] = [
+    Unit::PatchProcessor,
+    Unit::FirstGenerationProcessor,
+    Unit::PolyhedronProcessor,
+    Unit::FacetProcessor,
+    Unit::CurvedFacetProcessor,
+    Unit::SphereProcessor,
+    Unit::CylinderProcessor,
+    Unit::QuadricVolume,
+    Unit::PolyhedralVolume,
+];
+
 /// Rows per stage of the root networks; the last is the whole network of the base format.
 const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
 
@@ -126,8 +139,11 @@ fn planes_row(unit: Unit, planes: usize) -> Row {
 }
 
 fn unit_row(unit: Unit, target: Target) -> Row {
-    // The machine is its units side by side; placing it takes longer than everything else together.
-    let seeds = if unit == Unit::Beam { 0 } else { SEEDS };
+    // The machine is its units side by side; placing it takes longer than everything else together. So does placing the object processors
+    // beside the quadric processor on the small device, of which they fill most.
+    let is_too_long =
+        unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
+    let seeds = if is_too_long { 0 } else { SEEDS };
     Row {
         section: Section::Units,
         request: EmitRequest::new(unit),

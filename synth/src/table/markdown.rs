@@ -18,7 +18,7 @@ const VIDEO: [(f64, &str); 4] = [
 const UNITS: &str = "
 Base format 24, 3 cut planes (4 of patches and volumes, 6 of the polyhedron), 1 row per stage, 4 objects. `quadric_pe` is the quadric core: both elementary processors, the root
 and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
-unit, and is not measured. The other forms of the root are in [root-network.md](root-network.md).
+unit, and is not measured; the clocks of the object processors beside the quadric processor are measured on ECP5. The other forms of the root are in [root-network.md](root-network.md).
 
 On ECP5, Yosys joins look-up tables to wider ones. That speeds up the elementary processors, but alone in a netlist a multiplexer
 that a comparison steers (`cut_plane`, `two_volume_merge`, `visibility_node`, `decider`) draws the comparison into each of its bits

@@ -5,6 +5,7 @@
 //! cannot be drawn must be refused with a message that says why. A unit runs over a stimulus written for the case.
 
 mod pictures;
+mod processors;
 mod scenes;
 mod units;
 
@@ -68,7 +69,8 @@ pub struct Finding {
 
 /// All cases.
 pub fn all() -> impl Iterator<Item = &'static Extreme> {
-    scenes::CASES.iter().chain(units::CASES)
+    let units = units::CASES.iter().chain(processors::CASES);
+    scenes::CASES.iter().chain(units)
 }
 
 /// A case by its name, without `extremes/`.

@@ -98,13 +98,13 @@ pub const CASES: &[Extreme] = &[
 ];
 
 /// The least and greatest words of a signed port, and those about zero.
-fn ends(signal: &Signal) -> [i64; 7] {
+pub(super) fn ends(signal: &Signal) -> [i64; 7] {
     let half = 1i64 << (signal.width - 1);
     [-half, -half + 1, -1, 0, 1, half - 2, half - 1]
 }
 
 /// Inputs with some ports set and the others zero.
-fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
+pub(super) fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
     let value = |signal: &Signal| {
         let found = set.iter().find(|(name, _)| *name == signal.name);
         found.map_or(0, |&(_, value)| value)

@@ -1,0 +1,394 @@
+//! Extremes of the object processors beside the quadric processor, of the volumes, and of the elementary processors with a mode or a memory:
+//! each configuration is a zone of one pixel, its words held until the result is out.
+
+use super::units::{ends, inputs};
+use super::{Case, Extreme};
+use crate::subject::{Inputs, Subject};
+
+pub const CASES: &[Extreme] = &[
+    Extreme {
+        name: "patch-ties",
+        item: "17.6",
+        outcome: "Both roots and all planes at the same depth, one word beside it, and at both ends of the word: a face in a plane stays, a face past an end is none, the near face goes before the far one.",
+        case: Case::Unit {
+            unit: "patch_decider",
+            stimulus: patch_ties,
+        },
+    },
+    Extreme {
+        name: "first-generation-contours-at-zero",
+        item: "17.6",
+        outcome: "Conics and polar lines at 0, -1 and both ends of their words: zero is inside the quadric and on the kept side, so that a plane exactly at a root is the face of a solid and has removed that root of a surface.",
+        case: Case::Unit {
+            unit: "first_generation_processor",
+            stimulus: contours_at_zero,
+        },
+    },
+    Extreme {
+        name: "polyhedron-without-thickness",
+        item: "17.5",
+        outcome: "Two planes of opposite sense at the same depth, one word apart either way, at both ends and beyond them, and perpendicular planes of 0 and -1: no thickness is there, less is absent.",
+        case: Case::Unit {
+            unit: "polyhedron_processor",
+            stimulus: without_thickness,
+        },
+    },
+    Extreme {
+        name: "facet-sides-at-zero",
+        item: "13.8",
+        outcome: "Sides of 0, -1 and both ends of their words, depths at and beside both ends of the depth word: zero is inside, and a facet past an end is absent.",
+        case: Case::Unit {
+            unit: "facet_processor",
+            stimulus: facet_sides,
+        },
+    },
+    Extreme {
+        name: "curved-sides-at-zero",
+        item: "13.8",
+        outcome: "The same with sides and depth of second degree.",
+        case: Case::Unit {
+            unit: "curved_facet_processor",
+            stimulus: curved_sides,
+        },
+    },
+    Extreme {
+        name: "sphere-past-the-ends",
+        item: "17.4",
+        outcome: "Front and back depth at and beside both ends of the depth word, the outline at 0 and -1: one pixel is drawn on the outline itself, a cap where the front is past the near end, nothing where all of it is beyond.",
+        case: Case::Unit {
+            unit: "sphere_processor",
+            stimulus: sphere_depths,
+        },
+    },
+    Extreme {
+        name: "cylinder-parts-tied",
+        item: "17.6",
+        outcome: "Sides and discs at 0 and -1 in every combination: the front disc goes before the body, and a pixel in none of the parts is absent.",
+        case: Case::Unit {
+            unit: "cylinder_processor",
+            stimulus: cylinder_parts,
+        },
+    },
+    Extreme {
+        name: "volume-begins-at-the-point",
+        item: "17.14",
+        outcome: "The visible point at the beginning and the end of a volume and one word beside them, with margins from 0 to half the depth word and units of depth from 1 to 256 words, in all four classes: the margin opens the beginning, the end stays closed, the background is in no volume.",
+        case: Case::Unit {
+            unit: "quadric_volume",
+            stimulus: volume_ties,
+        },
+    },
+    Extreme {
+        name: "volume-planes-past-the-depth-word",
+        item: "17.5",
+        outcome: "Planes of a volume at the ends of their 36 bits and beside the point, of every kind: they are compared in full, without a clamp.",
+        case: Case::Unit {
+            unit: "polyhedral_volume",
+            stimulus: volume_planes,
+        },
+    },
+    Extreme {
+        name: "carry-at-the-middle",
+        item: "17.12",
+        outcome: "Low halves of all ones in every word: split, no carry reaches the high half, and the four lanes wrap by themselves; whole, it does.",
+        case: Case::Unit {
+            unit: "programmable_pe",
+            stimulus: carries,
+        },
+    },
+    Extreme {
+        name: "fields-in-any-order",
+        item: "17.12",
+        outcome: "The odd field twice, then the even one, then the odd one again, on the greatest and least words: every field begins with the words as they were loaded.",
+        case: Case::Unit {
+            unit: "memory_pe2",
+            stimulus: fields,
+        },
+    },
+];
+
+/// The far end of the base format.
+const FAR: i64 = (1 << 23) - 1;
+
+/// A depth and its neighbours, and both ends of the depth word and theirs.
+const DEPTHS: [i64; 11] = [
+    -FAR - 2,
+    -FAR - 1,
+    -FAR,
+    -FAR + 1,
+    -1,
+    0,
+    1,
+    FAR - 1,
+    FAR,
+    FAR + 1,
+    FAR + 2,
+];
+
+/// One pixel with these words, which stay until its result is out.
+fn pixel(subject: &Subject, words: &[(&str, i64)]) -> Vec<Inputs> {
+    let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, words].concat());
+    let first = with(&[("valid", 1), ("start", 1)]);
+    std::iter::once(first)
+        .chain(std::iter::repeat_n(with(&[]), subject.latency))
+        .collect()
+}
+
+fn patch_ties(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for (place, &near) in DEPTHS.iter().enumerate() {
+        for &far in &DEPTHS[place..] {
+            for &plane in DEPTHS.iter().filter(|z| (-FAR - 1..=FAR).contains(*z)) {
+                for kinds in [[1, 1], [1, 2], [2, 2], [3, 1], [0, 2]] {
+                    let mut set = vec![
+                        ("near_sum", near),
+                        ("far_sum", far),
+                        ("is_inside", 1),
+                        ("in_box", 1),
+                        ("plane_0_zp", plane),
+                        ("plane_1_zp", near.clamp(-FAR - 1, FAR)),
+                    ];
+                    set.extend([("plane_0_kind", kinds[0]), ("plane_1_kind", kinds[1])]);
+                    list.push(inputs(subject, &set));
+                }
+            }
+        }
+    }
+    list.extend(std::iter::repeat_n(inputs(subject, &[]), subject.latency));
+    list
+}
+
+fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    let conics = [-(1i64 << 47), -1, 0, (1 << 47) - 1];
+    let polars = [-(1i64 << 35), -1, 0, (1 << 35) - 1];
+    for surface in 0..2 {
+        for front in conics {
+            for back in conics {
+                for polar in polars {
+                    let set = [
+                        ("surface", surface),
+                        ("f2_f", 25),
+                        ("conic_0_f", front),
+                        ("conic_1_f", back),
+                        ("polar_0_c", polar),
+                        ("polar_1_c", -1 - polar),
+                        ("depth_0_c", -5),
+                        ("depth_1_c", 5),
+                        ("plane_0_nz", -7),
+                        ("plane_1_nz", 7),
+                    ];
+                    list.extend(pixel(subject, &set));
+                }
+            }
+        }
+    }
+    list
+}
+
+fn without_thickness(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for depth in DEPTHS {
+        for gap in -1..=1 {
+            for half_plane in [-1, 0] {
+                let set = [
+                    ("plane_0_kind", 1),
+                    ("plane_0_c", depth),
+                    ("plane_1_kind", 2),
+                    ("plane_1_c", depth + gap),
+                    ("plane_2_kind", 3),
+                    ("plane_2_c", half_plane),
+                    ("plane_0_nz", -1),
+                    ("plane_1_nz", 1),
+                ];
+                list.extend(pixel(subject, &set));
+            }
+        }
+    }
+    list
+}
+
+/// Units of a first-degree depth below the depth word.
+const PLANE_GUARD: i64 = 1 << 10;
+/// Units of a second-degree depth below the depth word.
+const BULGE_GUARD: i64 = 1 << 22;
+
+fn facet_sides(subject: &Subject) -> Vec<Inputs> {
+    let sides = [-(1i64 << 35), -1, 0, (1 << 35) - 1];
+    sides_and_depths(
+        subject,
+        sides,
+        ["side_0_c", "side_1_c", "side_2_c"],
+        "depth_c",
+        PLANE_GUARD,
+    )
+}
+
+fn curved_sides(subject: &Subject) -> Vec<Inputs> {
+    let sides = [-(1i64 << 47), -1, 0, (1 << 47) - 1];
+    sides_and_depths(
+        subject,
+        sides,
+        ["side_0_f", "side_1_f", "side_2_f"],
+        "depth_f",
+        BULGE_GUARD,
+    )
+}
+
+fn sides_and_depths(
+    subject: &Subject,
+    values: [i64; 4],
+    sides: [&str; 3],
+    depth: &str,
+    guard: i64,
+) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for z in DEPTHS {
+        // The last unit below the next word as well: depths are rounded down.
+        for rest in [0, guard - 1] {
+            for first in values {
+                for second in [-1, 0] {
+                    let set = [
+                        (sides[0], first),
+                        (sides[1], second),
+                        (sides[2], 0),
+                        (depth, z * guard + rest),
+                    ];
+                    list.extend(pixel(subject, &set));
+                }
+            }
+        }
+    }
+    list
+}
+
+fn sphere_depths(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for near in DEPTHS {
+        for far in DEPTHS {
+            for outline in [-1, 0] {
+                let set = [
+                    ("outline_f", outline),
+                    ("front_f", near * BULGE_GUARD),
+                    ("depth_sum", near + far),
+                    ("nz_f", -(1 << 47)),
+                ];
+                list.extend(pixel(subject, &set));
+            }
+        }
+    }
+    list
+}
+
+fn cylinder_parts(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for signs in 0..64i64 {
+        let value = |bit: i64| -(signs >> bit & 1);
+        let set = [
+            ("side_0_c", value(0)),
+            ("side_1_c", value(1)),
+            ("side_2_c", value(2)),
+            ("side_3_c", value(3)),
+            ("disc_0_f", value(4)),
+            ("disc_1_f", value(5)),
+            ("body_f", -(1 << 46)),
+            ("lid_c", 1 << 20),
+            ("lid_nz", -9),
+        ];
+        list.extend(pixel(subject, &set));
+    }
+    list
+}
+
+fn volume_ties(subject: &Subject) -> Vec<Inputs> {
+    let mut list = Vec::new();
+    for object_class in 0..4 {
+        for depth in [-FAR, -4, -3, -2, 0, 2, 3, 4, FAR - 1, FAR] {
+            for margin in [0, 1, 5, FAR] {
+                for depth_shift in [0, 1, 8] {
+                    for f2 in [-1, 0, 9] {
+                        let set = [
+                            ("object_class", object_class),
+                            ("depth", depth),
+                            ("margin", margin),
+                            ("depth_shift", depth_shift),
+                            ("f2_f", f2),
+                        ];
+                        list.extend(pixel(subject, &set));
+                    }
+                }
+            }
+        }
+    }
+    list
+}
+
+fn volume_planes(subject: &Subject) -> Vec<Inputs> {
+    let plane = subject.inputs.iter().find(|port| port.name == "plane_0_c");
+    let words = ends(plane.expect("a volume has planes"));
+    let mut list = Vec::new();
+    for depth in [-FAR, -1, 0, 1, FAR - 1, FAR] {
+        for margin in [0, 1, FAR] {
+            for kind in 0..4 {
+                for at in words.into_iter().chain([depth - 1, depth, depth + 1]) {
+                    let set = [
+                        ("depth", depth),
+                        ("margin", margin),
+                        ("plane_0_kind", kind),
+                        ("plane_0_c", at),
+                    ];
+                    list.extend(pixel(subject, &set));
+                }
+            }
+        }
+    }
+    list
+}
+
+fn carries(subject: &Subject) -> Vec<Inputs> {
+    let low = (1i64 << 24) - 1;
+    let mut list = Vec::new();
+    for split in 0..2 {
+        for high in [0, -1, 1 << 22] {
+            let word = high << 24 | low;
+            let names = ["a2", "b2", "c", "i0", "p0", "f"];
+            let mut words: Vec<(&str, i64)> = names.map(|name| (name, word)).to_vec();
+            words.extend([("split", split), ("used", 15)]);
+            let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, &words].concat());
+            list.push(with(&[("valid", 1), ("start", 1)]));
+            for _ in 0..4 {
+                list.extend(std::iter::repeat_n(with(&[("valid", 1)]), 4));
+                list.push(with(&[("valid", 1), ("line", 1)]));
+            }
+        }
+    }
+    list
+}
+
+fn fields(subject: &Subject) -> Vec<Inputs> {
+    let half = 1i64 << 47;
+    let words = [-half, half - 2, -half, half - 1, -half, half - 1];
+    let mut list: Vec<Inputs> = (0..6)
+        .chain([3, 4, 5])
+        .enumerate()
+        .map(|(address, word)| {
+            let set = [
+                ("load_valid", 1),
+                ("load_address", address as i64),
+                ("load_data", words[word]),
+            ];
+            inputs(subject, &set)
+        })
+        .collect();
+    for odd in [1, 1, 0, 1] {
+        list.push(inputs(subject, &[("field_start", 1), ("odd_field", odd)]));
+        list.extend(std::iter::repeat_n(inputs(subject, &[]), 5));
+        for _ in 0..3 {
+            list.push(inputs(subject, &[("line_start", 1)]));
+            // Long enough for two steps; a field's first line may take one.
+            list.extend(std::iter::repeat_n(inputs(subject, &[]), 26));
+            list.extend(std::iter::repeat_n(inputs(subject, &[("pixel", 1)]), 4));
+        }
+    }
+    list
+}
