@@ -2,8 +2,10 @@
 //!
 //! With the source s as a homogeneous point and Q the quadric's matrix, `g = Q s` is the polar plane of the source and, for a plane p,
 //!
-//!     K  = (s'Qs) Q - g g'                                     the cone that touches the quadric along the polar plane
-//!     Kp = (p.s)^2 Q - (p.s)(p g' + g p') + (s'Qs) p p'         the cone through the conic in the plane p
+//! ```text
+//! K  = (s'Qs) Q - g g'                                     the cone that touches the quadric along the polar plane
+//! Kp = (p.s)^2 Q - (p.s)(p g' + g p') + (s'Qs) p p'         the cone through the conic in the plane p
+//! ```
 //!
 //! A ray from s that meets the cut solid meets it in its point of the polar plane, or where a cut plane bounds what the planes leave of the ray.
 //! So the shadow is the union of
