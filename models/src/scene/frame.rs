@@ -7,17 +7,17 @@
 //! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries are then
 //! taken as exact, so that everything derived from them is exact.
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 use rayon::prelude::*;
 
 use super::check::check_image_size;
 use super::error::SceneError;
-use super::file::{Camera, Cut, Light, Material, Object, Processor, SceneFile, Shape};
+use super::file::{Camera, Light, Material, Object, Processor, SceneFile, Shape};
 use super::framed::{FramedObject, FramedQuadric};
 use super::mesh::FramedMesh;
+use super::plane::Plane;
+use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
 use super::source::FramedSource;
 use super::tetrahedron::implicit;
@@ -62,48 +62,6 @@ pub enum Projection {
         /// Depth in pixels covered on each side of the screen plane.
         half_depth: BigRational,
     },
-}
-
-/// `Q = a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`, inside where `Q <= 0`.
-///
-/// A framed quadric has whole coefficients without common divisor.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Quadric {
-    /// Coefficient of x^2.
-    pub a: BigRational,
-    /// Coefficient of y^2.
-    pub b: BigRational,
-    /// Coefficient of z^2.
-    pub c: BigRational,
-    /// Half the coefficient of xy.
-    pub d: BigRational,
-    /// Half the coefficient of xz.
-    pub e: BigRational,
-    /// Half the coefficient of yz.
-    pub f: BigRational,
-    /// Half the coefficient of x.
-    pub g: BigRational,
-    /// Half the coefficient of y.
-    pub h: BigRational,
-    /// Half the coefficient of z.
-    pub i: BigRational,
-    /// Constant.
-    pub j: BigRational,
-}
-
-/// `a x + b y + c z + d`, kept where it is negative or zero; (a, b, c) is the outward normal.
-///
-/// A framed plane has whole coefficients without common divisor.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Plane {
-    /// Coefficient of x.
-    pub a: BigRational,
-    /// Coefficient of y.
-    pub b: BigRational,
-    /// Coefficient of z.
-    pub c: BigRational,
-    /// Constant.
-    pub d: BigRational,
 }
 
 /// A light source in the camera frame.
@@ -165,227 +123,6 @@ impl SceneFile {
                 framed_object(object, material, camera)
             })
             .collect()
-    }
-}
-
-impl Quadric {
-    /// The quadric that is nowhere positive: all of space.
-    pub fn everywhere() -> Self {
-        Self::from_array(std::array::from_fn(|_| BigRational::zero()))
-    }
-
-    /// It is zero everywhere, so that it bounds nothing.
-    pub fn is_everywhere(&self) -> bool {
-        self.coefficients().iter().all(|value| value.is_zero())
-    }
-
-    /// The quadric of a shape, in its local coordinates; [`Quadric::everywhere`] for a polyhedron, which has none, and nothing for a mesh.
-    pub fn from_shape(shape: &Shape) -> Option<Self> {
-        let one = integer(1);
-        Some(match shape {
-            Shape::Polyhedron => Self::everywhere(),
-            Shape::Mesh(_) => return None,
-            Shape::TetrahedronPatch { corners, weights } => implicit(corners, weights)?.0,
-            Shape::Ellipsoid { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, b, c, -one)
-            }
-            Shape::Sphere { radius } => {
-                let square = from_decimal(*radius).pow(2);
-                Self::diagonal(one.clone(), one.clone(), one, -square)
-            }
-            Shape::EllipticCylinder { radii } => {
-                let [a, c] = inverse_squares(radii);
-                Self::diagonal(a, integer(0), c, -one)
-            }
-            Shape::HyperbolicCylinder { radii } => {
-                let [a, c] = inverse_squares(radii);
-                Self::diagonal(a, integer(0), -c, -one)
-            }
-            Shape::ParabolicCylinder { radii } => {
-                let [a, _] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), integer(0), integer(0));
-                quadric.i = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::Cone { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, integer(0))
-            }
-            Shape::HyperboloidOneSheet { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, -one)
-            }
-            Shape::HyperboloidTwoSheets { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, one)
-            }
-            Shape::EllipticParaboloid { radii } => {
-                let [a, _, c] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), c, integer(0));
-                quadric.h = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::HyperbolicParaboloid { radii } => {
-                let [a, _, c] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), -c, integer(0));
-                quadric.h = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::Quadric { coefficients } => Self::from_array(coefficients.map(from_decimal)),
-        })
-    }
-
-    /// The value of Q at a point, exactly.
-    pub fn value_at(&self, x: &BigRational, y: &BigRational, z: &BigRational) -> BigRational {
-        let along_x = &self.a * x + (&self.d * y + &self.e * z + &self.g) * integer(2);
-        let along_y = &self.b * y + (&self.f * z + &self.h) * integer(2);
-        let along_z = &self.c * z + &self.i * integer(2);
-        along_x * x + along_y * y + along_z * z + &self.j
-    }
-
-    /// The same volume after the change of frame `P' = M P`.
-    ///
-    /// `cof(M) Q cof(M)^T` is the exact image times det(M)^2, a positive factor that changes neither surface nor inside. The
-    /// source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
-    pub fn transformed(&self, transform: &Transform) -> Self {
-        let (cofactors, unit) = transform.whole_cofactors();
-        let [a, b, c, d, e, f, g, h, i, j] = self.coefficients();
-        let denominator = [a, b, c, d, e, f, g, h, i, j]
-            .iter()
-            .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
-        let matrix = self
-            .matrix()
-            .map(|row| row.map(|value| value.numer() * (&denominator / value.denom())));
-        // Whole numbers are multiplied and divided once: reducing fractions on the way would take most of the time.
-        let entry = |row: usize, column: usize| {
-            let sum: BigInt = (0..16)
-                .map(|k| &cofactors[row][k / 4] * &matrix[k / 4][k % 4] * &cofactors[column][k % 4])
-                .sum();
-            BigRational::new_raw(sum, &unit * &unit * &denominator)
-        };
-        let order = [
-            (0, 0),
-            (1, 1),
-            (2, 2),
-            (0, 1),
-            (0, 2),
-            (1, 2),
-            (0, 3),
-            (1, 3),
-            (2, 3),
-            (3, 3),
-        ];
-        Self::from_array(order.map(|(row, column)| entry(row, column)))
-    }
-
-    /// The quadric of a symmetric matrix.
-    pub(super) fn from_matrix(matrix: [[BigRational; 4]; 4]) -> Self {
-        let [[a, d, e, g], [_, b, f, h], [_, _, c, i], [_, _, _, j]] = matrix;
-        Self::from_array([a, b, c, d, e, f, g, h, i, j])
-    }
-
-    /// The coefficients a to j.
-    pub fn coefficients(&self) -> [&BigRational; 10] {
-        [
-            &self.a, &self.b, &self.c, &self.d, &self.e, &self.f, &self.g, &self.h, &self.i,
-            &self.j,
-        ]
-    }
-
-    /// The symmetric matrix of Q.
-    pub fn matrix(&self) -> [[BigRational; 4]; 4] {
-        let Self {
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-        } = self;
-        [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]]
-            .map(|row| row.map(BigRational::clone))
-    }
-
-    /// The positive multiple with whole coefficients without common divisor.
-    pub fn primitive(self) -> Self {
-        Self::from_array(primitive(self.coefficients().map(BigRational::clone)))
-    }
-
-    pub(super) fn diagonal(a: BigRational, b: BigRational, c: BigRational, j: BigRational) -> Self {
-        let [d, e, f, g, h, i] = std::array::from_fn(|_| BigRational::zero());
-        Self {
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-        }
-    }
-
-    /// The quadric of the coefficients a to j.
-    pub fn from_array([a, b, c, d, e, f, g, h, i, j]: [BigRational; 10]) -> Self {
-        Self {
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-        }
-    }
-}
-
-impl Plane {
-    /// The plane of a cut, in the local coordinates of the object.
-    pub fn from_cut(cut: &Cut) -> Self {
-        let [a, b, c] = cut.normal.map(from_decimal);
-        let [x, y, z] = cut.point.map(from_decimal);
-        let d = -(&a * x + &b * y + &c * z);
-        Self { a, b, c, d }
-    }
-
-    /// The value of `a x + b y + c z + d` at a point, exactly.
-    pub fn value_at(&self, x: &BigRational, y: &BigRational, z: &BigRational) -> BigRational {
-        &self.a * x + &self.b * y + &self.c * z + &self.d
-    }
-
-    /// The same half-space after the change of frame `P' = M P`.
-    ///
-    /// `cof(M) p` is the exact image times det(M): a mirror would exchange the kept and the removed side, so the sign of the
-    /// determinant is put back, which the source omits (section 5.1.2).
-    pub fn transformed(&self, transform: &Transform) -> Self {
-        let column = [&self.a, &self.b, &self.c, &self.d];
-        let sign = transform.determinant().signum();
-        let [a, b, c, d] = transform.cofactors().map(|row| {
-            let value: BigRational = row.iter().zip(column).map(|(m, p)| m * p).sum();
-            value * &sign
-        });
-        Self { a, b, c, d }
-    }
-
-    /// The coefficients a to d.
-    pub fn coefficients(&self) -> [&BigRational; 4] {
-        [&self.a, &self.b, &self.c, &self.d]
-    }
-
-    /// The positive multiple with whole coefficients without common divisor.
-    pub fn primitive(self) -> Self {
-        let [a, b, c, d] = primitive(self.coefficients().map(BigRational::clone));
-        Self { a, b, c, d }
     }
 }
 
@@ -567,28 +304,4 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             colour: colour.map(|value| value * intensity),
         },
     }
-}
-
-fn inverse_squares<const N: usize>(radii: &[f64; N]) -> [BigRational; N] {
-    radii.map(|radius| from_decimal(radius).pow(2).recip())
-}
-
-/// Linear terms count twice in a quadric, so `-y/B` has the coefficient `-1/(2B)`.
-fn minus_half_inverse(radius: f64) -> BigRational {
-    -(from_decimal(radius) * integer(2)).recip()
-}
-
-/// The positive multiple of `values` that is whole and without common divisor; zeros stay as they are.
-fn primitive<const N: usize>(values: [BigRational; N]) -> [BigRational; N] {
-    let denominator = values
-        .iter()
-        .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
-    let numerators = values.map(|value| value.numer() * (&denominator / value.denom()));
-    let divisor = numerators.iter().fold(BigInt::zero(), |gcd, value| {
-        if gcd.is_one() { gcd } else { gcd.gcd(value) }
-    });
-    if divisor.is_zero() {
-        return numerators.map(BigRational::from_integer);
-    }
-    numerators.map(|value| BigRational::from_integer(value / &divisor))
 }

@@ -1,8 +1,9 @@
 //! What an object of a scene is in the camera frame.
 
 use super::file::Surface;
-use super::frame::{Plane, Quadric};
 use super::mesh::FramedMesh;
+use super::plane::Plane;
+use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
 use num_rational::BigRational;
 

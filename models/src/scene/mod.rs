@@ -12,6 +12,8 @@ mod frame;
 mod framed;
 mod keys;
 mod mesh;
+mod plane;
+mod quadric;
 mod round;
 mod source;
 mod tetrahedron;
@@ -26,9 +28,11 @@ pub use file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
     Rotation, Scale, SceneFile, Shape, Step, Surface,
 };
-pub use frame::{FramedLight, FramedScene, Plane, Projection, Quadric};
+pub use frame::{FramedLight, FramedScene, Projection};
 pub use framed::{FramedObject, FramedQuadric};
 pub use mesh::{FramedFacet, FramedMesh};
+pub use plane::Plane;
+pub use quadric::Quadric;
 pub(crate) use round::root;
 pub use round::{FramedCylinder, FramedSphere};
 pub use source::{FramedSource, SpotCone};

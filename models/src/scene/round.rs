@@ -5,8 +5,9 @@
 
 use super::error::SceneError;
 use super::file::Surface;
-use super::frame::{Plane, Quadric};
 use super::framed::FramedQuadric;
+use super::plane::Plane;
+use super::quadric::Quadric;
 use super::transform::Transform;
 use crate::rational::{from_decimal, from_f64_exact, integer, to_f64};
 use num_rational::BigRational;

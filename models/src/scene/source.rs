@@ -1,7 +1,8 @@
 //! Light sources as shadows and spots need them: exact, in the camera frame.
 
 use super::file::{Aim, Light};
-use super::frame::{Plane, Quadric};
+use super::plane::Plane;
+use super::quadric::Quadric;
 use super::transform::{Transform, sine_and_cosine};
 use crate::rational::{from_decimal, from_f64_exact, integer};
 use num_rational::BigRational;

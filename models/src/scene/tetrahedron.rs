@@ -1,6 +1,7 @@
 //! Tetrahedral patches: ten Bernstein weights to the implicit quadric, and the four faces as planes.
 
-use super::frame::{Plane, Quadric};
+use super::plane::Plane;
+use super::quadric::Quadric;
 use super::transform::{Transform, product};
 use crate::rational::from_decimal;
 use num_rational::BigRational;
