@@ -1,8 +1,11 @@
 //! Scenes of the other object processors: golden picture against exact picture.
 
+#[path = "../common/mod.rs"]
 mod common;
 
-use common::Random;
+mod meshes;
+mod tetrahedra;
+
 use imogene_models::check::{check, depth_bound, undecided_pixels};
 use imogene_models::exact::render::{DEPTH_FRACTION, ExactPixel, render, to_frame};
 use imogene_models::format::Format;
@@ -18,6 +21,7 @@ use num_traits::Zero;
 use std::path::Path;
 
 const SIZE: (u32, u32) = (320, 240);
+
 const FILES: [&str; 7] = [
     "curved-facet",
     "first-generation",
@@ -153,88 +157,6 @@ fn polyhedra_are_within_the_rounding_of_their_planes() {
     }
 }
 
-/// A facet's corner is moved by up to a 32nd of a pixel each way, which its slope turns into depth.
-#[test]
-fn meshes_are_within_the_rounding_of_their_corners() {
-    let format = Format::BASE;
-    let pictures = Pictures::of("mesh", format);
-    let differences = pictures.differences();
-    println!("{differences} pixels differ");
-    assert!(differences < 60, "{differences}");
-    // Slope of the facet that is seen at each pixel, in depth words per pixel.
-    let width = pictures.golden.width;
-    let mut nearest = vec![(format.z_max(), 0.0f64); pictures.exact.len()];
-    for slot in pictures.prepared.slots() {
-        let ProcessorWords::Facet(words) = &slot.words else {
-            panic!("a mesh is drawn by facet processors");
-        };
-        let unit = f64::from(1 << 10);
-        let slope = (words.depth.a.abs() + words.depth.b.abs()) as f64 / unit;
-        for y in 0..pictures.golden.height {
-            slot.words.for_each_present(&format, y as i64, |x, pixel| {
-                let known = &mut nearest[y * width + x as usize];
-                if pixel.zf < known.0 {
-                    *known = (pixel.zf, slope);
-                }
-            });
-        }
-    }
-    let mut compared = 0;
-    for (i, off) in pictures.depth_errors() {
-        assert_eq!(nearest[i].0, pictures.golden.depth[i]);
-        // Near an edge the other picture may show the facet beside this one, so its slope counts too.
-        let around = [0, 1, 2].map(|row| (i + row * width).saturating_sub(width));
-        let slopes = around.iter().flat_map(|&i| &nearest[i - 1..=i + 1]);
-        let slope = slopes.map(|&(_, slope)| slope).fold(0.0, f64::max);
-        let bound = 2.0 * slope / 16.0 + 2.0;
-        assert!(off.abs() <= bound, "{off} beyond {bound}");
-        compared += 1;
-    }
-    assert!(compared > 15_000);
-    // Phong normals: linear on the screen instead of in space. Flat ones are those of their faces, up to a change of face at an edge.
-    let normals = pictures.normal_errors();
-    let phong = normals.iter().filter(|&&(id, _)| id > 0);
-    let worst = phong.map(|&(_, off)| off).fold(0.0, f64::max);
-    println!("interpolated normals within {worst} degrees");
-    assert!(worst < 3.0, "{worst}");
-    let flat: Vec<f64> = normals.iter().filter(|n| n.0 == 0).map(|n| n.1).collect();
-    let other = flat.iter().filter(|&&off| off > 0.01).count();
-    assert!(flat.len() > 3000 && other < 30, "{other} of {}", flat.len());
-}
-
-/// Every pixel that the exact mesh covers by more than the rounding of corners is covered: corners round to one place.
-#[test]
-fn meshes_have_no_cracks() {
-    for seed in 0..6u32 {
-        let mut file = file("mesh");
-        file.objects
-            .retain(|o| o.name == "ball" || o.name == "sheet");
-        let mut random = Random(u64::from(seed) + 77);
-        if let Some(imogene_models::scene::Step::Translate(offset)) =
-            file.objects[0].place.last_mut()
-        {
-            *offset = [random.signed(), random.signed(), random.signed()];
-        }
-        let pictures = Pictures::of_file(&file, (200, 150), Format::BASE);
-        let (w, h) = (200usize, 150usize);
-        let mut inside = 0;
-        for y in 1..h - 1 {
-            for x in 1..w - 1 {
-                let all = (y - 1..=y + 1)
-                    .all(|v| (x - 1..=x + 1).all(|u| pictures.exact[v * w + u].is_some()));
-                if all {
-                    inside += 1;
-                    assert!(
-                        pictures.golden.id[y * w + x] >= 0,
-                        "seed {seed}: ({x}, {y})"
-                    );
-                }
-            }
-        }
-        assert!(inside > 1000);
-    }
-}
-
 /// The patch processor has the words and the bounds of the quadric processor.
 #[test]
 fn patches_are_within_their_proven_bounds() {
@@ -348,82 +270,6 @@ fn curved_facets_have_the_exact_outline_and_depth() {
     assert!(compared.iter().all(|&n| n > 3000), "{compared:?}");
 }
 
-/// A mesh of four vertices and one face, seen straight on, a hundred pixels to the unit.
-fn one_face(vertices: [[f64; 3]; 4], face: [usize; 4]) -> Pictures {
-    let mut file = file("mesh");
-    file.objects.truncate(1);
-    file.objects[0].place.clear();
-    file.objects[0].shape = Shape::Mesh(imogene_models::scene::Mesh {
-        vertices: vertices.to_vec(),
-        faces: vec![face.to_vec()],
-        normals: vec![],
-    });
-    file.camera = parallel_view([0.0, 0.1, 9.0]);
-    Pictures::of_file(&file, (533, 400), Format::BASE)
-}
-
-/// A face is one processor if its corners are in a plane on the screen, two if not, split where both halves are inside; none if it is seen edge-on.
-#[test]
-fn faces_are_split_where_they_must_be() {
-    let square = [
-        [-1.0, -1.0, 0.0],
-        [1.0, -1.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [-1.0, 1.0, 0.0],
-    ];
-    let lifted = |corner: usize, to: [f64; 3]| {
-        let mut vertices = square;
-        vertices[corner] = to;
-        vertices
-    };
-    let whole = [0, 1, 2, 3];
-    // Vertices, processors, and pixels up to those on the sides.
-    let cases = [
-        (square, 1, 40_000),
-        (lifted(2, [1.0, 1.0, 0.4]), 2, 40_000),
-        // Concave at corner 2, then at corner 1: a quarter is missing.
-        (lifted(2, [0.0, 0.0, 0.0]), 2, 20_000),
-        (lifted(2, [-0.5, -0.5, 0.3]), 2, 10_000),
-        (lifted(1, [-0.5, 0.5, 0.3]), 2, 10_000),
-    ];
-    for (vertices, processors, pixels) in cases {
-        let pictures = one_face(vertices, whole);
-        assert_eq!(pictures.prepared.slots().len(), processors, "{vertices:?}");
-        let (golden, exact) = (
-            pictures.golden.covered() as i64,
-            pictures.exact.iter().flatten().count() as i64,
-        );
-        assert!((golden - pixels).abs() < 300, "{vertices:?}: {golden}");
-        // The exact picture has the pixels on all of its sides.
-        assert!((exact - golden).abs() < 500, "{golden} {exact}");
-    }
-    let upright = square.map(|[x, y, _]| [x, 0.1, y]);
-    let pictures = one_face(upright, whole);
-    assert_eq!(pictures.prepared.slots().len(), 0);
-    assert_eq!(pictures.golden.covered(), 0);
-    let notes = pictures.prepared.objects[0].notes();
-    assert!(
-        notes[0].contains("edge-on") && notes[0].contains("faces 0"),
-        "{notes:?}"
-    );
-}
-
-/// Slots are in the order of the objects, and a pixel carries the index of its object.
-#[test]
-fn slots_follow_the_objects() {
-    let pictures = Pictures::of("mesh", Format::BASE);
-    let slots = pictures.prepared.slots();
-    assert!(
-        slots
-            .windows(2)
-            .all(|pair| pair[0].object <= pair[1].object)
-    );
-    for object in 0..3 {
-        assert!(slots.iter().filter(|s| s.object == object).count() > 5);
-        assert!(pictures.golden.id.contains(&(object as i32)));
-    }
-}
-
 /// The words are proven to fit for every format, and the check reports every object.
 #[test]
 fn every_format_draws_every_scene() {
@@ -461,80 +307,6 @@ fn first_generation_takes_guard_bits() {
     assert!(plain.depth != guarded.depth);
 }
 
-type Point = [BigRational; 3];
-
-fn random_rational(random: &mut Random) -> BigRational {
-    BigRational::new(
-        ((random.signed() * 1000.0) as i64).into(),
-        ((random.signed().abs() * 50.0) as i64 + 1).into(),
-    )
-}
-
-/// The implicit quadric takes at every point the value of the Bernstein form at its barycentric coordinates.
-#[test]
-fn tetrahedral_patches_are_their_bernstein_form() {
-    let mut random = Random(0x7e7a);
-    for _ in 0..40 {
-        let decimal = |random: &mut Random| (random.signed() * 1000.0).round() / 100.0;
-        let corners: [[f64; 3]; 4] =
-            std::array::from_fn(|_| std::array::from_fn(|_| decimal(&mut random)));
-        let weights: [f64; 10] = std::array::from_fn(|_| decimal(&mut random));
-        let shape = Shape::TetrahedronPatch { corners, weights };
-        let quadric = Quadric::from_shape(&shape).expect("a volume");
-        for _ in 0..10 {
-            let mut b: Vec<BigRational> = (0..3).map(|_| random_rational(&mut random)).collect();
-            b.push(integer(1) - &b[0] - &b[1] - &b[2]);
-            let point: Point = std::array::from_fn(|k| {
-                let terms = corners.iter().zip(&b);
-                terms
-                    .map(|(c, b)| imogene_models::rational::from_decimal(c[k]) * b)
-                    .sum()
-            });
-            let w = weights.map(imogene_models::rational::from_decimal);
-            let mut value = BigRational::zero();
-            for i in 0..4 {
-                value += &w[i] * &b[i] * &b[i];
-            }
-            let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-            for (w, (i, j)) in w[4..].iter().zip(pairs) {
-                value += integer(2) * w * &b[i] * &b[j];
-            }
-            assert_eq!(quadric.value_at(&point[0], &point[1], &point[2]), value);
-        }
-    }
-}
-
-/// Two tetrahedra with a common face, opposite corner 1 of each and with equal weights, and other weights away from it.
-fn pair(random: &mut Random, orthographic: bool) -> SceneFile {
-    let mut file = file("tetrahedra");
-    file.objects.truncate(2);
-    let mut jog = |most: f64| (random.signed() * most * 1000.0).round() / 1000.0;
-    // Corners 0, 2, 3 are common; the weights of them alone stand at 0, 2, 3, 5, 6, 9.
-    let common: [[f64; 3]; 3] = [
-        [jog(0.3), jog(0.3), jog(0.3)],
-        [jog(0.3), 2.0 + jog(0.3), jog(0.3)],
-        [jog(0.3), jog(0.3), 2.0 + jog(0.3)],
-    ];
-    let mut shared = [-1.2, 0.0, 2.8, 2.8, 0.0, -1.2, -1.2, 0.0, 0.0, -1.2];
-    for k in [2, 3, 5, 6, 9] {
-        shared[k] += jog(0.3);
-    }
-    for (object, side) in file.objects.iter_mut().zip([2.0, -2.0]) {
-        let mut weights = shared;
-        for (k, middle) in [(1, 3.0), (4, -1.2), (7, -1.2), (8, -1.2)] {
-            weights[k] = middle + jog(0.3);
-        }
-        object.shape = Shape::TetrahedronPatch {
-            corners: [common[0], [side, jog(0.3), jog(0.3)], common[1], common[2]],
-            weights,
-        };
-    }
-    if orthographic {
-        file.camera = parallel_view([jog(4.0), 3.0, 9.0]);
-    }
-    file
-}
-
 fn parallel_view(eye: [f64; 3]) -> imogene_models::scene::Camera {
     imogene_models::scene::Camera::Orthographic {
         eye,
@@ -543,34 +315,4 @@ fn parallel_view(eye: [f64; 3]) -> imogene_models::scene::Camera {
         view_height: 4.0,
         half_depth: 4.0,
     }
-}
-
-/// The common face has one depth expression, kept on opposite sides, and no pixel of the joint is left out. The two surfaces cross the face in one curve; a
-/// 16-bit depth word without guard bits may round both of them to the removed side of it, at one pixel in a thousand.
-#[test]
-fn tetrahedra_join_without_a_crack() {
-    let mut random = Random(0x10ad);
-    let (mut joints, mut holes) = ([0; 2], [0; 2]);
-    for case in 0..80 {
-        let file = pair(&mut random, case % 2 == 1);
-        let format = Format::new([16, 24, 28, 32][case / 2 % 4]).unwrap();
-        let pictures = Pictures::of_file(&file, (160, 120), format);
-        let face = |k: usize| pictures.prepared.objects[k].quadric().unwrap().words.planes[1];
-        let (one, other) = (face(0), face(1));
-        assert_eq!(one.depth, other.depth, "case {case}");
-        let opposite = [one.kind, other.kind];
-        assert!(
-            opposite == [PlaneKind::Front, PlaneKind::Back]
-                || opposite == [PlaneKind::Back, PlaneKind::Front],
-            "{opposite:?}"
-        );
-        let short = usize::from(format.depth == 16);
-        for i in pictures.joint() {
-            joints[short] += 1;
-            holes[short] += usize::from(pictures.golden.id[i] < 0);
-        }
-    }
-    println!("{joints:?} pixels of joints, {holes:?} holes");
-    assert!(joints[0] > 8000 && holes[0] == 0, "{joints:?} {holes:?}");
-    assert!(joints[1] > 2000 && holes[1] <= 8, "{joints:?} {holes:?}");
 }
