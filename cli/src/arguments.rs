@@ -350,7 +350,7 @@ pub struct Cosim {
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Clocks of random stimulus for a unit.
-    #[arg(long, default_value_t = 20_000)]
+    #[arg(long, default_value_t = 120_000)]
     pub clocks: usize,
     /// Parameters of a unit; a scene fixes planes and objects itself.
     #[command(flatten)]

@@ -77,20 +77,25 @@ fn emitted_verilog_of_the_processors_draws_the_scenes_too() {
 }
 
 #[test]
-fn options_of_the_beam_machine_are_refused() {
+fn rows_out_of_range_are_refused() {
     let path = scene("processors/mesh.toml");
     let mesh = path.to_str().unwrap();
-    for (option, value) in [("--vcd", "trace.vcd"), ("--inject-fault", "0:1:2")] {
-        let (code, _, error) = run(&["cosim", mesh, option, value]);
-        assert_eq!(code, Some(2));
-        assert!(
-            error.contains(option) && error.contains("beam machine"),
-            "{error}"
-        );
-    }
     let (code, _, error) = run(&["cosim", mesh, "--rows-per-stage", "99"]);
     assert_eq!(code, Some(2));
     assert!(error.contains("rows per stage"), "{error}");
+}
+
+#[test]
+fn volumes_in_hardware_leave_the_flags_of_the_golden_machine() {
+    for (name, size) in [("shadows/robot", "40x30"), ("shadows/dna", "24x18")] {
+        let path = scene(&format!("{name}.toml"));
+        let arguments = ["cosim", path.to_str().unwrap(), "--size", size, "--json"];
+        let (code, out, error) = run(&arguments);
+        assert_eq!(code, Some(0), "{name}: {error}");
+        let report: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(report["mismatches"], 0, "{name}");
+        assert!(report["pixels"].as_u64() > Some(5_000), "{name}: {report}");
+    }
 }
 
 #[test]
