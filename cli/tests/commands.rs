@@ -222,6 +222,14 @@ fn the_longest_words_are_printed() {
     let path = scene("orthographic.toml");
     let prepared = json(&["prepare", path.to_str().unwrap(), "--format", "32"]);
     assert!(prepared["objects"].as_array().unwrap().len() > 3);
+    // The same of its shadows.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("shadows.toml");
+    let shaded = text.replace("[[lights]]\n", "[[lights]]\nshadows = true\n");
+    std::fs::write(&path, shaded).unwrap();
+    let prepared = json(&["prepare", path.to_str().unwrap(), "--format", "32"]);
+    assert!(prepared["volumes"].as_array().unwrap().len() > 10);
 }
 
 /// Objects of the other processors: their words, widths and problems under stable keys, in every format.

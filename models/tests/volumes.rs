@@ -6,7 +6,9 @@ use imogene_models::object::volume::{
     FACET_PLANES, POLYHEDRON_PLANES, QUADRIC_PLANES, VolumeKind, VolumePlane, VolumeProcessor,
     VolumeQuadric, VolumeWords,
 };
+use imogene_models::prepare::prepare;
 use imogene_models::rational::{integer, round_half_up};
+use imogene_models::scene::{Light, SceneFile};
 use imogene_models::unit::cut_plane::PlaneKind;
 use imogene_models::unit::interval::Class;
 use imogene_models::unit::pe1::Linear;
@@ -382,4 +384,51 @@ fn a_sphere_shades_a_band() {
     });
     // The axis of the shadow is at x = 8 - 6 * 3 / 4, its half width 4 / (4/5).
     assert_eq!(columns, (0..=8).collect::<Vec<i64>>());
+}
+
+/// The words of a scene's volumes fit their registers once they are as those hold them, and give every pixel its value; moved to the screen's corner, some
+/// of the 32-bit format are longer than that.
+#[test]
+fn words_of_volumes_are_shown_as_registers_hold_them() {
+    let path = format!("{}/../scenes/orthographic.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut file = SceneFile::read(path.as_ref()).expect("a valid scene");
+    for light in &mut file.lights {
+        if let Light::Directional { shadows, .. } | Light::Point { shadows, .. } = light {
+            *shadows = true;
+        }
+    }
+    let format = Format::new(32).expect("a format");
+    let framed = file.frame(file.image.width, file.image.height);
+    let prepared = prepare(&framed.expect("a valid size"), format).expect("fits");
+    let (linear, quadratic) = (format.pe1_width(), format.pe2_width());
+    let mut longer = 0;
+    for volume in &prepared.volumes {
+        let words = volume.words.wrapped(&format);
+        longer += usize::from(serde_json::to_value(&volume.words).is_err());
+        assert_eq!(words.wrapped(&format), words);
+        serde_json::to_value(&words).expect("no word is longer than JSON takes");
+        let b = words.screen_box;
+        let places = [(b.x0, b.y0), (b.x1, b.y0), (b.x0, b.y1), (b.x1, b.y1)];
+        for (x, y) in places {
+            if let (Some(held), Some(q)) = (&words.quadric, &volume.words.quadric) {
+                assert_eq!(
+                    held.f1.wrapped_at(x, y, linear),
+                    q.f1.wrapped_at(x, y, linear)
+                );
+                assert_eq!(
+                    held.f2.wrapped_at(x, y, quadratic),
+                    q.f2.wrapped_at(x, y, quadratic)
+                );
+            }
+            for (held, plane) in words.planes.iter().zip(&volume.words.planes) {
+                let at = |l: &Linear| l.wrapped_at(x, y, format.plane);
+                assert_eq!(at(&held.depth), at(&plane.depth));
+            }
+        }
+    }
+    println!(
+        "{longer} of {} volumes have longer words",
+        prepared.volumes.len()
+    );
+    assert!(longer > 0);
 }

@@ -38,7 +38,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         let f2 = v.words.quadric.map(|q| q.f2);
         json!({
             "name": v.name,
-            "words": v.words,
+            "words": v.words.wrapped(&scene.format),
             "preconditioned_f2": f2.map(|f2| f2.preconditioned(scene.format.pe2_width())),
             "needed_bits": v.needed,
             "rounding_bounds": v.bounds,

@@ -97,6 +97,19 @@ impl VolumeWords {
         }
     }
 
+    /// The same words as the registers of a format hold them; every accumulator takes the same values.
+    pub fn wrapped(&self, format: &Format) -> VolumeWords {
+        let mut words = self.clone();
+        if let Some(q) = &mut words.quadric {
+            q.f1 = q.f1.wrapped(format.pe1_width());
+            q.f2 = q.f2.wrapped(format.pe2_width());
+        }
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.wrapped(format.plane);
+        }
+        words
+    }
+
     /// The flags of the sources after this volume.
     ///
     /// Both kinds only take flags away, so neither the order of the volumes nor that of lights and shadows matters.
