@@ -59,7 +59,7 @@ const SEEDS: usize = 3;
 const DEVICES: [Target; 2] = [Target::Ecp5With45k, Target::Ice40Hx8k];
 
 /// Cut planes of the object processors.
-const PLANES: [usize; 5] = [0, 1, 2, 3, 4];
+const PLANES: [usize; 7] = [0, 1, 2, 3, 4, 8, 12];
 
 /// The object processors whose planes are counted.
 const CUT: [Unit; 2] = [Unit::QuadricProcessor, Unit::PatchProcessor];
