@@ -3,6 +3,7 @@
 pub mod curved_facet;
 pub mod cylinder;
 pub mod facet;
+pub mod facet_contour;
 pub mod first_generation;
 pub mod line;
 pub mod load;
