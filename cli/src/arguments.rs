@@ -49,6 +49,8 @@ pub enum Command {
     Speed(Speed),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
     Check(Check),
+    /// Draw round objects by facets, by paraboloids and as quadrics, and measure errors, hardware and clocks of each.
+    Compare(Compare),
     /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
     Bounds(Bounds),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
@@ -272,6 +274,17 @@ pub struct Check {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Folder for comparison.png, comparison.json and comparison.md; nothing is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Picture size in pixels.
+    #[arg(long, value_name = "WxH", default_value = "320x240")]
+    pub size: Size,
 }
 
 /// Arguments of `bounds`.

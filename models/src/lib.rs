@@ -6,6 +6,7 @@
 //! golden model and hardware are loaded with.
 
 pub mod check;
+pub mod compare;
 pub mod exact;
 pub mod format;
 pub mod machine;

@@ -54,7 +54,11 @@ fn place() -> impl Strategy<Value = (i64, i64)> {
 }
 
 fn normal() -> impl Strategy<Value = [i16; 3]> {
-    [-MAX_COMPONENT..=MAX_COMPONENT, -MAX_COMPONENT..=MAX_COMPONENT, -MAX_COMPONENT..=MAX_COMPONENT]
+    [
+        -MAX_COMPONENT..=MAX_COMPONENT,
+        -MAX_COMPONENT..=MAX_COMPONENT,
+        -MAX_COMPONENT..=MAX_COMPONENT,
+    ]
 }
 
 /// The box of the preparation, the whole screen, or any part of it.
@@ -78,7 +82,11 @@ fn boxes(corners: &[Corner]) -> [ScreenBox; 2] {
 /// As the registers hold them.
 fn wrapped(words: FacetWords, format: &Format) -> FacetWords {
     FacetWords {
-        edges: words.edges.iter().map(|e| e.wrapped(format.plane)).collect(),
+        edges: words
+            .edges
+            .iter()
+            .map(|e| e.wrapped(format.plane))
+            .collect(),
         depth: words.depth.wrapped(format.plane),
         normal: words.normal.map(|n| n.wrapped(LINEAR_WIDTH)),
         ..words

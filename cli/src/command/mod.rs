@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod check;
+pub mod compare;
 pub mod contract;
 pub mod cosim;
 pub mod demo;

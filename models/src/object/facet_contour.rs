@@ -247,10 +247,7 @@ impl FacetContour {
             match side.a {
                 0 => clip(&mut lines, &side),
                 1.. => left.push(side),
-                _ => right.push(Linear {
-                    a: -side.a,
-                    ..side
-                }),
+                _ => right.push(Linear { a: -side.a, ..side }),
             }
         }
         let moved = |words: &Linear| words.from_zone(window.x0, window.y0);

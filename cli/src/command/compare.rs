@@ -1,0 +1,147 @@
+//! `imogene compare`.
+
+mod hardware;
+mod page;
+
+use crate::arguments::{Compare, Size};
+use crate::failure::Failure;
+use crate::output;
+use hardware::Hardware;
+use imogene_models::compare::errors::{Bulge, Errors, PixelError, bulge, errors, pixel_errors};
+use imogene_models::compare::sheet::sheet;
+use imogene_models::compare::speed::{FacetWork, Speed, facets, measure, work};
+use imogene_models::compare::{Drawn, Subject, Variant};
+use imogene_models::format::Format;
+use imogene_models::picture::{write_png, write_whole};
+use imogene_models::scene::SceneFile;
+use serde::Serialize;
+use std::io::Write;
+use std::path::Path;
+use std::time::Duration;
+
+/// The scene, compiled in so that the command needs no file.
+const SCENE: &str = include_str!("../../../scenes/comparison/three-solids.toml");
+/// Facets of this variant are timed.
+const TIMED: Variant = Variant::Facets(20);
+/// For each of the two programs that are timed.
+const TIME: Duration = Duration::from_millis(400);
+
+/// All that is measured; the keys are stable.
+#[derive(Serialize)]
+struct Comparison {
+    scene: String,
+    width: u32,
+    height: u32,
+    depth_word: u32,
+    words_per_pixel: f64,
+    radii_px: Vec<f64>,
+    variants: Vec<Row>,
+    speed: Speed,
+}
+
+/// One variant; the keys are stable.
+#[derive(Serialize)]
+struct Row {
+    variant: String,
+    /// Sides around of each object that is a mesh.
+    sides: Vec<Option<usize>>,
+    /// Faces of the meshes, those turned away as well.
+    faces: usize,
+    errors: Errors,
+    /// Of each sphere.
+    bulges: Vec<Bulge>,
+    hardware: Hardware,
+    /// Of the facets, if there are some.
+    facet_work: Option<FacetWork>,
+}
+
+/// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for them.
+pub fn run(options: &Compare, json: bool) -> Result<(), Failure> {
+    let Size { width, height } = options.size;
+    let file = SceneFile::parse(SCENE, "three-solids.toml").map_err(Failure::input)?;
+    let format = Format::BASE;
+    let subject = Subject::new(&file, (width, height), format).map_err(Failure::input)?;
+    let bar = output::progress(Variant::ALL.len() as u64, "variants");
+    let mut drawn: Vec<(Drawn, Vec<PixelError>)> = vec![];
+    for variant in Variant::ALL {
+        let one = subject.draw(variant).map_err(Failure::input)?;
+        let pixels = pixel_errors(&subject, &one.frame);
+        drawn.push((one, pixels));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let variants: Result<Vec<Row>, Failure> = drawn
+        .iter()
+        .map(|(one, pixels)| row(&subject, one, pixels, &format))
+        .collect();
+    let comparison = Comparison {
+        scene: subject.framed.title.clone(),
+        width,
+        height,
+        depth_word: format.depth,
+        words_per_pixel: subject.words_per_pixel,
+        radii_px: subject.radii.clone(),
+        variants: variants?,
+        speed: speed(&drawn, &format),
+    };
+    let text = page::markdown(&comparison);
+    if let Some(folder) = &options.out {
+        write(folder, &comparison, &text, &subject, &drawn).map_err(Failure::input)?;
+    }
+    if json {
+        output::json(&comparison);
+    } else {
+        output::text(text.trim_end());
+        output::text(format!("\n{}", page::speed(&comparison.speed)));
+    }
+    Ok(())
+}
+
+fn row(
+    subject: &Subject,
+    drawn: &Drawn,
+    pixels: &[PixelError],
+    format: &Format,
+) -> Result<Row, Failure> {
+    let screen = u64::from(subject.framed.width) * u64::from(subject.framed.height);
+    let facets = facets(&drawn.slots);
+    let objects = 0..subject.radii.len();
+    Ok(Row {
+        variant: drawn.variant.name(),
+        sides: drawn.sides.clone(),
+        faces: drawn.faces,
+        errors: errors(subject, pixels),
+        bulges: objects.filter_map(|o| bulge(subject, pixels, o)).collect(),
+        hardware: hardware::of(&drawn.slots, screen)?,
+        facet_work: (!facets.is_empty()).then(|| work(&facets, format, screen)),
+    })
+}
+
+fn speed(drawn: &[(Drawn, Vec<PixelError>)], format: &Format) -> Speed {
+    let timed = drawn.iter().find(|(one, _)| one.variant == TIMED);
+    let (one, _) = timed.expect("a variant of the comparison");
+    measure(&facets(&one.slots), format, TIME)
+}
+
+fn write(
+    folder: &Path,
+    comparison: &Comparison,
+    text: &str,
+    subject: &Subject,
+    drawn: &[(Drawn, Vec<PixelError>)],
+) -> Result<(), imogene_models::picture::WriteError> {
+    let panels: Vec<(&Drawn, &[PixelError])> = drawn
+        .iter()
+        .map(|(one, pixels)| (one, pixels.as_slice()))
+        .collect();
+    let sheet = sheet(&panels, subject.words_per_pixel);
+    let picture = folder.join("comparison.png");
+    write_png(&picture, sheet.width, sheet.height, &sheet.rgb)?;
+    write_whole(&folder.join("comparison.json"), |out| {
+        serde_json::to_writer_pretty(&mut *out, comparison)?;
+        out.write_all(b"\n")
+    })?;
+    write_whole(&folder.join("comparison.md"), |out| {
+        out.write_all(text.as_bytes())
+    })
+}
