@@ -8,7 +8,7 @@ use imogene_models::machine::beam;
 use imogene_models::object::facet::FacetProcessor;
 use imogene_models::object::facet_contour::FacetContour;
 use imogene_models::prepare::prepare;
-use imogene_models::scene::SceneFile;
+use imogene_models::scene::{FramedScene, SceneFile};
 use std::path::Path;
 
 const F: Format = Format::BASE;
@@ -25,7 +25,7 @@ fn facets_turned_away_are_not_missed() {
         let mut file = scene();
         file.objects.iter_mut().for_each(|o| to_mesh(o, sides));
         let mut framed = file.frame(160, 120).unwrap();
-        let draw = |framed| {
+        let draw = |framed: &FramedScene| {
             let slots = prepare(framed, F).unwrap().slots();
             (beam::render(&slots, &F, 160, 120, || ()), slots.len())
         };
