@@ -24,7 +24,7 @@ pub use markdown::PICTURE;
 pub enum Section {
     /// Every unit of the machine at the base format.
     Units,
-    /// The object processor over the number of its cut planes.
+    /// The object processors over the number of their cut planes or sides.
     Planes,
     /// Both pipelined root networks over their rows per stage.
     Rows,
@@ -106,7 +106,8 @@ pub fn rows() -> Vec<Row> {
         .into_iter()
         .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
     let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes));
-    let planes = CUT.into_iter().flat_map(over_planes);
+    let sides = [3, 4].map(sides_row);
+    let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
 
     let roots = DEVICES.into_iter().flat_map(|target| {
         let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows, target));
@@ -134,6 +135,18 @@ fn planes_row(unit: Unit, planes: usize) -> Row {
         },
         target: Target::Ecp5With45k,
         // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+        options: Options { seeds: 0 },
+    }
+}
+
+fn sides_row(sides: usize) -> Row {
+    Row {
+        section: Section::Planes,
+        request: EmitRequest {
+            sides: Some(sides),
+            ..EmitRequest::new(Unit::FacetProcessor)
+        },
+        target: Target::Ecp5With45k,
         options: Options { seeds: 0 },
     }
 }

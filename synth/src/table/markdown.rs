@@ -47,7 +47,7 @@ pub const PICTURE: &str = "images/rows-per-stage.svg";
 pub const fn title(section: Section) -> &'static str {
     match section {
         Section::Units => "Every unit",
-        Section::Planes => "Object processors and their cut planes",
+        Section::Planes => "Object processors and their cut planes or sides",
         Section::Rows => "Root networks and their register stages",
         Section::Transistors => "Transistors",
     }
@@ -154,7 +154,7 @@ fn ratios(table: &Table) -> String {
     let cells = |unit: &str, planes: usize| {
         let found = reports
             .iter()
-            .find(|report| report.unit == unit && report.parameters["planes"] == planes);
+            .find(|report| report.unit == unit && report.parameters.get("planes") == Some(&planes));
         found.and_then(|report| report.logic_cells)
     };
     let ratio = |planes: usize| {
@@ -219,7 +219,10 @@ pub fn name(section: Section, unit: &str, parameters: &BTreeMap<String, usize>) 
     };
     match section {
         Section::Units | Section::Transistors => format!("`{unit}`"),
-        Section::Planes => counted(parameters["planes"], "plane"),
+        Section::Planes => match parameters.get("sides") {
+            Some(sides) => counted(*sides, "side"),
+            None => counted(parameters["planes"], "plane"),
+        },
         Section::Rows => counted(parameters["rows-per-stage"], "row"),
     }
 }
