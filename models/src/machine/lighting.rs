@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// Every source reaches the point.
 pub const ALL_SOURCES: u16 = u16::MAX;
 
-/// Flags of every pixel, row-major; bit i is set where lights[i] reaches the point.
+/// Flags of every pixel, row-major; bit i is set where `lights[i]` reaches the point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lighting {
     /// The flags.

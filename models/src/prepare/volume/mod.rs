@@ -21,7 +21,7 @@ use words::{Shape, volume_words};
 /// One volume: words, and what is known of them.
 #[derive(Clone, Debug)]
 pub struct PreparedVolume {
-    /// Whose it is, as messages say it: "the shadow of object 'lid' from lights[0], part 1 of 3".
+    /// Whose it is, as messages say it: `the shadow of object 'lid' from lights[0], part 1 of 3`.
     pub name: String,
     /// Index of the object whose shadow it is, and where it begins; nothing for a spot.
     pub caster: Option<(usize, Beginning)>,
