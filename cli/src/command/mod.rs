@@ -97,6 +97,9 @@ fn describe(report: &Report) -> String {
         report.engine,
         report.mismatches
     );
+    if let Some(seed) = report.seed {
+        text += &format!(", seed {seed}");
+    }
     for file in &report.files {
         text += &format!("\n  wrote {}", file.display());
     }
