@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_rtl::emit::emit;
 use imogene_verif::mutation::{self, Design, MutationReport, table};
 use imogene_verif::unit::{Parameters, subject};
 use std::io::Write;
@@ -45,16 +45,14 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 }
 
 fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
+    let kind = Unit::from_name(unit).map_err(Failure::input)?;
     let parameters = Parameters {
         depth_word: options.format,
+        planes: kind.default_planes(),
         ..Parameters::default()
     };
     let subject = subject(unit, parameters).map_err(Failure::input)?;
-    let request = EmitRequest {
-        depth_word: options.format as usize,
-        ..EmitRequest::new(Unit::from_name(unit).map_err(Failure::input)?)
-    };
-    let emitted = emit(&request).map_err(Failure::input)?;
+    let emitted = emit(&parameters.request(kind)).map_err(Failure::input)?;
     let text = emitted.bundle();
     let design = Design {
         top: &emitted.top,
