@@ -76,8 +76,7 @@ pub enum CosimError {
     },
     /// An object of a processor that the machine does not have.
     #[error(
-        "object '{object}' is not drawn by a quadric processor, and a beam machine has no other; \
-         co-simulate a scene of quadrics, or draw this one by `imogene render --model golden`"
+        "object '{object}' is not drawn by a quadric processor, and a beam machine has no other; each of its processors runs by itself"
     )]
     Processor {
         /// Name of the object.

@@ -1,17 +1,19 @@
 //! The quadric object processor.
 
 use super::Description;
-use super::elementary::flag_ports;
 use super::normal::{normal_ports, normal_words};
-use super::{Late, bit};
+use super::patch::{plane_kind, plane_ports};
+use super::zone::{
+    Processor, Timing, box_ports, golden, held, linear_ports, object_outputs, object_values,
+    quadratic_ports, raster_ports,
+};
 use crate::signal::Signal;
 use crate::stimulus::word;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_models::format::Format;
 use imogene_models::object::quadric::{
-    ObjectPixel, PlaneWords, QuadricProcessor as Golden, QuadricWords, ScreenBox, latency,
+    PlaneWords, QuadricProcessor as Golden, QuadricWords, ScreenBox, latency,
 };
-use imogene_models::unit::cut_plane::PlaneKind;
 use imogene_models::unit::interval::Class;
 use imogene_models::unit::pe1::Linear;
 use imogene_models::unit::pe2::Quadratic;
@@ -31,24 +33,14 @@ pub(super) mod port {
 }
 
 pub(super) fn ports(format: &Format, planes: usize) -> Vec<Signal> {
-    let mut ports = flag_ports();
-    ports.extend(["x", "y"].map(|name| Signal::unsigned(name, 12)));
-    ports.extend(["f1_a", "f1_b", "f1_c"].map(|name| Signal::signed(name, format.sum)));
-    ports.extend(
-        ["f2_a2", "f2_b2", "f2_c", "f2_i0", "f2_p0", "f2_f"]
-            .map(|name| Signal::signed(name, format.quadratic)),
-    );
+    let mut ports = raster_ports();
+    ports.extend(linear_ports("f1", format.sum));
+    ports.extend(quadratic_ports("f2", format.quadratic));
     ports.extend(normal_ports());
-    ports.extend(["box_x0", "box_x1", "box_y0", "box_y1"].map(|n| Signal::unsigned(n, 12)));
+    ports.extend(box_ports());
     ports.push(Signal::unsigned("object_class", 2));
     ports.push(Signal::unsigned("shift", 5));
-    for i in 0..planes {
-        ports.push(Signal::unsigned(format!("plane_{i}_kind"), 2));
-        ports.extend(
-            ["a", "b", "c"].map(|n| Signal::signed(format!("plane_{i}_{n}"), format.plane)),
-        );
-        ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
-    }
+    ports.extend(plane_ports(format, planes, true));
     ports
 }
 
@@ -57,53 +49,26 @@ pub(super) fn quadric_processor(
     planes: usize,
     rows_per_stage: usize,
 ) -> Description {
-    let mut outputs = vec![Signal::bit("out_valid")];
-    outputs.extend(["zf", "zb"].map(|name| Signal::signed(name, format.depth)));
-    outputs.push(Signal::unsigned("number", 4));
-    outputs.extend(["nx", "ny", "nz"].map(|name| Signal::signed(name, 16)));
+    let timing = Timing::of(latency(&format, planes, rows_per_stage as u32));
     Description {
         name: "quadric_processor".into(),
         inputs: ports(&format, planes),
-        outputs,
-        golden: Box::new(move || {
-            let clocks = latency(&format, planes, rows_per_stage as u32) as usize;
-            let mut late = Late::new(clocks);
-            let mut processor: Option<Golden> = None;
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let pixel = golden_clock(&mut processor, i, planes, &format);
-                match late.push(pixel) {
-                    Some(Some(p)) => flat(&p),
-                    Some(None) => [vec![Some(0)], vec![None; 6]].concat(),
-                    None => vec![None; 7],
-                }
-            }))
+        outputs: object_outputs(format.depth),
+        golden: golden(timing, 6, move |i| {
+            Box::new(Golden::zone_start(&words_of(i, planes), &format))
         }),
         stimulus: zones,
     }
 }
 
-fn golden_clock(
-    processor: &mut Option<Golden>,
-    i: &[i64],
-    planes: usize,
-    format: &Format,
-) -> Option<ObjectPixel> {
-    if !bit(i[0]) {
-        return None;
+impl Processor for Golden {
+    fn line_step(&mut self) {
+        Golden::line_step(self);
     }
-    if bit(i[1]) {
-        *processor = Some(Golden::zone_start(&words_of(i, planes), format));
-    } else if bit(i[2]) {
-        processor.as_mut()?.line_step();
-    }
-    Some(processor.as_mut()?.pixel())
-}
 
-fn flat(p: &ObjectPixel) -> Vec<Option<i64>> {
-    let [nx, ny, nz] = p.normal.map(i64::from);
-    [1, p.zf, p.zb, p.number.into(), nx, ny, nz]
-        .map(Some)
-        .to_vec()
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        object_values(&Golden::pixel(self))
+    }
 }
 
 /// The golden model's words from the port values.
@@ -113,12 +78,7 @@ pub(super) fn words_of(i: &[i64], planes: usize) -> QuadricWords {
     let plane = |p: usize| {
         let at = port::PLANES + port::PLANE * p;
         PlaneWords {
-            kind: [
-                PlaneKind::None,
-                PlaneKind::Front,
-                PlaneKind::Back,
-                PlaneKind::Perpendicular,
-            ][i[at] as usize],
+            kind: plane_kind(i[at]),
             depth: Linear::new(w(at + 1), w(at + 2), w(at + 3)),
             normal: [4, 5, 6].map(|k| i[at + k] as i16),
         }
@@ -154,29 +114,7 @@ fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         1 => any_words.prop_map(even_differences),
         4 => plausible(&inputs).prop_map(even_differences),
     ];
-    (words, 1i64..24)
-        .prop_map(move |(words, width)| {
-            let count = clocks as i64;
-            (0..count)
-                .map(|n| {
-                    // Every eleventh clock is a gap, in which the raster stands still.
-                    let gap = n % 11 == 10;
-                    let pixel = n - n / 11;
-                    let (x, y) = (pixel % width, pixel / width);
-                    let flags = if gap {
-                        [0, 0, 0]
-                    } else {
-                        [1, i64::from(pixel == 0), i64::from(x == 0 && y > 0)]
-                    };
-                    flags
-                        .into_iter()
-                        .chain([x, y & 0xfff])
-                        .chain(words.iter().copied())
-                        .collect()
-                })
-                .collect()
-        })
-        .boxed()
+    held(words.boxed(), clocks)
 }
 
 pub(super) fn even_differences(mut words: Vec<i64>) -> Vec<i64> {
