@@ -1,6 +1,6 @@
 //! Number formats: every width of a machine as data.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// The widths of one machine, all derived from its depth word `W` (`docs/architecture.md`, section 1).
@@ -24,6 +24,43 @@ pub struct Format {
     pub guard_linear: u32,
     /// Guard bits g2 of f2 below the last bit of the quadratic word: its pe2 is `F + g2` bits wide.
     pub guard_quadratic: u32,
+}
+
+/// Widths of a machine that is fitted to a scene; all others follow from them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct FittedWidths {
+    /// Depth word `W`, 8 to 32.
+    pub depth: u32,
+    /// Root bits `K`, 4 to `W`: roots stay below `2^(K - 1/2)`. f2 has `2 K` bits.
+    pub root: u32,
+    /// Plane word `P`, `W` to `W + 12`.
+    pub plane: u32,
+    /// Normal component, 10 to 16.
+    pub normal: u32,
+    /// Guard bits g1 of f1.
+    pub guard_linear: u32,
+    /// Guard bits g2 of f2.
+    pub guard_quadratic: u32,
+}
+
+/// Widths that no machine can have.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum FittedError {
+    /// One of them is out of its range.
+    #[error("{word} of {value} bits: accepted are {least} to {most}")]
+    Range {
+        /// Which word.
+        word: &'static str,
+        /// Bits asked for.
+        value: u32,
+        /// Fewest.
+        least: u32,
+        /// Most.
+        most: u32,
+    },
+    /// The guard bits.
+    #[error(transparent)]
+    Guards(#[from] GuardError),
 }
 
 /// A depth word that is not in the catalogue.
@@ -109,6 +146,70 @@ impl Format {
         }
     }
 
+    /// The format of a machine that is fitted to a scene, or the word that is out of its range.
+    pub fn fitted(widths: &FittedWidths) -> Result<Format, FittedError> {
+        let FittedWidths {
+            depth,
+            root,
+            plane,
+            normal,
+            ..
+        } = *widths;
+        let range = |word, value, least, most| {
+            if (least..=most).contains(&value) {
+                Ok(())
+            } else {
+                Err(FittedError::Range {
+                    word,
+                    value,
+                    least,
+                    most,
+                })
+            }
+        };
+        range("depth word", depth, 8, 32)?;
+        range("root", root, 4, depth)?;
+        range("plane word", plane, depth, depth + 12)?;
+        range("normal component", normal, 10, 16)?;
+        let format = Format {
+            depth,
+            sum: depth + 2,
+            quadratic: 2 * root,
+            root,
+            plane,
+            normal_linear: normal + Self::NORMAL_FRACTION,
+            normal,
+            guard_linear: 0,
+            guard_quadratic: 0,
+        };
+        Ok(format.with_guards(widths.guard_linear, widths.guard_quadratic)?)
+    }
+
+    /// The widths from which all others follow.
+    pub const fn widths(&self) -> FittedWidths {
+        FittedWidths {
+            depth: self.depth,
+            root: self.root,
+            plane: self.plane,
+            normal: self.normal,
+            guard_linear: self.guard_linear,
+            guard_quadratic: self.guard_quadratic,
+        }
+    }
+
+    /// Bits of a normal's linear part below the last bit of the component.
+    pub const NORMAL_FRACTION: u32 = 8;
+
+    /// Greatest normal component, `2^(n - 1) - 1` for n bits.
+    pub const fn greatest_normal(&self) -> i16 {
+        i16::MAX >> (16 - self.normal)
+    }
+
+    /// Binary places of the product `K r` of a normal below the last bit of its linear part: 6 for components of 16 bits.
+    pub const fn product_fraction(&self) -> u32 {
+        self.normal - 10
+    }
+
     /// The same format with guard bits below the last bits of f1 and f2; 0 to 16 each, `F + g2` at most 64, and `S + g1` at most
     /// `F + g2`, the width of the load bus.
     pub const fn with_guards(self, linear: u32, quadratic: u32) -> Result<Format, GuardError> {
@@ -128,7 +229,7 @@ impl Format {
                 most: 64 - self.quadratic,
             });
         }
-        if format.pe1_width() > format.bus() {
+        if format.is_of_catalogue() && format.pe1_width() > format.bus() {
             return Err(GuardError::BeyondBus {
                 linear,
                 quadratic,
@@ -155,10 +256,39 @@ impl Format {
         self.quadratic + self.guard_quadratic
     }
 
-    /// Data bits of the load bus: the width of the widest word, that of f2.
-    pub const fn bus(&self) -> u32 {
-        self.pe2_width()
+    /// True if all words but the guard bits follow from the depth word as in the catalogue.
+    pub const fn is_of_catalogue(&self) -> bool {
+        self.depth >= 16
+            && self.depth.is_multiple_of(4)
+            && self.root == self.depth
+            && self.plane == self.depth + 12
+            && self.normal == 16
     }
+
+    /// Data bits of the load bus: the width of the widest word, in the catalogue that of f2.
+    pub const fn bus(&self) -> u32 {
+        if self.is_of_catalogue() {
+            return self.pe2_width();
+        }
+        let mut widest = Self::BOX_WORD;
+        let words = [
+            self.pe1_width(),
+            self.pe2_width(),
+            self.plane,
+            self.normal_linear,
+        ];
+        let mut word = 0;
+        while word < words.len() {
+            if words[word] > widest {
+                widest = words[word];
+            }
+            word += 1;
+        }
+        widest
+    }
+
+    /// Bits of a word of the screen box: two coordinates.
+    pub const BOX_WORD: u32 = 24;
 
     /// f1 as the rest of the machine sees it: the guard bits of its processor's value dropped, downwards.
     #[inline]
@@ -246,6 +376,35 @@ mod tests {
         assert!(refused(16, 16, 0).contains("at most 14"));
         assert!(Format::new(16).unwrap().with_guards(16, 2).is_ok());
         assert!(Format::BASE.with_guards(16, 16).is_ok());
+    }
+
+    #[test]
+    fn fitted_formats_have_every_width_in_its_range() {
+        let base = Format::BASE.widths();
+        assert_eq!(Format::fitted(&base), Ok(Format::BASE));
+        let small = FittedWidths {
+            depth: 10,
+            root: 8,
+            plane: 14,
+            normal: 12,
+            guard_linear: 1,
+            guard_quadratic: 3,
+        };
+        let f = Format::fitted(&small).unwrap();
+        assert_eq!((f.quadratic, f.pe2_width(), f.pe1_width()), (16, 19, 13));
+        assert_eq!((f.normal_linear, f.greatest_normal()), (20, 2047));
+        // Two coordinates are the widest word of so small a machine.
+        assert_eq!(f.bus(), 24);
+        let refused = |change: fn(&mut FittedWidths)| {
+            let mut widths = small;
+            change(&mut widths);
+            Format::fitted(&widths).unwrap_err().to_string()
+        };
+        assert!(refused(|w| w.depth = 33).contains("depth word of 33 bits: accepted are 8 to 32"));
+        assert!(refused(|w| w.root = 11).contains("4 to 10"));
+        assert!(refused(|w| w.plane = 9).contains("10 to 22"));
+        assert!(refused(|w| w.normal = 9).contains("10 to 16"));
+        assert!(refused(|w| w.guard_linear = 17).contains("at most 16 each"));
     }
 
     #[test]

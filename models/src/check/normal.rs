@@ -1,7 +1,7 @@
 //! How far the direction of a computed normal can be from the true gradient.
 //!
-//! In units of the last bit of the 24-bit linear part the true component is `N = g -+ K r / 2^(shift + 6)`, with real g, K and root r.
-//! The unit computes `((g' -+ floor(K' rs / 64)) >> 8)` with `rs = floor(r' / 2^shift)`. With `|g' - g| <= eg`, `|K' - K| <= 1/2` and
+//! For components of n = 16 bits: in units of the last bit of the 24-bit linear part the true component is `N = g -+ K r / 2^(shift + 6)`, with real g, K
+//! and root r; for other n the 24 is n + 8 and the 6 is n - 10. The unit computes `((g' -+ floor(K' rs / 64)) >> 8)` with `rs = floor(r' / 2^shift)`. With `|g' - g| <= eg`, `|K' - K| <= 1/2` and
 //! `|r' - r| <= er` (the root error of the depth bound):
 //!
 //! * `|rs - r / 2^shift| <= t` with `t = 1 - 2^-shift + er / 2^shift`, which costs `|K'| t / 64`;
@@ -14,7 +14,7 @@
 use super::depth::root_error;
 use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
-use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
+use crate::unit::normal::NormalWords;
 use crate::unit::root::fast_root;
 
 /// Last bits of the linear part that the result drops.
@@ -61,7 +61,7 @@ fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
     let root = fast_root(f2.max(0));
     let shifted = (root >> words.shift) as f64;
     let truncated = 1.0 - 1.0 / unit + root_error(f2, bounds) / unit;
-    let product = f64::from(1u32 << PRODUCT_FRACTION);
+    let product = f64::from(1u32 << bounds.product_fraction);
     let component = |k: i16| {
         bounds.normal
             + f64::from(k).abs() * truncated / product

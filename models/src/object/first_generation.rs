@@ -243,7 +243,15 @@ impl FirstGenerationProcessor {
             zf: left.zf,
             zb: left.zb,
             number: left.nf,
-            normal: select(left.nf, present, g, root, &self.words.normal, &normals),
+            normal: select(
+                left.nf,
+                present,
+                g,
+                root,
+                &self.words.normal,
+                &normals,
+                &format,
+            ),
         }
     }
 }

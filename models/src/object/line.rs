@@ -114,7 +114,15 @@ fn run<const N: usize>(
         }
         let front = merge(a, b);
         if front.is_present(format) {
-            let normal = select(front.nf, true, normal_linear, root, &words.normal, &normals);
+            let normal = select(
+                front.nf,
+                true,
+                normal_linear,
+                root,
+                &words.normal,
+                &normals,
+                format,
+            );
             sink(
                 x,
                 ObjectPixel {

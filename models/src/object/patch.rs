@@ -121,7 +121,15 @@ impl PatchProcessor {
                 zf: decided.zf,
                 zb: decided.zb,
                 number: decided.nf,
-                normal: select(decided.nf, present, g, root, &self.words.normal, &[]),
+                normal: select(
+                    decided.nf,
+                    present,
+                    g,
+                    root,
+                    &self.words.normal,
+                    &[],
+                    &self.format,
+                ),
             },
         }
     }

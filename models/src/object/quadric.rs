@@ -330,6 +330,7 @@ impl QuadricProcessor {
                 root,
                 &self.words.normal,
                 &self.normals,
+                &self.format,
             ),
         }
     }

@@ -65,6 +65,15 @@ pub enum PrepareError {
         /// Last line of the box.
         y1: i64,
     },
+    /// A fitted machine has quadric processors alone.
+    #[error(
+        "object '{object}': drawn by a processor of which there is none in fitted widths; \
+         take a format of the catalogue, or draw it by the processor \"quadric\" or \"patch\""
+    )]
+    NotFitted {
+        /// Name of the object.
+        object: String,
+    },
     /// The eye lies in a polyhedron.
     #[error("object '{object}': the viewer is inside this polyhedron; move the camera outside it")]
     ViewerInsidePolyhedron {

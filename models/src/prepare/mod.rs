@@ -117,6 +117,8 @@ pub struct RoundingBounds {
     pub dropped_f1: f64,
     /// Most that dropping the guard bits takes from f2: `1 - 2^-g2`. The root does not feel it: `floor(sqrt(floor(q))) = floor(sqrt(q))`.
     pub dropped_f2: f64,
+    /// Binary places of the product `K r` below the last bit of a normal's linear part.
+    pub product_fraction: u32,
 }
 
 impl RoundingBounds {
@@ -126,6 +128,7 @@ impl RoundingBounds {
         RoundingBounds {
             dropped_f1: dropped(format.guard_linear),
             dropped_f2: dropped(format.guard_quadratic),
+            product_fraction: format.product_fraction(),
             ..RoundingBounds::default()
         }
     }
@@ -224,15 +227,24 @@ fn prepare_object(
     object: &FramedObject,
     context: &Context,
 ) -> Result<PreparedObject, PrepareError> {
-    Ok(PreparedObject::Parts(match object {
+    match object {
         FramedObject::Quadric(q) => {
-            return Ok(PreparedObject::Quadric(object::prepare_quadric(
-                q, context,
-            )?));
+            let prepared = object::prepare_quadric(q, context)?;
+            return Ok(PreparedObject::Quadric(prepared));
         }
         FramedObject::Patch(q) => {
-            return Ok(PreparedObject::Patch(object::prepare_quadric(q, context)?));
+            let prepared = object::prepare_quadric(q, context)?;
+            return Ok(PreparedObject::Patch(prepared));
         }
+        other if !context.format.is_of_catalogue() => {
+            return Err(PrepareError::NotFitted {
+                object: other.name().to_owned(),
+            });
+        }
+        _ => (),
+    }
+    Ok(PreparedObject::Parts(match object {
+        FramedObject::Quadric(_) | FramedObject::Patch(_) => unreachable!("prepared above"),
         FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context)?,
         FramedObject::Polyhedron(q) => polyhedron::prepare_polyhedron(q, context)?,
         FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context)?,

@@ -15,7 +15,7 @@ use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::rational::{floor, integer, power_of_two, to_f64, to_f64_up};
 use crate::scene::{FramedQuadric, Plane, Surface};
 use crate::unit::interval::Class;
-use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
+use crate::unit::normal::NormalWords;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -314,7 +314,8 @@ fn prove_widths(
     Ok(root_max)
 }
 
-/// Scales of the normal (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits.
+/// Scales of the normal (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits; likewise in
+/// shorter words.
 fn normal_words(
     prepared: &mut PreparedQuadric,
     quadric: &ScreenQuadric,
@@ -336,16 +337,17 @@ fn normal_words(
     if greatest.is_zero() {
         return;
     }
-    let shift = (root_max.bits() as u32).saturating_sub(15);
-    let factor_unit = BigRational::from_integer(BigInt::one() << (shift + PRODUCT_FRACTION))
-        / &context.depth_scale;
+    let shift = (root_max.bits() as u32).saturating_sub(context.format.normal - 1);
+    let fraction = shift + context.format.product_fraction();
+    let factor_unit = BigRational::from_integer(BigInt::one() << fraction) / &context.depth_scale;
     let k_max = parts
         .iter()
         .map(|(_, k)| k.abs())
         .max()
         .expect("three components");
-    let mut scale = integer((1 << 22) - 1) / &greatest;
-    let k_limit = integer(32767);
+    let most = (1 << (context.format.normal_linear - 2)) - 1;
+    let mut scale = integer(most) / &greatest;
+    let k_limit = integer(context.format.greatest_normal().into());
     if &scale * &k_max * &factor_unit > k_limit {
         scale = k_limit / (&k_max * &factor_unit);
     }
@@ -354,13 +356,13 @@ fn normal_words(
     let linear = parts.each_ref().map(|(g, _)| g.scaled(&scale));
     words.g = linear
         .each_ref()
-        .map(|g| round_linear(g, anchor).expect("scaled to 22 bits"));
+        .map(|g| round_linear(g, anchor).expect("scaled to its word"));
     words.k = parts.each_ref().map(|(_, k)| {
         (k * &scale * &factor_unit)
             .round()
             .to_integer()
             .to_i16()
-            .expect("scaled to 16 bits")
+            .expect("scaled to its word")
     });
     let errors = words.g.iter().zip(&linear);
     let greatest = errors

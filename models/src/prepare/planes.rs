@@ -68,7 +68,7 @@ pub(super) fn prepare_plane_between(
     (window, anchor): (&ScreenBox, Anchor),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
-    let normal = constant_normal(original);
+    let normal = constant_normal(original, context.format.greatest_normal());
     // The half-plane value; kept where it is not negative.
     let value = context.to_pixels_linear(&LinearForm::new(
         -&projected.a,
@@ -112,8 +112,8 @@ pub(super) fn prepare_plane_between(
     Ok(perpendicular(form, normal, anchor, window, context, true))
 }
 
-/// The plane's normal before perspective, its greatest component scaled to the full 16-bit word.
-fn constant_normal(plane: &Plane) -> [i16; 3] {
+/// The plane's normal before perspective, its greatest component scaled to the greatest of its word.
+fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     let components = [&plane.a, &plane.b, &plane.c];
     let greatest = components
         .iter()
@@ -124,9 +124,9 @@ fn constant_normal(plane: &Plane) -> [i16; 3] {
         return [0; 3];
     }
     components.map(|c| {
-        round_half_up(&(c * integer(32767) / &greatest))
+        round_half_up(&(c * integer(most.into()) / &greatest))
             .to_i16()
-            .expect("at most 32767 in magnitude")
+            .expect("within its word")
     })
 }
 

@@ -3,26 +3,24 @@
 
 use super::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use super::pe1::Linear;
-use crate::format::wrap64;
+use crate::format::{Format, wrap64};
 use serde::{Deserialize, Serialize};
 
 /// Coefficients of the quadric's normal: `N_k = g_k(x, y) -+ K_k r`, minus on the near face.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NormalWords {
-    /// Normal on the polar plane, three first-degree expressions of 24 bits.
+    /// Normal on the polar plane, three first-degree expressions of 24 bits in the base format.
     pub g: [Linear; 3],
-    /// Change of the normal along the ray, three 16-bit factors.
+    /// Change of the normal along the ray, three factors of 16 bits in the base format.
     pub k: [i16; 3],
-    /// The root is shifted right by this much to 15 significant bits.
+    /// The root is shifted right by this much to one bit less than a component has.
     pub shift: u8,
 }
 
-/// Bits of the product below the last bit of g.
-pub const PRODUCT_FRACTION: u32 = 6;
-/// Width of g.
+/// Width of g in the base format.
 pub const LINEAR_WIDTH: u32 = 24;
 
-/// Normal of the near end's cap: towards the viewer.
+/// Normal of the near end's cap, towards the viewer, in the base format.
 pub const NEAR_END_NORMAL: [i16; 3] = [0, 0, -32767];
 
 /// The normal of the face `number` at a pixel where the linear parts are `g` and the root is `root`.
@@ -34,11 +32,12 @@ pub fn select(
     root: i64,
     words: &NormalWords,
     planes: &[[i16; 3]],
+    format: &Format,
 ) -> [i16; 3] {
     match number {
         _ if !present => [0; 3],
         FACE_NEAR | FACE_FAR => {
-            let shifted = (root >> words.shift) & 0x7fff;
+            let shifted = (root >> words.shift) & i64::from(format.greatest_normal());
             std::array::from_fn(|k| {
                 let product = i64::from(words.k[k]) * shifted;
                 let signed = if number == FACE_NEAR {
@@ -46,11 +45,12 @@ pub fn select(
                 } else {
                     product
                 };
-                let sum = wrap64(g[k] + (signed >> PRODUCT_FRACTION), LINEAR_WIDTH);
-                (sum >> (LINEAR_WIDTH - 16)) as i16
+                let change = signed >> format.product_fraction();
+                let sum = wrap64(g[k] + change, format.normal_linear);
+                (sum >> Format::NORMAL_FRACTION) as i16
             })
         }
-        FACE_NEAR_END => NEAR_END_NORMAL,
+        FACE_NEAR_END => [0, 0, -format.greatest_normal()],
         _ => planes
             .get(usize::from(number - FACE_PLANE))
             .copied()
@@ -68,8 +68,24 @@ mod tests {
             k: [64, -64, 100],
             ..Default::default()
         };
-        let near = select(FACE_NEAR, true, [0, 0, 1 << 20], 25_600, &words, &[]);
-        let far = select(FACE_FAR, true, [0, 0, 1 << 20], 25_600, &words, &[]);
+        let near = select(
+            FACE_NEAR,
+            true,
+            [0, 0, 1 << 20],
+            25_600,
+            &words,
+            &[],
+            &Format::BASE,
+        );
+        let far = select(
+            FACE_FAR,
+            true,
+            [0, 0, 1 << 20],
+            25_600,
+            &words,
+            &[],
+            &Format::BASE,
+        );
         assert_eq!(near, [-100, 100, 4096 - 157]);
         assert_eq!(far, [100, -100, 4096 + 156]);
     }
@@ -78,12 +94,29 @@ mod tests {
     fn planes_and_near_end_have_constant_normals() {
         let words = NormalWords::default();
         let planes = [[1, 2, 3], [4, 5, 6]];
-        assert_eq!(select(3, true, [0; 3], 0, &words, &planes), [4, 5, 6]);
-        assert_eq!(select(9, true, [0; 3], 0, &words, &planes), [0; 3]);
         assert_eq!(
-            select(FACE_NEAR_END, true, [0; 3], 0, &words, &planes),
+            select(3, true, [0; 3], 0, &words, &planes, &Format::BASE),
+            [4, 5, 6]
+        );
+        assert_eq!(
+            select(9, true, [0; 3], 0, &words, &planes, &Format::BASE),
+            [0; 3]
+        );
+        assert_eq!(
+            select(
+                FACE_NEAR_END,
+                true,
+                [0; 3],
+                0,
+                &words,
+                &planes,
+                &Format::BASE
+            ),
             NEAR_END_NORMAL
         );
-        assert_eq!(select(2, false, [0; 3], 0, &words, &planes), [0; 3]);
+        assert_eq!(
+            select(2, false, [0; 3], 0, &words, &planes, &Format::BASE),
+            [0; 3]
+        );
     }
 }

@@ -11,7 +11,7 @@ use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::prepare::RoundingBounds;
 use crate::prepare::rounding::Anchor;
 use crate::unit::interval::Class;
-use crate::unit::normal::{NormalWords, PRODUCT_FRACTION};
+use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 
@@ -154,9 +154,10 @@ fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
 fn draw_normal(root_bits: u32, reach: &ScreenBox, random: &mut Random) -> (ExactNormal, u8) {
     let shift = root_bits.saturating_sub(FACTOR_BITS);
     let shifted_bits = root_bits - shift;
+    let product_fraction = Format::BASE.product_fraction();
     // The product with the root is at most 2^21, the linear part at most 2^22.
     let factor_limit =
-        f64::from(i16::MAX).min(f64::exp2(f64::from(21 + PRODUCT_FRACTION - shifted_bits)));
+        f64::from(i16::MAX).min(f64::exp2(f64::from(21 + product_fraction - shifted_bits)));
     let denominator = 1 + random.below(1 << 20) as i128;
     let size = random.magnitude(1.0, 8);
     let spread = (reach.x1 - reach.x0 + reach.y1 - reach.y0 + 1) as f64;

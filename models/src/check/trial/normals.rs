@@ -5,7 +5,7 @@ use super::tally::{Tally, Term};
 use crate::check::normal::quadric_sine;
 use crate::rational::from_f64_exact;
 use crate::unit::interval::{FACE_FAR, FACE_NEAR};
-use crate::unit::normal::{PRODUCT_FRACTION, select};
+use crate::unit::normal::select;
 use crate::unit::root::fast_root;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -26,7 +26,7 @@ pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
         .g
         .map(|g| g.wrapped_at(x, y, case.format.normal_linear) as i64);
     for (face, sign) in [(FACE_NEAR, -1), (FACE_FAR, 1)] {
-        let normal = select(face, true, g, root, &words.normal, &[]);
+        let normal = select(face, true, g, root, &words.normal, &[], &case.format);
         let sine = quadric_sine(&words.normal, &case.bounds, f2, normal);
         if sine.is_nan() || sine >= 1.0 {
             tally.undetermined += 1;
@@ -52,7 +52,7 @@ type WithRoot = (BigRational, BigRational);
 
 impl Truth {
     fn at(case: &Case, (u, v): (i64, i64), sign: i128) -> Truth {
-        let unit = 1i128 << (u32::from(case.words.normal.shift) + PRODUCT_FRACTION);
+        let unit = 1i128 << (u32::from(case.words.normal.shift) + case.format.product_fraction());
         let normal = &case.normal;
         Truth {
             linear: normal.g.each_ref().map(|g| (g.at(u, v), g.denominator)),
