@@ -24,6 +24,8 @@ pub struct Format {
     pub guard_linear: u32,
     /// Guard bits g2 of f2 below the last bit of the quadratic word: its pe2 is `F + g2` bits wide.
     pub guard_quadratic: u32,
+    /// Rows that the root network lacks: the last digits of the root, which are zero.
+    pub dropped_rows: u32,
 }
 
 /// Widths of a machine that is fitted to a scene; all others follow from them.
@@ -41,6 +43,9 @@ pub struct FittedWidths {
     pub guard_linear: u32,
     /// Guard bits g2 of f2.
     pub guard_quadratic: u32,
+    /// Last digits of the root that are not computed, but zero; 0 to 8 and less than `K`.
+    #[serde(default)]
+    pub dropped_rows: u32,
 }
 
 /// Widths that no machine can have.
@@ -143,6 +148,7 @@ impl Format {
             normal: 16,
             guard_linear: 0,
             guard_quadratic: 0,
+            dropped_rows: 0,
         }
     }
 
@@ -171,6 +177,13 @@ impl Format {
         range("root", root, 4, depth)?;
         range("plane word", plane, depth, depth + 12)?;
         range("normal component", normal, 10, 16)?;
+        let most_dropped = (root - 1).min(Self::MAX_DROPPED_ROWS);
+        range(
+            "dropped digits of the root",
+            widths.dropped_rows,
+            0,
+            most_dropped,
+        )?;
         let format = Format {
             depth,
             sum: depth + 2,
@@ -181,6 +194,7 @@ impl Format {
             normal,
             guard_linear: 0,
             guard_quadratic: 0,
+            dropped_rows: widths.dropped_rows,
         };
         Ok(format.with_guards(widths.guard_linear, widths.guard_quadratic)?)
     }
@@ -194,7 +208,22 @@ impl Format {
             normal: self.normal,
             guard_linear: self.guard_linear,
             guard_quadratic: self.guard_quadratic,
+            dropped_rows: self.dropped_rows,
         }
+    }
+
+    /// Most digits of the root that are not computed.
+    pub const MAX_DROPPED_ROWS: u32 = 8;
+
+    /// Rows of the root network: the digits of the root that are computed.
+    pub const fn root_rows(&self) -> u32 {
+        self.root - self.dropped_rows
+    }
+
+    /// A root without the digits that are not computed.
+    #[inline]
+    pub const fn keep_rows(&self, root: i64) -> i64 {
+        root >> self.dropped_rows << self.dropped_rows
     }
 
     /// Bits of a normal's linear part below the last bit of the component.
@@ -263,6 +292,7 @@ impl Format {
             && self.root == self.depth
             && self.plane == self.depth + 12
             && self.normal == 16
+            && self.dropped_rows == 0
     }
 
     /// Data bits of the load bus: the width of the widest word, in the catalogue that of f2.
@@ -389,10 +419,12 @@ mod tests {
             normal: 12,
             guard_linear: 1,
             guard_quadratic: 3,
+            dropped_rows: 2,
         };
         let f = Format::fitted(&small).unwrap();
         assert_eq!((f.quadratic, f.pe2_width(), f.pe1_width()), (16, 19, 13));
         assert_eq!((f.normal_linear, f.greatest_normal()), (20, 2047));
+        assert_eq!((f.root_rows(), f.keep_rows(0xff)), (6, 0xfc));
         // Two coordinates are the widest word of so small a machine.
         assert_eq!(f.bus(), 24);
         let refused = |change: fn(&mut FittedWidths)| {

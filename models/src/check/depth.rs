@@ -14,12 +14,13 @@
 //! is at least n if and only if its radicand is at least the integer n^2. Nor does it matter that f1 drops its guard bits before r is added:
 //! r is an integer.
 //!
+//! A root network without its last d rows gives `r = 2^d floor(floor(sqrt(f2')) / 2^d)`, and the last term lies in `(-2^d, 0]`.
+//!
 //! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from f2': `sqrt(f2)` lies between
 //! `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these from r counts.
 
 use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
-use crate::unit::root::fast_root;
 use serde::Serialize;
 
 /// Relative allowance for the rounding of a square root and the additions around it in `f64`.
@@ -77,7 +78,7 @@ pub(super) fn root_range(f2: i64, bounds: &RoundingBounds) -> Range {
 
 /// Greatest distance of the integer root of a computed `f2` from the true root.
 pub(super) fn root_error(f2: i64, bounds: &RoundingBounds) -> f64 {
-    let root = fast_root(f2.max(0)) as f64;
+    let root = bounds.root_of(f2) as f64;
     let range = root_range(f2, bounds);
     (range.high - root).max(root - range.low)
 }
@@ -85,7 +86,7 @@ pub(super) fn root_error(f2: i64, bounds: &RoundingBounds) -> f64 {
 /// The ranges of the two roots `f1 -+ sqrt(f2)`; the computed roots, with their floor, lie in them too.
 pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, Range) {
     let root = root_range(f2, bounds);
-    let lowest = root.low.min(fast_root(f2.max(0)) as f64);
+    let lowest = root.low.min(bounds.root_of(f2) as f64);
     let f1 = Range::of_dropped(f1, bounds.f1, bounds.dropped_f1);
     (
         Range::new(f1.low - root.high, f1.high - lowest),
@@ -130,8 +131,13 @@ pub fn depth_terms(bounds: &RoundingBounds, f2: i64) -> DepthTerms {
         linear: bounds.f1,
         truncation: bounds.dropped_f1,
         quadratic: below.max(above) * (1.0 + FLOAT_MARGIN),
-        root_floor: 1.0,
+        root_floor: floor_of_root(bounds),
     }
+}
+
+/// Most that the floor of the root takes: one unit of the last digit that is computed.
+fn floor_of_root(bounds: &RoundingBounds) -> f64 {
+    f64::exp2(f64::from(bounds.dropped_rows))
 }
 
 /// `sqrt(high) - sqrt(high - step)` without cancellation.
@@ -151,7 +157,7 @@ pub fn depth_bound(object: &PreparedQuadric, number: u8, f2: i64) -> f64 {
 }
 
 pub(super) fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
-    let root = fast_root(f2.max(0)) as f64;
+    let root = bounds.root_of(f2) as f64;
     let range = root_range(f2, bounds);
     let (above, below) = (range.high - root, root - range.low);
     let dropped = bounds.dropped_f1;
@@ -172,7 +178,7 @@ pub(super) fn worst_terms(bounds: &RoundingBounds) -> DepthTerms {
         linear: bounds.f1,
         truncation: bounds.dropped_f1,
         quadratic: bounds.f2.sqrt() * (1.0 + FLOAT_MARGIN),
-        root_floor: 1.0,
+        root_floor: floor_of_root(bounds),
     }
 }
 
@@ -200,22 +206,23 @@ mod tests {
         /// For a true f2 anywhere within the bound, the integer root is within `root_error`, and the error through the root within its term.
         #[test]
         fn root_error_covers_every_true_radicand(
-            wide in 0i64..1 << 47, narrow in 0i64..1000, small in any::<bool>(), e2 in 0.0f64..1e6, part in -1.0f64..=1.0, guards in 0u32..8, low in 0.0f64..1.0
+            wide in 0i64..1 << 47, narrow in 0i64..1000, small in any::<bool>(), e2 in 0.0f64..1e6, part in -1.0f64..=1.0, guards in 0u32..8, low in 0.0f64..1.0, rows in 0u32..6
         ) {
             let f2 = if small { narrow } else { wide };
-            let bounds = of_f2(if small { e2 / 1000.0 } else { e2 }, guards);
+            let error = if small { e2 / 1000.0 } else { e2 };
+            let bounds = RoundingBounds { dropped_rows: rows, ..of_f2(error, guards) };
             let kept = f2 as f64 + low * bounds.dropped_f2;
             let truth = kept + part * bounds.f2;
             prop_assume!(truth >= 0.0);
-            let off = (fast_root(f2) as f64 - truth.sqrt()).abs();
+            let off = (bounds.root_of(f2) as f64 - truth.sqrt()).abs();
             prop_assert!(off <= root_error(f2, &bounds) + 1e-6);
             let through = (kept.sqrt() - truth.sqrt()).abs();
             prop_assert!(through <= depth_terms(&bounds, f2).quadratic + 1e-6);
         }
 
         #[test]
-        fn the_face_bound_is_at_most_the_sum_of_its_terms(f2 in 0i64..1 << 47, e1 in 0.0f64..1e3, e2 in 0.0f64..1e6, guards in 0u32..8) {
-            let bounds = RoundingBounds { f1: e1, ..of_f2(e2, guards) };
+        fn the_face_bound_is_at_most_the_sum_of_its_terms(f2 in 0i64..1 << 47, e1 in 0.0f64..1e3, e2 in 0.0f64..1e6, guards in 0u32..8, rows in 0u32..6) {
+            let bounds = RoundingBounds { f1: e1, dropped_rows: rows, ..of_f2(e2, guards) };
             let terms = depth_terms(&bounds, f2);
             for face in [FACE_NEAR, FACE_FAR] {
                 let bound = face_bound(&bounds, face, f2);

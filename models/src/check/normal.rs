@@ -15,7 +15,6 @@ use super::depth::root_error;
 use crate::prepare::{PreparedQuadric, RoundingBounds};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use crate::unit::normal::NormalWords;
-use crate::unit::root::fast_root;
 
 /// Last bits of the linear part that the result drops.
 const DROPPED: f64 = 256.0;
@@ -58,7 +57,7 @@ fn length(normal: [i16; 3]) -> f64 {
 
 fn quadric_error(words: &NormalWords, bounds: &RoundingBounds, f2: i64) -> f64 {
     let unit = f64::from(1u32 << words.shift);
-    let root = fast_root(f2.max(0));
+    let root = bounds.root_of(f2);
     let shifted = (root >> words.shift) as f64;
     let truncated = 1.0 - 1.0 / unit + root_error(f2, bounds) / unit;
     let product = f64::from(1u32 << bounds.product_fraction);

@@ -2,6 +2,7 @@
 
 pub mod beam;
 pub mod decider;
+pub mod fitted;
 pub mod frame;
 pub mod lighting;
 pub mod raster;

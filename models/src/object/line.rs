@@ -101,7 +101,11 @@ fn run<const N: usize>(
         if negative && !seen_where_negative {
             continue;
         }
-        let root = if negative { 0 } else { fast_root(radicand) };
+        let root = if negative {
+            0
+        } else {
+            format.keep_rows(fast_root(radicand))
+        };
         let near = wrap64(linear - root, format.sum);
         let far = wrap64(linear + root, format.sum);
         let (mut a, mut b) = halves(words.class, near, far, negative, format);

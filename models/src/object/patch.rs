@@ -14,7 +14,7 @@ use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
 
 /// Latency in clocks from the raster flags to the outputs; the same for any number of planes.
 pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
-    format.root.div_ceil(rows_per_stage) + 7
+    format.root_rows().div_ceil(rows_per_stage) + 7
 }
 
 /// Every value inside the processor at one pixel.

@@ -210,7 +210,7 @@ pub struct Probe {
 
 /// Latency in clocks from the raster flags to the outputs of a quadric processor.
 pub fn latency(format: &Format, planes: usize, rows_per_stage: u32) -> u32 {
-    format.root.div_ceil(rows_per_stage) + planes as u32 + 7
+    format.root_rows().div_ceil(rows_per_stage) + planes as u32 + 7
 }
 
 /// The processor running over a zone, pixel by pixel.

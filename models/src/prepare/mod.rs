@@ -25,6 +25,7 @@ use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
 use crate::scene::{FramedObject, FramedScene, Projection};
+use crate::unit::root::fast_root;
 use error::PrepareError;
 use forms::{LinearForm, QuadraticForm};
 use num_bigint::BigInt;
@@ -119,9 +120,16 @@ pub struct RoundingBounds {
     pub dropped_f2: f64,
     /// Binary places of the product `K r` below the last bit of a normal's linear part.
     pub product_fraction: u32,
+    /// Last digits of the root that are not computed.
+    pub dropped_rows: u32,
 }
 
 impl RoundingBounds {
+    /// The root that the network finds of a computed f2.
+    pub(crate) fn root_of(&self, f2: i64) -> i64 {
+        fast_root(f2.max(0)) >> self.dropped_rows << self.dropped_rows
+    }
+
     /// Bounds of a format before any coefficient is known: only the guard bits that it drops.
     pub fn of_format(format: &Format) -> RoundingBounds {
         let dropped = |guards: u32| 1.0 - 0.5f64.powi(guards as i32);
@@ -129,6 +137,7 @@ impl RoundingBounds {
             dropped_f1: dropped(format.guard_linear),
             dropped_f2: dropped(format.guard_quadratic),
             product_fraction: format.product_fraction(),
+            dropped_rows: format.dropped_rows,
             ..RoundingBounds::default()
         }
     }

@@ -47,7 +47,9 @@ impl QuadricPe {
         let f1 = format.drop_linear(self.f1.pixel() as i64);
         let f2 = format.drop_quadratic(self.f2.pixel() as i64);
         let radicand = (f2 as u128) & ((1 << format.quadratic) - 1);
-        let root = restoring_root(radicand, format.root).root as i64;
+        // The network without its last rows: floor(sqrt(q / 4^d)) = floor(sqrt(q)) / 2^d, rounded down.
+        let digits = restoring_root(radicand >> (2 * format.dropped_rows), format.root_rows());
+        let root = (digits.root as i64) << format.dropped_rows;
         QuadricDepths {
             f1,
             f2,
