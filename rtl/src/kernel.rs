@@ -1,8 +1,11 @@
 //! What every kernel file uses: rust-hdl's block language, the word types and a few shorthands.
 
-pub(crate) use crate::word::{Int, Word, bit_cast, signed_bit_cast, signed_cast, unsigned_cast};
+pub(crate) use crate::word::{
+    Doubled, Int, Word, bit_cast, signed_bit_cast, signed_cast, unsigned_cast,
+};
 pub(crate) use rust_hdl::core::prelude::{
-    Bit, Clock, Constant, In, Local, Logic, Out, Signal, Synth, ast, clock, hdl_gen, logic,
+    Bit, Block, Clock, Constant, In, Local, Logic, Out, Probe, Signal, Synth, Verilog, ast, clock,
+    hdl_gen, logic,
 };
 pub(crate) use rust_hdl::widgets::dff_setup;
 pub(crate) use rust_hdl::widgets::prelude::DFF;
@@ -128,6 +131,66 @@ pub(crate) fn repeat<T>(count: usize, block: impl Fn() -> T) -> Vec<T> {
     (0..count).map(|_| block()).collect()
 }
 
+/// A sub-block that one configuration of a block has and another lacks. Absent it is not in the hierarchy, and the kernel must not speak of it.
+pub struct Optional<B> {
+    block: B,
+    is_present: bool,
+}
+
+impl<B> Optional<B> {
+    pub(crate) fn new(block: B, is_present: bool) -> Self {
+        Self { block, is_present }
+    }
+}
+
+impl<B> std::ops::Deref for Optional<B> {
+    type Target = B;
+
+    fn deref(&self) -> &B {
+        &self.block
+    }
+}
+
+impl<B> std::ops::DerefMut for Optional<B> {
+    fn deref_mut(&mut self) -> &mut B {
+        &mut self.block
+    }
+}
+
+impl<B: Block> Logic for Optional<B> {
+    fn update(&mut self) {}
+
+    fn hdl(&self) -> Verilog {
+        Verilog::Empty
+    }
+}
+
+impl<B: Block> Block for Optional<B> {
+    fn connect_all(&mut self) {
+        if self.is_present {
+            self.block.connect_all();
+        }
+    }
+
+    fn update_all(&mut self) {
+        if self.is_present {
+            self.block.update_all();
+        }
+    }
+
+    fn has_changed(&self) -> bool {
+        self.is_present && self.block.has_changed()
+    }
+
+    fn accept(&self, name: &str, probe: &mut dyn Probe) {
+        if self.is_present {
+            self.block.accept(name, probe);
+        }
+    }
+}
+
+impl<B> Part for Optional<B> {}
+
 /// A value on a port.
 pub trait PortValue: Synth {
     /// The value of the next word; none for a clock, which takes no word.
@@ -153,6 +216,16 @@ impl<const N: usize> PortValue for Int<N> {
 
     fn word(self) -> u64 {
         unsigned_cast(self).get()
+    }
+}
+
+impl<const N: usize> PortValue for Doubled<N> {
+    fn take(words: &mut dyn Iterator<Item = u64>) -> Option<Self> {
+        words.next().map(|word| Self::new(word as i64))
+    }
+
+    fn word(self) -> u64 {
+        self.get() as u64 & (u64::MAX >> (64 - Self::BITS))
     }
 }
 

@@ -200,11 +200,80 @@ impl<const N: usize> Neg for Int<N> {
     }
 }
 
-impl Mul for Int<16> {
-    type Output = Int<32>;
+impl<const N: usize> Mul for Int<N> {
+    type Output = Doubled<N>;
     #[inline(always)]
-    fn mul(self, other: Self) -> Int<32> {
-        Int::new(self.0 * other.0)
+    fn mul(self, other: Self) -> Doubled<N> {
+        Doubled(self.0 * other.0)
+    }
+}
+
+/// A two's complement number of `2 N` bits, `N` at most 32: what the product of two [`Int`] is.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Doubled<const N: usize>(i64);
+
+impl<const N: usize> Doubled<N> {
+    const UNUSED: u32 = {
+        assert!(N >= 1 && N <= 32, "a product has 2 to 64 bits");
+        64 - 2 * N as u32
+    };
+
+    /// The number congruent to `value` modulo `2^(2 N)`.
+    #[inline(always)]
+    pub const fn new(value: i64) -> Self {
+        Self((value << Self::UNUSED) >> Self::UNUSED)
+    }
+
+    /// The value.
+    #[inline(always)]
+    pub const fn get(self) -> i64 {
+        self.0
+    }
+
+    /// Bits `offset + M - 1 .. offset`, read as a number.
+    #[inline(always)]
+    pub const fn get_bits<const M: usize>(self, offset: usize) -> Int<M> {
+        Int::new(self.0 >> offset)
+    }
+}
+
+impl<const N: usize> Neg for Doubled<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(self.0.wrapping_neg())
+    }
+}
+
+impl<const N: usize> BitAnd for Doubled<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl<const N: usize> Synth for Doubled<N> {
+    const BITS: usize = 2 * N;
+
+    fn descriptor() -> TypeDescriptor {
+        let width = Self::BITS;
+        TypeDescriptor {
+            name: format!("Signed::<{width}>"),
+            kind: TypeKind::Signed(width),
+        }
+    }
+
+    fn vcd(self) -> VCDValue {
+        // The most significant bit comes first.
+        match Bits::<64>::from(self.0 as u64).vcd() {
+            VCDValue::Vector(bits) => VCDValue::Vector(bits[64 - Self::BITS..].to_vec()),
+            other => other,
+        }
+    }
+
+    fn verilog(self) -> VerilogLiteral {
+        Bits::<64>::from(self.0 as u64 & ones(Self::BITS)).verilog()
     }
 }
 
@@ -285,7 +354,7 @@ mod tests {
         assert_eq!(unsigned_cast::<24>(Int::new(-1)).get(), 0xff_ffff);
         assert_eq!(
             Int::<16>::new(-32_768) * Int::new(-32_768),
-            Int::new(1 << 30)
+            Doubled::new(1 << 30)
         );
     }
 

@@ -415,6 +415,15 @@ impl Lowering {
         self.bits(name, low, width)
     }
 
+    /// True for a shift by nothing, which is no operation.
+    fn is_zero(&self, value: &Expression) -> bool {
+        match &value.form {
+            Form::Literal(0) => true,
+            Form::Name(name) => matches!(self.names[name].role, Role::Constant(0)),
+            _ => false,
+        }
+    }
+
     fn unary(
         &mut self,
         operation: &VerilogOpUnary,
@@ -446,6 +455,9 @@ impl Lowering {
         let mut left = self.expression(left)?;
         let mut right = self.expression(right)?;
         let operator = operator(operation);
+        if matches!(operator, "<<" | ">>") && self.is_zero(&right) {
+            return Ok(left);
+        }
         let is_bitwise = matches!(operator, "&" | "|" | "^");
         if !is_bitwise || is_product(&left) || is_product(&right) {
             left = self.operand(left);

@@ -8,6 +8,7 @@ mod census;
 mod collect;
 mod error;
 mod lower;
+pub mod machine;
 mod merge;
 mod module;
 mod names;
@@ -58,10 +59,11 @@ pub use error::EmitError;
 pub use raw::raw;
 pub use request::EmitRequest;
 use rust_hdl::core::prelude::{AtomKind, Block};
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// Direction of a port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Direction {
     /// Into the unit.
     Input,
@@ -70,7 +72,7 @@ pub enum Direction {
 }
 
 /// A port of the emitted module.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Port {
     /// Name in the Verilog.
     pub name: String,
@@ -83,7 +85,7 @@ pub struct Port {
 }
 
 /// The Verilog of a unit.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Emitted {
     /// Name of the top module.
     pub top: String,
@@ -316,43 +318,67 @@ fn ports(scope: &Scope) -> Vec<Port> {
 const COLUMNS: usize = 120;
 
 fn header(request: &EmitRequest, ports: &[Port], latency: usize, prefix: &str) -> String {
-    let mut text = String::new();
     let unit = request.unit;
-    let _ = writeln!(text, "// {prefix}{}: {}", unit.name(), unit.contract());
-    let _ = writeln!(text, "//");
-    let _ = writeln!(text, "// parameters: format {}", request.depth_word);
-    for (option, value) in request.options() {
-        let _ = writeln!(text, "//             {} {value}", option.replace('-', " "));
+    let format = format!("format {}", request.depth_word);
+    let options = request.options().into_iter();
+    let options = options.map(|(option, value)| format!("{} {value}", option.replace('-', " ")));
+    Heading {
+        top: &format!("{prefix}{}", unit.name()),
+        contract: unit.contract(),
+        parameters: std::iter::once(format).chain(options).collect(),
+        latency,
+        error: &unit.error(request),
+        source: unit.source(),
+        ports,
+        command: &request.command_with_prefix(prefix),
     }
-    let _ = writeln!(
-        text,
-        "// latency:    {latency} {}",
-        if latency == 1 { "clock" } else { "clocks" }
-    );
-    let _ = writeln!(text, "// error:      {}", wrapped(&unit.error(request)));
-    let _ = writeln!(text, "// source:     {}", unit.source());
-    let _ = writeln!(text, "// ports:");
-    for port in ports {
-        let direction = if port.direction == Direction::Input {
-            "in "
-        } else {
-            "out"
-        };
-        let reading = if port.signed {
-            "two's complement"
-        } else {
-            "unsigned"
-        };
-        let _ = writeln!(
-            text,
-            "//   {direction} {:<14} {:>2} {reading}",
-            port.name, port.width
-        );
+    .text()
+}
+
+/// What the comment before the Verilog states.
+struct Heading<'a> {
+    top: &'a str,
+    contract: &'a str,
+    /// A line each.
+    parameters: Vec<String>,
+    latency: usize,
+    error: &'a str,
+    source: &'a str,
+    ports: &'a [Port],
+    command: &'a str,
+}
+
+impl Heading<'_> {
+    fn text(&self) -> String {
+        let mut text = format!("// {}: {}\n//\n", self.top, self.contract);
+        let parameters = self.parameters.join("\n//             ");
+        let _ = writeln!(text, "// parameters: {parameters}");
+        let clocks = if self.latency == 1 { "clock" } else { "clocks" };
+        let _ = writeln!(text, "// latency:    {} {clocks}", self.latency);
+        let _ = writeln!(text, "// error:      {}", wrapped(self.error));
+        let _ = writeln!(text, "// source:     {}", self.source);
+        let _ = writeln!(text, "// ports:");
+        for port in self.ports {
+            let direction = if port.direction == Direction::Input {
+                "in "
+            } else {
+                "out"
+            };
+            let reading = if port.signed {
+                "two's complement"
+            } else {
+                "unsigned"
+            };
+            let _ = writeln!(
+                text,
+                "//   {direction} {:<14} {:>2} {reading}",
+                port.name, port.width
+            );
+        }
+        let _ = writeln!(text, "//\n// Made by: {}", self.command);
+        let _ = writeln!(text, "// SPDX-License-Identifier: {LICENCE}");
+        text
     }
-    let _ = writeln!(text, "//");
-    let _ = writeln!(text, "// Made by: {}", request.command_with_prefix(prefix));
-    let _ = writeln!(text, "// SPDX-License-Identifier: {LICENCE}");
-    text
 }
 
 /// A statement on as many lines as it needs, the later ones indented like the first.

@@ -62,6 +62,8 @@ pub fn check_prefix(prefix: &str) -> Result<(), EmitError> {
 
 /// Replaces every `[index]` of a path by `$value`. `lookup` gives the value of a loop variable or constant.
 pub fn resolve(path: &str, lookup: &dyn Fn(&str) -> Option<u64>) -> Result<String, EmitError> {
+    // The kernel macro breaks long paths into lines.
+    let path: String = path.split_whitespace().collect();
     let path = path.trim_start_matches('.').trim_end_matches("$next");
     let mut resolved = String::new();
     let mut rest = path;

@@ -20,7 +20,7 @@ pub const CONTROL: u64 = 23;
 /// | `clock` | in | rising edge |
 /// | `write` | in | write `data` to `address` |
 /// | `address` | in | 8 bits |
-/// | `data` | in | `F` bits; a narrower word sits in the low bits |
+/// | `data` | in | `B` bits, the widest word, `F` in the catalogue; a narrower word sits in the low bits |
 /// | the others | out | the words, as the ports of the quadric processor |
 ///
 /// | address | word |
@@ -37,7 +37,14 @@ pub const CONTROL: u64 = 23;
 /// A word is visible after the clock that writes it and holds until written again. At power-up every word is zero, except
 /// that the screen box is empty (`box_x0` = 4095), so that a store never loaded holds an absent object. Other addresses are
 /// ignored.
-pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
+pub struct CoefficientStore<
+    const S: usize,
+    const F: usize,
+    const P: usize,
+    const N: usize = 16,
+    const G: usize = 24,
+    const B: usize = F,
+> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Write.
@@ -45,7 +52,7 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
     /// Which word.
     pub address: Signal<In, Word<8>>,
     /// The word.
-    pub data: Signal<In, Word<F>>,
+    pub data: Signal<In, Word<B>>,
     /// Linear part: increment along the line.
     pub f1_a: Signal<Out, Int<S>>,
     /// Linear part: increment from line to line.
@@ -65,29 +72,29 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
     /// Quadratic: value of the first pixel.
     pub f2_f: Signal<Out, Int<F>>,
     /// Normal x: increment along the line.
-    pub gx_a: Signal<Out, Int<24>>,
+    pub gx_a: Signal<Out, Int<G>>,
     /// Normal x: increment from line to line.
-    pub gx_b: Signal<Out, Int<24>>,
+    pub gx_b: Signal<Out, Int<G>>,
     /// Normal x: value of the first pixel.
-    pub gx_c: Signal<Out, Int<24>>,
+    pub gx_c: Signal<Out, Int<G>>,
     /// Normal y: increment along the line.
-    pub gy_a: Signal<Out, Int<24>>,
+    pub gy_a: Signal<Out, Int<G>>,
     /// Normal y: increment from line to line.
-    pub gy_b: Signal<Out, Int<24>>,
+    pub gy_b: Signal<Out, Int<G>>,
     /// Normal y: value of the first pixel.
-    pub gy_c: Signal<Out, Int<24>>,
+    pub gy_c: Signal<Out, Int<G>>,
     /// Normal z: increment along the line.
-    pub gz_a: Signal<Out, Int<24>>,
+    pub gz_a: Signal<Out, Int<G>>,
     /// Normal z: increment from line to line.
-    pub gz_b: Signal<Out, Int<24>>,
+    pub gz_b: Signal<Out, Int<G>>,
     /// Normal z: value of the first pixel.
-    pub gz_c: Signal<Out, Int<24>>,
+    pub gz_c: Signal<Out, Int<G>>,
     /// Factor of the root in normal x.
-    pub kx: Signal<Out, Int<16>>,
+    pub kx: Signal<Out, Int<N>>,
     /// Factor of the root in normal y.
-    pub ky: Signal<Out, Int<16>>,
+    pub ky: Signal<Out, Int<N>>,
     /// Factor of the root in normal z.
-    pub kz: Signal<Out, Int<16>>,
+    pub kz: Signal<Out, Int<N>>,
     /// First column of the screen box.
     pub box_x0: Signal<Out, Word<12>>,
     /// Last column of the screen box.
@@ -109,11 +116,11 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
     /// Each plane: value of the first pixel.
     pub plane_c: Vec<Signal<Out, Int<P>>>,
     /// Each plane: normal x.
-    pub plane_nx: Vec<Signal<Out, Int<16>>>,
+    pub plane_nx: Vec<Signal<Out, Int<N>>>,
     /// Each plane: normal y.
-    pub plane_ny: Vec<Signal<Out, Int<16>>>,
+    pub plane_ny: Vec<Signal<Out, Int<N>>>,
     /// Each plane: normal z.
-    pub plane_nz: Vec<Signal<Out, Int<16>>>,
+    pub plane_nz: Vec<Signal<Out, Int<N>>>,
     kept_f1_a: DFF<Int<S>>,
     kept_f1_b: DFF<Int<S>>,
     kept_f1_c: DFF<Int<S>>,
@@ -123,18 +130,18 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
     kept_f2_i0: DFF<Int<F>>,
     kept_f2_p0: DFF<Int<F>>,
     kept_f2_f: DFF<Int<F>>,
-    kept_gx_a: DFF<Int<24>>,
-    kept_gx_b: DFF<Int<24>>,
-    kept_gx_c: DFF<Int<24>>,
-    kept_gy_a: DFF<Int<24>>,
-    kept_gy_b: DFF<Int<24>>,
-    kept_gy_c: DFF<Int<24>>,
-    kept_gz_a: DFF<Int<24>>,
-    kept_gz_b: DFF<Int<24>>,
-    kept_gz_c: DFF<Int<24>>,
-    kept_kx: DFF<Int<16>>,
-    kept_ky: DFF<Int<16>>,
-    kept_kz: DFF<Int<16>>,
+    kept_gx_a: DFF<Int<G>>,
+    kept_gx_b: DFF<Int<G>>,
+    kept_gx_c: DFF<Int<G>>,
+    kept_gy_a: DFF<Int<G>>,
+    kept_gy_b: DFF<Int<G>>,
+    kept_gy_c: DFF<Int<G>>,
+    kept_gz_a: DFF<Int<G>>,
+    kept_gz_b: DFF<Int<G>>,
+    kept_gz_c: DFF<Int<G>>,
+    kept_kx: DFF<Int<N>>,
+    kept_ky: DFF<Int<N>>,
+    kept_kz: DFF<Int<N>>,
     inverted_box_x0: DFF<Word<12>>,
     kept_box_x1: DFF<Word<12>>,
     kept_box_y0: DFF<Word<12>>,
@@ -145,9 +152,9 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
     kept_plane_a: Vec<DFF<Int<P>>>,
     kept_plane_b: Vec<DFF<Int<P>>>,
     kept_plane_c: Vec<DFF<Int<P>>>,
-    kept_plane_nx: Vec<DFF<Int<16>>>,
-    kept_plane_ny: Vec<DFF<Int<16>>>,
-    kept_plane_nz: Vec<DFF<Int<16>>>,
+    kept_plane_nx: Vec<DFF<Int<N>>>,
+    kept_plane_ny: Vec<DFF<Int<N>>>,
+    kept_plane_nz: Vec<DFF<Int<N>>>,
     at: Vec<Constant<Word<8>>>,
     at_plane_kind: Vec<Constant<Word<8>>>,
     at_plane_a: Vec<Constant<Word<8>>>,
@@ -166,7 +173,8 @@ pub struct CoefficientStore<const S: usize, const F: usize, const P: usize> {
 }
 
 block! {
-    [const S: usize, const F: usize, const P: usize] CoefficientStore [S, F, P]
+    [const S: usize, const F: usize, const P: usize, const N: usize, const G: usize, const B: usize]
+    CoefficientStore [S, F, P, N, G, B]
     inputs { clock, write, address, data }
     parts { f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0, f2_p0, f2_f, gx_a, gx_b, gx_c, gy_a,
         gy_b, gy_c, gz_a, gz_b, gz_c, kx, ky, kz, box_x0, box_x1, box_y0, box_y1, object_class,
@@ -187,14 +195,17 @@ fn plane_addresses(planes: usize, word: u64) -> Vec<Constant<Word<8>>> {
         .collect()
 }
 
-impl<const S: usize, const F: usize, const P: usize> CoefficientStore<S, F, P> {
+impl<const S: usize, const F: usize, const P: usize, const N: usize, const G: usize, const B: usize>
+    CoefficientStore<S, F, P, N, G, B>
+{
     /// A store for an object with `planes` planes.
     ///
     /// # Panics
     ///
     /// When a word does not fit the load bus.
     pub fn new(planes: usize) -> Self {
-        assert!(S <= F && P <= F && F >= 24, "every word fits the load bus");
+        let widest = [S, F, P, N, G, 24].into_iter().max();
+        assert!(widest <= Some(B), "every word fits the load bus");
         Self {
             clock: Signal::default(),
             write: Signal::default(),
@@ -292,7 +303,9 @@ impl<const S: usize, const F: usize, const P: usize> CoefficientStore<S, F, P> {
     }
 }
 
-impl<const S: usize, const F: usize, const P: usize> Logic for CoefficientStore<S, F, P> {
+impl<const S: usize, const F: usize, const P: usize, const N: usize, const G: usize, const B: usize>
+    Logic for CoefficientStore<S, F, P, N, G, B>
+{
     #[hdl_gen]
     fn update(&mut self) {
         comment!("coefficient_store");
@@ -372,40 +385,40 @@ impl<const S: usize, const F: usize, const P: usize> Logic for CoefficientStore<
                 self.kept_f2_f.d.next = signed_cast(self.data.val().get_bits::<F>(0));
             }
             if self.address.val() == self.at[9].val() {
-                self.kept_gx_a.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gx_a.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[10].val() {
-                self.kept_gx_b.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gx_b.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[11].val() {
-                self.kept_gx_c.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gx_c.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[12].val() {
-                self.kept_gy_a.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gy_a.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[13].val() {
-                self.kept_gy_b.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gy_b.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[14].val() {
-                self.kept_gy_c.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gy_c.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[15].val() {
-                self.kept_gz_a.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gz_a.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[16].val() {
-                self.kept_gz_b.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gz_b.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[17].val() {
-                self.kept_gz_c.d.next = signed_cast(self.data.val().get_bits::<24>(0));
+                self.kept_gz_c.d.next = signed_cast(self.data.val().get_bits::<G>(0));
             }
             if self.address.val() == self.at[18].val() {
-                self.kept_kx.d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                self.kept_kx.d.next = signed_cast(self.data.val().get_bits::<N>(0));
             }
             if self.address.val() == self.at[19].val() {
-                self.kept_ky.d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                self.kept_ky.d.next = signed_cast(self.data.val().get_bits::<N>(0));
             }
             if self.address.val() == self.at[20].val() {
-                self.kept_kz.d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                self.kept_kz.d.next = signed_cast(self.data.val().get_bits::<N>(0));
             }
             if self.address.val() == self.at_box_columns.val() {
                 // Kept inverted, so that the zero of power-up is an empty box.
@@ -437,13 +450,13 @@ impl<const S: usize, const F: usize, const P: usize> Logic for CoefficientStore<
                     self.kept_plane_c[i].d.next = signed_cast(self.data.val().get_bits::<P>(0));
                 }
                 if self.address.val() == self.at_plane_nx[i].val() {
-                    self.kept_plane_nx[i].d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                    self.kept_plane_nx[i].d.next = signed_cast(self.data.val().get_bits::<N>(0));
                 }
                 if self.address.val() == self.at_plane_ny[i].val() {
-                    self.kept_plane_ny[i].d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                    self.kept_plane_ny[i].d.next = signed_cast(self.data.val().get_bits::<N>(0));
                 }
                 if self.address.val() == self.at_plane_nz[i].val() {
-                    self.kept_plane_nz[i].d.next = signed_cast(self.data.val().get_bits::<16>(0));
+                    self.kept_plane_nz[i].d.next = signed_cast(self.data.val().get_bits::<N>(0));
                 }
             }
         }
@@ -486,4 +499,4 @@ impl<const S: usize, const F: usize, const P: usize> Logic for CoefficientStore<
     }
 }
 
-clocked!(CoefficientStore<const S: usize, const F: usize, const P: usize>);
+clocked!(CoefficientStore<const S: usize, const F: usize, const P: usize, const N: usize, const G: usize, const B: usize>);

@@ -17,7 +17,7 @@ use crate::tree::{Tree, table};
 /// | `depth`, `id`, `number`, `nx`, `ny`, `nz` | out | the winner |
 ///
 /// Latency `ceil(log2 M)`. At equal depth the smaller id wins.
-pub struct Decider<const W: usize> {
+pub struct Decider<const W: usize, const N: usize = 16> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of each object.
@@ -27,11 +27,11 @@ pub struct Decider<const W: usize> {
     /// Face of each object.
     pub input_number: Vec<Signal<In, Word<4>>>,
     /// Normal x of each object.
-    pub input_nx: Vec<Signal<In, Int<16>>>,
+    pub input_nx: Vec<Signal<In, Int<N>>>,
     /// Normal y of each object.
-    pub input_ny: Vec<Signal<In, Int<16>>>,
+    pub input_ny: Vec<Signal<In, Int<N>>>,
     /// Normal z of each object.
-    pub input_nz: Vec<Signal<In, Int<16>>>,
+    pub input_nz: Vec<Signal<In, Int<N>>>,
     /// Depth of the winner.
     pub depth: Signal<Out, Int<W>>,
     /// Id of the winner.
@@ -39,19 +39,19 @@ pub struct Decider<const W: usize> {
     /// Face of the winner.
     pub number: Signal<Out, Word<4>>,
     /// Normal x of the winner.
-    pub nx: Signal<Out, Int<16>>,
+    pub nx: Signal<Out, Int<N>>,
     /// Normal y of the winner.
-    pub ny: Signal<Out, Int<16>>,
+    pub ny: Signal<Out, Int<N>>,
     /// Normal z of the winner.
-    pub nz: Signal<Out, Int<16>>,
+    pub nz: Signal<Out, Int<N>>,
     branch_depth: Vec<Signal<Local, Int<W>>>,
     branch_id: Vec<Signal<Local, Word<8>>>,
     branch_number: Vec<Signal<Local, Word<4>>>,
-    branch_nx: Vec<Signal<Local, Int<16>>>,
-    branch_ny: Vec<Signal<Local, Int<16>>>,
-    branch_nz: Vec<Signal<Local, Int<16>>>,
-    nodes: Vec<VisibilityNode<W>>,
-    registers: Vec<VisibilityRegister<W>>,
+    branch_nx: Vec<Signal<Local, Int<N>>>,
+    branch_ny: Vec<Signal<Local, Int<N>>>,
+    branch_nz: Vec<Signal<Local, Int<N>>>,
+    nodes: Vec<VisibilityNode<W, N>>,
+    registers: Vec<VisibilityRegister<W, N>>,
     node_a: Vec<Constant<Word<16>>>,
     node_b: Vec<Constant<Word<16>>>,
     node_out: Vec<Constant<Word<16>>>,
@@ -65,7 +65,7 @@ pub struct Decider<const W: usize> {
 }
 
 block! {
-    [const W: usize] Decider [W]
+    [const W: usize, const N: usize] Decider [W, N]
     inputs { clock, input_depth, input_id, input_number, input_nx, input_ny, input_nz }
     parts { depth, id, number, nx, ny, nz, branch_depth, branch_id, branch_number, branch_nx,
         branch_ny, branch_nz, nodes, registers, node_a, node_b, node_out, register_in,
@@ -73,7 +73,7 @@ block! {
     data { _inputs, _nodes, _registers }
 }
 
-impl<const W: usize> Decider<W> {
+impl<const W: usize, const N: usize> Decider<W, N> {
     /// A decider of `inputs` objects.
     ///
     /// # Panics
@@ -126,7 +126,7 @@ impl<const W: usize> Decider<W> {
     }
 }
 
-impl<const W: usize> Logic for Decider<W> {
+impl<const W: usize, const N: usize> Logic for Decider<W, N> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("decider");
@@ -191,4 +191,4 @@ impl<const W: usize> Logic for Decider<W> {
     }
 }
 
-clocked!(Decider<const W: usize>);
+clocked!(Decider<const W: usize, const N: usize>);

@@ -4,4 +4,5 @@ pub mod beam;
 pub mod coefficient_store;
 pub mod decider;
 pub mod raster_control;
+pub mod slot_shape;
 pub mod visibility_node;

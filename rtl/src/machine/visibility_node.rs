@@ -15,7 +15,7 @@ use crate::kernel::*;
 ///
 /// Latency 1. The smaller depth wins, at equal depth the smaller id, so that the order of the inputs does not matter.
 #[derive(Default)]
-pub struct VisibilityNode<const W: usize> {
+pub struct VisibilityNode<const W: usize, const N: usize = 16> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of the first object.
@@ -25,11 +25,11 @@ pub struct VisibilityNode<const W: usize> {
     /// Face of the first object.
     pub a_number: Signal<In, Word<4>>,
     /// Normal x of the first object.
-    pub a_nx: Signal<In, Int<16>>,
+    pub a_nx: Signal<In, Int<N>>,
     /// Normal y of the first object.
-    pub a_ny: Signal<In, Int<16>>,
+    pub a_ny: Signal<In, Int<N>>,
     /// Normal z of the first object.
-    pub a_nz: Signal<In, Int<16>>,
+    pub a_nz: Signal<In, Int<N>>,
     /// Depth of the second object.
     pub b_depth: Signal<In, Int<W>>,
     /// Id of the second object.
@@ -37,11 +37,11 @@ pub struct VisibilityNode<const W: usize> {
     /// Face of the second object.
     pub b_number: Signal<In, Word<4>>,
     /// Normal x of the second object.
-    pub b_nx: Signal<In, Int<16>>,
+    pub b_nx: Signal<In, Int<N>>,
     /// Normal y of the second object.
-    pub b_ny: Signal<In, Int<16>>,
+    pub b_ny: Signal<In, Int<N>>,
     /// Normal z of the second object.
-    pub b_nz: Signal<In, Int<16>>,
+    pub b_nz: Signal<In, Int<N>>,
     /// Depth of the winner.
     pub depth: Signal<Out, Int<W>>,
     /// Id of the winner.
@@ -49,11 +49,11 @@ pub struct VisibilityNode<const W: usize> {
     /// Face of the winner.
     pub number: Signal<Out, Word<4>>,
     /// Normal x of the winner.
-    pub nx: Signal<Out, Int<16>>,
+    pub nx: Signal<Out, Int<N>>,
     /// Normal y of the winner.
-    pub ny: Signal<Out, Int<16>>,
+    pub ny: Signal<Out, Int<N>>,
     /// Normal z of the winner.
-    pub nz: Signal<Out, Int<16>>,
+    pub nz: Signal<Out, Int<N>>,
     b_is_nearer: Signal<Local, Bit>,
     depths_are_equal: Signal<Local, Bit>,
     b_has_smaller_id: Signal<Local, Bit>,
@@ -61,14 +61,14 @@ pub struct VisibilityNode<const W: usize> {
     kept_depth: DFF<Int<W>>,
     kept_id: DFF<Word<8>>,
     kept_number: DFF<Word<4>>,
-    kept_nx: DFF<Int<16>>,
-    kept_ny: DFF<Int<16>>,
-    kept_nz: DFF<Int<16>>,
+    kept_nx: DFF<Int<N>>,
+    kept_ny: DFF<Int<N>>,
+    kept_nz: DFF<Int<N>>,
     _asleep: bool,
 }
 
 block! {
-    [const W: usize] VisibilityNode [W]
+    [const W: usize, const N: usize] VisibilityNode [W, N]
     inputs { clock, a_depth, a_id, a_number, a_nx, a_ny, a_nz, b_depth, b_id, b_number, b_nx,
         b_ny, b_nz }
     parts { depth, id, number, nx, ny, nz, b_is_nearer, depths_are_equal, b_has_smaller_id,
@@ -76,14 +76,14 @@ block! {
     data { }
 }
 
-impl<const W: usize> VisibilityNode<W> {
+impl<const W: usize, const N: usize> VisibilityNode<W, N> {
     /// Clocks from the objects to the winner.
     pub const fn latency() -> usize {
         1
     }
 }
 
-impl<const W: usize> Logic for VisibilityNode<W> {
+impl<const W: usize, const N: usize> Logic for VisibilityNode<W, N> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("visibility_node");
@@ -126,11 +126,11 @@ impl<const W: usize> Logic for VisibilityNode<W> {
     }
 }
 
-clocked!(VisibilityNode<const W: usize>);
+clocked!(VisibilityNode<const W: usize, const N: usize>);
 
 /// A register in the place of a node that has one input only.
 #[derive(Default)]
-pub struct VisibilityRegister<const W: usize> {
+pub struct VisibilityRegister<const W: usize, const N: usize = 16> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of the object.
@@ -140,11 +140,11 @@ pub struct VisibilityRegister<const W: usize> {
     /// Face of the object.
     pub a_number: Signal<In, Word<4>>,
     /// Normal x of the object.
-    pub a_nx: Signal<In, Int<16>>,
+    pub a_nx: Signal<In, Int<N>>,
     /// Normal y of the object.
-    pub a_ny: Signal<In, Int<16>>,
+    pub a_ny: Signal<In, Int<N>>,
     /// Normal z of the object.
-    pub a_nz: Signal<In, Int<16>>,
+    pub a_nz: Signal<In, Int<N>>,
     /// Depth, one clock later.
     pub depth: Signal<Out, Int<W>>,
     /// Id, one clock later.
@@ -152,29 +152,29 @@ pub struct VisibilityRegister<const W: usize> {
     /// Face, one clock later.
     pub number: Signal<Out, Word<4>>,
     /// Normal x, one clock later.
-    pub nx: Signal<Out, Int<16>>,
+    pub nx: Signal<Out, Int<N>>,
     /// Normal y, one clock later.
-    pub ny: Signal<Out, Int<16>>,
+    pub ny: Signal<Out, Int<N>>,
     /// Normal z, one clock later.
-    pub nz: Signal<Out, Int<16>>,
+    pub nz: Signal<Out, Int<N>>,
     kept_depth: DFF<Int<W>>,
     kept_id: DFF<Word<8>>,
     kept_number: DFF<Word<4>>,
-    kept_nx: DFF<Int<16>>,
-    kept_ny: DFF<Int<16>>,
-    kept_nz: DFF<Int<16>>,
+    kept_nx: DFF<Int<N>>,
+    kept_ny: DFF<Int<N>>,
+    kept_nz: DFF<Int<N>>,
     _asleep: bool,
 }
 
 block! {
-    [const W: usize] VisibilityRegister [W]
+    [const W: usize, const N: usize] VisibilityRegister [W, N]
     inputs { clock, a_depth, a_id, a_number, a_nx, a_ny, a_nz }
     parts { depth, id, number, nx, ny, nz, kept_depth, kept_id, kept_number, kept_nx, kept_ny,
         kept_nz }
     data { }
 }
 
-impl<const W: usize> Logic for VisibilityRegister<W> {
+impl<const W: usize, const N: usize> Logic for VisibilityRegister<W, N> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("visibility_register");

@@ -210,8 +210,8 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
     ///
     /// When the widths do not fit each other or `rows_per_stage` is not in `1..=W`.
     pub fn new(rows_per_stage: usize) -> Self {
-        let sums = QuadricPe::<W, W1, S, F>::latency(rows_per_stage);
-        let normal = NormalUnit::<W>::latency();
+        let sums = <QuadricPe<W, W1, S, F>>::latency(rows_per_stage);
+        let normal = <NormalUnit<W>>::latency();
         fields! {
             [clock, valid, start, line, x, y, f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0, f2_p0,
                 f2_f, gx_a, gx_b, gx_c, gy_a, gy_b, gy_c, gz_a, gz_b, gz_c, kx, ky, kz, box_x0,
@@ -253,9 +253,9 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
 
     /// Clocks from the flags to the results.
     pub const fn latency(rows_per_stage: usize) -> usize {
-        QuadricPe::<W, W1, S, F>::latency(rows_per_stage)
+        <QuadricPe<W, W1, S, F>>::latency(rows_per_stage)
             + ContourChoice::<W, S>::latency()
-            + NormalUnit::<W>::latency()
+            + <NormalUnit<W>>::latency()
     }
 }
 

@@ -144,7 +144,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
             planes <= MOST_PLANES,
             "a volume has at most {MOST_PLANES} planes"
         );
-        let sums = QuadricPe::<W, W1, S, F>::latency(rows_per_stage);
+        let sums = <QuadricPe<W, W1, S, F>>::latency(rows_per_stage);
         fields! {
             [clock, valid, start, line, x, y, depth, f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0,
                 f2_p0, f2_f, box_x0, box_x1, box_y0, box_y1, object_class, depth_shift, margin, out_valid,
@@ -168,7 +168,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
 
     /// Clocks from the flags to the result.
     pub const fn latency(rows_per_stage: usize) -> usize {
-        QuadricPe::<W, W1, S, F>::latency(rows_per_stage) + QuadricTest::<W, S>::latency() + 1
+        <QuadricPe<W, W1, S, F>>::latency(rows_per_stage) + QuadricTest::<W, S>::latency() + 1
     }
 }
 

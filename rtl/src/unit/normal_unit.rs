@@ -6,7 +6,7 @@ use crate::format::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use crate::kernel::*;
 
 /// One component of the normal: `g(x, y) -+ ((k rs) >> 6)`, or a constant for the faces that are not the quadric's.
-pub struct NormalComponent {
+pub struct NormalComponent<const N: usize, const G: usize> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// This clock carries a pixel.
@@ -16,45 +16,45 @@ pub struct NormalComponent {
     /// First pixel of a later line.
     pub line: Signal<In, Bit>,
     /// Increment along the line.
-    pub a: Signal<In, Int<24>>,
+    pub a: Signal<In, Int<G>>,
     /// Increment from line to line.
-    pub b: Signal<In, Int<24>>,
+    pub b: Signal<In, Int<G>>,
     /// Value of the first pixel.
-    pub c: Signal<In, Int<24>>,
+    pub c: Signal<In, Int<G>>,
     /// Factor of the root.
-    pub k: Signal<In, Int<16>>,
+    pub k: Signal<In, Int<N>>,
     /// Scaled root, beside the flags.
-    pub scaled_root: Signal<In, Int<16>>,
+    pub scaled_root: Signal<In, Int<N>>,
     /// The face is the near one, beside the flags.
     pub is_near: Signal<In, Bit>,
     /// The face is the quadric's, one clock later.
     pub is_quadric: Signal<In, Bit>,
     /// The component of any other face, one clock later.
-    pub fixed: Signal<In, Int<16>>,
+    pub fixed: Signal<In, Int<N>>,
     /// The component, two clocks after the flags.
-    pub result: Signal<Out, Int<16>>,
+    pub result: Signal<Out, Int<N>>,
     /// First-degree part.
-    pub g: Pe1<24>,
-    product: Signal<Local, Int<32>>,
-    opposite: Signal<Local, Int<32>>,
-    kept_change: DFF<Int<32>>,
-    change: Signal<Local, Int<24>>,
-    sum: Signal<Local, Int<24>>,
-    kept_component: DFF<Int<16>>,
+    pub g: Pe1<G>,
+    product: Signal<Local, Doubled<N>>,
+    opposite: Signal<Local, Doubled<N>>,
+    kept_change: DFF<Doubled<N>>,
+    change: Signal<Local, Int<G>>,
+    sum: Signal<Local, Int<G>>,
+    kept_component: DFF<Int<N>>,
     binary_point: Constant<Word<8>>,
     dropped: Constant<Word<8>>,
     _asleep: bool,
 }
 
 block! {
-    [] NormalComponent []
+    [const N: usize, const G: usize] NormalComponent [N, G]
     inputs { clock, valid, start, line, a, b, c, k, scaled_root, is_near, is_quadric, fixed }
     parts { result, g, product, opposite, kept_change, change, sum, kept_component, binary_point,
         dropped }
     data { }
 }
 
-impl NormalComponent {
+impl<const N: usize, const G: usize> NormalComponent<N, G> {
     fn new() -> Self {
         Self {
             clock: Signal::default(),
@@ -77,14 +77,14 @@ impl NormalComponent {
             change: Signal::default(),
             sum: Signal::default(),
             kept_component: DFF::default(),
-            binary_point: constant(6),
-            dropped: constant(8),
+            binary_point: constant((2 * N - G - 2) as u64),
+            dropped: constant((G - N) as u64),
             _asleep: false,
         }
     }
 }
 
-impl Logic for NormalComponent {
+impl<const N: usize, const G: usize> Logic for NormalComponent<N, G> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("normal_component");
@@ -106,10 +106,10 @@ impl Logic for NormalComponent {
             .kept_change
             .q
             .val()
-            .get_bits::<24>(self.binary_point.val().index());
+            .get_bits::<G>(self.binary_point.val().index());
         self.sum.next = self.g.value.val() + self.change.val();
         if self.is_quadric.val() {
-            self.kept_component.d.next = self.sum.val().get_bits::<16>(self.dropped.val().index());
+            self.kept_component.d.next = self.sum.val().get_bits::<N>(self.dropped.val().index());
         } else {
             self.kept_component.d.next = self.fixed.val();
         }
@@ -138,7 +138,15 @@ impl Logic for NormalComponent {
 /// | `nx`, `ny`, `nz` | out | 16 bits |
 ///
 /// Latency 3. Section 6.4 of the restatement, after section 2.4.2.
-pub struct NormalUnit<const W: usize> {
+///
+/// A machine fitted to a scene may have components of `N` bits, 10 to 16: then `N1 = N - 1` bits of the root, `G = N + 8` bits of `g`
+/// and a product of `2 N` bits that is shifted by `N - 10` take the place of 15, 24, 32 and 6.
+pub struct NormalUnit<
+    const W: usize,
+    const N: usize = 16,
+    const N1: usize = 15,
+    const G: usize = 24,
+> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// This clock carries a pixel.
@@ -156,76 +164,76 @@ pub struct NormalUnit<const W: usize> {
     /// Places the root is shifted to the right.
     pub shift: Signal<In, Word<5>>,
     /// Component x: increment along the line.
-    pub gx_a: Signal<In, Int<24>>,
+    pub gx_a: Signal<In, Int<G>>,
     /// Component x: increment from line to line.
-    pub gx_b: Signal<In, Int<24>>,
+    pub gx_b: Signal<In, Int<G>>,
     /// Component x: value of the first pixel.
-    pub gx_c: Signal<In, Int<24>>,
+    pub gx_c: Signal<In, Int<G>>,
     /// Component y: increment along the line.
-    pub gy_a: Signal<In, Int<24>>,
+    pub gy_a: Signal<In, Int<G>>,
     /// Component y: increment from line to line.
-    pub gy_b: Signal<In, Int<24>>,
+    pub gy_b: Signal<In, Int<G>>,
     /// Component y: value of the first pixel.
-    pub gy_c: Signal<In, Int<24>>,
+    pub gy_c: Signal<In, Int<G>>,
     /// Component z: increment along the line.
-    pub gz_a: Signal<In, Int<24>>,
+    pub gz_a: Signal<In, Int<G>>,
     /// Component z: increment from line to line.
-    pub gz_b: Signal<In, Int<24>>,
+    pub gz_b: Signal<In, Int<G>>,
     /// Component z: value of the first pixel.
-    pub gz_c: Signal<In, Int<24>>,
+    pub gz_c: Signal<In, Int<G>>,
     /// Factor of the root in component x.
-    pub kx: Signal<In, Int<16>>,
+    pub kx: Signal<In, Int<N>>,
     /// Factor of the root in component y.
-    pub ky: Signal<In, Int<16>>,
+    pub ky: Signal<In, Int<N>>,
     /// Factor of the root in component z.
-    pub kz: Signal<In, Int<16>>,
+    pub kz: Signal<In, Int<N>>,
     /// Component x of each plane.
-    pub plane_nx: Vec<Signal<In, Int<16>>>,
+    pub plane_nx: Vec<Signal<In, Int<N>>>,
     /// Component y of each plane.
-    pub plane_ny: Vec<Signal<In, Int<16>>>,
+    pub plane_ny: Vec<Signal<In, Int<N>>>,
     /// Component z of each plane.
-    pub plane_nz: Vec<Signal<In, Int<16>>>,
+    pub plane_nz: Vec<Signal<In, Int<N>>>,
     /// Component x.
-    pub nx: Signal<Out, Int<16>>,
+    pub nx: Signal<Out, Int<N>>,
     /// Component y.
-    pub ny: Signal<Out, Int<16>>,
+    pub ny: Signal<Out, Int<N>>,
     /// Component z.
-    pub nz: Signal<Out, Int<16>>,
+    pub nz: Signal<Out, Int<N>>,
     flags: FlagDelay,
     shifted_root: Signal<Local, Word<W>>,
-    low_root: Signal<Local, Word<15>>,
-    wide_root: Signal<Local, Word<16>>,
+    low_root: Signal<Local, Word<N1>>,
+    wide_root: Signal<Local, Word<N>>,
     number_is_near: Signal<Local, Bit>,
     number_is_far: Signal<Local, Bit>,
     number_is_cap: Signal<Local, Bit>,
-    scaled_root: DFF<Int<16>>,
+    scaled_root: DFF<Int<N>>,
     is_near: DFF<Bit>,
     is_quadric: DFF<Bit>,
-    constant_x: DFF<Int<16>>,
-    constant_y: DFF<Int<16>>,
-    constant_z: DFF<Int<16>>,
+    constant_x: DFF<Int<N>>,
+    constant_y: DFF<Int<N>>,
+    constant_z: DFF<Int<N>>,
     late_is_quadric: DFF<Bit>,
-    late_constant_x: DFF<Int<16>>,
-    late_constant_y: DFF<Int<16>>,
-    late_constant_z: DFF<Int<16>>,
+    late_constant_x: DFF<Int<N>>,
+    late_constant_y: DFF<Int<N>>,
+    late_constant_z: DFF<Int<N>>,
     /// Component x.
-    pub component_x: NormalComponent,
+    pub component_x: NormalComponent<N, G>,
     /// Component y.
-    pub component_y: NormalComponent,
+    pub component_y: NormalComponent<N, G>,
     /// Component z.
-    pub component_z: NormalComponent,
+    pub component_z: NormalComponent<N, G>,
     near_root: Constant<Word<4>>,
     far_root: Constant<Word<4>>,
     cap: Constant<Word<4>>,
-    zero: Constant<Int<16>>,
-    to_viewer: Constant<Int<16>>,
+    zero: Constant<Int<N>>,
+    to_viewer: Constant<Int<N>>,
     plane_number: Vec<Constant<Word<4>>>,
     _planes: usize,
     _asleep: bool,
 }
 
 block! {
-    [const W: usize] NormalUnit [W]
+    [const W: usize, const N: usize, const N1: usize, const G: usize] NormalUnit [W, N, N1, G]
     inputs { clock, valid, start, line, number, absent, root, shift, gx_a, gx_b, gx_c, gy_a, gy_b,
         gy_c, gz_a, gz_b, gz_c, kx, ky, kz, plane_nx, plane_ny, plane_nz }
     parts { nx, ny, nz, flags, shifted_root, low_root, wide_root, number_is_near, number_is_far,
@@ -235,9 +243,17 @@ block! {
     data { _planes }
 }
 
-impl<const W: usize> NormalUnit<W> {
+impl<const W: usize, const N: usize, const N1: usize, const G: usize> NormalUnit<W, N, N1, G> {
     /// A unit for an object with `planes` planes.
+    ///
+    /// # Panics
+    ///
+    /// When the widths do not fit each other.
     pub fn new(planes: usize) -> Self {
+        assert!(
+            N1 + 1 == N && G == N + 8 && N >= 10,
+            "widths of a normal of N bits"
+        );
         Self {
             clock: Signal::default(),
             valid: Signal::default(),
@@ -289,7 +305,7 @@ impl<const W: usize> NormalUnit<W> {
             far_root: constant(FAR_ROOT),
             cap: constant(CAP),
             zero: signed_constant(0),
-            to_viewer: signed_constant(-32_767),
+            to_viewer: signed_constant(1 - (1 << N1)),
             plane_number: (0..planes as u64)
                 .map(|i| constant(FIRST_PLANE + i))
                 .collect(),
@@ -304,7 +320,9 @@ impl<const W: usize> NormalUnit<W> {
     }
 }
 
-impl<const W: usize> Logic for NormalUnit<W> {
+impl<const W: usize, const N: usize, const N1: usize, const G: usize> Logic
+    for NormalUnit<W, N, N1, G>
+{
     #[hdl_gen]
     fn update(&mut self) {
         comment!("normal_unit");
@@ -330,8 +348,8 @@ impl<const W: usize> Logic for NormalUnit<W> {
         self.flags.start.next = self.start.val();
         self.flags.line.next = self.line.val();
         self.shifted_root.next = self.root.val() >> self.shift.val();
-        self.low_root.next = self.shifted_root.val().get_bits::<15>(0);
-        self.wide_root.next = bit_cast::<16, 15>(self.low_root.val());
+        self.low_root.next = bit_cast::<N1, W>(self.shifted_root.val());
+        self.wide_root.next = bit_cast::<N, N1>(self.low_root.val());
         self.scaled_root.d.next = signed_cast(self.wide_root.val());
         self.number_is_near.next = self.number.val() == self.near_root.val();
         self.number_is_far.next = self.number.val() == self.far_root.val();
@@ -397,4 +415,4 @@ impl<const W: usize> Logic for NormalUnit<W> {
     }
 }
 
-clocked!(NormalUnit<const W: usize>);
+clocked!(NormalUnit<const W: usize, const N: usize, const N1: usize, const G: usize>);

@@ -10,7 +10,7 @@ use crate::kernel::*;
 /// |---|---|---|
 /// | `clock` | in | rising edge |
 /// | `valid`, `start`, `line` | in | raster flags |
-/// | `a`, `b`, `c` | in | `P = W + 12` bits, two's complement |
+/// | `a`, `b`, `c` | in | `P` bits, `W + 12` in the catalogue, two's complement |
 /// | `depth` | out | `W` bits, two's complement |
 ///
 /// Latency 2. The lower bound lies one below `ZLOW`, so that a back plane nearer than the near end removes everything;
@@ -56,9 +56,12 @@ impl<const W: usize, const P: usize> PlaneDepth<W, P> {
     ///
     /// # Panics
     ///
-    /// When `P` is not `W + 12`.
+    /// When `P` is not in `W..=W + 12`.
     pub fn new() -> Self {
-        assert!(P == W + 12, "a plane has 12 bits more than a depth");
+        assert!(
+            W <= P && P <= W + 12,
+            "a plane has up to 12 bits more than a depth"
+        );
         Self {
             clock: Signal::default(),
             valid: Signal::default(),

@@ -21,7 +21,20 @@ use crate::kernel::*;
 /// | `late_valid`, `late_start`, `late_line` | out | the flags, `ceil(W / rows_per_stage)` clocks later |
 ///
 /// Latency `ceil(W / rows_per_stage) + 2`. Section 2.4.2.
-pub struct QuadricPe<const W: usize, const W1: usize, const S: usize, const F: usize> {
+///
+/// A machine fitted to a scene may have other words. The root network has `W` rows of a root of `K` bits, whose last `K - W` digits are
+/// zero; the PE1 has `E1 = S + g1` bits and the PE2 `E2 = 2 K + g2`, and their guard bits are dropped here.
+/// `W1 = W + 1` and `W2 = W + 2` are widths within the network, `F = 2 W` is its radicand. In the formats of the catalogue `K = W`, and there are no guard bits.
+pub struct QuadricPe<
+    const W: usize,
+    const W1: usize,
+    const W2: usize,
+    const F: usize,
+    const S: usize = W2,
+    const E1: usize = W2,
+    const E2: usize = F,
+    const K: usize = W,
+> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// This clock carries a pixel.
@@ -31,29 +44,29 @@ pub struct QuadricPe<const W: usize, const W1: usize, const S: usize, const F: u
     /// First pixel of a later line.
     pub line: Signal<In, Bit>,
     /// Linear part: increment along the line.
-    pub f1_a: Signal<In, Int<S>>,
+    pub f1_a: Signal<In, Int<E1>>,
     /// Linear part: increment from line to line.
-    pub f1_b: Signal<In, Int<S>>,
+    pub f1_b: Signal<In, Int<E1>>,
     /// Linear part: value of the first pixel.
-    pub f1_c: Signal<In, Int<S>>,
+    pub f1_c: Signal<In, Int<E1>>,
     /// Quadratic: second difference along the line.
-    pub f2_a2: Signal<In, Int<F>>,
+    pub f2_a2: Signal<In, Int<E2>>,
     /// Quadratic: second difference from line to line.
-    pub f2_b2: Signal<In, Int<F>>,
+    pub f2_b2: Signal<In, Int<E2>>,
     /// Quadratic: mixed difference.
-    pub f2_c: Signal<In, Int<F>>,
+    pub f2_c: Signal<In, Int<E2>>,
     /// Quadratic: increment from the first line to the second.
-    pub f2_i0: Signal<In, Int<F>>,
+    pub f2_i0: Signal<In, Int<E2>>,
     /// Quadratic: increment from the first pixel to the second.
-    pub f2_p0: Signal<In, Int<F>>,
+    pub f2_p0: Signal<In, Int<E2>>,
     /// Quadratic: value of the first pixel.
-    pub f2_f: Signal<In, Int<F>>,
+    pub f2_f: Signal<In, Int<E2>>,
     /// Depth of the near root.
     pub near_sum: Signal<Out, Int<S>>,
     /// Depth of the far root.
     pub far_sum: Signal<Out, Int<S>>,
     /// Root, beside the sums.
-    pub root: Signal<Out, Word<W>>,
+    pub root: Signal<Out, Word<K>>,
     /// The discriminant is not negative.
     pub is_inside: Signal<Out, Bit>,
     /// `valid`, beside the root network's output less one clock.
@@ -63,39 +76,58 @@ pub struct QuadricPe<const W: usize, const W1: usize, const S: usize, const F: u
     /// `line`, likewise.
     pub late_line: Signal<Out, Bit>,
     /// The quadratic, one clock after the flags.
-    pub f2: Pe2<F>,
+    pub f2: Pe2<E2>,
     /// The flags on their way to the linear part.
     pub flags: FlagDelay,
     /// The linear part, beside the output of the root network.
-    pub f1: Pe1<S>,
+    pub f1: Pe1<E1>,
     /// The root network.
-    pub square_root: SquareRoot<F, W, W1, S>,
+    pub square_root: SquareRoot<F, W, W1, W2>,
     f2_is_negative: WordDelay<Bit>,
     wide_root: Signal<Local, Word<S>>,
     step: Signal<Local, Int<S>>,
     kept_near_sum: DFF<Int<S>>,
     kept_far_sum: DFF<Int<S>>,
-    kept_root: DFF<Word<W>>,
+    kept_root: DFF<Word<K>>,
     sign: Constant<Word<8>>,
+    guards: Constant<Word<8>>,
+    linear_guards: Constant<Word<8>>,
+    missing_rows: Constant<Word<8>>,
     _asleep: bool,
 }
 
 block! {
-    [const W: usize, const W1: usize, const S: usize, const F: usize] QuadricPe [W, W1, S, F]
+    [const W: usize, const W1: usize, const W2: usize, const F: usize, const S: usize, const E1: usize, const E2: usize, const K: usize]
+    QuadricPe [W, W1, W2, F, S, E1, E2, K]
     inputs { clock, valid, start, line, f1_a, f1_b, f1_c, f2_a2, f2_b2, f2_c, f2_i0, f2_p0, f2_f }
     parts { near_sum, far_sum, root, is_inside, late_valid, late_start, late_line, f2, flags, f1,
-        square_root, f2_is_negative, wide_root, step, kept_near_sum, kept_far_sum, kept_root, sign }
+        square_root, f2_is_negative, wide_root, step, kept_near_sum, kept_far_sum, kept_root, sign,
+        guards, linear_guards, missing_rows }
     data { }
 }
 
-impl<const W: usize, const W1: usize, const S: usize, const F: usize> QuadricPe<W, W1, S, F> {
+impl<
+    const W: usize,
+    const W1: usize,
+    const W2: usize,
+    const F: usize,
+    const S: usize,
+    const E1: usize,
+    const E2: usize,
+    const K: usize,
+> QuadricPe<W, W1, W2, F, S, E1, E2, K>
+{
     /// A processor whose root network has `rows_per_stage` rows between registers.
     ///
     /// # Panics
     ///
     /// When the widths do not fit each other or `rows_per_stage` is not in `1..=W`.
     pub fn new(rows_per_stage: usize) -> Self {
-        let root = SquareRoot::<F, W, W1, S>::latency(rows_per_stage);
+        assert!(
+            S <= E1 && F <= E2 && W <= K,
+            "guard bits and missing rows are not negative"
+        );
+        let root = SquareRoot::<F, W, W1, W2>::latency(rows_per_stage);
         Self {
             clock: Signal::default(),
             valid: Signal::default(),
@@ -127,19 +159,30 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize> QuadricPe<
             kept_near_sum: DFF::default(),
             kept_far_sum: DFF::default(),
             kept_root: DFF::default(),
-            sign: constant(F as u64 - 1),
+            sign: constant(E2 as u64 - 1),
+            guards: constant((E2 - F) as u64),
+            linear_guards: constant((E1 - S) as u64),
+            missing_rows: constant((K - W) as u64),
             _asleep: false,
         }
     }
 
     /// Clocks from the flags to the sums.
     pub const fn latency(rows_per_stage: usize) -> usize {
-        Pe2::<F>::latency() + SquareRoot::<F, W, W1, S>::latency(rows_per_stage) + 1
+        Pe2::<F>::latency() + SquareRoot::<F, W, W1, W2>::latency(rows_per_stage) + 1
     }
 }
 
-impl<const W: usize, const W1: usize, const S: usize, const F: usize> Logic
-    for QuadricPe<W, W1, S, F>
+impl<
+    const W: usize,
+    const W1: usize,
+    const W2: usize,
+    const F: usize,
+    const S: usize,
+    const E1: usize,
+    const E2: usize,
+    const K: usize,
+> Logic for QuadricPe<W, W1, W2, F, S, E1, E2, K>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -165,7 +208,8 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize> Logic
         self.f2.i0.next = self.f2_i0.val();
         self.f2.p0.next = self.f2_p0.val();
         self.f2.f.next = self.f2_f.val();
-        self.square_root.radicand.next = unsigned_cast(self.f2.value.val());
+        self.square_root.radicand.next =
+            unsigned_cast(self.f2.value.val().get_bits::<F>(self.guards.val().index()));
         self.f2_is_negative.word.next = self.f2.value.val().get_bit(self.sign.val().index());
         self.flags.valid.next = self.valid.val();
         self.flags.start.next = self.start.val();
@@ -176,11 +220,23 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize> Logic
         self.f1.a.next = self.f1_a.val();
         self.f1.b.next = self.f1_b.val();
         self.f1.c.next = self.f1_c.val();
-        self.wide_root.next = bit_cast::<S, W>(self.square_root.root.val());
+        self.wide_root.next =
+            bit_cast::<S, W>(self.square_root.root.val()) << self.missing_rows.val();
         self.step.next = signed_cast(self.wide_root.val());
-        self.kept_near_sum.d.next = self.f1.value.val() - self.step.val();
-        self.kept_far_sum.d.next = self.f1.value.val() + self.step.val();
-        self.kept_root.d.next = self.square_root.root.val();
+        self.kept_near_sum.d.next = self
+            .f1
+            .value
+            .val()
+            .get_bits::<S>(self.linear_guards.val().index())
+            - self.step.val();
+        self.kept_far_sum.d.next = self
+            .f1
+            .value
+            .val()
+            .get_bits::<S>(self.linear_guards.val().index())
+            + self.step.val();
+        self.kept_root.d.next =
+            bit_cast::<K, W>(self.square_root.root.val()) << self.missing_rows.val();
         self.near_sum.next = self.kept_near_sum.q.val();
         self.far_sum.next = self.kept_far_sum.q.val();
         self.root.next = self.kept_root.q.val();
@@ -191,4 +247,4 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize> Logic
     }
 }
 
-clocked!(QuadricPe<const W: usize, const W1: usize, const S: usize, const F: usize>);
+clocked!(QuadricPe<const W: usize, const W1: usize, const W2: usize, const F: usize, const S: usize, const E1: usize, const E2: usize, const K: usize>);

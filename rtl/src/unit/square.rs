@@ -17,7 +17,7 @@ pub struct DigitProduct<const M: usize> {
     wide_b: Signal<Local, Word<16>>,
     factor_a: Signal<Local, Int<16>>,
     factor_b: Signal<Local, Int<16>>,
-    signed_product: Signal<Local, Int<32>>,
+    signed_product: Signal<Local, Doubled<16>>,
     plain_product: Signal<Local, Word<32>>,
     _asleep: bool,
 }
@@ -55,7 +55,7 @@ impl<const M: usize> Logic for DigitProduct<M> {
         self.factor_a.next = signed_cast(self.wide_a.val());
         self.factor_b.next = signed_cast(self.wide_b.val());
         self.signed_product.next = self.factor_a.val() * self.factor_b.val();
-        self.plain_product.next = unsigned_cast(self.signed_product.val());
+        self.plain_product.next = unsigned_cast(self.signed_product.val().get_bits::<32>(0));
         self.product.next = bit_cast::<M, 32>(self.plain_product.val());
     }
 }

@@ -88,6 +88,7 @@ fn golden_clock(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i
         i[port::ROOT],
         &words,
         &constants,
+        &Format::BASE,
     ))
 }
 

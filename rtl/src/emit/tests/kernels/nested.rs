@@ -107,7 +107,7 @@ kernel!(ProductIsBelow, Bit, {
     }
 });
 
-kernel!(MaskedProduct, Int<32>, {
+kernel!(MaskedProduct, Doubled<16>, {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("masked_product");
@@ -170,7 +170,7 @@ kernel!(ElseIf, Word<8>, {
     }
 });
 
-kernel!(ProductInABranch, Int<32>, {
+kernel!(ProductInABranch, Doubled<16>, {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("product_in_a_branch");

@@ -203,7 +203,7 @@ kernel!(OneBit, Bit, {
     }
 });
 
-kernel!(Product, Int<32>, {
+kernel!(Product, Doubled<16>, {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("product");
