@@ -5,7 +5,7 @@ use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitError, EmitRequest, emit};
+use imogene_rtl::emit::{EmitError, EmitRequest, Emitted, emit};
 use thiserror::Error;
 
 /// Why a machine cannot be run as Verilog.
@@ -39,6 +39,24 @@ impl BeamDesign {
             objects: shape.objects,
             ..EmitRequest::new(Unit::Beam)
         })?;
+        Self::of(
+            simulator,
+            &emitted,
+            MachineOutputs::signals(shape.depth_word),
+        )
+    }
+
+    /// Compiles an emitted machine with these outputs.
+    ///
+    /// # Errors
+    ///
+    /// When a tool is missing, or a file cannot be written.
+    pub fn of(
+        simulator: Simulator,
+        emitted: &Emitted,
+        outputs: Vec<Signal>,
+    ) -> Result<BeamDesign, BeamError> {
+        let bus = emitted.ports.iter().find(|port| port.name == "load_data");
         let inputs = [
             Signal::bit("go"),
             Signal::unsigned("width", 12),
@@ -46,9 +64,8 @@ impl BeamDesign {
             Signal::bit("load_valid"),
             Signal::unsigned("load_object", 8),
             Signal::unsigned("load_address", 8),
-            Signal::unsigned("load_data", 2 * shape.depth_word),
+            Signal::unsigned("load_data", bus.map_or(0, |port| port.width as u32)),
         ];
-        let outputs = MachineOutputs::signals(shape.depth_word);
         let design = simulator.compile(&Source {
             top: &emitted.top,
             text: &emitted.bundle(),

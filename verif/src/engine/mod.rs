@@ -48,14 +48,19 @@ pub struct MachineOutputs {
 impl MachineOutputs {
     /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its visible face.
     pub fn signals(depth_word: u32) -> Vec<Signal> {
+        Self::signals_of(depth_word, 16)
+    }
+
+    /// The same with normals of so many bits.
+    pub fn signals_of(depth_word: u32, normal: u32) -> Vec<Signal> {
         vec![
             Signal::bit("valid"),
             Signal::signed("depth", depth_word),
             Signal::unsigned("id", 8),
             Signal::unsigned("number", 4),
-            Signal::signed("nx", 16),
-            Signal::signed("ny", 16),
-            Signal::signed("nz", 16),
+            Signal::signed("nx", normal),
+            Signal::signed("ny", normal),
+            Signal::signed("nz", normal),
         ]
     }
 

@@ -4,7 +4,7 @@ use super::golden::{GoldenMachine, probe_values};
 use super::{Fault, TraceRequest};
 use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal};
 use crate::report::{Mismatch, Report};
-use crate::signal::Delay;
+use crate::signal::{Delay, Signal};
 use crate::trace::{Group, Sample, Trace};
 use imogene_models::machine::decider::Visible;
 use imogene_models::machine::frame::Frame;
@@ -19,7 +19,11 @@ const AFTER_MISMATCH: u64 = 200;
 /// What one band runs.
 pub(super) struct Band<'a> {
     pub scene: &'a PreparedScene,
-    pub shape: MachineShape,
+    /// Outputs of the machine.
+    pub outputs: Vec<Signal>,
+    /// Clocks from `go` to the first pixel.
+    pub latency: usize,
+    /// The words of each slot, with as many planes as the slot has.
     pub objects: Vec<QuadricWords>,
     pub first_line: usize,
     pub lines: usize,
@@ -57,7 +61,7 @@ impl Band<'_> {
         self.load(engine);
         let (width, height) = (self.scene.width as usize, self.lines);
         let pixels = width * height;
-        let first_pixel = super::latency(self.scene, &self.shape) as usize - 1;
+        let first_pixel = self.latency - 1;
         let traced = self.trace.map(|request| request.object);
         let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
         let mut expected = Delay::new(first_pixel);
@@ -106,7 +110,7 @@ impl Band<'_> {
 
     fn load(&self, engine: &mut impl Engine) {
         for (object, words) in self.objects.iter().enumerate() {
-            for mut word in load_words(words, &self.scene.format, self.shape.planes) {
+            for mut word in load_words(words, &self.scene.format, words.planes.len()) {
                 self.inject(object, &mut word);
                 engine.load(object as u8, &word);
             }
@@ -131,8 +135,7 @@ impl Band<'_> {
         let pixel = stated.map(|_| self.pixel(index));
         let cycle = report.cycles;
         let golden = output_values(stated);
-        let signals = MachineOutputs::signals(self.shape.depth_word);
-        for ((signal, hardware), golden) in signals.iter().zip(outputs.values).zip(golden) {
+        for ((signal, hardware), golden) in self.outputs.iter().zip(outputs.values).zip(golden) {
             let Some(golden) = golden else { continue };
             let mismatch = || Mismatch {
                 cycle,
@@ -213,7 +216,7 @@ impl Recorder {
         let mut groups = vec![Group {
             name: "beam".into(),
             stimulus: vec![],
-            compared: MachineOutputs::signals(band.shape.depth_word),
+            compared: band.outputs.clone(),
         }];
         if !signals.is_empty() {
             groups.push(Group {

@@ -4,13 +4,15 @@
 //! graphics modules (source: 2.4.4).
 
 mod band;
+pub mod fitted;
 mod golden;
 pub mod slots;
 pub mod volumes;
 pub mod zone;
 
-use crate::engine::{Engine, MachineShape};
+use crate::engine::{Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
+use crate::signal::Signal;
 use crate::trace::Trace;
 use band::Band;
 use imogene_models::machine::frame::Frame;
@@ -178,65 +180,97 @@ pub fn run<E: Engine>(
     let shape = shape_of(scene, options.rows_per_stage)?;
     check_requests(options, &shape)?;
     let all_words = quadric_words(scene)?;
-    let (width, height) = (scene.width as usize, scene.height as usize);
-    let started = Instant::now();
-    let bands = split(height, options.bands);
-    let traced_band = options.trace.as_ref().map_or(0, |request| {
-        let middle = middle_line(all_words[request.object]);
-        bands
-            .iter()
-            .rposition(|&(first, _)| first <= middle)
-            .unwrap_or(0)
-    });
-    let run_band = |index: usize, first: usize, lines: usize| {
-        let objects: Vec<QuadricWords> = all_words
-            .iter()
-            .map(|words| {
-                let mut words = words.for_zone(0, first as i64, width as i64, lines as i64);
-                // Every slot has the same chain; planes that an object does not use are of kind none.
-                words.planes.resize(shape.planes, PlaneWords::default());
-                words
-            })
-            .collect();
-        Band {
-            scene,
-            shape,
-            objects,
-            first_line: first,
-            lines,
-            fault: options.fault,
-            trace: options.trace.as_ref().filter(|_| index == traced_band),
-        }
-        .run(&mut engine(&shape), &pixel_done)
+    // Every slot has the same chain; planes that an object does not use are of kind none.
+    let planes = vec![shape.planes; all_words.len()];
+    let bands = Bands {
+        scene,
+        words: fitted_to(&all_words, &planes),
+        outputs: MachineOutputs::signals(shape.depth_word),
+        latency: latency(scene, &shape) as usize,
+        options,
     };
-    let parts: Vec<(Report, Frame, Option<Trace>)> = std::thread::scope(|scope| {
-        let run_band = &run_band;
-        let handles: Vec<_> = bands
-            .iter()
-            .enumerate()
-            .map(|(index, &(first, lines))| scope.spawn(move || run_band(index, first, lines)))
-            .collect();
-        let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-            handle
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    bands.run(|| engine(&shape), pixel_done)
+}
+
+/// The words with as many planes as each slot has.
+fn fitted_to(words: &[&QuadricWords], planes: &[usize]) -> Vec<QuadricWords> {
+    let one = |(words, &planes): (&&QuadricWords, &usize)| {
+        let mut words = (*words).clone();
+        words.planes.resize(planes, PlaneWords::default());
+        words
+    };
+    words.iter().zip(planes).map(one).collect()
+}
+
+/// A machine over the whole screen, cut into bands.
+struct Bands<'a> {
+    scene: &'a PreparedScene,
+    words: Vec<QuadricWords>,
+    outputs: Vec<Signal>,
+    latency: usize,
+    options: &'a Options,
+}
+
+impl Bands<'_> {
+    /// Runs every band on a machine of its own, in a thread of its own.
+    fn run<E: Engine>(
+        &self,
+        engine: impl Fn() -> E + Sync,
+        pixel_done: impl Fn() + Sync,
+    ) -> Result<(Report, Frame), CosimError> {
+        let Bands { scene, options, .. } = *self;
+        let (width, height) = (scene.width as usize, scene.height as usize);
+        let started = Instant::now();
+        let bands = split(height, options.bands);
+        let traced_band = options.trace.as_ref().map_or(0, |request| {
+            let middle = middle_line(&self.words[request.object]);
+            let before = bands.iter().rposition(|&(first, _)| first <= middle);
+            before.unwrap_or(0)
+        });
+        let run_band = |index: usize, first: usize, lines: usize| {
+            let zone =
+                |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
+            Band {
+                scene,
+                outputs: self.outputs.clone(),
+                latency: self.latency,
+                objects: self.words.iter().map(zone).collect(),
+                first_line: first,
+                lines,
+                fault: options.fault,
+                trace: options.trace.as_ref().filter(|_| index == traced_band),
+            }
+            .run(&mut engine(), &pixel_done)
         };
-        handles.into_iter().map(join).collect()
-    });
-    let mut report = Report {
-        engine: "rust-hdl".into(),
-        ..Report::default()
-    };
-    let mut frame = Frame::background(width, 0, scene.format.z_max());
-    for (part, lines, trace) in parts {
-        report.absorb(part);
-        append(&mut frame, lines);
-        if let (Some(trace), Some(request)) = (trace, &options.trace) {
-            report.files.extend(trace.write(&request.path)?);
+        let parts: Vec<(Report, Frame, Option<Trace>)> = std::thread::scope(|scope| {
+            let run_band = &run_band;
+            let handles: Vec<_> = bands
+                .iter()
+                .enumerate()
+                .map(|(index, &(first, lines))| scope.spawn(move || run_band(index, first, lines)))
+                .collect();
+            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
+                handle
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            handles.into_iter().map(join).collect()
+        });
+        let mut report = Report {
+            engine: "rust-hdl".into(),
+            ..Report::default()
+        };
+        let mut frame = Frame::background(width, 0, scene.format.z_max());
+        for (part, lines, trace) in parts {
+            report.absorb(part);
+            append(&mut frame, lines);
+            if let (Some(trace), Some(request)) = (trace, &options.trace) {
+                report.files.extend(trace.write(&request.path)?);
+            }
         }
+        report.timed(started.elapsed().as_secs_f64());
+        Ok((report, frame))
     }
-    report.timed(started.elapsed().as_secs_f64());
-    Ok((report, frame))
 }
 
 fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimError> {

@@ -1,0 +1,78 @@
+//! Co-simulation of a machine that is fitted to a scene.
+
+use super::{Bands, CosimError, Options, fitted_to, quadric_words};
+use crate::engine::beam::{BeamDesign, BeamError};
+use crate::engine::design::Simulator;
+use crate::engine::{Engine, MachineOutputs};
+use crate::report::Report;
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::machine::frame::Frame;
+use imogene_models::prepare::PreparedScene;
+use imogene_rtl::emit::Emitted;
+use imogene_rtl::emit::machine::{MachineRequest, MachineWords};
+use imogene_rtl::machine::slot_shape::SlotShape;
+
+/// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
+pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
+    let words = &machine.widths;
+    let slots = machine.slots.iter();
+    MachineRequest {
+        words: MachineWords {
+            depth: words.depth as usize,
+            root: words.root as usize,
+            dropped_rows: words.dropped_rows as usize,
+            plane: words.plane as usize,
+            normal: words.normal as usize,
+            guard_linear: words.guard_linear as usize,
+            guard_quadratic: words.guard_quadratic as usize,
+        },
+        rows_per_stage: machine.rows_per_stage as usize,
+        slots: slots
+            .map(|slot| SlotShape {
+                planes: slot.planes as usize,
+                two_volumes: slot.two_volumes,
+            })
+            .collect(),
+        prefix: String::new(),
+        command: command.to_owned(),
+    }
+}
+
+/// Compiles the emitted Verilog of a machine for a simulator.
+///
+/// # Errors
+///
+/// When a tool is missing, or a file cannot be written.
+pub fn compile(
+    simulator: Simulator,
+    machine: &FittedMachine,
+    emitted: &Emitted,
+) -> Result<BeamDesign, BeamError> {
+    let words = &machine.widths;
+    let outputs = MachineOutputs::signals_of(words.depth, words.normal);
+    BeamDesign::of(simulator, emitted, outputs)
+}
+
+/// Runs a scene through machines that `engine` makes, and compares with the golden machine; `scene` was prepared in the machine's words.
+///
+/// # Errors
+///
+/// When an object is not drawn by a quadric processor, or a trace cannot be written.
+pub fn run<E: Engine>(
+    scene: &PreparedScene,
+    machine: &FittedMachine,
+    options: &Options,
+    engine: impl Fn() -> E + Sync,
+    pixel_done: impl Fn() + Sync,
+) -> Result<(Report, Frame), CosimError> {
+    let words = quadric_words(scene)?;
+    let planes: Vec<usize> = machine.slots.iter().map(|s| s.planes as usize).collect();
+    let bands = Bands {
+        scene,
+        words: fitted_to(&words, &planes),
+        outputs: MachineOutputs::signals_of(machine.widths.depth, machine.widths.normal),
+        latency: machine.latency(&scene.format) as usize,
+        options,
+    };
+    bands.run(engine, pixel_done)
+}

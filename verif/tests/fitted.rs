@@ -1,0 +1,116 @@
+//! Machines whose words no catalogue has, in Verilator against the golden machine: every output of every clock.
+
+use imogene_generator::emit_machines;
+use imogene_models::format::{FittedWidths, Format};
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::scene::SceneFile;
+use imogene_rtl::emit::Emitted;
+use imogene_verif::engine::design::Simulator;
+use imogene_verif::report::Report;
+use imogene_verif::scene::{Fault, Options, fitted};
+use std::path::Path;
+
+const SIZE: (u32, u32) = (64, 48);
+
+/// Scene, depth word, bits more than the scene needs of root and planes, normal, guard bits, dropped rows, rows per stage.
+const MACHINES: [(&str, u32, [u32; 2], u32, [u32; 2], u32, u32); 6] = [
+    ("teapot", 17, [0, 0], 16, [0, 0], 0, 1),
+    ("teapot", 23, [1, 2], 13, [4, 7], 2, 3),
+    ("teapot", 11, [0, 0], 10, [0, 16], 0, 2),
+    ("front-view", 22, [0, 1], 12, [2, 3], 1, 1),
+    ("hyperboloid-two-sheets", 26, [2, 0], 11, [9, 2], 5, 4),
+    ("orthographic", 14, [0, 0], 15, [1, 0], 0, 14),
+];
+
+fn scene(name: &str) -> SceneFile {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    SceneFile::read(&scenes.join(format!("{name}.toml"))).unwrap()
+}
+
+/// The scene in the narrowest words of this depth word in which it can be prepared, and some bits more.
+fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
+    let (name, depth, [more_root, more_plane], normal, [g1, g2], dropped_rows, rows) =
+        MACHINES[index];
+    let framed = scene(name).frame(SIZE.0, SIZE.1).unwrap();
+    let widest = FittedWidths {
+        depth,
+        root: depth,
+        plane: depth + 12,
+        normal: 16,
+        guard_linear: 0,
+        guard_quadratic: 0,
+        dropped_rows: 0,
+    };
+    let wide = prepare(&framed, Format::fitted(&widest).unwrap()).unwrap();
+    let quadrics = || wide.quadrics().map(|(_, object)| &object.needed);
+    let quadratic = quadrics().map(|n| n.quadratic).max().unwrap();
+    let plane = quadrics().map(|n| n.plane).max().unwrap();
+    let widths = FittedWidths {
+        root: (quadratic.div_ceil(2) + more_root).min(depth),
+        plane: (plane.max(depth) + more_plane).min(depth + 12),
+        normal,
+        guard_linear: g1,
+        guard_quadratic: g2,
+        dropped_rows,
+        ..widest
+    };
+    let prepared = prepare(&framed, Format::fitted(&widths).unwrap()).unwrap();
+    let machine = FittedMachine::of(&prepared, rows);
+    (prepared, machine)
+}
+
+fn emitted() -> Vec<Emitted> {
+    let requests: Vec<_> = (0..MACHINES.len())
+        .map(|index| fitted::request(&prepared(index).1, "test"))
+        .collect();
+    emit_machines(&requests).unwrap()
+}
+
+fn run(index: usize, emitted: &Emitted, fault: Option<Fault>) -> Report {
+    let (prepared, machine) = prepared(index);
+    let design = fitted::compile(Simulator::Verilator, &machine, emitted).unwrap();
+    let options = Options {
+        rows_per_stage: machine.rows_per_stage as usize,
+        bands: 1,
+        trace: None,
+        fault,
+    };
+    let outcome = fitted::run(&prepared, &machine, &options, || design.machine(), || ());
+    outcome.unwrap().0
+}
+
+#[test]
+fn machines_of_any_words_are_the_golden_machine() {
+    for (index, emitted) in emitted().iter().enumerate() {
+        let (prepared, machine) = prepared(index);
+        assert_eq!(emitted.latency as u32, machine.latency(&prepared.format));
+        let report = run(index, emitted, None);
+        assert_eq!(
+            report.mismatches, 0,
+            "{:?}: {:?}",
+            MACHINES[index], report.first_mismatches
+        );
+        assert_eq!(report.pixels, u64::from(SIZE.0 * SIZE.1));
+        let seen = imogene_models::machine::beam::render(
+            &prepared.slots(),
+            &prepared.format,
+            SIZE.0 as usize,
+            SIZE.1 as usize,
+            || (),
+        );
+        assert!(seen.id.iter().any(|&id| id >= 0), "nothing to compare");
+    }
+}
+
+/// Four depth words more in each step of f1 along the line.
+#[test]
+fn a_wrong_bit_in_a_fitted_machine_is_found() {
+    let emitted = emitted();
+    let fault = Fault {
+        object: 0,
+        address: 0,
+        bit: 6,
+    };
+    assert!(run(1, &emitted[1], Some(fault)).mismatches > 0);
+}
