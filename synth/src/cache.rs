@@ -1,8 +1,9 @@
 //! Results kept by what they depend on, so that a table is made again only where something changed.
 
 use crate::error::SynthError;
-use crate::report::SynthReport;
 use crate::workspace::build_folder;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 
@@ -34,27 +35,27 @@ pub enum Cache {
     Renew,
 }
 
-/// Where the result of one synthesis is kept.
-pub(crate) struct Entry {
+/// Where one result is kept.
+pub(crate) struct Kept {
     path: Option<PathBuf>,
 }
 
-impl Entry {
-    /// The entry of a result that depends on these texts alone. Outside a checkout nothing is kept.
+impl Kept {
+    /// The place of a result that depends on these texts alone. Outside a checkout nothing is kept.
     pub fn new(parts: &[&str]) -> Self {
         let name = format!("{}.json", hash(parts.iter().copied()));
         let path = build_folder().map(|folder| folder.join("synth-cache").join(name));
         Self { path }
     }
 
-    /// The result, if it is kept and of this version of the report.
-    pub fn load(&self) -> Option<SynthReport> {
+    /// The result, if it is kept and of this form.
+    pub fn load<T: DeserializeOwned>(&self) -> Option<T> {
         let text = std::fs::read_to_string(self.path.as_ref()?).ok()?;
         serde_json::from_str(&text).ok()
     }
 
     /// Keeps a result.
-    pub fn store(&self, report: &SynthReport) -> Result<(), SynthError> {
+    pub fn store(&self, result: &impl Serialize) -> Result<(), SynthError> {
         let Some(path) = &self.path else {
             return Ok(());
         };
@@ -63,7 +64,7 @@ impl Entry {
             .expect("an entry lies in the folder of the cache");
         std::fs::create_dir_all(folder).map_err(SynthError::file(folder))?;
         let text =
-            serde_json::to_string_pretty(report).expect("reports have no unserialisable keys");
+            serde_json::to_string_pretty(result).expect("results have no unserialisable keys");
         // Written beside and renamed: another process never reads half an entry.
         let mut file = tempfile::NamedTempFile::new_in(folder).map_err(SynthError::file(folder))?;
         std::io::Write::write_all(&mut file, text.as_bytes()).map_err(SynthError::file(path))?;

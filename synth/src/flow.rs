@@ -1,7 +1,7 @@
 //! One synthesis from request to report.
 
 use crate::bench::{Bench, Clock};
-use crate::cache::{Cache, Entry, digest};
+use crate::cache::{Cache, Kept, digest};
 use crate::error::SynthError;
 use crate::harness;
 use crate::report::{SynthReport, thousandths};
@@ -55,7 +55,7 @@ pub fn synthesise_with(
     let tools = programs.versions();
     let verilog = digest(&text);
     let harness = harness::verilog(&emitted);
-    let entry = Entry::new(&[
+    let entry = Kept::new(&[
         &verilog,
         target.name(),
         &target.synthesis(harness::TOP),

@@ -17,6 +17,7 @@ mod error;
 mod figures;
 mod flow;
 pub mod harness;
+pub mod machine;
 mod netlist;
 mod nextpnr;
 pub mod peer;

@@ -13,7 +13,7 @@ use std::process::Command;
 pub type CellCounts = BTreeMap<String, u64>;
 
 /// Resources of a design, before packing.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Resources {
     /// Look-up tables of logic, of any size; those of carry chains are not among them.
     pub lut: u64,

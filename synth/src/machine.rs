@@ -1,0 +1,278 @@
+//! The cost of a whole machine from the costs of its modules.
+//!
+//! Machines that differ in one word share most of their modules. Each distinct module is synthesised once, with the modules below it as black boxes, and its
+//! own cells are kept by the digest of its text; a machine costs the sum over its instances. Nothing is optimised across modules, so the sum
+//! is somewhat more than a synthesis of the flat machine; `docs/fit.md` compares the two.
+
+mod modules;
+
+use crate::bench::Bench;
+use crate::cache::{Kept, digest};
+use crate::error::SynthError;
+use crate::flow::{Options, Programs, tools, write};
+use crate::harness;
+use crate::target::{Family, Target};
+use crate::yosys::{self, Resources};
+use imogene_rtl::emit::Emitted;
+use modules::{Module, closure, modules, ports};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, HashMap};
+
+/// What a machine takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MachineCost {
+    /// Look-up tables of logic.
+    pub lut: u64,
+    /// Flip-flops.
+    pub ff: u64,
+    /// Carry cells.
+    pub carry: u64,
+    /// Multipliers.
+    pub dsp: u64,
+    /// Block memories.
+    pub bram: u64,
+    /// Logic cells: look-up tables and those that carry cells take.
+    pub cells: u64,
+    /// Clock of its slowest unit, placed and routed alone; none if it was not asked for or the target is not placed.
+    pub fmax_mhz: Option<f64>,
+}
+
+/// Units that can be the slowest; `square_root` stands for the whole network.
+const CRITICAL: [&str; 4] = ["cut_plane", "normal_unit", "depth_interval", "square_root"];
+
+/// Modules synthesised by one process.
+const BATCH: usize = 8;
+
+/// The costs of machines, in their order; `done` is called with how many of how many modules are known.
+///
+/// # Errors
+///
+/// When a tool is missing or fails, or its report cannot be read.
+pub fn machine_costs(
+    machines: &[Emitted],
+    target: Target,
+    with_clock: bool,
+    done: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<MachineCost>, SynthError> {
+    let known = Knowledge::gather(machines, target, with_clock, done)?;
+    Ok(machines.iter().map(|machine| known.cost(machine)).collect())
+}
+
+/// What is kept of one module.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Own {
+    resources: Resources,
+}
+
+/// Costs by the digest of a module, or of a unit with all below it.
+struct Knowledge {
+    target: Target,
+    own: HashMap<String, Resources>,
+    clocks: HashMap<String, f64>,
+}
+
+impl Knowledge {
+    fn gather(
+        machines: &[Emitted],
+        target: Target,
+        with_clock: bool,
+        done: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Knowledge, SynthError> {
+        let versions = format!("{:?}", tools(target)?);
+        let key = |kind: &str, digest: &str| {
+            Kept::new(&[
+                kind,
+                digest,
+                target.name(),
+                &target.synthesis("top"),
+                &versions,
+            ])
+        };
+        let mut own = HashMap::new();
+        // Missing modules, in batches of machines: a machine's modules are read together.
+        let mut missing: Vec<(&Emitted, Vec<Module>)> = Vec::new();
+        let mut wanted = std::collections::HashSet::new();
+        for machine in machines {
+            let mut of_machine = Vec::new();
+            for module in modules(machine) {
+                if !wanted.insert(module.digest.clone()) {
+                    continue;
+                }
+                match key("own cells", &module.digest).load::<Own>() {
+                    Some(kept) => drop(own.insert(module.digest, kept.resources)),
+                    None => of_machine.push(module),
+                }
+            }
+            for batch in of_machine.chunks(BATCH) {
+                missing.push((machine, batch.to_vec()));
+            }
+        }
+        let programs = Programs::find(target)?;
+        let finished = std::sync::atomic::AtomicUsize::new(own.len());
+        let count = wanted.len();
+        let found: Vec<Vec<(String, Resources)>> = missing
+            .par_iter()
+            .map(|(machine, batch)| {
+                let resources = synthesise_alone(machine, batch, &programs, target)?;
+                let mut results = Vec::new();
+                for (module, resources) in batch.iter().zip(resources) {
+                    key("own cells", &module.digest).store(&Own { resources })?;
+                    results.push((module.digest.clone(), resources));
+                }
+                let before = finished.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed);
+                done(before + batch.len(), count);
+                Ok(results)
+            })
+            .collect::<Result<_, SynthError>>()?;
+        own.extend(found.into_iter().flatten());
+        let clocks = if with_clock {
+            clocks(machines, target, &programs, &key)?
+        } else {
+            HashMap::new()
+        };
+        Ok(Knowledge {
+            target,
+            own,
+            clocks,
+        })
+    }
+
+    fn cost(&self, machine: &Emitted) -> MachineCost {
+        let mut sum = Resources::default();
+        for module in modules(machine) {
+            let own = self.own[&module.digest];
+            let times = module.instances;
+            sum.lut += times * own.lut;
+            sum.ff += times * own.ff;
+            sum.carry += times * own.carry;
+            sum.dsp += times * own.dsp;
+            sum.bram += times * own.bram;
+        }
+        let units = critical(machine);
+        let clocks = units
+            .iter()
+            .filter_map(|unit| self.clocks.get(&unit_digest(unit)));
+        // A carry cell of ECP5 takes two logic cells; one of iCE40 lies in the cell of its look-up table.
+        let per_carry = if self.target.family() == Family::Ecp5 {
+            2
+        } else {
+            0
+        };
+        MachineCost {
+            lut: sum.lut,
+            ff: sum.ff,
+            carry: sum.carry,
+            dsp: sum.dsp,
+            bram: sum.bram,
+            cells: sum.lut + per_carry * sum.carry,
+            fmax_mhz: clocks.copied().reduce(f64::min),
+        }
+    }
+}
+
+/// The own cells of modules of one machine.
+fn synthesise_alone(
+    machine: &Emitted,
+    batch: &[Module],
+    programs: &Programs,
+    target: Target,
+) -> Result<Vec<Resources>, SynthError> {
+    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    write(folder.path(), "machine.v", &machine.bundle())?;
+    let mut script = String::from("read_verilog machine.v; design -save machine");
+    for module in batch {
+        script += "; design -load machine";
+        for child in module.children.keys() {
+            script += &format!("; blackbox {child}");
+        }
+        script += &format!(
+            "; {}; tee -q -o {}.stat {}",
+            target.synthesis(&module.name),
+            module.name,
+            target.statistics()
+        );
+    }
+    yosys::run(&programs.yosys, folder.path(), &script)?;
+    let read = |module: &Module| {
+        let path = folder.path().join(format!("{}.stat", module.name));
+        let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
+        let statistics = yosys::parse_statistics(&text)?;
+        Ok(yosys::resources(target.family(), &statistics.cells))
+    };
+    batch.iter().map(read).collect()
+}
+
+/// The units of a machine that can be the slowest, as designs of their own.
+fn critical(machine: &Emitted) -> Vec<Emitted> {
+    let is_critical = |name: &str| {
+        let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let base = base.strip_suffix("_v").unwrap_or(base);
+        CRITICAL.contains(&base.trim_end_matches('_')) || CRITICAL.contains(&name)
+    };
+    let names = machine.modules.iter().map(|(name, _)| name);
+    names
+        .filter(|name| is_critical(name))
+        .map(|name| unit(machine, name))
+        .collect()
+}
+
+/// One module of a machine and all below it.
+fn unit(machine: &Emitted, name: &str) -> Emitted {
+    let needed = closure(machine, name);
+    let modules: Vec<(String, String)> = machine
+        .modules
+        .iter()
+        .filter(|(name, _)| needed.contains(name))
+        .cloned()
+        .collect();
+    let own = modules.iter().find(|(module, _)| module == name);
+    Emitted {
+        top: name.to_owned(),
+        header: String::new(),
+        ports: own.map_or_else(Vec::new, |(_, text)| ports(text)),
+        modules,
+        latency: 0,
+    }
+}
+
+fn unit_digest(unit: &Emitted) -> String {
+    digest(&unit.bundle())
+}
+
+/// Places and routes every critical unit alone, with one seed.
+fn clocks(
+    machines: &[Emitted],
+    target: Target,
+    programs: &Programs,
+    key: &(dyn Fn(&str, &str) -> Kept + Sync),
+) -> Result<HashMap<String, f64>, SynthError> {
+    let units: BTreeMap<String, Emitted> = machines
+        .iter()
+        .flat_map(critical)
+        .map(|unit| (unit_digest(&unit), unit))
+        .collect();
+    let clock = |(digest, unit): (String, Emitted)| {
+        let kept = key("clock, 1 seed", &digest);
+        if let Some(clock) = kept.load::<Option<f64>>() {
+            return Ok(clock.map(|clock| (digest, clock)));
+        }
+        let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+        write(folder.path(), "unit.v", &unit.bundle())?;
+        write(folder.path(), "harness.v", &harness::verilog(&unit))?;
+        let bench = Bench {
+            programs,
+            target,
+            folder: folder.path(),
+            top: &unit.top,
+            read: "read_verilog unit.v",
+            read_with_harness: "read_verilog unit.v harness.v",
+        };
+        bench.resources()?;
+        let clock = bench.clock(&Options { seeds: 1 })?.fmax_mhz;
+        kept.store(&clock)?;
+        Ok(clock.map(|clock| (digest, clock)))
+    };
+    let clocks: Result<Vec<_>, SynthError> = units.into_par_iter().map(clock).collect();
+    Ok(clocks?.into_iter().flatten().collect())
+}
