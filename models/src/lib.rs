@@ -10,9 +10,12 @@ pub mod compare;
 pub mod exact;
 pub mod format;
 pub mod machine;
+pub mod metrics;
 pub mod object;
 pub mod picture;
 pub mod prepare;
 pub mod rational;
 pub mod scene;
+//TRADE
 pub mod unit;
+pub mod widths;

@@ -7,11 +7,12 @@ use crate::arguments::{Compare, Size};
 use crate::failure::Failure;
 use crate::output;
 use hardware::Hardware;
-use imogene_models::compare::errors::{Bulge, Errors, PixelError, bulge, errors, pixel_errors};
+use imogene_models::compare::errors::{Bulge, Errors, bulge, errors, pixel_errors};
 use imogene_models::compare::sheet::sheet;
 use imogene_models::compare::speed::{FacetWork, Speed, facets, measure, work};
 use imogene_models::compare::{Drawn, Subject, Variant};
 use imogene_models::format::Format;
+use imogene_models::metrics::PixelError;
 use imogene_models::picture::{write_png, write_whole};
 use imogene_models::scene::SceneFile;
 use serde::Serialize;
@@ -79,7 +80,7 @@ pub fn run(options: &Compare, json: bool) -> Result<(), Failure> {
         width,
         height,
         depth_word: format.depth,
-        words_per_pixel: subject.words_per_pixel,
+        words_per_pixel: subject.truth.words_per_pixel,
         radii_px: subject.radii.clone(),
         variants: variants?,
         speed: speed(&drawn, &format),
@@ -134,7 +135,7 @@ fn write(
         .iter()
         .map(|(one, pixels)| (one, pixels.as_slice()))
         .collect();
-    let sheet = sheet(&panels, subject.words_per_pixel);
+    let sheet = sheet(&panels, subject.truth.words_per_pixel);
     let picture = folder.join("comparison.png");
     write_png(&picture, sheet.width, sheet.height, &sheet.rgb)?;
     write_whole(&folder.join("comparison.json"), |out| {

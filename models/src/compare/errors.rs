@@ -1,8 +1,8 @@
 //! A drawn frame against the truth: outline, depth, normals.
 
 use super::Subject;
-use crate::exact::render::DEPTH_FRACTION;
 use crate::machine::frame::Frame;
+use crate::metrics::{self, Golden, PixelError, SameFace};
 use serde::Serialize;
 
 /// What differs over the pixels of a picture, or of one object; the keys are stable.
@@ -24,7 +24,7 @@ pub struct Errors {
     pub depth_max_words: f64,
     /// Root of the mean square in depth words.
     pub depth_rms_words: f64,
-    /// Mean angle of the normals in degrees, both turned to the viewer.
+    /// Mean angle between the lines of the normals in degrees.
     pub normal_mean_deg: f64,
     /// Greatest angle in degrees.
     pub normal_max_deg: f64,
@@ -47,46 +47,25 @@ pub struct Bulge {
     pub normal_max_deg: f64,
 }
 
-/// What one pixel shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PixelError {
-    /// Nothing in both.
-    Background,
-    /// Something in one alone.
-    Presence,
-    /// Another object.
-    Object,
-    /// The same object.
-    Same {
-        /// Depth less the exact depth, in depth words.
-        depth: f64,
-        /// Angle between the normals in degrees.
-        angle: f64,
-    },
-}
-
-/// The error of every pixel, row-major.
+/// The error of every pixel, row-major. The processors number their faces in different ways, so faces are not compared.
 pub fn pixel_errors(subject: &Subject, frame: &Frame) -> Vec<PixelError> {
-    let unit = (1i64 << DEPTH_FRACTION) as f64;
-    let one = |(index, exact): (usize, &Option<crate::exact::render::ExactPixel>)| {
-        let id = frame.id[index];
-        match exact {
-            None if id < 0 => PixelError::Background,
-            Some(exact) if id >= 0 && exact.id == id as u32 => PixelError::Same {
-                depth: ((frame.depth[index] << DEPTH_FRACTION) - exact.depth) as f64 / unit,
-                angle: angle(frame.normal[index], subject.exact_frame.normal[index]),
-            },
-            Some(_) if id >= 0 => PixelError::Object,
-            _ => PixelError::Presence,
-        }
+    let golden = Golden {
+        format: &subject.format,
+        frame,
+        backs: None,
+        numbered: &vec![false; subject.radii.len()],
     };
-    subject.exact.iter().enumerate().map(one).collect()
+    metrics::pixel_errors(&subject.truth, golden)
 }
 
 /// Sums up the pixels of a picture.
 pub fn errors(subject: &Subject, pixels: &[PixelError]) -> Errors {
-    let covered = subject.exact.iter().flatten().count();
-    summed(pixels.iter().copied(), covered, subject.words_per_pixel)
+    let truth = &subject.truth;
+    summed(
+        pixels.iter().copied(),
+        truth.covered(),
+        truth.words_per_pixel,
+    )
 }
 
 fn summed(
@@ -102,9 +81,9 @@ fn summed(
     for pixel in pixels {
         match pixel {
             PixelError::Background => (),
-            PixelError::Presence => sum.presence_differs += 1,
-            PixelError::Object => sum.object_differs += 1,
-            PixelError::Same { depth, angle } => {
+            PixelError::Missing | PixelError::Extra => sum.presence_differs += 1,
+            PixelError::Object | PixelError::Face => sum.object_differs += 1,
+            PixelError::Same(SameFace { depth, angle, .. }) => {
                 sum.same += 1;
                 sum.depth_max_words = sum.depth_max_words.max(depth.abs());
                 squares += depth * depth;
@@ -124,18 +103,18 @@ fn summed(
 /// The bulge of an object that is a sphere, over the pixels that show it in both; nothing if there are none.
 pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<Bulge> {
     let radius_px = subject.radii[object];
-    let percent = -100.0 / (subject.words_per_pixel * radius_px);
-    let shows = |k: usize| subject.exact[k].is_some_and(|p| p.id as usize == object);
+    let percent = -100.0 / (subject.truth.words_per_pixel * radius_px);
+    let shows = |k: usize| subject.truth.pixels[k].is_some_and(|p| p.id as usize == object);
     let own = pixels.iter().enumerate().filter(|(k, _)| shows(*k));
     let (mut most, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
     let own: Vec<PixelError> = own.map(|(_, pixel)| *pixel).collect();
     for pixel in &own {
-        if let PixelError::Same { depth, .. } = pixel {
+        if let PixelError::Same(SameFace { depth, .. }) = pixel {
             most = most.max(depth * percent);
             least = least.min(depth * percent);
         }
     }
-    let sum = summed(own.iter().copied(), own.len(), subject.words_per_pixel);
+    let sum = summed(own.iter().copied(), own.len(), subject.truth.words_per_pixel);
     (subject.spheres[object] && sum.same > 0).then_some(Bulge {
         radius_px,
         most_percent: most,
@@ -144,20 +123,4 @@ pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<
         normal_mean_deg: sum.normal_mean_deg,
         normal_max_deg: sum.normal_max_deg,
     })
-}
-
-/// The angle between two normals, both turned towards the viewer as shading does.
-fn angle(a: [i16; 3], b: [i16; 3]) -> f64 {
-    let [a, b] = [a, b].map(|n| {
-        let n = n.map(f64::from);
-        if n[2] > 0.0 { n.map(|v| -v) } else { n }
-    });
-    let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-    let cross = [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ];
-    // The cosine alone has no digits left near zero.
-    dot(cross, cross).sqrt().atan2(dot(a, b)).to_degrees()
 }

@@ -5,12 +5,12 @@ pub mod sheet;
 pub mod speed;
 pub mod tessellate;
 
-use crate::exact::render::{ExactPixel, render, to_frame};
 use crate::format::Format;
 use crate::machine::beam;
 use crate::machine::frame::Frame;
 use crate::machine::lighting::Lighting;
 use crate::machine::shading::shade;
+use crate::metrics::Truth;
 use crate::object::slot::Slot;
 use crate::prepare::error::PrepareError;
 use crate::prepare::prepare;
@@ -91,15 +91,11 @@ pub struct Subject {
     /// The scene itself.
     pub framed: FramedScene,
     /// What is truly seen.
-    pub exact: Vec<Option<ExactPixel>>,
-    /// The same as a frame.
-    pub exact_frame: Frame,
+    pub truth: Truth,
     /// Radius of each object in pixels.
     pub radii: Vec<f64>,
     /// Which of them are spheres.
     pub spheres: Vec<bool>,
-    /// Depth words to the pixel.
-    pub words_per_pixel: f64,
 }
 
 impl Subject {
@@ -121,15 +117,12 @@ impl Subject {
             _ => unreachable!("paraboloids draw spheres and cylinders alone"),
         };
         let is_sphere = |object: &FramedObject| matches!(object, FramedObject::Sphere(_));
-        let exact = render(&framed, &format, || ());
         Ok(Subject {
             file: file.clone(),
             format,
-            exact_frame: to_frame(&exact, &framed, &format),
-            exact,
+            truth: Truth::new(&framed, || ()),
             radii: round.objects.iter().map(radius).collect(),
             spheres: round.objects.iter().map(is_sphere).collect(),
-            words_per_pixel: to_f64(&prepare(&framed, format)?.depth_scale),
             framed,
         })
     }

@@ -1,19 +1,11 @@
 //! Pictures side by side, with maps of their errors below.
 
 use super::Drawn;
-use super::errors::PixelError;
+use crate::metrics::PixelError;
+use crate::metrics::map::colour;
 
 /// White pixels between two panels.
 const GAP: usize = 4;
-/// A pixel that is drawn in one alone.
-const PRESENCE: [u8; 3] = [235, 60, 50];
-/// A pixel of another object.
-const OBJECT: [u8; 3] = [250, 205, 70];
-/// Nothing in both.
-const BACKGROUND: [u8; 3] = [46, 48, 56];
-/// Depth errors from `2^-FINEST` to `2^COARSEST` pixels have a brightness of their own.
-const FINEST: f64 = 6.0;
-const COARSEST: f64 = 4.0;
 
 /// A sheet of pictures.
 pub struct Sheet {
@@ -55,18 +47,4 @@ pub fn sheet(variants: &[(&Drawn, &[PixelError])], words_per_pixel: f64) -> Shee
         }
     }
     sheet
-}
-
-fn colour(pixel: &PixelError, words_per_pixel: f64) -> [u8; 3] {
-    match pixel {
-        PixelError::Background => BACKGROUND,
-        PixelError::Presence => PRESENCE,
-        PixelError::Object => OBJECT,
-        PixelError::Same { depth, .. } => {
-            let error = (depth / words_per_pixel).abs().log2();
-            let level = ((error + FINEST) / (FINEST + COARSEST)).clamp(0.0, 1.0);
-            // Black, blue, white.
-            [level * level, level, level.sqrt()].map(|v| (v * 255.0).round() as u8)
-        }
-    }
 }

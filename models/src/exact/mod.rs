@@ -4,6 +4,7 @@
 //! equation, the polynomial along the ray is solved, and numbers `(p + s sqrt(q)) / d` are compared exactly ([`real`]). Only the
 //! scene's camera frame is shared with the preparation.
 
+pub mod back;
 pub mod facet;
 pub mod ray;
 pub mod real;

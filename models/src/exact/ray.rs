@@ -27,7 +27,7 @@ pub struct Hit {
 /// An object's equation along the rays of a screen: polynomials in pixel column and line with integer coefficients.
 #[derive(Clone, Debug)]
 pub struct RayObject {
-    surface: Surface,
+    pub(super) surface: Surface,
     /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator dropped.
     along: [[BigInt; 6]; 3],
     /// Per plane the factors of w and 1, each `a x + b y + c`; kept where their sum is not positive.
@@ -71,9 +71,14 @@ impl RayObject {
         }
     }
 
+    /// Factors of w^2, w and 1 at a pixel.
+    pub(super) fn polynomial(&self, x: i64, y: i64) -> [BigInt; 3] {
+        self.along.each_ref().map(|p| second_degree(p, x, y))
+    }
+
     /// The first visible point of the object at a pixel.
     pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
-        let [a, b, c] = self.along.each_ref().map(|p| second_degree(p, x, y));
+        let [a, b, c] = self.polynomial(x, y);
         match self.surface {
             Surface::Solid => self.solid_hit(&a, &b, &c, x, y),
             Surface::Patch => self.patch_hit(&a, &b, &c, x, y),
@@ -98,12 +103,12 @@ impl RayObject {
             .map(|(w, number)| Hit { w, number, part: 0 })
     }
 
-    fn is_visible(&self, w: &SurdReal) -> bool {
+    pub(super) fn is_visible(&self, w: &SurdReal) -> bool {
         w.cmp_ratio(&BigInt::from(-2), &BigInt::one()) != Ordering::Less
             && w.signum() == Ordering::Less
     }
 
-    fn planes_keep(&self, w: &SurdReal, x: i64, y: i64) -> bool {
+    pub(super) fn planes_keep(&self, w: &SurdReal, x: i64, y: i64) -> bool {
         self.planes.iter().all(|plane| {
             let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
             match slope.is_zero() {
@@ -146,7 +151,7 @@ impl RayObject {
     }
 
     /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and an end.
-    fn kept_interval(&self, x: i64, y: i64) -> Option<(Start, Ratio)> {
+    pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<(Start, Ratio)> {
         let mut low = Start {
             w: (BigInt::from(-2), BigInt::one()),
             number: FACE_NEAR_END,
@@ -179,9 +184,9 @@ impl RayObject {
 }
 
 /// A rational with positive denominator.
-type Ratio = (BigInt, BigInt);
+pub(super) type Ratio = (BigInt, BigInt);
 
-struct Start {
+pub(super) struct Start {
     w: Ratio,
     number: u8,
 }
@@ -197,7 +202,7 @@ fn at_ratio(a: &BigInt, b: &BigInt, c: &BigInt, w: &Ratio) -> Ordering {
 }
 
 /// The real roots of `a w^2 + b w + c` in ascending order; none if there are no two (or one double).
-fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdReal; 2]> {
+pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdReal; 2]> {
     if a.is_zero() {
         return None;
     }

@@ -105,21 +105,36 @@ pub(super) fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
 pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &Format) -> Frame {
     let width = scene.width as usize;
     let mut frame = Frame::background(width, scene.height as usize, format.z_max());
-    let full = full_depth(&scene.projection);
-    let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
+    let directions = directions(pixels, scene, format);
     for (index, pixel) in pixels.iter().enumerate() {
         let Some(pixel) = pixel else { continue };
         frame.depth[index] = pixel.depth >> DEPTH_FRACTION;
         frame.id[index] = pixel.id as i32;
         frame.number[index] = pixel.number;
-        let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
+        frame.normal[index] = full_length(directions[index]);
+    }
+    frame
+}
+
+/// The direction of the true normal at every pixel, of any length; zero where nothing is seen.
+pub fn directions(
+    pixels: &[Option<ExactPixel>],
+    scene: &FramedScene,
+    format: &Format,
+) -> Vec<[f64; 3]> {
+    let width = scene.width as usize;
+    let full = full_depth(&scene.projection);
+    let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
+    let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
+    let direction = |(index, pixel): (usize, &Option<ExactPixel>)| {
+        let Some(pixel) = pixel else { return [0.0; 3] };
         let depth = pixel.depth as f64 / unit * full;
         let point = scene
             .projection
             .antecedent(scene.pixel_centre(index % width, index / width), depth);
-        frame.normal[index] = normals[pixel.id as usize].at(pixel, point);
-    }
-    frame
+        normals[pixel.id as usize].at(pixel, point)
+    };
+    pixels.iter().enumerate().map(direction).collect()
 }
 
 fn full_depth(projection: &Projection) -> f64 {
@@ -144,10 +159,10 @@ impl Normals<'_> {
         }
     }
 
-    fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [i16; 3] {
+    fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [f64; 3] {
         match self {
-            Normals::Cut(gradient) => gradient.normal(pixel.number, point),
-            Normals::Mesh(mesh) => full_length(mesh.at(pixel.part as usize, point)),
+            Normals::Cut(gradient) => gradient.direction(pixel.number, point),
+            Normals::Mesh(mesh) => mesh.at(pixel.part as usize, point),
         }
     }
 }
@@ -191,9 +206,9 @@ impl Gradient {
         }
     }
 
-    fn normal(&self, number: u8, point: [f64; 3]) -> [i16; 3] {
-        let direction = match number {
-            FACE_NEAR_END => return NEAR_END_NORMAL,
+    fn direction(&self, number: u8, point: [f64; 3]) -> [f64; 3] {
+        match number {
+            FACE_NEAR_END => NEAR_END_NORMAL.map(f64::from),
             n if n >= FACE_PLANE => self.planes[usize::from(n - FACE_PLANE)],
             _ => {
                 let [a, b, c, d, e, f, g, h, i, _] = self.quadric;
@@ -204,7 +219,6 @@ impl Gradient {
                     e * x + f * y + c * z + i,
                 ]
             }
-        };
-        full_length(direction)
+        }
     }
 }

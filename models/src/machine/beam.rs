@@ -11,6 +11,7 @@ struct Line<'a> {
     id: &'a mut [i32],
     number: &'a mut [u8],
     normal: &'a mut [[i16; 3]],
+    back: &'a mut [i64],
 }
 
 /// The frame that the machine draws of these slots; `line_done` is called once a line, from any thread.
@@ -21,25 +22,39 @@ pub fn render(
     height: usize,
     line_done: impl Fn() + Sync,
 ) -> Frame {
+    render_with_backs(slots, format, width, height, line_done).0
+}
+
+/// The same, and the back depth that the visible object's processor hands on beside the front depth; `z_max` where nothing is seen.
+pub fn render_with_backs(
+    slots: &[Slot],
+    format: &Format,
+    width: usize,
+    height: usize,
+    line_done: impl Fn() + Sync,
+) -> (Frame, Vec<i64>) {
     let mut frame = Frame::background(width, height, format.z_max());
+    let mut backs = frame.depth.clone();
     frame
         .depth
         .par_chunks_mut(width)
         .zip(frame.id.par_chunks_mut(width))
         .zip(frame.number.par_chunks_mut(width))
         .zip(frame.normal.par_chunks_mut(width))
+        .zip(backs.par_chunks_mut(width))
         .enumerate()
-        .for_each(|(y, (((depth, id), number), normal))| {
+        .for_each(|(y, ((((depth, id), number), normal), back))| {
             let line = Line {
                 depth,
                 id,
                 number,
                 normal,
+                back,
             };
             render_line(slots, format, y as i64, line);
             line_done();
         });
-    frame
+    (frame, backs)
 }
 
 /// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller id.
@@ -52,6 +67,7 @@ fn render_line(slots: &[Slot], format: &Format, y: i64, line: Line) {
                 line.id[x] = slot.object as i32;
                 line.number[x] = pixel.number;
                 line.normal[x] = pixel.normal;
+                line.back[x] = pixel.zb;
             }
         });
     }

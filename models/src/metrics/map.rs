@@ -1,0 +1,132 @@
+//! The picture of errors: one colour for each pixel, few colours in all.
+
+use super::pixel::PixelError;
+
+/// A pixel that shows nothing where something is truly seen, or the other way round.
+pub const PRESENCE: [u8; 3] = [235, 60, 50];
+/// A pixel of another object.
+pub const OBJECT: [u8; 3] = [250, 205, 70];
+/// A pixel of another face of the object.
+pub const FACE: [u8; 3] = [190, 90, 220];
+/// Nothing in both.
+pub const BACKGROUND: [u8; 3] = [46, 48, 56];
+/// A crack.
+pub const CRACK: [u8; 3] = [60, 230, 90];
+/// Depth errors from `2^-FINEST` to `2^COARSEST` pixels have a brightness of their own.
+const FINEST: f64 = 6.0;
+const COARSEST: f64 = 4.0;
+
+/// The colour of a pixel's error.
+pub fn colour(pixel: &PixelError, words_per_pixel: f64) -> [u8; 3] {
+    match pixel {
+        PixelError::Background => BACKGROUND,
+        PixelError::Missing | PixelError::Extra => PRESENCE,
+        PixelError::Object => OBJECT,
+        PixelError::Face => FACE,
+        PixelError::Same(same) => {
+            let error = (same.depth / words_per_pixel).abs().log2();
+            shade(((error + FINEST) / (FINEST + COARSEST)).clamp(0.0, 1.0))
+        }
+    }
+}
+
+/// Black, blue, white.
+fn shade(level: f64) -> [u8; 3] {
+    [level * level, level, level.sqrt()].map(|v| (v * 255.0).round() as u8)
+}
+
+/// Least and greatest depth error, in words of the base format as powers of two, with a class of its own: -4 to 19.
+const CLASSES: std::ops::RangeInclusive<i32> = -4..=19;
+
+/// The class of a depth error in words: its power of two, rounded up.
+fn class(words: f64) -> i32 {
+    let (first, last) = (*CLASSES.start(), *CLASSES.end());
+    (words.abs().log2().ceil() as i32).clamp(first, last)
+}
+
+fn class_colour(class: i32) -> [u8; 3] {
+    let (first, last) = (*CLASSES.start(), *CLASSES.end());
+    shade(f64::from(class - first) / f64::from(last - first))
+}
+
+/// The map of a picture, row-major red, green, blue: as [`colour`], but depth errors in words of the base format, by powers of two, and cracks on top.
+pub fn map(pixels: &[PixelError], cracks: &[usize]) -> Vec<u8> {
+    let one = |pixel: &PixelError| match pixel {
+        PixelError::Same(same) => class_colour(class(same.depth)),
+        other => colour(other, 1.0),
+    };
+    let mut rgb: Vec<[u8; 3]> = pixels.iter().map(one).collect();
+    for &index in cracks {
+        rgb[index] = CRACK;
+    }
+    rgb.into_iter().flatten().collect()
+}
+
+/// What the colours of a map mean: text and colour.
+pub fn legend() -> Vec<(String, [u8; 3])> {
+    let named = [
+        ("nothing in both", BACKGROUND),
+        ("missing or extra", PRESENCE),
+        ("wrong object", OBJECT),
+        ("wrong face", FACE),
+        ("crack", CRACK),
+    ];
+    let named = named.map(|(text, colour)| (text.to_owned(), colour));
+    let depths = [-4, 0, 4, 8, 12, 16, 19].map(|class| {
+        let text = match class {
+            -4 => "depth within 1/16 word".to_owned(),
+            0 => "1 word".to_owned(),
+            19 => "2^19 words and more".to_owned(),
+            _ => format!("{} words", 1 << class),
+        };
+        (text, class_colour(class))
+    });
+    named.into_iter().chain(depths).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pixel::{Back, SameFace};
+    use super::*;
+
+    fn same(depth: f64) -> PixelError {
+        PixelError::Same(SameFace {
+            depth,
+            back: Back::None,
+            angle: 0.0,
+        })
+    }
+
+    #[test]
+    fn classes_are_powers_of_two_of_words() {
+        let wanted = [(0.0, -4), (0.0625, -4), (0.07, -3), (-1.0, 0), (1.01, 1), (1e9, 19)];
+        for (words, class_of) in wanted {
+            assert_eq!(class(words), class_of, "{words}");
+        }
+    }
+
+    #[test]
+    fn every_kind_of_pixel_has_its_colour() {
+        let pixels = [
+            PixelError::Background,
+            PixelError::Missing,
+            PixelError::Extra,
+            PixelError::Object,
+            PixelError::Face,
+            same(0.0),
+            same(1e9),
+            same(3.0),
+        ];
+        let rgb = map(&pixels, &[7]);
+        let wanted = [
+            BACKGROUND, PRESENCE, PRESENCE, OBJECT, FACE, [0; 3], [255; 3], CRACK,
+        ];
+        assert_eq!(rgb, wanted.concat());
+        // All colours of the legend differ.
+        let mut colours: Vec<[u8; 3]> = legend().into_iter().map(|(_, c)| c).collect();
+        let all = colours.len();
+        colours.sort_unstable();
+        colours.dedup();
+        assert_eq!(colours.len(), all);
+    }
+}

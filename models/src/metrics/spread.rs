@@ -1,0 +1,106 @@
+//! What is kept of many magnitudes.
+
+use serde::{Deserialize, Serialize};
+
+/// Greatest, 99.9 % quantile, mean and root mean square; all zero of no values. The keys are stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Spread {
+    /// How many values.
+    pub count: usize,
+    /// The greatest.
+    pub max: f64,
+    /// The least value that 99.9 % of all do not exceed.
+    pub quantile_999: f64,
+    /// Mean.
+    pub mean: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+}
+
+/// One class of a histogram; the keys are stable.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Class {
+    /// The values are below this, a power of two, and not below the last class's.
+    pub below: f64,
+    /// How many.
+    pub count: usize,
+}
+
+impl Spread {
+    /// Of magnitudes in any order.
+    pub fn of(mut values: Vec<f64>) -> Spread {
+        if values.is_empty() {
+            return Spread::default();
+        }
+        values.sort_unstable_by(f64::total_cmp);
+        let count = values.len();
+        // In whole numbers: ceil(0.999 n), counted from 1.
+        let rank = (count * 999).div_ceil(1000);
+        let sum: f64 = values.iter().sum();
+        let squares: f64 = values.iter().map(|v| v * v).sum();
+        Spread {
+            count,
+            max: values[count - 1],
+            quantile_999: values[rank - 1],
+            mean: sum / count as f64,
+            rms: (squares / count as f64).sqrt(),
+        }
+    }
+
+    /// The same values in another unit.
+    pub fn divided(self, by: f64) -> Spread {
+        Spread {
+            count: self.count,
+            max: self.max / by,
+            quantile_999: self.quantile_999 / by,
+            mean: self.mean / by,
+            rms: self.rms / by,
+        }
+    }
+}
+
+/// Power of two below which all small values are one class.
+const FINEST: i32 = -3;
+
+/// Magnitudes by powers of two, from those below 1/8 up to the class of the greatest.
+pub fn histogram(values: &[f64]) -> Vec<Class> {
+    let mut classes: Vec<Class> = vec![];
+    let greatest = values.iter().copied().fold(0.0, f64::max);
+    let mut below = f64::from(FINEST).exp2();
+    let mut from = 0.0;
+    loop {
+        let within = values.iter().filter(|v| (from..below).contains(*v));
+        let count = within.count();
+        classes.push(Class { below, count });
+        if greatest < below {
+            return classes;
+        }
+        (from, below) = (below, below * 2.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_quantile_leaves_one_in_a_thousand_out() {
+        let of = |n: u32| Spread::of((1..=n).rev().map(f64::from).collect());
+        assert_eq!((of(1000).max, of(1000).quantile_999), (1000.0, 999.0));
+        assert_eq!(of(999).quantile_999, 999.0);
+        assert_eq!(of(2001).quantile_999, 1999.0);
+        assert_eq!((of(3).mean, of(1).quantile_999), (2.0, 1.0));
+        let two = Spread::of(vec![3.0, 4.0]);
+        assert_eq!((two.rms, two.divided(2.0).max), (12.5f64.sqrt(), 2.0));
+        assert_eq!(Spread::of(vec![]), Spread::default());
+    }
+
+    #[test]
+    fn classes_are_half_open_powers_of_two() {
+        let classes = histogram(&[0.0, 0.124, 0.125, 0.5, 0.99, 1.0, 3.9]);
+        let counts: Vec<(f64, usize)> = classes.iter().map(|c| (c.below, c.count)).collect();
+        let wanted = [(0.125, 2), (0.25, 1), (0.5, 0), (1.0, 2), (2.0, 1), (4.0, 1)];
+        assert_eq!(counts, wanted);
+        assert_eq!(histogram(&[]).len(), 1);
+    }
+}

@@ -1,0 +1,128 @@
+//! All figures of a picture.
+
+use super::crack::cracks;
+use super::drawing::Drawing;
+use super::map::map;
+use super::pixel::{Back, Golden, PixelError, SameFace, pixel_errors};
+use super::spread::{Class, Spread, histogram};
+use super::truth::Truth;
+use serde::{Deserialize, Serialize};
+
+/// How far a golden picture is from the truth; the keys are stable, `docs/trade.md` defines them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Metrics {
+    /// Pixels at which something is truly seen.
+    pub covered: usize,
+    /// Pixels at which something is truly seen and nothing in the picture.
+    pub missing: usize,
+    /// Pixels at which nothing is truly seen and something in the picture.
+    pub extra: usize,
+    /// Silhouette errors: missing and extra.
+    pub silhouette: usize,
+    /// Pixels that show another object.
+    pub wrong_object: usize,
+    /// Pixels that show another face or cut plane of the right object.
+    pub wrong_face: usize,
+    /// Visible-part errors: wrong object and wrong face.
+    pub visible_part: usize,
+    /// Pixels that look through a closed surface.
+    pub cracks: usize,
+    /// Front depth in words of the base format, over pixels that show the same face.
+    pub depth_words: Spread,
+    /// The same in pixels of depth.
+    pub depth_px: Spread,
+    /// Pixels by their depth error in words of the base format.
+    pub depth_histogram: Vec<Class>,
+    /// Back depth in words of the base format, over pixels whose processor hands it on.
+    pub back_words: Spread,
+    /// The same in pixels of depth.
+    pub back_px: Spread,
+    /// Pixels of patches at which truth and picture have not as many faces behind each other.
+    pub back_differs: usize,
+    /// Angle of the normals in degrees, over pixels that show the same face.
+    pub normal_deg: Spread,
+    /// Greatest channel difference in 1/255, over pixels that show an object, truly or in the picture.
+    pub colour: Spread,
+    /// The same over pixels that show the same face.
+    pub colour_same_face: Spread,
+}
+
+/// Measures a drawing; also its map of errors, red, green and blue of every pixel.
+pub fn measure(truth: &Truth, drawing: &Drawing) -> (Metrics, Vec<u8>) {
+    let golden = Golden {
+        format: &drawing.format,
+        frame: &drawing.frame,
+        backs: Some(&drawing.backs),
+        numbered: &drawing.numbered,
+    };
+    let pixels = pixel_errors(truth, golden);
+    let cracks = cracks(truth, golden);
+    let count = |wanted: fn(&PixelError) -> bool| pixels.iter().filter(|p| wanted(p)).count();
+    let missing = count(|p| matches!(p, PixelError::Missing));
+    let extra = count(|p| matches!(p, PixelError::Extra));
+    let wrong_object = count(|p| matches!(p, PixelError::Object));
+    let wrong_face = count(|p| matches!(p, PixelError::Face));
+    let metrics = Metrics {
+        covered: truth.covered(),
+        missing,
+        extra,
+        silhouette: missing + extra,
+        wrong_object,
+        wrong_face,
+        visible_part: wrong_object + wrong_face,
+        cracks: cracks.len(),
+        ..Metrics::default()
+    };
+    let metrics = with_faces(metrics, truth, &pixels);
+    let metrics = with_colours(metrics, truth, drawing, &pixels);
+    (metrics, map(&pixels, &cracks))
+}
+
+fn with_faces(metrics: Metrics, truth: &Truth, pixels: &[PixelError]) -> Metrics {
+    let same = || {
+        pixels.iter().filter_map(|pixel| match pixel {
+            PixelError::Same(same) => Some(same),
+            _ => None,
+        })
+    };
+    let depths: Vec<f64> = same().map(|s| s.depth.abs()).collect();
+    let back = |s: &SameFace| match s.back {
+        Back::Error(words) => Some(words.abs()),
+        Back::None | Back::Differs => None,
+    };
+    let depth_histogram = histogram(&depths);
+    let depth_words = Spread::of(depths);
+    let back_words = Spread::of(same().filter_map(back).collect());
+    Metrics {
+        depth_words,
+        depth_px: depth_words.divided(truth.words_per_pixel),
+        depth_histogram,
+        back_words,
+        back_px: back_words.divided(truth.words_per_pixel),
+        back_differs: same().filter(|s| s.back == Back::Differs).count(),
+        normal_deg: Spread::of(same().map(|s| s.angle).collect()),
+        ..metrics
+    }
+}
+
+fn with_colours(
+    metrics: Metrics,
+    truth: &Truth,
+    drawing: &Drawing,
+    pixels: &[PixelError],
+) -> Metrics {
+    let difference = |index: usize| {
+        let channels = 3 * index..3 * index + 3;
+        let pairs = truth.rgb[channels.clone()].iter().zip(&drawing.rgb[channels]);
+        f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
+    };
+    let of = |wanted: fn(&PixelError) -> bool| {
+        let indices = pixels.iter().enumerate().filter(|(_, p)| wanted(p));
+        Spread::of(indices.map(|(index, _)| difference(index)).collect())
+    };
+    Metrics {
+        colour: of(|p| !matches!(p, PixelError::Background)),
+        colour_same_face: of(|p| matches!(p, PixelError::Same(_))),
+        ..metrics
+    }
+}
