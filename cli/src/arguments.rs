@@ -1,6 +1,9 @@
 //! Arguments of every command.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use imogene_models::format::FittedWidths;
+use imogene_models::trade::run::Shard;
+use imogene_models::widths::{self, WidthsError};
 use imogene_rtl::catalogue::Unit;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
@@ -51,6 +54,8 @@ pub enum Command {
     Check(Check),
     /// Draw round objects by facets, by paraboloids and as quadrics, and measure errors, hardware and clocks of each.
     Compare(Compare),
+    /// Measure speed, area and accuracy of the machines that can draw a scene: figures, plots and a page.
+    Trade(Trade),
     /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
     Bounds(Bounds),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
@@ -232,6 +237,22 @@ pub struct Scene {
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
     #[arg(long, default_value = "0:0", value_name = "G1:G2")]
     pub guards: Guards,
+    /// Every width of a machine that is fitted to a scene, instead of --format and --guards: depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what
+    /// is left out follows from the depth.
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
+    pub widths: Option<Widths>,
+}
+
+/// Widths of a fitted machine as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Widths(pub FittedWidths);
+
+impl FromStr for Widths {
+    type Err = WidthsError;
+
+    fn from_str(text: &str) -> Result<Widths, WidthsError> {
+        widths::parse(text).map(Widths)
+    }
 }
 
 /// Arguments of `render`.
@@ -240,6 +261,9 @@ pub struct Render {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
+    /// Round the coefficients anew for each zone of so many columns and lines, 8 or more (model golden).
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(8..=4096))]
+    pub zone: Option<u32>,
     /// Which model draws.
     #[arg(long, value_enum, default_value_t = Model::Golden)]
     pub model: Model,
@@ -285,6 +309,54 @@ pub struct Compare {
     /// Picture size in pixels.
     #[arg(long, value_name = "WxH", default_value = "320x240")]
     pub size: Size,
+}
+
+/// Arguments of `trade`.
+#[derive(Debug, Args)]
+pub struct Trade {
+    /// Scene file (TOML).
+    pub scene: PathBuf,
+    /// Folder of the results; a run that was interrupted goes on where it stopped.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Picture size in pixels; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    #[arg(long, value_name = "T", default_value = "ecp5-45k")]
+    pub target: String,
+    /// Which points: a dozen or some two hundred and fifty.
+    #[arg(long, value_enum, default_value_t = Points::Full)]
+    pub points: Points,
+    /// Measure part K of N of the points alone, and sum up nothing.
+    #[arg(long, value_name = "K/N")]
+    pub shard: Option<ShardArgument>,
+}
+
+/// Points of the design space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Points {
+    /// A dozen.
+    Quick,
+    /// All.
+    Full,
+}
+
+/// A part of the points as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShardArgument(pub Shard);
+
+impl FromStr for ShardArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<ShardArgument, String> {
+        let parse = |part: &str| part.parse::<usize>().ok();
+        text.split_once('/')
+            .and_then(|(number, of)| Some((parse(number)?, parse(of)?)))
+            .filter(|(number, of)| (1..=*of).contains(number))
+            .map(|(number, of)| ShardArgument(Shard { number, of }))
+            .ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())
+    }
 }
 
 /// Arguments of `bounds`.

@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Command::Speed(options) => command::speed::run(options, json),
         Command::Check(options) => command::check::run(options, json),
         Command::Compare(options) => command::compare::run(options, json),
+        Command::Trade(options) => command::trade::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
         Command::Peers(options) => command::peers::run(options, json),

@@ -16,6 +16,6 @@ pub mod picture;
 pub mod prepare;
 pub mod rational;
 pub mod scene;
-//TRADE
+pub mod trade;
 pub mod unit;
 pub mod widths;

@@ -18,9 +18,10 @@ pub mod render;
 pub mod roots;
 pub mod speed;
 pub mod synth;
+pub mod trade;
 pub mod units;
 
-use crate::arguments::{Guards, Scene, Shape, Size};
+use crate::arguments::{Guards, Scene, Shape, Size, Widths};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::format::Format;
@@ -33,7 +34,17 @@ use imogene_verif::report::Report;
 /// A scene file in the camera frame and prepared for a format.
 fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     let file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
-    frame_guarded(&file, scene.size, scene.format, scene.guards)
+    frame_in(&file, scene.size, format_of(scene)?)
+}
+
+/// The format that is asked for.
+fn format_of(scene: &Scene) -> Result<Format, Failure> {
+    if let Some(Widths(widths)) = scene.widths {
+        return Format::fitted(&widths).map_err(Failure::input);
+    }
+    let format = Format::new(scene.format).map_err(Failure::input)?;
+    let Guards { linear, quadratic } = scene.guards;
+    format.with_guards(linear, quadratic).map_err(Failure::input)
 }
 
 fn frame_scene(
@@ -41,23 +52,23 @@ fn frame_scene(
     size: Option<Size>,
     format: u32,
 ) -> Result<(FramedScene, PreparedScene), Failure> {
-    frame_guarded(file, size, format, Guards::default())
+    frame_in(file, size, Format::new(format).map_err(Failure::input)?)
 }
 
-fn frame_guarded(
-    file: &SceneFile,
-    size: Option<Size>,
-    format: u32,
-    guards: Guards,
-) -> Result<(FramedScene, PreparedScene), Failure> {
-    let format = Format::new(format).map_err(Failure::input)?;
-    let format = format
-        .with_guards(guards.linear, guards.quadratic)
-        .map_err(Failure::input)?;
-    let (width, height) = match size {
+/// Size of a picture: the one asked for, or the scene's own.
+fn size_of(file: &SceneFile, size: Option<Size>) -> (u32, u32) {
+    match size {
         Some(size) => (size.width, size.height),
         None => (file.image.width, file.image.height),
-    };
+    }
+}
+
+fn frame_in(
+    file: &SceneFile,
+    size: Option<Size>,
+    format: Format,
+) -> Result<(FramedScene, PreparedScene), Failure> {
+    let (width, height) = size_of(file, size);
     let framed = file.frame(width, height).map_err(Failure::input)?;
     let bar = output::progress(steps(&framed), "preparation");
     let prepared = prepare_reporting(&framed, format, Options::default(), &|| bar.inc(1));

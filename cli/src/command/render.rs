@@ -7,8 +7,10 @@ use crate::output;
 use imogene_models::machine::frame::Frame;
 use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::{beam, shading};
+use imogene_models::metrics::Drawing;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::{FramedScene, FramedSource};
+use imogene_models::trade::measure::zones;
 use imogene_models::{exact, picture};
 use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::report::Report;
@@ -36,6 +38,9 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let (framed, prepared) = load_scene(&options.scene)?;
     let prepare_seconds = started.elapsed().as_secs_f64();
+    if let Some(zone) = options.zone {
+        return zoned(options, zone, &framed, &prepared, json);
+    }
     let started = Instant::now();
     let (model, frame) = match options.model {
         Model::Exact => ("exact", exact_frame(&framed, &prepared)),
@@ -49,18 +54,66 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     };
     let seconds = started.elapsed().as_secs_f64();
     let files = write(options, &frame, &lighting, &framed, &prepared)?;
-    let pixels = f64::from(prepared.width) * f64::from(prepared.height);
-    let report = RenderReport {
-        model,
-        width: prepared.width,
-        height: prepared.height,
-        prepare_seconds,
-        seconds,
-        pixels_per_second: pixels / seconds.max(1e-9),
-        covered_pixels: frame.covered(),
-        volumes: prepared.volumes.len(),
-        files,
-    };
+    report(
+        RenderReport {
+            model,
+            width: prepared.width,
+            height: prepared.height,
+            prepare_seconds,
+            seconds,
+            pixels_per_second: per_second(&prepared, seconds),
+            covered_pixels: frame.covered(),
+            volumes: prepared.volumes.len(),
+            files,
+        },
+        json,
+    );
+    Ok(())
+}
+
+/// The picture of coefficients that are rounded anew for each zone.
+fn zoned(
+    options: &Render,
+    zone: u32,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+    json: bool,
+) -> Result<(), Failure> {
+    if options.model != Model::Golden {
+        return Err(Failure::Input(
+            "zones are drawn by the golden model; give --model golden, or leave --zone out".into(),
+        ));
+    }
+    let started = Instant::now();
+    let zones = zones(framed, prepared.format, zone).map_err(Failure::input)?;
+    let prepare_seconds = started.elapsed().as_secs_f64();
+    let started = Instant::now();
+    let frame = Drawing::in_zones(&zones, framed).frame;
+    let lighting = golden_lighting(&frame, prepared);
+    let seconds = started.elapsed().as_secs_f64();
+    let files = write(options, &frame, &lighting, framed, prepared)?;
+    report(
+        RenderReport {
+            model: "golden",
+            width: prepared.width,
+            height: prepared.height,
+            prepare_seconds,
+            seconds,
+            pixels_per_second: per_second(prepared, seconds),
+            covered_pixels: frame.covered(),
+            volumes: prepared.volumes.len(),
+            files,
+        },
+        json,
+    );
+    Ok(())
+}
+
+fn per_second(prepared: &PreparedScene, seconds: f64) -> f64 {
+    f64::from(prepared.width) * f64::from(prepared.height) / seconds.max(1e-9)
+}
+
+fn report(report: RenderReport, json: bool) {
     if json {
         output::json(&report);
     } else {
@@ -78,7 +131,6 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
             output::text(format!("wrote {}", file.display()));
         }
     }
-    Ok(())
 }
 
 fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
@@ -119,6 +171,11 @@ pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
 }
 
 fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+    if !prepared.format.is_of_catalogue() {
+        return Err(Failure::Input(
+            "the hardware of --model rtl has the widths of the catalogue; give --format, or --model golden or exact".into(),
+        ));
+    }
     if prepared.format.has_guards() {
         return Err(Failure::Input(
             "the hardware has no guard bits; give --guards 0:0, or --model golden or exact".into(),

@@ -39,24 +39,33 @@ pub fn sample(height: u32) -> Vec<u32> {
     (0..SAMPLE).map(middle).collect()
 }
 
-/// Counts the slots of a machine on the sample of lines of a screen.
-pub fn count(
-    slots: &[&QuadricWords],
-    format: &Format,
-    rows_per_stage: u32,
-    (width, height): (u32, u32),
-) -> Toggles {
+/// A rectangle of the screen and the words with which the slots of a machine draw it.
+pub struct Part<'a> {
+    /// Words for the whole screen.
+    pub slots: Vec<&'a QuadricWords>,
+    /// First column and line.
+    pub first: (usize, usize),
+    /// Columns and lines.
+    pub size: (usize, usize),
+}
+
+/// Counts the slots of a machine on the sample of lines of a screen of so many lines, which its parts cover.
+pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) -> Toggles {
     let lines = sample(height);
     let mut sums = Sums::default();
-    for words in slots {
-        for &line in &lines {
-            let zone = words.for_zone(0, i64::from(line), i64::from(width), 1);
-            sums.count_line(&zone, format, rows_per_stage, width);
+    // A line of n pixels has n - 1 changes.
+    let mut changes = 0;
+    for part in parts {
+        let ((x, y), (width, height)) = (part.first, part.size);
+        for line in lines.iter().filter(|l| (y..y + height).contains(&(**l as usize))) {
+            changes += width - 1;
+            for words in &part.slots {
+                let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
+                sums.count_line(&zone, format, rows_per_stage, width as u32);
+            }
         }
     }
-    // A line of n pixels has n - 1 changes.
-    let changes = f64::from(width.saturating_sub(1).max(1)) * lines.len() as f64;
-    let per_pixel = |bits: u64| bits as f64 / changes;
+    let per_pixel = |bits: u64| bits as f64 / changes.max(1) as f64;
     Toggles {
         pe1: per_pixel(sums.pe1),
         pe2: per_pixel(sums.pe2),
@@ -232,13 +241,21 @@ mod tests {
             },
             planes: vec![],
         };
-        let toggles = count(&[&words], &Format::BASE, 1, (16, 12));
+        let counted = |slots: Vec<&QuadricWords>, width, height| {
+            let whole = Part {
+                slots,
+                first: (0, 0),
+                size: (width, height),
+            };
+            count(&[whole], &Format::BASE, 1, height as u32)
+        };
+        let toggles = counted(vec![&words], 16, 12);
         assert_eq!(toggles.total, 0.0);
         let moving = QuadricWords {
             f1: Linear::new(1, 0, 0),
-            ..words
+            ..words.clone()
         };
-        let toggles = count(&[&moving, &moving], &Format::BASE, 1, (3, 1));
+        let toggles = counted(vec![&moving, &moving], 3, 1);
         // Two slots of 0, 1, 2: three changes of bits in two clocks each; the sums are the same less and more 1024.
         assert_eq!((toggles.pe1, toggles.pe2, toggles.root), (3.0, 0.0, 0.0));
         assert_eq!(toggles.depth, toggles.total - 3.0);

@@ -1,0 +1,136 @@
+//! `imogene trade`.
+
+use super::size_of;
+use crate::arguments::{Points, Trade};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::picture::write_whole;
+use imogene_models::scene::SceneFile;
+use imogene_models::trade::design::Space;
+use imogene_models::trade::page::page;
+use imogene_models::trade::plot;
+use imogene_models::trade::point::Cost;
+use imogene_models::trade::report::{self, FRONTS};
+use imogene_models::trade::run::{self, Request};
+use imogene_synth::target::Target;
+use serde_json::json;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Measures the points of the design space and shows them.
+pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
+    let started = Instant::now();
+    let file = SceneFile::read(&options.scene).map_err(Failure::input)?;
+    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let space = match options.points {
+        Points::Quick => Space::Quick,
+        Points::Full => Space::Full,
+    };
+    let designs = space.designs();
+    let bar = output::progress(designs.len() as u64, "points");
+    let version = env!("CARGO_PKG_VERSION");
+    let request = Request {
+        file: &file,
+        name: &options.scene.display().to_string(),
+        size: size_of(&file, options.size),
+        target: target.name(),
+        designs,
+        out: &options.out,
+        version,
+        program: &format!("{version} {}", own_digest()?),
+        cost: &|machine| cost(machine, target),
+        done: &|points| bar.inc(points),
+    };
+    if let Some(shard) = options.shard {
+        let points = run::run_shard(&request, shard.0).map_err(Failure::input)?;
+        bar.finish_and_clear();
+        say(json, &json!({ "points": points, "files": [] }), || {
+            format!("part {} of {}: {points} points", shard.0.number, shard.0.of)
+        });
+        return Ok(());
+    }
+    let trade = run::run(&request).map_err(Failure::input)?;
+    bar.finish_and_clear();
+    let files = write(&trade, &options.out)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let count = |wanted: fn(&report::Entry) -> bool| trade.points.iter().filter(|e| wanted(e)).count();
+    let summary = json!({
+        "points": trade.points.len(),
+        "refused": count(|e| e.point.refused.is_some()),
+        "silhouette_exact": count(|e| e.silhouette_exact),
+        "without_cost": count(|e| e.point.cost.is_none()),
+        "seconds": seconds,
+        "files": files,
+    });
+    say(json, &summary, || text(&trade, &files, seconds));
+    Ok(())
+}
+
+fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) {
+    if json {
+        output::json(document);
+    } else {
+        output::text(text());
+    }
+}
+
+/// What synthesis says of a machine.
+fn cost(_: &FittedMachine, target: Target) -> Result<Cost, String> {
+    Err(format!(
+        "synthesis of fitted machines for {} is not part of this version",
+        target.name()
+    ))
+}
+
+/// What tells this program from any other: results of another one are measured again.
+fn own_digest() -> Result<String, Failure> {
+    let bytes = std::env::current_exe()
+        .and_then(std::fs::read)
+        .map_err(|error| Failure::Input(format!("cannot read the program itself: {error}")))?;
+    Ok(run::digest(&bytes))
+}
+
+fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = vec![];
+    let mut put = |name: &str, text: String| -> Result<(), Failure> {
+        let path = folder.join(name);
+        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        files.push(path);
+        Ok(())
+    };
+    let json = serde_json::to_string_pretty(trade).map_err(Failure::input)?;
+    put("trade.json", json + "\n")?;
+    put("trade.csv", trade.csv())?;
+    for front in &FRONTS {
+        let picture = plot::draw(trade, front).map_err(Failure::input)?;
+        put(&format!("plots/{}.svg", front.name), picture)?;
+    }
+    put("index.html", page(trade, folder).map_err(Failure::input)?)?;
+    Ok(files)
+}
+
+fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {
+    let mut text = format!(
+        "{}: {} points at {} x {} pixels in {seconds:.1} s\n",
+        trade.title,
+        trade.points.len(),
+        trade.width,
+        trade.height
+    );
+    let exact = trade.points.iter().filter(|e| e.silhouette_exact);
+    let refused = trade.points.iter().filter(|e| e.point.refused.is_some());
+    text += &format!(
+        "  {} without a silhouette error, {} that the scene does not fit\n",
+        exact.count(),
+        refused.count()
+    );
+    if let Some(problem) = trade.points.iter().find_map(|e| e.point.cost_refused.as_ref()) {
+        text += &format!("  no cost of some points: {problem}\n");
+    }
+    for file in files {
+        text += &format!("wrote {}\n", file.display());
+    }
+    text.trim_end().to_owned()
+}

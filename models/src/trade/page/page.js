@@ -1,0 +1,270 @@
+"use strict";
+(() => {
+const body = document.body;
+body.dataset.errors = "0";
+addEventListener("error", () => { body.dataset.errors = String(1 + Number(body.dataset.errors)); });
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const get = (object, path) => path.split(".").reduce((value, key) => value == null ? value : value[key], object);
+const fixed = digits => value => value.toFixed(digits);
+const whole = value => String(Math.round(value));
+const figures = value => value === 0 ? "0" : value < 0.001 || value >= 1e5 ? value.toExponential(1) : String(Number(value.toPrecision(3)));
+
+// Name in filters and in the address, heading, meaning, where it is, how it is written.
+const columns = [
+  ["id", "point", "Name of the point", "id", String],
+  ["w", "W", "Depth word, bits", "design.accuracy.depth", whole],
+  ["k", "K", "Root, bits", "format.root", whole],
+  ["p", "P", "Plane word, bits", "format.plane", whole],
+  ["n", "n", "Normal component, bits", "design.accuracy.normal", whole],
+  ["g1", "g1", "Guard bits of f1", "design.accuracy.guard_linear", whole],
+  ["g2", "g2", "Guard bits of f2", "design.accuracy.guard_quadratic", whole],
+  ["d", "d", "Last digits of the root that are not computed", "design.accuracy.dropped_rows", whole],
+  ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
+  ["zone", "zone", "Zone side in pixels, 0: whole screen", "design.accuracy.zone", whole],
+  ["depth", "depth px", "Greatest depth error, pixels", "errors.depth_px.max", figures],
+  ["silh", "silh", "Silhouette errors: pixels missing or extra", "errors.silhouette", whole],
+  ["part", "part", "Visible-part errors: wrong object or face", "errors.visible_part", whole],
+  ["cracks", "cracks", "Pixels that look through a closed surface", "errors.cracks", whole],
+  ["normal", "normal \u00b0", "Normal error in degrees, 99.9 %", "errors.normal_deg.quantile_999", figures],
+  ["colour", "colour", "Greatest channel difference in 1/255, 99.9 %", "errors.colour.quantile_999", whole],
+  ["cells", "cells", "Logic cells", "cost.cells", whole],
+  ["mhz", "MHz", "Greatest clock", "cost.fmax_mhz", fixed(0)],
+  ["latency", "lat.", "Clocks to the first pixel", "latency", whole],
+  ["mpps", "Mpix/s", "Million pixels per second at the greatest clock", "pixels_per_second", value => (value / 1e6).toFixed(1)],
+  ["toggles", "toggles", "Register bits that change per pixel", "toggles.total", whole],
+].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
+const byKey = new Map(columns.map(column => [column.key, column]));
+const shown = columns.filter(column => !["cells", "mhz", "mpps"].includes(column.key) || data.measure === "cells");
+
+const defaults = { sort: data.measure, dir: "asc", filter: "", point: "", view: "picture" };
+let state = { ...defaults };
+
+function readAddress() {
+  const given = new URLSearchParams(location.hash.slice(1));
+  state = { ...defaults };
+  for (const key of Object.keys(defaults)) if (given.has(key)) state[key] = given.get(key);
+  if (!byKey.has(state.sort)) state.sort = defaults.sort;
+  if (state.dir !== "desc") state.dir = "asc";
+  if (!["picture", "map", "truth"].includes(state.view)) state.view = "picture";
+}
+
+function writeAddress() {
+  const out = new URLSearchParams();
+  for (const key of Object.keys(defaults)) if (state[key] !== defaults[key]) out.set(key, state[key]);
+  const hash = "#" + out.toString();
+  if (location.hash !== hash) history.replaceState(null, "", hash);
+}
+
+// Each word of a filter is a comparison with a column, or a part of a name; all must hold.
+function filterOf(text) {
+  const tests = text.trim().split(/\s+/).filter(Boolean).map(word => {
+    const found = /^([a-z0-9]+)(<=|>=|!=|<|>|=)(-?[0-9.]+(?:e-?[0-9]+)?)$/i.exec(word);
+    const column = found && byKey.get(found[1].toLowerCase());
+    if (!column) {
+      const part = word.toLowerCase();
+      const kinds = { pareto: point => point.pareto.length > 0, exact: point => point.silhouette_exact, refused: point => point.refused != null };
+      return kinds[part] || (point => point.id.includes(part));
+    }
+    const wanted = Number(found[3]);
+    const compare = { "<": (a, b) => a < b, ">": (a, b) => a > b, "<=": (a, b) => a <= b, ">=": (a, b) => a >= b, "=": (a, b) => a === b, "!=": (a, b) => a !== b }[found[2]];
+    return point => { const value = get(point, column.path); return value != null && compare(value, wanted); };
+  });
+  return point => tests.every(test => test(point));
+}
+
+function visible() {
+  const keep = filterOf(state.filter);
+  const column = byKey.get(state.sort);
+  const sign = state.dir === "desc" ? -1 : 1;
+  const order = (a, b) => {
+    const [x, y] = [get(a, column.path), get(b, column.path)];
+    // What has no figure stands last in either direction.
+    if (x == null || y == null) return (x == null) - (y == null);
+    return sign * (x < y ? -1 : x > y ? 1 : 0);
+  };
+  return data.points.filter(keep).map((point, index) => [point, index]).sort((a, b) => order(a[0], b[0]) || a[1] - b[1]).map(pair => pair[0]);
+}
+
+const make = (tag, properties = {}, children = []) => {
+  const element = document.createElement(tag);
+  for (const [key, value] of Object.entries(properties)) {
+    if (key in element && key !== "list") element[key] = value; else element.setAttribute(key, value);
+  }
+  element.append(...children);
+  return element;
+};
+
+const headings = document.querySelector("#points thead tr");
+const rows = document.querySelector("#points tbody");
+
+function drawHeadings() {
+  headings.replaceChildren(...shown.map(column => {
+    const button = make("button", { type: "button", textContent: column.heading, title: `${column.title}; in filters: ${column.key}` });
+    button.addEventListener("click", () => {
+      const again = state.sort === column.key && state.dir === "asc";
+      change({ sort: column.key, dir: again ? "desc" : "asc" });
+      headings.children[shown.indexOf(column)].firstChild.focus();
+    });
+    const cell = make("th", { scope: "col", className: column.key === "id" ? "text" : "" }, [button]);
+    if (column.key === state.sort) cell.setAttribute("aria-sort", state.dir === "asc" ? "ascending" : "descending");
+    return cell;
+  }));
+}
+
+function mark(point) {
+  const kind = point.errors == null ? "none" : (point.silhouette_exact ? "exact" : "") + (point.pareto.length ? " front" : "");
+  return make("i", { className: "dot " + kind });
+}
+
+function drawRows() {
+  const points = visible();
+  rows.replaceChildren(...points.map(point => {
+    const cells = shown.map(column => {
+      const value = get(point, column.path);
+      const cell = make("td", { textContent: value == null ? "\u2013" : column.write(value) });
+      cell.dataset.column = column.key;
+      if (column.key === "id") { cell.className = "text"; cell.prepend(mark(point)); }
+      return cell;
+    });
+    const row = make("tr", { tabIndex: point.id === state.point ? 0 : -1, className: point.refused == null ? "" : "refused" }, cells);
+    row.dataset.point = point.id;
+    row.setAttribute("aria-selected", String(point.id === state.point));
+    return row;
+  }));
+  if (!rows.querySelector("[tabindex='0']") && rows.firstChild) rows.firstChild.tabIndex = 0;
+  document.getElementById("count").textContent = `${points.length} of ${data.points.length} points`;
+  const kept = new Set(points.map(point => point.id));
+  for (const circle of document.querySelectorAll("circle[data-point]")) {
+    circle.classList.toggle("out", !kept.has(circle.dataset.point));
+    circle.classList.toggle("picked", circle.dataset.point === state.point);
+  }
+}
+
+function list(pairs) {
+  const items = pairs.filter(([, value]) => value != null).flatMap(([name, value]) => [make("dt", { textContent: name }), make("dd", { textContent: value })]);
+  return make("dl", {}, items);
+}
+
+function pictureOf(point) {
+  const sources = { picture: data.pictures[point.picture], map: data.pictures[point.map], truth: data.truth };
+  const names = { picture: "picture", map: "error map", truth: "truth" };
+  const tabs = make("div", { className: "tabs" }, Object.keys(names).map(view => {
+    const button = make("button", { type: "button", textContent: names[view] });
+    button.setAttribute("aria-pressed", String(view === state.view));
+    button.addEventListener("click", () => { change({ view }); document.querySelector(`.tabs button:nth-child(${1 + Object.keys(names).indexOf(view)})`).focus(); });
+    return button;
+  }));
+  const image = make("img", { id: "picture", src: sources[state.view], alt: `${names[state.view]} of ${point.id}` });
+  const parts = [tabs, image];
+  if (state.view === "map") parts.push(make("div", { className: "legend" }, [document.getElementById("legend").content.cloneNode(true)]));
+  return parts;
+}
+
+function histogramOf(errors) {
+  const classes = errors.depth_histogram;
+  const most = Math.max(...classes.map(one => Math.log2(1 + one.count)));
+  const bars = classes.map(one => {
+    const bar = make("i", { title: `below ${one.below} words: ${one.count} pixels` });
+    bar.style.height = `${100 * Math.log2(1 + one.count) / most}%`;
+    return bar;
+  });
+  const last = classes[classes.length - 1].below;
+  return [make("h3", { textContent: "Pixels by depth error (words of the base format, logarithmic)" }), make("div", { className: "bars" }, bars),
+    make("div", { className: "axis" }, [make("span", { textContent: "< 1/8" }), make("span", { textContent: `< ${last}` })])];
+}
+
+function drawDetail() {
+  const detail = document.getElementById("detail");
+  const point = data.points.find(one => one.id === state.point);
+  if (!point) {
+    const hint = "Select a point: click a row or a mark, or move with the arrow keys.";
+    detail.replaceChildren(make("p", { className: "hint", textContent: hint }));
+    return;
+  }
+  const parts = [make("h2", { textContent: point.id })];
+  const e = point.errors;
+  const spread = (s, unit, write = figures) => `${write(s.max)} max, ${write(s.quantile_999)} (99.9 %)${unit}`;
+  if (point.refused != null) parts.push(make("p", { className: "note", textContent: `Does not fit: ${point.refused}` }));
+  if (e) {
+    parts.push(...pictureOf(point));
+    const f = point.format;
+    parts.push(make("h3", { textContent: "Machine" }), list([
+      ["depth, root, plane, normal", `${f.depth}, ${f.root}, ${f.plane}, ${f.normal} bits`],
+      ["guard bits; digits dropped", `${f.guard_linear}, ${f.guard_quadratic}; ${f.dropped_rows}`],
+      ["rows per stage; zones", `${point.machine.rows_per_stage}; ${point.design.accuracy.zone || "whole screen"}`],
+      ["slots (cut planes each)", `${point.machine.slots.length} (${point.machine.slots.map(s => s.planes).join(" ")})`],
+      ["latency; clocks per image", `${point.latency}; ${point.clocks_per_frame}`],
+      ["register toggles per pixel", `${whole(point.toggles.total)} (PE1 ${whole(point.toggles.pe1)}, PE2 ${whole(point.toggles.pe2)}, root ${whole(point.toggles.root)}, depth ${whole(point.toggles.depth)})`],
+      ["LUT, FF, DSP", point.cost && `${point.cost.lut}, ${point.cost.ff}, ${point.cost.dsp}`],
+      ["cells; clock", point.cost && `${point.cost.cells}; ${point.cost.fmax_mhz.toFixed(1)} MHz`],
+      ["pixels per second", point.pixels_per_second && `${(point.pixels_per_second / 1e6).toFixed(2)} million`],
+    ]));
+    if (point.cost_refused) parts.push(make("p", { className: "note", textContent: `No cost: ${point.cost_refused}` }));
+    parts.push(make("h3", { textContent: "Errors" }), list([
+      ["missing; extra", `${e.missing}; ${e.extra} of ${e.covered}`],
+      ["wrong object; wrong face", `${e.wrong_object}; ${e.wrong_face}`],
+      ["cracks", String(e.cracks)],
+      ["front depth, base words", spread(e.depth_words, "")],
+      ["front depth, pixels", `${spread(e.depth_px, "")}, ${figures(e.depth_px.rms)} rms`],
+      ["back depth, pixels", e.back_px.count ? spread(e.back_px, "") : null],
+      ["patches with a face too few or many", String(e.back_differs)],
+      ["normal", `${spread(e.normal_deg, "")}\u00b0`],
+      ["colour, 1/255", spread(e.colour, "", whole)],
+      ["colour, same face", spread(e.colour_same_face, "", whole)],
+    ]), ...histogramOf(e));
+  }
+  parts.push(make("h3", { textContent: "Reproduce" }), make("pre", { textContent: point.command, tabIndex: 0 }));
+  detail.replaceChildren(...parts);
+}
+
+function draw() {
+  drawHeadings();
+  drawRows();
+  drawDetail();
+  body.dataset.ready = state.sort;
+}
+
+function change(by) {
+  state = { ...state, ...by };
+  writeAddress();
+  draw();
+}
+
+function pick(id, focus) {
+  change({ point: id });
+  const row = rows.querySelector(`[data-point="${CSS.escape(id)}"]`);
+  if (!row) return;
+  row.scrollIntoView({ block: "nearest" });
+  if (focus) row.focus({ preventScroll: true });
+}
+
+rows.addEventListener("click", event => {
+  const row = event.target.closest("tr");
+  if (row) pick(row.dataset.point, true);
+});
+rows.addEventListener("keydown", event => {
+  const row = event.target.closest("tr");
+  const next = { ArrowDown: row.nextElementSibling, ArrowUp: row.previousElementSibling, Home: rows.firstChild, End: rows.lastChild, Enter: row, " ": row }[event.key];
+  if (next === undefined) return;
+  event.preventDefault();
+  if (next) pick(next.dataset.point, true);
+});
+for (const circle of document.querySelectorAll("circle[data-point]")) {
+  const title = document.createElementNS("http://www.w3.org/2000/svg", "title");
+  title.textContent = circle.dataset.point;
+  circle.append(title);
+  circle.addEventListener("click", () => pick(circle.dataset.point, false));
+}
+const filter = document.getElementById("filter");
+filter.addEventListener("input", () => change({ filter: filter.value }));
+function fromAddress() {
+  readAddress();
+  filter.value = state.filter;
+  draw();
+  const row = state.point && rows.querySelector(`[data-point="${CSS.escape(state.point)}"]`);
+  if (row) row.parentNode.parentNode.parentNode.scrollTop = Math.max(0, row.offsetTop - 120);
+}
+addEventListener("hashchange", fromAddress);
+fromAddress();
+})();

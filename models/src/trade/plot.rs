@@ -1,0 +1,151 @@
+//! The fronts as pictures: area against one error.
+
+use super::TradeError;
+use super::report::{Entry, Front, Trade, hardware};
+use plotters::prelude::*;
+
+const SIZE: (u32, u32) = (420, 300);
+const FONT: &str = "sans-serif";
+/// Silhouette-exact points.
+const EXACT: RGBColor = RGBColor(10, 120, 80);
+/// The others.
+const OTHER: RGBColor = RGBColor(190, 90, 20);
+const GRID: RGBColor = RGBColor(230, 230, 230);
+
+/// A point of the picture.
+struct Dot<'a> {
+    entry: &'a Entry,
+    x: f64,
+    y: f64,
+}
+
+/// Draws a front as SVG. The mark of a point is a circle with its name as `data-point`: green if silhouette-exact, else orange; filled if on the front. The first
+/// circles are the marks, in the order of the points that have both figures.
+pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
+    let dots = dots(trade, front);
+    let failed = |problem: String| TradeError::Draw {
+        what: "a plot",
+        problem,
+    };
+    let mut text = String::new();
+    draw_dots(&mut text, trade, front, &dots).map_err(|e| failed(e.to_string()))?;
+    let mut names = dots.iter().map(|dot| &dot.entry.point.id);
+    let mut parts = text.split("<circle ");
+    let mut marked = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        marked += match names.next() {
+            Some(id) => format!("<circle data-point=\"{id}\" {part}"),
+            None => format!("<circle {part}"),
+        }
+        .as_str();
+    }
+    Ok(marked)
+}
+
+fn dots<'a>(trade: &'a Trade, front: &Front) -> Vec<Dot<'a>> {
+    let dot = |entry: &'a Entry| {
+        let error = (front.error)(entry.point.errors.as_ref()?);
+        Some(Dot {
+            entry,
+            x: hardware(&entry.point, trade.measure)?,
+            y: place(front, error),
+        })
+    };
+    trade.points.iter().filter_map(dot).collect()
+}
+
+/// Errors below this are drawn as this.
+const LEAST: f64 = 1e-6;
+
+/// Where an error stands on its axis: its power of ten, or for counts the power of two of one more.
+fn place(front: &Front, error: f64) -> f64 {
+    if front.counts {
+        (1.0 + error).log2()
+    } else {
+        error.max(LEAST).log10()
+    }
+}
+
+fn label(front: &Front, place: f64) -> String {
+    let value = if front.counts {
+        place.exp2() - 1.0
+    } else {
+        10f64.powf(place)
+    };
+    match value {
+        v if v >= 10.0 || front.counts => format!("{v:.0}"),
+        v if v >= 0.01 => format!("{v:.2}"),
+        v => format!("{v:.0e}"),
+    }
+}
+
+fn draw_dots(
+    text: &mut String,
+    trade: &Trade,
+    front: &Front,
+    dots: &[Dot],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
+    area.fill(&WHITE)?;
+    let (x, y) = (range(dots, |d| d.x), range(dots, |d| d.y));
+    let mut chart = ChartBuilder::on(&area)
+        .margin(10)
+        .caption(front.title, (FONT, 15))
+        .x_label_area_size(36)
+        .y_label_area_size(46)
+        .build_cartesian_2d(x, y)?;
+    let hardware = match trade.measure {
+        "cells" => format!("logic cells ({})", trade.target),
+        _ => "register bits that toggle per pixel".to_owned(),
+    };
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GRID)
+        .x_labels(5)
+        .y_labels(6)
+        .x_label_formatter(&|v| format!("{v:.0}"))
+        .y_label_formatter(&|v| label(front, *v))
+        .x_desc(hardware)
+        .label_style((FONT, 12))
+        .draw()?;
+    let style = |dot: &Dot| {
+        let colour = match dot.entry.silhouette_exact {
+            true => EXACT,
+            false => OTHER,
+        };
+        match dot.entry.pareto.contains(&front.name) {
+            true => (5, colour.filled()),
+            false => (3, colour.stroke_width(1)),
+        }
+    };
+    chart.draw_series(dots.iter().map(|dot| {
+        let (radius, style) = style(dot);
+        Circle::new((dot.x, dot.y), radius, style)
+    }))?;
+    chart.draw_series(LineSeries::new(steps(front, dots), GRID.mix(1.0)))?;
+    area.present()?;
+    Ok(())
+}
+
+/// The front as a line, from the smallest machine on.
+fn steps(front: &Front, dots: &[Dot]) -> Vec<(f64, f64)> {
+    let on = dots
+        .iter()
+        .filter(|d| d.entry.pareto.contains(&front.name))
+        .map(|d| (d.x, d.y));
+    let mut on: Vec<(f64, f64)> = on.collect();
+    on.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    on
+}
+
+/// The values with a little room around them.
+fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> std::ops::Range<f64> {
+    let least = dots.iter().map(of).fold(f64::INFINITY, f64::min);
+    let most = dots.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    if dots.is_empty() {
+        return 0.0..1.0;
+    }
+    let room = 0.06 * (most - least).max(0.5);
+    least - room..most + room
+}

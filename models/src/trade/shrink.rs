@@ -1,0 +1,108 @@
+//! Pictures of few colours, for the page.
+
+use color_quant::NeuQuant;
+use std::collections::HashMap;
+
+/// Colours of a picture of the page.
+const COLOURS: usize = 256;
+
+/// Reduces pictures to one set of colours, chosen for a picture like all of them.
+pub struct Reducer {
+    network: NeuQuant,
+    palette: Vec<u8>,
+}
+
+impl Reducer {
+    /// Chooses the colours by a picture.
+    pub fn new(rgb: &[u8]) -> Reducer {
+        let opaque: Vec<u8> = rgb.chunks_exact(3).flat_map(|c| [c[0], c[1], c[2], 255]).collect();
+        // Every pixel is looked at, so that small bright spots have their colours.
+        let network = NeuQuant::new(1, COLOURS, &opaque);
+        let palette = network.color_map_rgb();
+        Reducer { network, palette }
+    }
+
+    /// A picture in these colours, as PNG.
+    pub fn png(&self, width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
+        let mut known: HashMap<[u8; 3], u8> = HashMap::new();
+        let index = |c: &[u8]| {
+            let colour = [c[0], c[1], c[2]];
+            let find = || self.network.index_of(&[c[0], c[1], c[2], 255]) as u8;
+            *known.entry(colour).or_insert_with(find)
+        };
+        let indices: Vec<u8> = rgb.chunks_exact(3).map(index).collect();
+        encode(width, height, &self.palette, &indices)
+    }
+}
+
+/// A picture of at most 256 colours without any change, as PNG; nothing if it has more.
+pub fn exact_png(
+    width: u32,
+    height: u32,
+    rgb: &[u8],
+) -> Option<Result<Vec<u8>, png::EncodingError>> {
+    let mut known: HashMap<[u8; 3], usize> = HashMap::new();
+    let mut palette = vec![];
+    let mut indices = Vec::with_capacity(rgb.len() / 3);
+    for c in rgb.chunks_exact(3) {
+        let next = known.len();
+        let index = *known.entry([c[0], c[1], c[2]]).or_insert_with(|| {
+            palette.extend_from_slice(c);
+            next
+        });
+        indices.push(u8::try_from(index).ok()?);
+    }
+    Some(encode(width, height, &palette, &indices))
+}
+
+fn encode(
+    width: u32,
+    height: u32,
+    palette: &[u8],
+    indices: &[u8],
+) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = vec![];
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_palette(palette);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(indices)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn decoded(bytes: &[u8]) -> Vec<u8> {
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut rgb).unwrap();
+        rgb
+    }
+
+    #[test]
+    fn few_colours_stay_as_they_are() {
+        let rgb: Vec<u8> = (0..200u8).flat_map(|v| [v, 255 - v, 7]).collect();
+        let bytes = exact_png(20, 10, &rgb).unwrap().unwrap();
+        assert_eq!(decoded(&bytes), rgb);
+        let many: Vec<u8> = (0..300u32).flat_map(|v| [v as u8, (v >> 8) as u8, 0]).collect();
+        assert!(exact_png(30, 10, &many).is_none());
+    }
+
+    #[test]
+    fn many_colours_stay_near() {
+        let rgb: Vec<u8> = (0..4096u32)
+            .flat_map(|v| [(v % 64 * 4) as u8, (v / 64 * 4) as u8, 90])
+            .collect();
+        let bytes = Reducer::new(&rgb).png(64, 64, &rgb).unwrap();
+        let off = |(a, b): (&u8, &u8)| u32::from(a.abs_diff(*b));
+        let sum: u32 = decoded(&bytes).iter().zip(&rgb).map(off).sum();
+        assert!(sum / (3 * 4096) < 8, "{}", sum / (3 * 4096));
+    }
+}

@@ -1,0 +1,67 @@
+//! Files of finished points: one each, whole or not there, and taken again only by a run that would make the same.
+
+use super::point::Point;
+use crate::picture::{WriteError, write_whole};
+use serde::{Deserialize, Serialize};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// What a result depends on besides its point.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Key {
+    /// Digest of the scene.
+    pub scene: String,
+    /// The scene as the commands name it.
+    pub name: String,
+    /// Picture size.
+    pub size: (u32, u32),
+    /// Device of the costs.
+    pub target: String,
+    /// The program.
+    pub program: String,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    key: Key,
+    point: Point,
+}
+
+/// A folder of results.
+pub struct Store<'a> {
+    /// The folder.
+    pub folder: &'a Path,
+    /// What its results must belong to.
+    pub key: Key,
+}
+
+impl Store<'_> {
+    /// The file of a point.
+    pub fn path(&self, id: &str) -> PathBuf {
+        self.folder.join("points").join(format!("{id}.json"))
+    }
+
+    /// A point that is finished and belongs to this run.
+    pub fn take(&self, id: &str) -> Option<Point> {
+        let bytes = std::fs::read(self.path(id)).ok()?;
+        let kept: Kept = serde_json::from_slice(&bytes).ok()?;
+        let pictures = [&kept.point.picture, &kept.point.map];
+        let has_pictures = pictures
+            .into_iter()
+            .flatten()
+            .all(|name| self.folder.join(name).is_file());
+        (kept.key == self.key && kept.point.id == id && has_pictures).then_some(kept.point)
+    }
+
+    /// Keeps a point.
+    pub fn keep(&self, point: &Point) -> Result<(), WriteError> {
+        let kept = Kept {
+            key: self.key.clone(),
+            point: point.clone(),
+        };
+        write_whole(&self.path(&point.id), |out| {
+            serde_json::to_writer_pretty(&mut *out, &kept)?;
+            out.write_all(b"\n")
+        })
+    }
+}
