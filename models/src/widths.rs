@@ -64,7 +64,9 @@ pub fn print(widths: &FittedWidths) -> String {
         widths.dropped_rows,
     ];
     let parts = NAMES.iter().zip(values);
-    let parts: Vec<String> = parts.map(|(name, value)| format!("{name}={value}")).collect();
+    let parts: Vec<String> = parts
+        .map(|(name, value)| format!("{name}={value}"))
+        .collect();
     parts.join(",")
 }
 
@@ -85,7 +87,14 @@ mod tests {
     #[test]
     fn what_is_no_width_is_refused() {
         let refused = |text: &str| parse(text).unwrap_err().to_string();
-        for text in ["", "depth", "depth=", "depth=-3", "depth=20;root=3", "width=3"] {
+        for text in [
+            "",
+            "depth",
+            "depth=",
+            "depth=-3",
+            "depth=20;root=3",
+            "width=3",
+        ] {
             assert!(refused(text).contains("expected a list"), "{text}");
         }
         assert!(refused("depth=20,depth=20").contains("twice"));

@@ -44,7 +44,9 @@ fn format_of(scene: &Scene) -> Result<Format, Failure> {
     }
     let format = Format::new(scene.format).map_err(Failure::input)?;
     let Guards { linear, quadratic } = scene.guards;
-    format.with_guards(linear, quadratic).map_err(Failure::input)
+    format
+        .with_guards(linear, quadratic)
+        .map_err(Failure::input)
 }
 
 fn frame_scene(

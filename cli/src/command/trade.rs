@@ -13,7 +13,7 @@ use imogene_models::trade::plot;
 use imogene_models::trade::point::Cost;
 use imogene_models::trade::report::{self, FRONTS};
 use imogene_models::trade::run::{self, Request};
-use imogene_synth::target::Target;
+use imogene_synth::Target;
 use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,8 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     bar.finish_and_clear();
     let files = write(&trade, &options.out)?;
     let seconds = started.elapsed().as_secs_f64();
-    let count = |wanted: fn(&report::Entry) -> bool| trade.points.iter().filter(|e| wanted(e)).count();
+    let count =
+        |wanted: fn(&report::Entry) -> bool| trade.points.iter().filter(|e| wanted(e)).count();
     let summary = json!({
         "points": trade.points.len(),
         "refused": count(|e| e.point.refused.is_some()),
@@ -126,7 +127,11 @@ fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {
         exact.count(),
         refused.count()
     );
-    if let Some(problem) = trade.points.iter().find_map(|e| e.point.cost_refused.as_ref()) {
+    if let Some(problem) = trade
+        .points
+        .iter()
+        .find_map(|e| e.point.cost_refused.as_ref())
+    {
         text += &format!("  no cost of some points: {problem}\n");
     }
     for file in files {

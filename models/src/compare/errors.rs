@@ -114,7 +114,11 @@ pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<
             least = least.min(depth * percent);
         }
     }
-    let sum = summed(own.iter().copied(), own.len(), subject.truth.words_per_pixel);
+    let sum = summed(
+        own.iter().copied(),
+        own.len(),
+        subject.truth.words_per_pixel,
+    );
     (subject.spheres[object] && sum.same > 0).then_some(Bulge {
         radius_px,
         most_percent: most,

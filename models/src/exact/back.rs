@@ -71,7 +71,14 @@ pub fn backs(
     let rays: Vec<Option<RayObject>> = scene
         .objects
         .iter()
-        .map(|o| Some(RayObject::new(o.quadric()?, &scene.projection, width, height)))
+        .map(|o| {
+            Some(RayObject::new(
+                o.quadric()?,
+                &scene.projection,
+                width,
+                height,
+            ))
+        })
         .collect();
     let full = BigInt::from(format.z_max());
     let back = |(index, pixel): (usize, &Option<ExactPixel>)| {

@@ -9,9 +9,7 @@ use super::truth::Truth;
 /// All nine: a pixel on an object's outline that the picture misses shows what is truly seen beside it, which is no crack.
 pub fn cracks(truth: &Truth, golden: Golden) -> Vec<usize> {
     let lines = 1..truth.height.saturating_sub(1);
-    let all = lines.flat_map(|y| {
-        (1..truth.width.saturating_sub(1)).map(move |x| (x, y))
-    });
+    let all = lines.flat_map(|y| (1..truth.width.saturating_sub(1)).map(move |x| (x, y)));
     all.filter(|&(x, y)| is_crack(truth, golden, x, y))
         .map(|(x, y)| y * truth.width + x)
         .collect()
@@ -24,8 +22,7 @@ fn is_crack(truth: &Truth, golden: Golden, x: usize, y: usize) -> bool {
     };
     let id = golden.frame.id[index];
     let same_object = id == exact.id as i32;
-    if same_object
-        && (!golden.numbered[id as usize] || golden.frame.number[index] == exact.number)
+    if same_object && (!golden.numbered[id as usize] || golden.frame.number[index] == exact.number)
     {
         return false;
     }
@@ -41,4 +38,3 @@ fn is_crack(truth: &Truth, golden: Golden, x: usize, y: usize) -> bool {
     let margin = truth.words_per_pixel.max(one_word(golden.format));
     id < 0 || word_error(golden.frame.depth[index], deepest, golden.format) > margin
 }
-

@@ -67,7 +67,11 @@ impl Drawing {
             format: prepared.format,
             frame,
             backs,
-            numbered: prepared.objects.iter().map(|o| o.quadric().is_some()).collect(),
+            numbered: prepared
+                .objects
+                .iter()
+                .map(|o| o.quadric().is_some())
+                .collect(),
             rgb,
         }
     }
@@ -83,7 +87,9 @@ fn paste(zone: &ZoneScene, frame: &mut Frame, backs: &mut [i64]) {
         .iter()
         .map(|slot| Slot {
             object: slot.object,
-            words: slot.words.for_zone(corner.0, corner.1, columns as i64, lines as i64),
+            words: slot
+                .words
+                .for_zone(corner.0, corner.1, columns as i64, lines as i64),
         })
         .collect();
     let (part, part_backs) =

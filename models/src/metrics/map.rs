@@ -99,7 +99,14 @@ mod tests {
 
     #[test]
     fn classes_are_powers_of_two_of_words() {
-        let wanted = [(0.0, -4), (0.0625, -4), (0.07, -3), (-1.0, 0), (1.01, 1), (1e9, 19)];
+        let wanted = [
+            (0.0, -4),
+            (0.0625, -4),
+            (0.07, -3),
+            (-1.0, 0),
+            (1.01, 1),
+            (1e9, 19),
+        ];
         for (words, class_of) in wanted {
             assert_eq!(class(words), class_of, "{words}");
         }

@@ -91,7 +91,10 @@ fn pixel_error(truth: &Truth, golden: Golden, index: usize) -> PixelError {
 
 /// A depth word of a format less an exact depth, in words of the base format: exact until the last division.
 pub(super) fn word_error(word: i64, exact: i64, format: &Format) -> f64 {
-    let (own, base) = (i128::from(format.z_max()), i128::from(Truth::FORMAT.z_max()));
+    let (own, base) = (
+        i128::from(format.z_max()),
+        i128::from(Truth::FORMAT.z_max()),
+    );
     let difference = ((i128::from(word) * base) << DEPTH_FRACTION) - i128::from(exact) * own;
     difference as f64 / ((own << DEPTH_FRACTION) as f64)
 }

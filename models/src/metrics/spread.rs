@@ -99,7 +99,14 @@ mod tests {
     fn classes_are_half_open_powers_of_two() {
         let classes = histogram(&[0.0, 0.124, 0.125, 0.5, 0.99, 1.0, 3.9]);
         let counts: Vec<(f64, usize)> = classes.iter().map(|c| (c.below, c.count)).collect();
-        let wanted = [(0.125, 2), (0.25, 1), (0.5, 0), (1.0, 2), (2.0, 1), (4.0, 1)];
+        let wanted = [
+            (0.125, 2),
+            (0.25, 1),
+            (0.5, 0),
+            (1.0, 2),
+            (2.0, 1),
+            (4.0, 1),
+        ];
         assert_eq!(counts, wanted);
         assert_eq!(histogram(&[]).len(), 1);
     }

@@ -113,7 +113,9 @@ fn with_colours(
 ) -> Metrics {
     let difference = |index: usize| {
         let channels = 3 * index..3 * index + 3;
-        let pairs = truth.rgb[channels.clone()].iter().zip(&drawing.rgb[channels]);
+        let pairs = truth.rgb[channels.clone()]
+            .iter()
+            .zip(&drawing.rgb[channels]);
         f64::from(pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0))
     };
     let of = |wanted: fn(&PixelError) -> bool| {

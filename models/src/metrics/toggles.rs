@@ -57,7 +57,10 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
     let mut changes = 0;
     for part in parts {
         let ((x, y), (width, height)) = (part.first, part.size);
-        for line in lines.iter().filter(|l| (y..y + height).contains(&(**l as usize))) {
+        for line in lines
+            .iter()
+            .filter(|l| (y..y + height).contains(&(**l as usize)))
+        {
             changes += width - 1;
             for words in &part.slots {
                 let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);

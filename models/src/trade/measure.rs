@@ -110,7 +110,10 @@ fn prepared(
 ) -> Result<(FittedWidths, Vec<ZoneScene>), String> {
     if accuracy.catalogue {
         let format = Format::new(accuracy.depth).map_err(|e| e.to_string())?;
-        return Ok((format.widths(), in_format(scene, accuracy, &format.widths())?));
+        return Ok((
+            format.widths(),
+            in_format(scene, accuracy, &format.widths())?,
+        ));
     }
     let wide = widest(accuracy);
     let zones = in_format(scene, accuracy, &wide)?;
@@ -182,7 +185,11 @@ pub fn zones(
         prepared,
     };
     if zone == 0 {
-        return Ok(vec![whole(prepare_with(scene, format, Options::default())?)]);
+        return Ok(vec![whole(prepare_with(
+            scene,
+            format,
+            Options::default(),
+        )?)]);
     }
     let side = zone as usize;
     let mut all = vec![];

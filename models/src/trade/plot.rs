@@ -4,12 +4,14 @@ use super::TradeError;
 use super::report::{Entry, Front, Trade, hardware};
 use plotters::prelude::*;
 
-const SIZE: (u32, u32) = (420, 300);
+const SIZE: (u32, u32) = (420, 270);
 const FONT: &str = "sans-serif";
 /// Silhouette-exact points.
 const EXACT: RGBColor = RGBColor(10, 120, 80);
 /// The others.
 const OTHER: RGBColor = RGBColor(190, 90, 20);
+/// The line through a front.
+const FRONT: RGBColor = RGBColor(170, 170, 170);
 const GRID: RGBColor = RGBColor(230, 230, 230);
 
 /// A point of the picture.
@@ -119,11 +121,11 @@ fn draw_dots(
             false => (3, colour.stroke_width(1)),
         }
     };
+    chart.draw_series(LineSeries::new(steps(front, dots), FRONT))?;
     chart.draw_series(dots.iter().map(|dot| {
         let (radius, style) = style(dot);
         Circle::new((dot.x, dot.y), radius, style)
     }))?;
-    chart.draw_series(LineSeries::new(steps(front, dots), GRID.mix(1.0)))?;
     area.present()?;
     Ok(())
 }

@@ -86,12 +86,7 @@ pub(super) fn hardware(point: &Point, measure: &str) -> Option<f64> {
     }
 }
 
-pub(super) fn assemble(
-    request: &Request,
-    title: &str,
-    truth: String,
-    points: Vec<Point>,
-) -> Trade {
+pub(super) fn assemble(request: &Request, title: &str, truth: String, points: Vec<Point>) -> Trade {
     let measure = match points.iter().any(|p| p.cost.is_some()) {
         true => "cells",
         false => "toggles",
@@ -154,7 +149,9 @@ impl Trade {
 fn fields(entry: &Entry) -> Vec<String> {
     let point = &entry.point;
     let of = |value: Option<String>| value.unwrap_or_default();
-    let width = |w: fn(&crate::format::FittedWidths) -> u32| of(point.format.as_ref().map(|f| w(f).to_string()));
+    let width = |w: fn(&crate::format::FittedWidths) -> u32| {
+        of(point.format.as_ref().map(|f| w(f).to_string()))
+    };
     let error = |e: fn(&Metrics) -> String| of(point.errors.as_ref().map(e));
     let cost = |c: fn(&Cost) -> String| of(point.cost.as_ref().map(c));
     vec![
@@ -221,7 +218,14 @@ mod tests {
 
     #[test]
     fn the_front_is_what_no_other_point_beats() {
-        let places = [(1.0, 5.0), (2.0, 5.0), (2.0, 3.0), (3.0, 4.0), (2.0, 3.0), (9.0, 0.0)];
+        let places = [
+            (1.0, 5.0),
+            (2.0, 5.0),
+            (2.0, 3.0),
+            (3.0, 4.0),
+            (2.0, 3.0),
+            (9.0, 0.0),
+        ];
         let mut places: Vec<Option<(f64, f64)>> = places.into_iter().map(Some).collect();
         places.push(None);
         let wanted = [true, false, true, false, true, true, false];

@@ -15,7 +15,10 @@ pub struct Reducer {
 impl Reducer {
     /// Chooses the colours by a picture.
     pub fn new(rgb: &[u8]) -> Reducer {
-        let opaque: Vec<u8> = rgb.chunks_exact(3).flat_map(|c| [c[0], c[1], c[2], 255]).collect();
+        let opaque: Vec<u8> = rgb
+            .chunks_exact(3)
+            .flat_map(|c| [c[0], c[1], c[2], 255])
+            .collect();
         // Every pixel is looked at, so that small bright spots have their colours.
         let network = NeuQuant::new(1, COLOURS, &opaque);
         let palette = network.color_map_rgb();
@@ -91,7 +94,9 @@ mod tests {
         let rgb: Vec<u8> = (0..200u8).flat_map(|v| [v, 255 - v, 7]).collect();
         let bytes = exact_png(20, 10, &rgb).unwrap().unwrap();
         assert_eq!(decoded(&bytes), rgb);
-        let many: Vec<u8> = (0..300u32).flat_map(|v| [v as u8, (v >> 8) as u8, 0]).collect();
+        let many: Vec<u8> = (0..300u32)
+            .flat_map(|v| [v as u8, (v >> 8) as u8, 0])
+            .collect();
         assert!(exact_png(30, 10, &many).is_none());
     }
 

@@ -22,7 +22,7 @@ const columns = [
   ["d", "d", "Last digits of the root that are not computed", "design.accuracy.dropped_rows", whole],
   ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
   ["zone", "zone", "Zone side in pixels, 0: whole screen", "design.accuracy.zone", whole],
-  ["depth", "depth px", "Greatest depth error, pixels", "errors.depth_px.max", figures],
+  ["depth", "depth", "Greatest depth error, pixels", "errors.depth_px.max", figures],
   ["silh", "silh", "Silhouette errors: pixels missing or extra", "errors.silhouette", whole],
   ["part", "part", "Visible-part errors: wrong object or face", "errors.visible_part", whole],
   ["cracks", "cracks", "Pixels that look through a closed surface", "errors.cracks", whole],
@@ -35,7 +35,10 @@ const columns = [
   ["toggles", "toggles", "Register bits that change per pixel", "toggles.total", whole],
 ].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
 const byKey = new Map(columns.map(column => [column.key, column]));
-const shown = columns.filter(column => !["cells", "mhz", "mpps"].includes(column.key) || data.measure === "cells");
+// The name tells normal bits, guard bits, digits dropped and zones; they have no column of their own.
+const inName = ["n", "g1", "g2", "d", "zone"];
+const ofCost = data.measure === "cells" ? [] : ["cells", "mhz", "mpps"];
+const shown = columns.filter(column => !inName.includes(column.key) && !ofCost.includes(column.key));
 
 const defaults = { sort: data.measure, dir: "asc", filter: "", point: "", view: "picture" };
 let state = { ...defaults };
