@@ -2,6 +2,8 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use imogene_models::format::FittedWidths;
+use imogene_models::machine::fitted::FittedSlot;
+use imogene_models::slots::{self, SlotsError};
 use imogene_models::trade::run::Shard;
 use imogene_models::widths::{self, WidthsError};
 use imogene_rtl::catalogue::Unit;
@@ -186,6 +188,24 @@ pub struct Emit {
     /// Put NAME before the names of all modules and files, so that several configurations of a unit fit in one design.
     #[arg(long, value_name = "NAME")]
     pub prefix: Option<String>,
+    /// Widths of a machine that is fitted to a scene, instead of --format; with --slots, for the unit beam alone.
+    #[arg(long, value_name = "LIST", requires = "slots", conflicts_with_all = ["format", "planes", "objects"])]
+    pub widths: Option<Widths>,
+    /// Slots of that machine: the planes of each, with a v for those with half B, such as 3,0,2v.
+    #[arg(long, value_name = "LIST", requires = "widths")]
+    pub slots: Option<Slots>,
+}
+
+/// Slots of a fitted machine.
+#[derive(Clone, Debug)]
+pub struct Slots(pub Vec<FittedSlot>);
+
+impl FromStr for Slots {
+    type Err = SlotsError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        slots::parse(text).map(Slots)
+    }
 }
 
 /// Arguments of `contract`.

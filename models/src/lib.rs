@@ -16,6 +16,7 @@ pub mod picture;
 pub mod prepare;
 pub mod rational;
 pub mod scene;
+pub mod slots;
 pub mod trade;
 pub mod unit;
 pub mod widths;

@@ -1,6 +1,6 @@
 //! `imogene demo`.
 
-use super::emit::write_verilog;
+use super::emit::{emitted, write_verilog};
 use super::render::{golden_frame, golden_lighting};
 use super::{describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Shape, Size};
@@ -68,7 +68,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         },
     )?;
     // Written first: an unwritable folder is found before the long work.
-    let (emitted, mut files) = write_verilog(&request, None, &options.out, false)?;
+    let emitted = emitted(&request, None)?;
+    let mut files = write_verilog(&emitted, &options.out, false)?;
 
     let bar = output::progress(
         u64::from(SIZE.width * SIZE.height),

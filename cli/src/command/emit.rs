@@ -1,10 +1,12 @@
 //! `imogene emit`.
 
-use super::emit_request;
-use crate::arguments::Emit;
+use super::{emit_request, fitted};
+use crate::arguments::{Emit, Widths};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::picture::write_whole;
+use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
 use std::io::Write;
@@ -32,12 +34,11 @@ struct PortEntry {
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     let request = emit_request(&options.unit, options.shape)?;
-    let (emitted, files) = write_verilog(
-        &request,
-        options.prefix.as_deref(),
-        &options.out,
-        options.split,
-    )?;
+    let emitted = match &options.widths {
+        Some(widths) => fitted_machine(options, widths, request.unit)?,
+        None => emitted(&request, options.prefix.as_deref())?,
+    };
+    let files = write_verilog(&emitted, &options.out, options.split)?;
     let report = EmitReport {
         unit: request.unit.name(),
         top: emitted.top.clone(),
@@ -63,18 +64,40 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Emits and writes one file, or one for each module and a list of them; returns what was emitted and the files.
-pub fn write_verilog(
-    request: &EmitRequest,
-    prefix: Option<&str>,
-    folder: &Path,
-    split: bool,
-) -> Result<(Emitted, Vec<PathBuf>), Failure> {
+/// The Verilog of a unit of the catalogue.
+pub fn emitted(request: &EmitRequest, prefix: Option<&str>) -> Result<Emitted, Failure> {
     let emitted = match prefix {
         Some(prefix) => emit_with_prefix(request, prefix),
         None => emit(request),
     };
-    let emitted = emitted.map_err(Failure::input)?;
+    emitted.map_err(Failure::input)
+}
+
+/// The Verilog of a machine of the widths and slots asked for.
+fn fitted_machine(options: &Emit, widths: &Widths, unit: Unit) -> Result<Emitted, Failure> {
+    if unit != Unit::Beam {
+        return Err(Failure::Input(format!(
+            "--widths takes the unit beam, not {}: only whole machines are fitted to scenes",
+            unit.name()
+        )));
+    }
+    let machine = FittedMachine {
+        widths: widths.0,
+        rows_per_stage: options.shape.rows_per_stage as u32,
+        slots: options
+            .slots
+            .as_ref()
+            .map_or_else(Vec::new, |s| s.0.clone()),
+    };
+    fitted::emit(&machine, options.prefix.as_deref())
+}
+
+/// Writes one file, or one for each module and a list of them; returns the files.
+pub fn write_verilog(
+    emitted: &Emitted,
+    folder: &Path,
+    split: bool,
+) -> Result<Vec<PathBuf>, Failure> {
     let texts = if split {
         let mut texts = emitted.files();
         let names: Vec<String> = texts.iter().map(|(name, _)| format!("{name}\n")).collect();
@@ -89,7 +112,7 @@ pub fn write_verilog(
         write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
         files.push(path);
     }
-    Ok((emitted, files))
+    Ok(files)
 }
 
 fn port(port: &imogene_rtl::emit::Port) -> PortEntry {

@@ -8,6 +8,7 @@ use crate::machine::decider;
 use crate::object::quadric::QuadricWords;
 use crate::prepare::PreparedScene;
 use crate::unit::interval::Class;
+use crate::{slots, widths};
 use serde::{Deserialize, Serialize};
 
 /// One object slot.
@@ -68,6 +69,16 @@ impl FittedMachine {
             rows_per_stage,
             slots: vec![slot; objects],
         }
+    }
+
+    /// The command line that emits it.
+    pub fn command(&self) -> String {
+        format!(
+            "imogene emit beam --widths {} --slots {} --rows-per-stage {} --out DIR",
+            widths::print(&self.widths),
+            slots::print(&self.slots),
+            self.rows_per_stage
+        )
     }
 
     /// The format of its words, or the word that is out of its range.

@@ -1,0 +1,50 @@
+//! Hardware of any widths, for the commands that need it.
+
+use crate::failure::Failure;
+use crate::output;
+use imogene_generator::{GeneratorError, emit_machine, emit_machines};
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_rtl::emit::Emitted;
+use imogene_rtl::emit::machine::MachineRequest;
+use imogene_synth::Target;
+use imogene_synth::fitted::{MachineCost, machine_costs};
+use imogene_verif::scene::fitted::request;
+
+/// The Verilog of a machine.
+pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
+    emit_machine(&request_of(machine, prefix)).map_err(failure)
+}
+
+fn request_of(machine: &FittedMachine, prefix: Option<&str>) -> MachineRequest {
+    let prefix = prefix.unwrap_or_default();
+    let mut command = machine.command();
+    if !prefix.is_empty() {
+        command = command.replace(" --out", &format!(" --prefix {prefix} --out"));
+    }
+    MachineRequest {
+        prefix: prefix.to_owned(),
+        ..request(machine, &command)
+    }
+}
+
+/// What machines cost on a target, in their order; with the clock of their slowest unit if it is asked for.
+pub fn costs(
+    machines: &[FittedMachine],
+    target: Target,
+    with_clock: bool,
+) -> Result<Vec<MachineCost>, Failure> {
+    let requests: Vec<MachineRequest> = machines.iter().map(|m| request_of(m, None)).collect();
+    let emitted = emit_machines(&requests).map_err(failure)?;
+    let bar = output::progress(0, "modules in synthesis");
+    let done = |known, of| {
+        bar.set_length(of as u64);
+        bar.set_position(known as u64);
+    };
+    let costs = machine_costs(&emitted, target, with_clock, &done).map_err(Failure::input);
+    bar.finish_and_clear();
+    costs
+}
+
+fn failure(error: GeneratorError) -> Failure {
+    Failure::input(error)
+}

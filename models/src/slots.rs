@@ -1,0 +1,54 @@
+//! Slots of a fitted machine as text: the planes of each, with a `v` for those with half B, as in `3,0,2v`.
+
+use crate::machine::fitted::FittedSlot;
+use crate::object::quadric::MAX_PLANES;
+use thiserror::Error;
+
+/// Text that names no slots.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error(
+    "'{0}' is no slot; expected a list such as 3,0,2v: the planes of each slot, 0 to {MAX_PLANES}, with a v for a slot with half B"
+)]
+pub struct SlotsError(String);
+
+/// Reads slots.
+pub fn parse(text: &str) -> Result<Vec<FittedSlot>, SlotsError> {
+    let slot = |part: &str| {
+        let (planes, two_volumes) = match part.strip_suffix('v') {
+            Some(planes) => (planes, true),
+            None => (part, false),
+        };
+        let planes = planes.parse().ok();
+        let planes = planes.filter(|&planes| planes as usize <= MAX_PLANES);
+        Ok(FittedSlot {
+            planes: planes.ok_or_else(|| SlotsError(part.to_owned()))?,
+            two_volumes,
+        })
+    };
+    text.split(',').map(slot).collect()
+}
+
+/// The text that [`parse`] reads back.
+pub fn print(slots: &[FittedSlot]) -> String {
+    let slot = |slot: &FittedSlot| {
+        let half = if slot.two_volumes { "v" } else { "" };
+        format!("{}{half}", slot.planes)
+    };
+    slots.iter().map(slot).collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_and_slots_are_each_other() {
+        let slots = parse("3,0,12v").unwrap();
+        assert_eq!((slots[2].planes, slots[2].two_volumes), (12, true));
+        assert_eq!((slots[0].planes, slots[0].two_volumes), (3, false));
+        assert_eq!(print(&slots), "3,0,12v");
+        for text in ["", "3,", "v", "13", "-1", "2w"] {
+            assert!(parse(text).unwrap_err().to_string().contains("3,0,2v"));
+        }
+    }
+}
