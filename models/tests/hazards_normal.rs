@@ -30,7 +30,7 @@ fn naive(words: &QuadricWords, x: i64, y: i64, number: u8) -> [i16; 3] {
         .g
         .map(|g| g.wrapped_at(x, y, F.normal_linear) as i64);
     let root = fast_root(words.f2.wrapped_at(x, y, F.quadratic) as i64);
-    select(number, true, g, root, &printed, &[])
+    select(number, true, g, root, &printed, &[], &F)
 }
 
 fn off_axis_ball(planes: &[[i64; 4]]) -> FramedScene {
