@@ -17,6 +17,7 @@ pub mod prepare;
 pub mod rational;
 pub mod scene;
 pub mod slots;
+pub mod sweep;
 pub mod trade;
 pub mod unit;
 pub mod widths;

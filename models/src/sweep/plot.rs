@@ -1,0 +1,376 @@
+//! A sweep as a picture: bound and observed error over the parameter.
+//!
+//! Axes are drawn in powers of ten on linear ones, so that they can run towards small values and have a place for the value 0.
+
+use super::{Axis, Figures, Notice, Record, SweepResult};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use thiserror::Error;
+
+const PANEL: (u32, u32) = (470, 430);
+const FOOT: u32 = 22;
+const FONT: &str = "sans-serif";
+const COLOURS: [RGBColor; 4] = [
+    RGBColor(20, 90, 170),
+    RGBColor(200, 80, 20),
+    RGBColor(30, 130, 70),
+    RGBColor(130, 60, 150),
+];
+const GREY: RGBColor = RGBColor(225, 225, 225);
+
+/// A picture that could not be drawn.
+#[derive(Debug, Error)]
+#[error("the plot of the sweep `{name}` cannot be drawn: {problem}")]
+pub struct PlotError {
+    name: &'static str,
+    problem: String,
+}
+
+/// One measure over the parameter.
+struct Panel {
+    title: &'static str,
+    bound: fn(&Figures) -> Option<f64>,
+    observed: fn(&Figures) -> Option<f64>,
+}
+
+const PANELS: [Panel; 3] = [
+    Panel {
+        title: "depth error (pixels)",
+        bound: |f| Some(f.bounds.depth_px),
+        observed: |f| Some(f.observed.depth_px),
+    },
+    Panel {
+        title: "silhouette displacement (pixels)",
+        bound: |f| Some(f.bounds.silhouette_px),
+        observed: |f| f.observed.silhouette_px,
+    },
+    Panel {
+        title: "normal error (degrees)",
+        bound: |f| Some(f.bounds.normal_deg),
+        observed: |f| Some(f.observed.normal_deg),
+    },
+];
+
+/// Draws a sweep as SVG.
+pub fn plot(result: &SweepResult) -> Result<String, PlotError> {
+    draw(result).map_err(|problem| PlotError {
+        name: result.name,
+        problem: problem.to_string(),
+    })
+}
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+fn draw(result: &SweepResult) -> Result<String, Box<dyn std::error::Error>> {
+    let legend = legend(result);
+    let foot = FOOT * legend.len() as u32 + 16;
+    let size = (PANEL.0 * PANELS.len() as u32, PANEL.1 + 40 + foot);
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        area.fill(&WHITE)?;
+        let area = area
+            .margin(10, 0, 0, 0)
+            .titled(&title(result), (FONT, 22))?;
+        let (panels, below) = area.split_vertically(PANEL.1);
+        let parts = panels.split_evenly((1, PANELS.len()));
+        for (part, panel) in parts.iter().zip(&PANELS) {
+            draw_panel(part, panel, result)?;
+        }
+        draw_legend(&below, &legend)?;
+        area.present()?;
+    }
+    Ok(text)
+}
+
+fn title(result: &SweepResult) -> String {
+    match result.depth_word {
+        Some(word) => format!("{} (depth word of {word} bits)", result.title),
+        None => result.title.to_owned(),
+    }
+}
+
+/// A line of a panel: its points in axis coordinates.
+struct Line {
+    colour: RGBColor,
+    kind: Kind,
+    points: Vec<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Bound,
+    Observed,
+    Single,
+    Double,
+}
+
+impl Axis {
+    /// Place of a value; nothing for 0 on a logarithmic axis.
+    fn place(&self, value: f64) -> Option<f64> {
+        match (self.logarithmic, self.falling) {
+            (false, _) => Some(value),
+            (true, _) if value <= 0.0 => None,
+            (true, false) => Some(value.log10()),
+            (true, true) => Some(-value.log10()),
+        }
+    }
+
+    /// The value at a place, if it is one that is worth a label.
+    fn label_at(&self, place: f64) -> String {
+        if !self.logarithmic {
+            return format!("{place:.0}");
+        }
+        power_label(if self.falling { -place } else { place })
+    }
+}
+
+/// `10^exponent` for a whole exponent, nothing for another.
+fn power_label(exponent: f64) -> String {
+    let whole = exponent.round();
+    if (exponent - whole).abs() > 1e-6 {
+        String::new()
+    } else if (-3.0..=3.0).contains(&whole) {
+        format!("{}", 10f64.powi(whole as i32))
+    } else {
+        format!("1e{whole}")
+    }
+}
+
+/// Places of all steps, with one for the value 0: a decade beyond the last, or before the first.
+struct Places {
+    axis: Axis,
+    low: f64,
+    high: f64,
+    zero: Option<f64>,
+}
+
+impl Places {
+    fn of(result: &SweepResult) -> Places {
+        let axis = result.axis;
+        let placed = || result.records.iter().filter_map(|r| axis.place(r.value));
+        let (low, high) = (
+            placed().fold(f64::INFINITY, f64::min),
+            placed().fold(f64::NEG_INFINITY, f64::max),
+        );
+        let with_zero = axis.logarithmic && result.records.iter().any(|r| r.value == 0.0);
+        let zero = with_zero.then_some(if axis.falling { high + 1.0 } else { low - 1.0 });
+        Places {
+            axis,
+            low: zero.map_or(low, |z| z.min(low)),
+            high: zero.map_or(high, |z| z.max(high)),
+            zero,
+        }
+    }
+
+    fn at(&self, value: f64) -> f64 {
+        let placed = self.axis.place(value).or(self.zero);
+        placed.expect("0 has a place where it occurs")
+    }
+
+    fn label(&self, place: f64) -> String {
+        match self.zero {
+            Some(zero) if (place - zero).abs() < 1e-6 => "0".into(),
+            _ => self.axis.label_at(place),
+        }
+    }
+}
+
+fn lines(result: &SweepResult, panel: &Panel, places: &Places) -> Vec<Line> {
+    let mut lines = vec![];
+    for (name, colour) in result.series.iter().zip(COLOURS) {
+        let records: Vec<&Record> = result
+            .records
+            .iter()
+            .filter(|r| r.series == *name)
+            .collect();
+        let mut add = |kind, measure: &dyn Fn(&Record) -> Option<f64>| {
+            let point = |r: &&Record| {
+                let value = measure(r).filter(|v| *v > 0.0 && v.is_finite())?;
+                Some((places.at(r.value), value.log10()))
+            };
+            // A refusal, or a value that a logarithm does not show, breaks the line.
+            let mut points: Vec<(f64, f64)> = vec![];
+            for record in &records {
+                match point(record) {
+                    Some(at) => points.push(at),
+                    None => lines.push(Line {
+                        colour,
+                        kind,
+                        points: std::mem::take(&mut points),
+                    }),
+                }
+            }
+            lines.push(Line {
+                colour,
+                kind,
+                points,
+            });
+        };
+        add(Kind::Bound, &|r| (panel.bound)(r.figures.as_ref()?));
+        add(Kind::Observed, &|r| (panel.observed)(r.figures.as_ref()?));
+        if panel.title.starts_with("depth") {
+            add(Kind::Single, &|r| Some(r.naive?.single.depth_px));
+            add(Kind::Double, &|r| Some(r.naive?.double.depth_px));
+        }
+    }
+    lines.retain(|line| !line.points.is_empty());
+    lines
+}
+
+fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
+    let places = Places::of(result);
+    let lines = lines(result, panel, &places);
+    let heights = || lines.iter().flat_map(|l| &l.points).map(|p| p.1);
+    let (mut low, mut high) = (
+        heights().fold(f64::INFINITY, f64::min).floor(),
+        heights().fold(f64::NEG_INFINITY, f64::max).ceil(),
+    );
+    if low > high {
+        (low, high) = (-1.0, 0.0);
+    }
+    if high - low < 1.0 {
+        high = low + 1.0;
+    }
+    // Room for the marks of refusals.
+    let top = high + 0.09 * (high - low);
+    let margin = 0.03 * (places.high - places.low);
+    let (left, right) = (places.low - margin, places.high + margin);
+    let mut chart = ChartBuilder::on(area)
+        .margin(12)
+        .caption(panel.title, (FONT, 17))
+        .x_label_area_size(44)
+        .y_label_area_size(56)
+        .build_cartesian_2d(left..right, low..top)?;
+    let decades = |span: f64| span as usize + 2;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GREY)
+        .x_labels(if result.axis.logarithmic {
+            decades(right - left)
+        } else {
+            10
+        })
+        .y_labels(decades(top - low).min(14))
+        .x_label_formatter(&|place| places.label(*place))
+        .y_label_formatter(&|place| power_label(*place))
+        .x_desc(result.axis.label)
+        .label_style((FONT, 13))
+        .axis_desc_style((FONT, 14))
+        .draw()?;
+    for line in &lines {
+        let points = line.points.iter().copied();
+        let colour = match line.kind {
+            Kind::Bound | Kind::Observed => line.colour,
+            Kind::Single | Kind::Double => RGBColor(90, 90, 90),
+        };
+        let style = colour.stroke_width(if line.kind == Kind::Bound { 2 } else { 1 });
+        if line.kind != Kind::Bound {
+            chart.draw_series(DashedLineSeries::new(points.clone(), 4, 3, style))?;
+        } else {
+            chart.draw_series(LineSeries::new(points.clone(), style))?;
+        }
+        match line.kind {
+            Kind::Bound => {
+                chart.draw_series(points.map(|p| Circle::new(p, 2, colour.filled())))?;
+            }
+            Kind::Observed => {
+                chart.draw_series(points.map(|p| Circle::new(p, 4, colour.stroke_width(1))))?;
+            }
+            Kind::Single => {
+                chart.draw_series(points.map(|p| TriangleMarker::new(p, 5, BLACK.filled())))?;
+            }
+            Kind::Double => {
+                chart.draw_series(points.map(|p| Circle::new(p, 3, BLACK.filled())))?;
+            }
+        }
+    }
+    let row = (top - high) / result.series.len() as f64;
+    for (index, name) in result.series.iter().enumerate() {
+        let height = top - row * (index as f64 + 0.5);
+        let noticed = |by| {
+            let of = move |r: &&Record| r.series == *name && r.notice().is_some_and(|n| n.0 == by);
+            let records = result.records.iter().filter(of);
+            records
+                .map(|r| (places.at(r.value), height))
+                .collect::<Vec<_>>()
+        };
+        let colour = COLOURS[index];
+        let crosses = noticed(Notice::Refused);
+        chart.draw_series(
+            crosses
+                .into_iter()
+                .map(|p| Cross::new(p, 4, colour.stroke_width(2))),
+        )?;
+        let triangles = noticed(Notice::CheckFails);
+        chart.draw_series(
+            triangles
+                .into_iter()
+                .map(|p| TriangleMarker::new(p, 5, colour.filled())),
+        )?;
+    }
+    Ok(())
+}
+
+/// What stands below the panels.
+struct Entry {
+    text: String,
+    colour: RGBColor,
+    floats: bool,
+}
+
+fn legend(result: &SweepResult) -> Vec<Entry> {
+    let colours = result.series.iter().zip(COLOURS);
+    let mut entries: Vec<Entry> = colours
+        .map(|(name, colour)| Entry {
+            text: (*name).to_owned(),
+            colour,
+            floats: false,
+        })
+        .collect();
+    if result.records.iter().any(|r| r.naive.is_some()) {
+        entries.push(Entry {
+            text: "the same in floating point and scene coordinates: f32 triangles, f64 dots"
+                .into(),
+            colour: BLACK,
+            floats: true,
+        });
+    }
+    entries
+}
+
+fn draw_legend(area: &Area<'_>, entries: &[Entry]) -> Outcome {
+    for (index, entry) in entries.iter().enumerate() {
+        let y = 10 + FOOT as i32 * index as i32;
+        let colour = entry.colour;
+        if entry.floats {
+            area.draw(&TriangleMarker::new((55, y), 5, colour.filled()))?;
+            area.draw(&Circle::new((85, y), 3, colour.filled()))?;
+        } else {
+            area.draw(&PathElement::new(
+                [(30, y), (60, y)],
+                colour.stroke_width(2),
+            ))?;
+            area.draw(&Circle::new((45, y), 2, colour.filled()))?;
+            area.draw(&Circle::new((85, y), 4, colour.stroke_width(1)))?;
+            area.draw(&Cross::new((105, y), 4, colour.stroke_width(2)))?;
+            area.draw(&TriangleMarker::new((123, y), 5, colour.filled()))?;
+        }
+        let text = if index == 0 {
+            format!(
+                "{}: proven bound (line), observed (circles); at the top: refused (crosses), check fails (triangles)",
+                entry.text
+            )
+        } else {
+            entry.text.clone()
+        };
+        area.draw(&Text::new(
+            text,
+            (140, y - 8),
+            (FONT, 15).into_font().color(&BLACK),
+        ))?;
+    }
+    Ok(())
+}
