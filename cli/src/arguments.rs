@@ -60,6 +60,8 @@ pub enum Command {
     Trade(Trade),
     /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
     Bounds(Bounds),
+    /// Take one number of a scene to its extreme, step by step: proven bound, observed error and refusals, with plots.
+    Sweep(Sweep),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.
@@ -413,6 +415,19 @@ pub struct Bounds {
         requires = "scenes"
     )]
     pub formats: Vec<u32>,
+}
+
+/// Arguments of `sweep`.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Sweeps by name, listed in docs/sweeps.md; all of them if none is named.
+    pub names: Vec<String>,
+    /// Depth word in bits: 16, 20, 24, 28 or 32; the sweep word-length tries them all.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
+    /// Folder for NAME.svg of each sweep, sweeps.json and sweeps.md; nothing is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// What runs the hardware.

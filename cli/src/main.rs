@@ -28,6 +28,7 @@ fn main() -> ExitCode {
         Command::Compare(options) => command::compare::run(options, json),
         Command::Trade(options) => command::trade::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
+        Command::Sweep(options) => command::sweep::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
         Command::Peers(options) => command::peers::run(options, json),
         Command::Prove(options) => command::prove::run(options, json),

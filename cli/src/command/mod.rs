@@ -18,6 +18,7 @@ pub mod prove;
 pub mod render;
 pub mod roots;
 pub mod speed;
+pub mod sweep;
 pub mod synth;
 pub mod trade;
 pub mod units;

@@ -1,0 +1,90 @@
+//! `imogene sweep`.
+
+use crate::arguments;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::format::Format;
+use imogene_models::picture::write_whole;
+use imogene_models::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// All that is measured; the keys are stable.
+#[derive(Serialize)]
+struct Report {
+    sweeps: Vec<SweepResult>,
+    files: Vec<PathBuf>,
+}
+
+/// Runs the sweeps, prints their tables, and writes plots and figures if there is a folder for them.
+pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
+    let chosen = chosen(&options.names)?;
+    let format = Format::new(options.format).map_err(Failure::input)?;
+    let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
+    let bar = output::progress(steps as u64, "steps");
+    let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
+    let sweeps: Vec<SweepResult> = sweeps.collect();
+    bar.finish_and_clear();
+    let files = match &options.out {
+        Some(folder) => write(folder, &sweeps)?,
+        None => vec![],
+    };
+    let report = Report { sweeps, files };
+    if json {
+        output::json(&report);
+    } else {
+        output::text(page(&report.sweeps).trim_end());
+        for file in &report.files {
+            output::text(format!("wrote {}", file.display()));
+        }
+    }
+    verdict(&report.sweeps)
+}
+
+/// The sweeps named, each once, in the order of the documentation; all if none is named.
+fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
+    let named: Result<Vec<&Sweep>, _> = names.iter().map(|name| sweep::find(name)).collect();
+    let named = named.map_err(Failure::input)?;
+    let wanted = |sweep: &&Sweep| named.is_empty() || named.iter().any(|n| n.name == sweep.name);
+    Ok(sweep::all().iter().filter(wanted).collect())
+}
+
+fn page(sweeps: &[SweepResult]) -> String {
+    let sections = sweeps.iter();
+    let sections = sections.map(|sweep| format!("{}\n\n{}", heading(sweep), markdown(sweep)));
+    sections.collect::<Vec<_>>().join("\n")
+}
+
+fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure> {
+    let mut files: Vec<(PathBuf, String)> = vec![];
+    for sweep in sweeps {
+        let picture = plot(sweep).map_err(|error| Failure::Check(error.to_string()))?;
+        files.push((folder.join(format!("{}.svg", sweep.name)), picture));
+    }
+    let figures = serde_json::to_string_pretty(sweeps).expect("sweeps have no unserialisable keys");
+    files.push((folder.join("sweeps.json"), figures + "\n"));
+    let sections: Vec<String> = sweeps.iter().map(|sweep| section(sweep, "")).collect();
+    files.push((folder.join("sweeps.md"), sections.join("\n")));
+    for (path, text) in &files {
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    }
+    Ok(files.into_iter().map(|(path, _)| path).collect())
+}
+
+fn verdict(sweeps: &[SweepResult]) -> Result<(), Failure> {
+    let broken = sweeps.iter().flat_map(|sweep| {
+        let of = move |violation| format!("\n  {}: {violation}", sweep.name);
+        sweep.violations.iter().map(of)
+    });
+    let broken: Vec<String> = broken.collect();
+    if broken.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Check(format!(
+            "{} rules are broken:{}",
+            broken.len(),
+            broken.concat()
+        )))
+    }
+}
