@@ -205,10 +205,20 @@ fn synthesise_alone(
 
 /// The units of a machine that can be the slowest, as designs of their own.
 fn critical(machine: &Emitted) -> Vec<Emitted> {
+    // Variants of a module have their widths or a number behind the name, as in normal_unit_w12_v2.
+    let is_mark = |part: &str| {
+        let digits = part.trim_start_matches(|c: char| "wvx".contains(c));
+        !digits.is_empty()
+            && digits.len() < part.len()
+            && digits.bytes().all(|b| b.is_ascii_digit())
+    };
     let is_critical = |name: &str| {
-        let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let base = base.strip_suffix("_v").unwrap_or(base);
-        CRITICAL.contains(&base.trim_end_matches('_')) || CRITICAL.contains(&name)
+        CRITICAL.iter().any(|critical| {
+            let rest = name.strip_prefix(critical);
+            rest.is_some_and(|rest| {
+                rest.split('_').skip(1).all(is_mark) && (rest.is_empty() || rest.starts_with('_'))
+            })
+        })
     };
     let names = machine.modules.iter().map(|(name, _)| name);
     names
