@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         Command::Check(options) => command::check::run(options, json),
         Command::Compare(options) => command::compare::run(options, json),
         Command::Trade(options) => command::trade::run(options, json),
+        Command::Fit(options) => command::fit::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Sweep(options) => command::sweep::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),

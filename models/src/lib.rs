@@ -8,6 +8,7 @@
 pub mod check;
 pub mod compare;
 pub mod exact;
+pub mod fit;
 pub mod format;
 pub mod machine;
 pub mod metrics;

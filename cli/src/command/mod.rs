@@ -8,6 +8,7 @@ pub mod cosim;
 pub mod demo;
 pub mod emit;
 pub mod extremes;
+pub mod fit;
 pub mod fitted;
 pub mod mutate;
 pub mod package;

@@ -47,6 +47,7 @@ fn format(depth: u32, (guard_linear, guard_quadratic): (u32, u32)) -> Result<For
         normal: 16,
         guard_linear,
         guard_quadratic,
+        dropped_rows: 0,
     };
     Format::fitted(&widths).map_err(|error| error.to_string())
 }

@@ -1,0 +1,302 @@
+//! `imogene fit`.
+
+mod contract;
+
+use super::{fitted, threads};
+use crate::arguments::{Fit, FitEngine};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::fit::budget::{Budget, Item};
+use imogene_models::fit::frames::{Drawn, Frames};
+use imogene_models::fit::proof::{self, Bounds, Proven};
+use imogene_models::fit::search::{Outcome, search};
+use imogene_models::format::{FittedWidths, Format};
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::metrics::Metrics;
+use imogene_models::picture::{write_png, write_whole};
+use imogene_models::scene::SceneFile;
+use imogene_models::{slots, widths};
+use imogene_rtl::emit::Emitted;
+use imogene_synth::Target;
+use imogene_synth::fitted::MachineCost;
+use imogene_verif::engine::design::Simulator;
+use imogene_verif::report::Report;
+use imogene_verif::scene;
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Machines of different depth words whose costs are compared.
+const SYNTHESISED: usize = 3;
+/// Rows of the root network between registers that are tried when a clock is asked for.
+const ROWS: [u32; 4] = [1, 2, 3, 4];
+
+/// What was fitted; the keys are stable.
+#[derive(Serialize)]
+struct FitReport {
+    scenes: Vec<String>,
+    width: usize,
+    height: usize,
+    budget: Budget,
+    unit: &'static str,
+    format: FittedWidths,
+    widths: String,
+    slots: String,
+    rows_per_stage: u32,
+    latency: u32,
+    clocks_per_frame: u64,
+    limits: Vec<Proven>,
+    bounds: Bounds,
+    measured: Vec<Metrics>,
+    target: &'static str,
+    cost: MachineCost,
+    base_cost: MachineCost,
+    /// Of the base machine, in percent.
+    saving_percent: Saving,
+    cosim: Vec<Report>,
+    command: String,
+    reproduce: String,
+    files: Vec<PathBuf>,
+    seconds: f64,
+}
+
+#[derive(Clone, Copy, Serialize)]
+struct Saving {
+    cells: f64,
+    lut: f64,
+    ff: f64,
+}
+
+/// A machine that meets the budget, with what it costs.
+struct Choice<'a> {
+    drawn: &'a Drawn,
+    machine: FittedMachine,
+    cost: MachineCost,
+}
+
+/// Finds, proves, emits and co-simulates the smallest machine.
+pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
+    let started = Instant::now();
+    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let budget = options.budget();
+    let frames = frames(options)?;
+    let bar = output::progress(0, "machines drawn");
+    let outcome = search(&frames, &budget, || bar.inc(1));
+    bar.finish_and_clear();
+    let found = match outcome.map_err(Failure::input)? {
+        Outcome::Fits(found) => found,
+        Outcome::Unreachable { items, nearest } => return Err(unreachable(&items, &nearest)),
+    };
+    let choice = choose(&found, options.min_mhz, target)?;
+    let base = base_machine(&choice.machine);
+    let base_cost = fitted::costs(&[base], target, true)?;
+    let base_cost = base_cost.into_iter().next().unwrap_or_default();
+    let emitted = fitted::emit(&choice.machine, None)?;
+    let cosim = cosimulate(&choice, &emitted, options.engine)?;
+    let bounds = proof::bounds(&frames, choice.drawn);
+    let limits = proof::proofs(&frames, &budget, choice.drawn, &bounds);
+    let format = choice.machine.format().map_err(Failure::input)?;
+    let (width, height) = (frames.all()[0].truth.width, frames.all()[0].truth.height);
+    let mut report = FitReport {
+        scenes: frames.all().iter().map(|f| f.name.clone()).collect(),
+        width,
+        height,
+        unit: "beam",
+        format: choice.machine.widths,
+        widths: widths::print(&choice.machine.widths),
+        slots: slots::print(&choice.machine.slots),
+        rows_per_stage: choice.machine.rows_per_stage,
+        latency: choice.machine.latency(&format),
+        clocks_per_frame: choice
+            .machine
+            .clocks_per_frame(&format, width as u32, height as u32),
+        limits,
+        bounds,
+        measured: choice.drawn.metrics.clone(),
+        target: target.name(),
+        cost: choice.cost,
+        base_cost,
+        saving_percent: saving(&choice.cost, &base_cost),
+        cosim,
+        command: choice.machine.command(),
+        reproduce: options.reproduce(&budget),
+        budget,
+        files: vec![],
+        seconds: 0.0,
+    };
+    write(&mut report, &frames, choice.drawn, &emitted, options)?;
+    report.seconds = started.elapsed().as_secs_f64();
+    if json {
+        output::json(&report);
+    } else {
+        output::text(contract::summary(&report));
+    }
+    verdict(&report)
+}
+
+fn frames(options: &Fit) -> Result<Frames, Failure> {
+    let read = |path: &PathBuf| {
+        let file = SceneFile::read(path).map_err(Failure::input)?;
+        Ok((path.display().to_string(), file))
+    };
+    let files: Vec<(String, SceneFile)> =
+        options.scenes.iter().map(read).collect::<Result<_, _>>()?;
+    let size = options.size.map(|size| (size.width, size.height));
+    let bar = output::progress(0, "lines of the truth");
+    let frames = Frames::new(&files, size, || bar.inc(1));
+    bar.finish_and_clear();
+    frames.map_err(Failure::input)
+}
+
+/// The message of a budget that no machine meets.
+fn unreachable(items: &[Item], nearest: &Drawn) -> Failure {
+    let mut text = String::from("no machine meets the budget; out of reach:");
+    for item in items.iter().filter(|item| !item.holds()) {
+        text += &format!("\n  {item}");
+    }
+    text += &format!(
+        "\nthe figures are those of the nearest machine, --widths {}",
+        widths::print(&nearest.widths)
+    );
+    Failure::Check(text)
+}
+
+/// The cheapest of the machines found; with a clock asked for, the cheapest that reaches it.
+fn choose<'a>(
+    found: &'a [Drawn],
+    min_mhz: Option<f64>,
+    target: Target,
+) -> Result<Choice<'a>, Failure> {
+    let rows: &[u32] = if min_mhz.is_some() { &ROWS } else { &ROWS[..1] };
+    let candidates: Vec<(&Drawn, FittedMachine)> = found
+        .iter()
+        .take(SYNTHESISED)
+        .flat_map(|drawn| rows.iter().map(move |&rows| (drawn, rows)))
+        .filter(|(drawn, rows)| *rows <= drawn.widths.root - drawn.widths.dropped_rows)
+        .map(|(drawn, rows)| (drawn, drawn.machine(rows)))
+        .collect();
+    let machines: Vec<FittedMachine> = candidates.iter().map(|(_, m)| m.clone()).collect();
+    let costs = fitted::costs(&machines, target, true)?;
+    let priced = candidates.into_iter().zip(costs);
+    let priced: Vec<Choice> = priced
+        .map(|((drawn, machine), cost)| Choice {
+            drawn,
+            machine,
+            cost,
+        })
+        .collect();
+    let fast = |choice: &Choice| min_mhz.is_none_or(|least| choice.cost.fmax_mhz >= Some(least));
+    let fastest = priced.iter().filter_map(|choice| choice.cost.fmax_mhz);
+    let fastest = fastest.reduce(f64::max);
+    let cheapest = priced.into_iter().filter(fast);
+    let cheapest = cheapest.min_by_key(|choice| (choice.cost.cells, choice.cost.ff));
+    cheapest.ok_or_else(|| {
+        Failure::Check(format!(
+            "no machine reaches {} MHz on {}: the slowest unit of the fastest machine that meets the budget runs at {} MHz",
+            min_mhz.unwrap_or_default(),
+            target.name(),
+            fastest.map_or("an unknown number of".into(), |mhz| format!("{mhz:.1}"))
+        ))
+    })
+}
+
+/// The machine of the base format for the same scene: equal slots with half B.
+fn base_machine(machine: &FittedMachine) -> FittedMachine {
+    let planes = machine.slots.iter().map(|slot| slot.planes).max();
+    FittedMachine::uniform(&Format::BASE, machine.slots.len(), planes.unwrap_or(0), 1)
+}
+
+fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
+    let percent = |own: u64, base: u64| 100.0 * (1.0 - own as f64 / base.max(1) as f64);
+    Saving {
+        cells: percent(cost.cells, base.cells),
+        lut: percent(cost.lut, base.lut),
+        ff: percent(cost.ff, base.ff),
+    }
+}
+
+/// Every frame in the emitted Verilog against the golden machine.
+fn cosimulate(
+    choice: &Choice,
+    emitted: &Emitted,
+    engine: FitEngine,
+) -> Result<Vec<Report>, Failure> {
+    let simulator = match engine {
+        FitEngine::None => return Ok(vec![]),
+        FitEngine::Verilator => Simulator::Verilator,
+        FitEngine::Icarus => Simulator::Icarus,
+    };
+    let machine = &choice.machine;
+    let design = scene::fitted::compile(simulator, machine, emitted).map_err(Failure::input)?;
+    let options = scene::Options {
+        rows_per_stage: machine.rows_per_stage as usize,
+        bands: threads(),
+        trace: None,
+        fault: None,
+    };
+    let frames = &choice.drawn.prepared;
+    let pixels: u64 = frames
+        .iter()
+        .map(|f| u64::from(f.width) * u64::from(f.height))
+        .sum();
+    let bar = output::progress(pixels, "hardware in simulation");
+    let one = |prepared| {
+        let made = || design.machine();
+        let outcome = scene::fitted::run(prepared, machine, &options, made, || bar.inc(1));
+        let (mut report, _) = outcome.map_err(Failure::input)?;
+        report.engine = simulator.name().into();
+        Ok(report)
+    };
+    let reports = frames.iter().map(one).collect();
+    bar.finish_and_clear();
+    reports
+}
+
+/// Verilog, contract, report, and of every frame the golden picture and the map of its errors.
+fn write(
+    report: &mut FitReport,
+    frames: &Frames,
+    drawn: &Drawn,
+    emitted: &Emitted,
+    options: &Fit,
+) -> Result<(), Failure> {
+    let put = |name: &str, text: &str| {
+        let path = options.out.join(name);
+        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        Ok::<PathBuf, Failure>(path)
+    };
+    report.files.push(put("beam.v", &emitted.bundle())?);
+    for (index, frame) in frames.all().iter().enumerate() {
+        let (rgb, map) = frame.picture(&drawn.prepared[index]);
+        let number = if frames.all().len() > 1 {
+            format!("-{index}")
+        } else {
+            String::new()
+        };
+        for (name, picture) in [("golden", rgb), ("errors", map)] {
+            let path = options.out.join(format!("{name}{number}.png"));
+            let (width, height) = (frame.truth.width, frame.truth.height);
+            write_png(&path, width, height, &picture).map_err(Failure::input)?;
+            report.files.push(path);
+        }
+    }
+    report
+        .files
+        .push(put("contract.md", &contract::page(report, emitted))?);
+    report.files.push(options.out.join("fit.json"));
+    let text = serde_json::to_string_pretty(report).map_err(Failure::input)?;
+    put("fit.json", &text)?;
+    Ok(())
+}
+
+fn verdict(report: &FitReport) -> Result<(), Failure> {
+    let mismatches: u64 = report.cosim.iter().map(|r| r.mismatches).sum();
+    if mismatches == 0 {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{mismatches} values differ between the fitted hardware and the golden model; please report the command: {}",
+        report.reproduce
+    )))
+}

@@ -1,0 +1,166 @@
+//! What is told of a fitted machine: a summary for the terminal, and the contract beside the Verilog.
+
+use super::FitReport;
+use imogene_models::fit::proof::{Proof, Proven};
+use imogene_rtl::emit::{Direction, Emitted};
+use imogene_synth::fitted::MachineCost;
+use std::fmt::Write;
+
+/// A few lines.
+pub fn summary(report: &FitReport) -> String {
+    let mut text = format!(
+        "{}: beam --widths {} --slots {} --rows-per-stage {}\n",
+        report.scenes.join(", "),
+        report.widths,
+        report.slots,
+        report.rows_per_stage
+    );
+    for limit in &report.limits {
+        let _ = writeln!(text, "  {}, {}", limit.item, how(limit));
+    }
+    let _ = writeln!(
+        text,
+        "  {}: {} logic cells, {} LUT, {} FF; the base format takes {} cells, {} LUT, {} FF: {:.1} % of the LUT saved",
+        report.target,
+        report.cost.cells,
+        report.cost.lut,
+        report.cost.ff,
+        report.base_cost.cells,
+        report.base_cost.lut,
+        report.base_cost.ff,
+        report.saving_percent.lut
+    );
+    for cosim in &report.cosim {
+        let _ = writeln!(
+            text,
+            "  {}: {} clocks, {} values compared, {} mismatches",
+            cosim.engine, cosim.cycles, cosim.comparisons, cosim.mismatches
+        );
+    }
+    for file in &report.files {
+        let _ = writeln!(text, "wrote {}", file.display());
+    }
+    text.trim_end().to_owned()
+}
+
+fn how(limit: &Proven) -> String {
+    match (limit.proof, limit.bound) {
+        (Proof::Bound, Some(bound)) => format!("proven: at most {bound:.4}"),
+        (_, Some(bound)) => {
+            format!("by comparing every pixel (what is proven for any pixel: at most {bound:.4})")
+        }
+        (_, None) => "by comparing every pixel".into(),
+    }
+}
+
+/// The contract as a page.
+pub fn page(report: &FitReport, emitted: &Emitted) -> String {
+    let mut text = format!(
+        "# `{}`: a beam machine fitted to {}\n\nMade by `{}`; the same Verilog: `{}`.\n\n",
+        emitted.top,
+        report.scenes.join(", "),
+        report.reproduce,
+        report.command
+    );
+    let _ = writeln!(
+        text,
+        "Draws these frames at {} x {} pixels, a pixel a clock: latency {} clocks from `go` to the first pixel, {} clocks a frame.\n",
+        report.width, report.height, report.latency, report.clocks_per_frame
+    );
+    text += "## Errors\n\n| limit | allowed | measured | proven | how it is known |\n|---|---|---|---|---|\n";
+    for limit in &report.limits {
+        let item = &limit.item;
+        let bound = limit
+            .bound
+            .map_or("-".into(), |bound| format!("{bound:.4}"));
+        let known = match limit.proof {
+            Proof::Bound => "the bound holds for every pixel",
+            Proof::Exhaustive => "every pixel of every frame compared with the exact picture",
+        };
+        let _ = writeln!(
+            text,
+            "| {}, {} | {} | {:.4} | {bound} | {known} |",
+            item.limit, item.unit, item.allowed, item.measured
+        );
+    }
+    let bounds = &report.bounds;
+    let _ = writeln!(
+        text,
+        "\nProven before any pixel is drawn: depth within {:.3} words of the base format, silhouette within {:.2e} pixels, normal within {:.3} degrees; {} pixels \
+         undecided, everywhere else the visible face is the true one.\n",
+        bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, bounds.undecided_pixels
+    );
+    text += &words(report);
+    text += &ports(emitted);
+    text += &cost(report);
+    for cosim in &report.cosim {
+        let _ = writeln!(
+            text,
+            "Co-simulated in {}: {} clocks, {} values compared with the golden machine, {} mismatches.",
+            cosim.engine, cosim.cycles, cosim.comparisons, cosim.mismatches
+        );
+    }
+    text
+}
+
+fn words(report: &FitReport) -> String {
+    let w = &report.format;
+    format!(
+        "## Words\n\n| word | bits |\n|---|---|\n| depth | {} |\n| f1 in its pe1 | {}, of which {} guard bits |\n| f2 in its pe2 | {}, of which {} guard bits |\n\
+         | root | {}, of which the last {} are zero |\n| plane | {} |\n| normal component | {} |\n\n\
+         Slots, by their planes, with a `v` where the viewer may be inside: {}. Rows of the root network between registers: {}.\n\n",
+        w.depth,
+        w.depth + 2 + w.guard_linear,
+        w.guard_linear,
+        2 * w.root + w.guard_quadratic,
+        w.guard_quadratic,
+        w.root,
+        w.dropped_rows,
+        w.plane,
+        w.normal,
+        report.slots,
+        report.rows_per_stage
+    )
+}
+
+fn ports(emitted: &Emitted) -> String {
+    let mut text = String::from("## Ports\n\n| port | direction | bits |\n|---|---|---|\n");
+    for port in &emitted.ports {
+        let direction = match port.direction {
+            Direction::Input => "in",
+            Direction::Output => "out",
+        };
+        let sign = if port.signed {
+            ", two's complement"
+        } else {
+            ""
+        };
+        let _ = writeln!(
+            text,
+            "| `{}` | {direction} | {}{sign} |",
+            port.name, port.width
+        );
+    }
+    text + "\nTheir meanings, the load bus and the order of events are those of `docs/architecture.md`, section 7.\n\n"
+}
+
+fn cost(report: &FitReport) -> String {
+    let row = |name: &str, cost: &MachineCost| {
+        let clock = cost.fmax_mhz.map_or("-".into(), |mhz| format!("{mhz:.1}"));
+        format!(
+            "| {name} | {} | {} | {} | {} | {} | {clock} |\n",
+            cost.cells, cost.lut, cost.ff, cost.carry, cost.dsp
+        )
+    };
+    format!(
+        "## Cost on {}\n\n| machine | logic cells | LUT | FF | carry | multipliers | MHz of the slowest unit |\n|---|---|---|---|---|---|---|\n{}{}\n\
+         Saved: {:.1} % of the cells, {:.1} % of the LUT, {:.1} % of the FF. Sums over separately synthesised modules; `docs/fit.md` compares them with the flat \
+         machine.\n\n",
+        report.target,
+        row("fitted", &report.cost),
+        row("base format, all slots alike", &report.base_cost),
+        report.saving_percent.cells,
+        report.saving_percent.lut,
+        report.saving_percent.ff
+    )
+}
