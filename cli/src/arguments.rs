@@ -356,6 +356,24 @@ pub struct Trade {
     /// Measure part K of N of the points alone, and sum up nothing.
     #[arg(long, value_name = "K/N")]
     pub shard: Option<ShardArgument>,
+    /// What runs the points: this program on all cores, or jobs of a HyperQueue server.
+    #[arg(long, value_enum, default_value_t = TradeEngine::Local, conflicts_with = "shard")]
+    pub engine: TradeEngine,
+    /// Server folder of a running HyperQueue server; one with workers of its own is started if not given (engine hq).
+    #[arg(long, value_name = "DIR")]
+    pub server: Option<PathBuf>,
+    /// Workers of that server, of one core each, and a quarter of the parts that the points are divided into (engine hq).
+    #[arg(long, default_value_t = 2, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub workers: u16,
+}
+
+/// What runs the points of a trade.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TradeEngine {
+    /// This program.
+    Local,
+    /// HyperQueue.
+    Hq,
 }
 
 /// Arguments of `fit`.

@@ -1,7 +1,9 @@
 //! `imogene trade`.
 
+mod parts;
+
 use super::size_of;
-use crate::arguments::{Points, Trade};
+use crate::arguments::{Points, Trade, TradeEngine};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::fitted::FittedMachine;
@@ -24,9 +26,9 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let file = SceneFile::read(&options.scene).map_err(Failure::input)?;
     let target = Target::from_name(&options.target).map_err(Failure::input)?;
-    let space = match options.points {
-        Points::Quick => Space::Quick,
-        Points::Full => Space::Full,
+    let (space, points) = match options.points {
+        Points::Quick => (Space::Quick, "quick"),
+        Points::Full => (Space::Full, "full"),
     };
     let designs = space.designs();
     let bar = output::progress(designs.len() as u64, "points");
@@ -50,6 +52,10 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
             format!("part {} of {}: {points} points", shard.0.number, shard.0.of)
         });
         return Ok(());
+    }
+    if options.engine == TradeEngine::Hq {
+        run::check(&request).map_err(Failure::input)?;
+        parts::run(options, points)?;
     }
     let trade = run::run(&request).map_err(Failure::input)?;
     bar.finish_and_clear();

@@ -85,6 +85,15 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
     Ok(assemble(request, &subject.framed.title, truth, points))
 }
 
+/// Refuses what [`run`] would refuse before it measures anything.
+///
+/// # Errors
+///
+/// When the scene is not for machines of quadric processors.
+pub fn check(request: &Request) -> Result<(), TradeError> {
+    Subject::new(request).map(|_| ())
+}
+
 /// Measures a part of the points and keeps them; gives their number.
 ///
 /// # Errors
