@@ -28,16 +28,35 @@ fn wanted(folder: &Path) -> Vec<u8> {
     std::fs::read(out.join("trade.json")).unwrap()
 }
 
-/// Processes whose command line holds all of these words, except this one.
-fn processes(words: &[&str]) -> Vec<u32> {
+/// Processes by their arguments, this one left out.
+fn processes(wanted: impl Fn(&[String]) -> bool) -> Vec<u32> {
     let entries = std::fs::read_dir("/proc").unwrap().flatten();
     let pids = entries.filter_map(|e| e.file_name().to_str()?.parse::<u32>().ok());
-    let holds = |pid: &u32| {
+    let is_wanted = |pid: &u32| {
         let line = std::fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
-        let line = String::from_utf8_lossy(&line).replace('\0', " ");
-        *pid != std::process::id() && words.iter().all(|word| line.contains(word))
+        let line = String::from_utf8_lossy(&line).into_owned();
+        let arguments: Vec<String> = line.split('\0').map(str::to_owned).collect();
+        *pid != std::process::id() && wanted(&arguments)
     };
-    pids.filter(holds).collect()
+    pids.filter(is_wanted).collect()
+}
+
+/// A part of a run into this folder.
+fn is_part<'a>(out: &'a str) -> impl Fn(&[String]) -> bool + 'a {
+    move |arguments| {
+        ["--shard", out]
+            .iter()
+            .all(|word| arguments.iter().any(|a| a == word))
+    }
+}
+
+/// The server of a run into this folder: the Python process, with its workers.
+fn is_server<'a>(out: &'a str) -> impl Fn(&[String]) -> bool + 'a {
+    move |arguments| {
+        ["LocalCluster", out]
+            .iter()
+            .all(|word| arguments.iter().any(|a| a.contains(word)))
+    }
 }
 
 fn kill(pid: u32) -> bool {
@@ -46,18 +65,18 @@ fn kill(pid: u32) -> bool {
 }
 
 /// Waits for a process and kills it.
-fn kill_first(words: &[&str], run: &mut Child) -> u32 {
+fn kill_first(wanted: impl Fn(&[String]) -> bool, run: &mut Child) -> u32 {
     let started = Instant::now();
     while started.elapsed() < DEADLINE {
-        if let Some(&pid) = processes(words).first()
+        if let Some(&pid) = processes(&wanted).first()
             && kill(pid)
         {
             return pid;
         }
-        assert!(run.try_wait().unwrap().is_none(), "the run ended before {words:?}");
+        assert!(run.try_wait().unwrap().is_none(), "the run ended before");
         std::thread::sleep(Duration::from_millis(2));
     }
-    panic!("no process {words:?}");
+    panic!("no such process");
 }
 
 fn succeeds(run: Child) -> String {
@@ -75,8 +94,8 @@ fn a_part_that_is_killed_is_done_again() {
     let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
     let place = out.display().to_string();
     // Two of the parts, which the two workers run.
-    let first = kill_first(&["--shard", &place], &mut run);
-    let second = kill_first(&["--shard", &place], &mut run);
+    let first = kill_first(is_part(&place), &mut run);
+    let second = kill_first(is_part(&place), &mut run);
     assert_ne!(first, second);
     succeeds(run);
     assert!(std::fs::read(out.join("trade.json")).unwrap() == wanted);
@@ -96,7 +115,7 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
         std::thread::sleep(Duration::from_millis(2));
     }
     // The server with its workers is the Python process.
-    kill_first(&["LocalCluster", &place], &mut run);
+    kill_first(is_server(&place), &mut run);
     let output = run.wait_with_output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{error}");
@@ -104,7 +123,11 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
     assert!(!out.join("trade.json").exists());
     let before = kept();
     assert!(before > 0);
-    succeeds(command(&out, &["--engine", "hq", "--workers", "1"]).spawn().unwrap());
+    succeeds(
+        command(&out, &["--engine", "hq", "--workers", "1"])
+            .spawn()
+            .unwrap(),
+    );
     assert!(std::fs::read(out.join("trade.json")).unwrap() == wanted);
 }
 
@@ -154,5 +177,8 @@ fn a_scene_that_is_refused_starts_no_server() {
         .unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{error}");
-    assert!(error.contains("processor \"facet\"") && !out.exists(), "{error}");
+    assert!(
+        error.contains("processor \"facet\"") && !out.exists(),
+        "{error}"
+    );
 }

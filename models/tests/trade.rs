@@ -226,7 +226,7 @@ fn points_tell_speed_area_and_accuracy() {
     }
     let page = page(&trade, folder.path()).unwrap();
     assert!(
-        page.len() > 100_000 && page.len() < 3_000_000,
+        page.len() > 50_000 && page.len() < 3_000_000,
         "{}",
         page.len()
     );

@@ -44,7 +44,9 @@ pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
     }
     let said = String::from_utf8_lossy(&output.stderr);
     if said.contains("No module named 'hyperqueue'") {
-        return Err(Failure::Input(format!("HyperQueue is not installed; {HOW}")));
+        return Err(Failure::Input(format!(
+            "HyperQueue is not installed; {HOW}"
+        )));
     }
     let last = said.trim().lines().last().unwrap_or("it says nothing");
     Err(Failure::Input(format!(
@@ -65,7 +67,5 @@ fn python() -> PathBuf {
     };
     let candidates = folders.into_iter().map(|folder| folder.join("python"));
     let mut candidates = candidates.filter(|python| python.is_file());
-    candidates
-        .next()
-        .unwrap_or_else(|| "python3".into())
+    candidates.next().unwrap_or_else(|| "python3".into())
 }

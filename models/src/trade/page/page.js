@@ -149,6 +149,12 @@ function list(pairs) {
   return make("dl", {}, items);
 }
 
+function spreads(rows) {
+  const cells = (tag, texts) => texts.map(text => make(tag, { textContent: text }));
+  const line = ([name, s, write]) => make("tr", {}, cells("td", [name, write(s.max), write(s.quantile_999), figures(s.rms)]));
+  return make("table", { className: "spreads" }, [make("tr", {}, cells("th", ["", "max", "99.9 %", "rms"])), ...rows.filter(row => row[1].count).map(line)]);
+}
+
 function pictureOf(point) {
   const sources = { picture: data.pictures[point.picture], map: data.pictures[point.map], truth: data.truth };
   const names = { picture: "picture", map: "error map", truth: "truth" };
@@ -187,7 +193,6 @@ function drawDetail() {
   }
   const parts = [make("h2", { textContent: point.id })];
   const e = point.errors;
-  const spread = (s, unit, write = figures) => `${write(s.max)} max, ${write(s.quantile_999)} (99.9 %)${unit}`;
   if (point.refused != null) parts.push(make("p", { className: "note", textContent: `Does not fit: ${point.refused}` }));
   if (e) {
     parts.push(...pictureOf(point));
@@ -208,13 +213,14 @@ function drawDetail() {
       ["missing; extra", `${e.missing}; ${e.extra} of ${e.covered}`],
       ["wrong object; wrong face", `${e.wrong_object}; ${e.wrong_face}`],
       ["cracks", String(e.cracks)],
-      ["front depth, base words", spread(e.depth_words, "")],
-      ["front depth, pixels", `${spread(e.depth_px, "")}, ${figures(e.depth_px.rms)} rms`],
-      ["back depth, pixels", e.back_px.count ? spread(e.back_px, "") : null],
       ["patches with a face too few or many", String(e.back_differs)],
-      ["normal", `${spread(e.normal_deg, "")}\u00b0`],
-      ["colour, 1/255", spread(e.colour, "", whole)],
-      ["colour, same face", spread(e.colour_same_face, "", whole)],
+    ]), spreads([
+      ["front depth, words", e.depth_words, figures],
+      ["front depth, pixels", e.depth_px, figures],
+      ["back depth, pixels", e.back_px, figures],
+      ["normal, degrees", e.normal_deg, figures],
+      ["colour, 1/255", e.colour, whole],
+      ["colour, same face", e.colour_same_face, whole],
     ]), ...histogramOf(e));
   }
   parts.push(make("h3", { textContent: "Reproduce" }), make("pre", { textContent: point.command, tabIndex: 0 }));
