@@ -350,6 +350,9 @@ pub struct Trade {
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
     pub target: String,
+    /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the first time.
+    #[arg(long)]
+    pub clock: bool,
     /// Which points: a dozen or some two hundred and fifty.
     #[arg(long, value_enum, default_value_t = Points::Full)]
     pub points: Points,

@@ -16,16 +16,16 @@ use tempfile::TempDir;
 static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/cut-sphere.toml");
-    let cost = |machine: &FittedMachine| {
+    let cost = |machine: &FittedMachine| -> Cost {
         let w = machine.widths;
         let cells = u64::from(100 * (w.depth + w.root) + 3 * w.guard_quadratic);
-        Ok(Cost {
+        Cost {
             lut: cells / 2,
             ff: cells / 3,
             dsp: 0,
             cells: cells + u64::from(machine.rows_per_stage),
-            fmax_mhz: 150.0,
-        })
+            fmax_mhz: Some(150.0),
+        }
     };
     let request = Request {
         file: &SceneFile::read(&scene).unwrap(),
@@ -36,7 +36,8 @@ static PAGE: LazyLock<(TempDir, String)> = LazyLock::new(|| {
         out: folder.path(),
         version: "0",
         program: "test",
-        cost: &cost,
+        costs: &|machines| Ok(machines.iter().map(cost).collect()),
+        with_clock: true,
         done: &|_| (),
     };
     let trade = run(&request).unwrap();

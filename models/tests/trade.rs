@@ -11,7 +11,7 @@ use imogene_models::trade::design::{Accuracy, Design, Space};
 use imogene_models::trade::measure::{measure, zones};
 use imogene_models::trade::page::page;
 use imogene_models::trade::plot::draw;
-use imogene_models::trade::point::{Cost, CostOf};
+use imogene_models::trade::point::{Cost, CostsOf};
 use imogene_models::trade::report::{FRONTS, Trade};
 use imogene_models::trade::run::{Request, Shard, run, run_shard};
 use std::path::{Path, PathBuf};
@@ -23,16 +23,20 @@ fn scene(name: &str) -> SceneFile {
 }
 
 /// Costs that are a sum of widths, so that every machine has one of its own.
-fn sum(machine: &FittedMachine) -> Result<Cost, String> {
+fn sums(machines: &[FittedMachine]) -> Result<Vec<Cost>, String> {
+    Ok(machines.iter().map(sum).collect())
+}
+
+fn sum(machine: &FittedMachine) -> Cost {
     let w = machine.widths;
     let bits = u64::from(w.depth + 2 * w.root + w.normal + w.guard_linear + w.guard_quadratic);
-    Ok(Cost {
+    Cost {
         lut: bits,
         ff: bits * 2,
         dsp: 0,
         cells: bits * 3 + u64::from(machine.rows_per_stage),
-        fmax_mhz: 200.0 / f64::from(machine.rows_per_stage),
-    })
+        fmax_mhz: Some(200.0 / f64::from(machine.rows_per_stage)),
+    }
 }
 
 struct Run<'a> {
@@ -40,7 +44,7 @@ struct Run<'a> {
     file: SceneFile,
     size: (u32, u32),
     program: &'a str,
-    cost: CostOf<'a>,
+    costs: CostsOf<'a>,
     designs: Vec<Design>,
 }
 
@@ -51,7 +55,7 @@ impl<'a> Run<'a> {
             file: scene("cut-sphere.toml"),
             size: (48, 36),
             program: "one",
-            cost: &sum,
+            costs: &sums,
             designs: Space::Quick.designs(),
         }
     }
@@ -66,7 +70,8 @@ impl<'a> Run<'a> {
             out: self.out,
             version: "0",
             program: self.program,
-            cost: self.cost,
+            costs: self.costs,
+            with_clock: true,
             done: &|_| (),
         })
     }
@@ -91,12 +96,12 @@ fn point_files(folder: &Path) -> Vec<PathBuf> {
 fn an_interrupted_run_goes_on_to_the_same_results() {
     let folder = tempfile::tempdir().unwrap();
     let asked = AtomicU64::new(0);
-    let counted = |machine: &FittedMachine| {
-        asked.fetch_add(1, Ordering::Relaxed);
-        sum(machine)
+    let counted = |machines: &[FittedMachine]| {
+        asked.fetch_add(machines.len() as u64, Ordering::Relaxed);
+        sums(machines)
     };
     let whole = Run {
-        cost: &counted,
+        costs: &counted,
         ..Run::new(folder.path())
     };
     let first = whole.text();
@@ -127,11 +132,9 @@ fn an_interrupted_run_goes_on_to_the_same_results() {
         .iter()
         .sum();
     assert_eq!(points as u64, all);
-    let none = |_: &FittedMachine| -> Result<Cost, String> { panic!("all is measured") };
-    let rest = Run {
-        cost: &none,
-        ..Run::new(other.path())
-    };
+    // All is measured, and has no cost yet.
+    assert_eq!(point_files(other.path()).len() as u64, all);
+    let rest = Run::new(other.path());
     assert_eq!(rest.text(), first);
 }
 
@@ -164,9 +167,9 @@ fn results_of_another_run_are_not_taken() {
 #[test]
 fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
     let folder = tempfile::tempdir().unwrap();
-    let refused = |_: &FittedMachine| Err("no tools: install them".to_owned());
+    let refused = |_: &[FittedMachine]| Err("no tools: install them".to_owned());
     let without = Run {
-        cost: &refused,
+        costs: &refused,
         ..Run::new(folder.path())
     };
     let trade = without.trade();
@@ -181,7 +184,27 @@ fn a_cost_that_was_not_to_be_had_is_asked_for_again() {
             Some("no tools: install them")
         );
     }
+    // Then without a clock, and with one.
     let other = tempfile::tempdir().unwrap();
+    let slow = |machines: &[FittedMachine]| {
+        let without = |cost: Cost| Cost {
+            fmax_mhz: None,
+            ..cost
+        };
+        Ok(machines.iter().map(sum).map(without).collect())
+    };
+    let without_clock = Run {
+        costs: &slow,
+        ..Run::new(folder.path())
+    };
+    let trade = without_clock.trade();
+    assert_eq!(trade.measure, "cells");
+    assert!(
+        trade
+            .points
+            .iter()
+            .all(|e| e.point.pixels_per_second.is_none())
+    );
     let with = Run::new(folder.path()).text();
     assert_eq!(with, Run::new(other.path()).text());
 }

@@ -2,7 +2,7 @@
 
 mod parts;
 
-use super::size_of;
+use super::{fitted, size_of};
 use crate::arguments::{Points, Trade, TradeEngine};
 use crate::failure::Failure;
 use crate::output;
@@ -16,6 +16,7 @@ use imogene_models::trade::point::Cost;
 use imogene_models::trade::report::{self, FRONTS};
 use imogene_models::trade::run::{self, Request};
 use imogene_synth::Target;
+use imogene_synth::fitted::MachineCost;
 use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -42,7 +43,8 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         out: &options.out,
         version,
         program: &format!("{version} {}", own_digest()?),
-        cost: &|machine| cost(machine, target),
+        costs: &|machines| costs(machines, target, options.clock),
+        with_clock: options.clock,
         done: &|points| bar.inc(points),
     };
     if let Some(shard) = options.shard {
@@ -83,12 +85,23 @@ fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) 
     }
 }
 
-/// What synthesis says of a machine.
-fn cost(_: &FittedMachine, target: Target) -> Result<Cost, String> {
-    Err(format!(
-        "synthesis of fitted machines for {} is not part of this version",
-        target.name()
-    ))
+/// What synthesis says of machines.
+fn costs(
+    machines: &[FittedMachine],
+    target: Target,
+    with_clock: bool,
+) -> Result<Vec<Cost>, String> {
+    let costs = fitted::costs(machines, target, with_clock).map_err(|failure| match failure {
+        Failure::Check(problem) | Failure::Input(problem) => problem,
+    })?;
+    let cost = |c: &MachineCost| Cost {
+        lut: c.lut,
+        ff: c.ff,
+        dsp: c.dsp,
+        cells: c.cells,
+        fmax_mhz: c.fmax_mhz,
+    };
+    Ok(costs.iter().map(cost).collect())
 }
 
 /// What tells this program from any other: results of another one are measured again.

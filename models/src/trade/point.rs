@@ -18,12 +18,12 @@ pub struct Cost {
     pub dsp: u64,
     /// Logic cells.
     pub cells: u64,
-    /// Greatest clock.
-    pub fmax_mhz: f64,
+    /// Greatest clock; none if it was not asked for.
+    pub fmax_mhz: Option<f64>,
 }
 
-/// Where costs come from: a machine's, or why there is none and how to get it.
-pub type CostOf<'a> = &'a (dyn Fn(&FittedMachine) -> Result<Cost, String> + Sync);
+/// Where costs come from: those of machines in their order, or why there are none and how to get them.
+pub type CostsOf<'a> = &'a (dyn Fn(&[FittedMachine]) -> Result<Vec<Cost>, String> + Sync);
 
 /// One point of the design space.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -60,6 +60,8 @@ pub struct Point {
     pub map: Option<String>,
     /// The command that draws the picture, or shows the refusal.
     pub command: String,
+    /// The command that writes the Verilog of the machine.
+    pub emit: Option<String>,
 }
 
 impl Point {

@@ -197,7 +197,7 @@ fn fields(entry: &Entry) -> Vec<String> {
         cost(|c| c.ff.to_string()),
         cost(|c| c.dsp.to_string()),
         cost(|c| c.cells.to_string()),
-        cost(|c| c.fmax_mhz.to_string()),
+        cost(|c| c.fmax_mhz.map_or_else(String::new, |mhz| mhz.to_string())),
         of(point.pixels_per_second.map(|v| v.to_string())),
         entry.pareto.join(" "),
         point.command.clone(),

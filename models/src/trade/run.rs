@@ -3,9 +3,10 @@
 use super::TradeError;
 use super::design::{Accuracy, Design};
 use super::measure::{Measured, measure, widest};
-use super::point::{CostOf, Point};
+use super::point::{Cost, CostsOf, Point};
 use super::report::{Trade, assemble};
 use super::store::{Key, Store};
+use crate::machine::fitted::FittedMachine;
 use crate::metrics::Truth;
 use crate::picture::write_png;
 use crate::scene::{FramedScene, SceneFile};
@@ -33,8 +34,10 @@ pub struct Request<'a> {
     pub version: &'a str,
     /// What tells this program from any other that might measure something else.
     pub program: &'a str,
-    /// Where costs come from.
-    pub cost: CostOf<'a>,
+    /// Where costs come from; they are asked for once for all machines.
+    pub costs: CostsOf<'a>,
+    /// Whether a cost without a clock is to be asked for again.
+    pub with_clock: bool,
     /// Called with the number of points that are finished, from any thread.
     pub done: &'a (dyn Fn(u64) + Sync),
 }
@@ -74,6 +77,7 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
         subject.truth()?;
     }
     subject.finish(&groups(&request.designs))?;
+    subject.add_costs()?;
     let points = request.designs.iter().map(|design| {
         let id = design.name();
         subject.store.take(&id).ok_or_else(|| TradeError::Read {
@@ -94,7 +98,7 @@ pub fn check(request: &Request) -> Result<(), TradeError> {
     Subject::new(request).map(|_| ())
 }
 
-/// Measures a part of the points and keeps them; gives their number.
+/// Measures a part of the points and keeps them, without costs; gives their number.
 ///
 /// # Errors
 ///
@@ -174,7 +178,8 @@ impl<'a> Subject<'a> {
             if !self.is_kept(group) {
                 self.measure(group)?;
             }
-            self.add_costs(group)
+            (self.request.done)(group.designs.len() as u64);
+            Ok(())
         })
     }
 
@@ -183,23 +188,34 @@ impl<'a> Subject<'a> {
         names.all(|id| self.store.take(&id).is_some())
     }
 
-    /// Costs that were not to be had before are asked for again.
-    fn add_costs(&self, group: &Group) -> Result<(), TradeError> {
-        for design in group.designs {
-            if let Some(point) = self.store.take(&design.name())
-                && let (Some(machine), None) = (&point.machine, point.cost)
-            {
-                let with_cost = self.with_cost(point.clone(), (self.request.cost)(machine));
-                if with_cost != point {
-                    self.store.keep(&with_cost)?;
-                }
-            }
-            (self.request.done)(1);
+    /// The costs of all machines that have none yet, in one go: machines share most of their modules.
+    fn add_costs(&self) -> Result<(), TradeError> {
+        let kept = self.request.designs.iter();
+        let points: Vec<Point> = kept
+            .filter_map(|design| self.store.take(&design.name()))
+            .filter(|point| self.lacks_cost(point))
+            .collect();
+        let machines: Vec<FittedMachine> =
+            points.iter().filter_map(|p| p.machine.clone()).collect();
+        if machines.is_empty() {
+            return Ok(());
+        }
+        let costs: Vec<Result<Cost, String>> = match (self.request.costs)(&machines) {
+            Ok(costs) => costs.into_iter().map(Ok).collect(),
+            Err(problem) => vec![Err(problem); machines.len()],
+        };
+        for (point, cost) in points.into_iter().zip(costs) {
+            self.store.keep(&self.with_cost(point, cost))?;
         }
         Ok(())
     }
 
-    fn with_cost(&self, point: Point, cost: Result<super::point::Cost, String>) -> Point {
+    fn lacks_cost(&self, point: &Point) -> bool {
+        let without_clock = |cost: Cost| self.request.with_clock && cost.fmax_mhz.is_none();
+        point.machine.is_some() && point.cost.is_none_or(without_clock)
+    }
+
+    fn with_cost(&self, point: Point, cost: Result<Cost, String>) -> Point {
         let (cost, cost_refused) = match cost {
             Ok(cost) => (Some(cost), None),
             Err(problem) => (None, Some(problem)),
@@ -208,7 +224,7 @@ impl<'a> Subject<'a> {
         let pixels = f64::from(width) * f64::from(height);
         let per_second = |mhz: f64| Some(mhz * 1e6 * pixels / point.clocks_per_frame? as f64);
         Point {
-            pixels_per_second: cost.and_then(|c| per_second(c.fmax_mhz)),
+            pixels_per_second: cost.and_then(|c| per_second(c.fmax_mhz?)),
             cost,
             cost_refused,
             ..point
@@ -250,12 +266,11 @@ impl<'a> Subject<'a> {
             command: self.command(design, &widths::print(&measured.widths)),
             ..self.refused(design, "")
         };
-        let cost = (self.request.cost)(&machine);
-        let point = Point {
+        Point {
+            emit: Some(machine.command()),
             machine: Some(machine),
             ..point
-        };
-        self.with_cost(point, cost)
+        }
     }
 
     /// A point of which nothing is known but why.
@@ -282,6 +297,7 @@ impl<'a> Subject<'a> {
             picture: None,
             map: None,
             command: self.command(design, &widths::print(&widest(&design.accuracy))),
+            emit: None,
         }
     }
 

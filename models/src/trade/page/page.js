@@ -37,8 +37,9 @@ const columns = [
 const byKey = new Map(columns.map(column => [column.key, column]));
 // The name tells normal bits, guard bits, digits dropped and zones; they have no column of their own.
 const inName = ["n", "g1", "g2", "d", "zone"];
-const ofCost = data.measure === "cells" ? [] : ["cells", "mhz", "mpps"];
-const shown = columns.filter(column => !inName.includes(column.key) && !ofCost.includes(column.key));
+const ofCost = ["cells", "mhz", "mpps"];
+const isKnown = column => data.points.some(point => get(point, column.path) != null);
+const shown = columns.filter(column => !inName.includes(column.key) && (!ofCost.includes(column.key) || isKnown(column)));
 
 const defaults = { sort: data.measure, dir: "asc", filter: "", point: "", view: "picture" };
 let state = { ...defaults };
@@ -205,7 +206,8 @@ function drawDetail() {
       ["latency; clocks per image", `${point.latency}; ${point.clocks_per_frame}`],
       ["register toggles per pixel", `${whole(point.toggles.total)} (PE1 ${whole(point.toggles.pe1)}, PE2 ${whole(point.toggles.pe2)}, root ${whole(point.toggles.root)}, depth ${whole(point.toggles.depth)})`],
       ["LUT, FF, DSP", point.cost && `${point.cost.lut}, ${point.cost.ff}, ${point.cost.dsp}`],
-      ["cells; clock", point.cost && `${point.cost.cells}; ${point.cost.fmax_mhz.toFixed(1)} MHz`],
+      ["cells", point.cost && String(point.cost.cells)],
+      ["clock", point.cost && point.cost.fmax_mhz && `${point.cost.fmax_mhz.toFixed(1)} MHz`],
       ["pixels per second", point.pixels_per_second && `${(point.pixels_per_second / 1e6).toFixed(2)} million`],
     ]));
     if (point.cost_refused) parts.push(make("p", { className: "note", textContent: `No cost: ${point.cost_refused}` }));
@@ -224,6 +226,7 @@ function drawDetail() {
     ]), ...histogramOf(e));
   }
   parts.push(make("h3", { textContent: "Reproduce" }), make("pre", { textContent: point.command, tabIndex: 0 }));
+  if (point.emit) parts.push(make("pre", { className: "next", textContent: point.emit, tabIndex: 0 }));
   detail.replaceChildren(...parts);
 }
 
