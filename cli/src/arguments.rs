@@ -353,6 +353,9 @@ pub struct Trade {
     /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the first time.
     #[arg(long)]
     pub clock: bool,
+    /// Synthesise nothing: errors, clocks and toggles alone. A later run without it adds the costs.
+    #[arg(long, conflicts_with = "clock")]
+    pub no_cost: bool,
     /// Which points: a dozen or some two hundred and fifty.
     #[arg(long, value_enum, default_value_t = Points::Full)]
     pub points: Points,

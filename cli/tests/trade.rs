@@ -9,7 +9,14 @@ use std::path::Path;
 fn trade(scene_name: &str, out: &Path, more: &[&str]) -> (Option<i32>, String, String) {
     let output = imogene()
         .args([
-            "--json", "trade", "--size", "48x36", "--points", "quick", "--out",
+            "--json",
+            "trade",
+            "--size",
+            "48x36",
+            "--points",
+            "quick",
+            "--no-cost",
+            "--out",
         ])
         .arg(out)
         .arg(scene(scene_name))

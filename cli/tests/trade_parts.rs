@@ -12,7 +12,15 @@ const DEADLINE: Duration = Duration::from_secs(60);
 fn command(out: &Path, more: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_imogene"));
     command
-        .args(["trade", "--size", "96x72", "--points", "quick", "--out"])
+        .args([
+            "trade",
+            "--size",
+            "96x72",
+            "--points",
+            "quick",
+            "--no-cost",
+            "--out",
+        ])
         .arg(out)
         .arg(scene("teapot.toml"))
         .args(more)

@@ -43,7 +43,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         out: &options.out,
         version,
         program: &format!("{version} {}", own_digest()?),
-        costs: &|machines| costs(machines, target, options.clock),
+        costs: &|machines| costs(machines, target, options),
         with_clock: options.clock,
         done: &|points| bar.inc(points),
     };
@@ -86,14 +86,14 @@ fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) 
 }
 
 /// What synthesis says of machines.
-fn costs(
-    machines: &[FittedMachine],
-    target: Target,
-    with_clock: bool,
-) -> Result<Vec<Cost>, String> {
-    let costs = fitted::costs(machines, target, with_clock).map_err(|failure| match failure {
-        Failure::Check(problem) | Failure::Input(problem) => problem,
-    })?;
+fn costs(machines: &[FittedMachine], target: Target, options: &Trade) -> Result<Vec<Cost>, String> {
+    if options.no_cost {
+        return Err("not asked for; run the command again without --no-cost".into());
+    }
+    let costs =
+        fitted::costs(machines, target, options.clock).map_err(|failure| match failure {
+            Failure::Check(problem) | Failure::Input(problem) => problem,
+        })?;
     let cost = |c: &MachineCost| Cost {
         lut: c.lut,
         ff: c.ff,

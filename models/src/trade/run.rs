@@ -34,7 +34,7 @@ pub struct Request<'a> {
     pub version: &'a str,
     /// What tells this program from any other that might measure something else.
     pub program: &'a str,
-    /// Where costs come from; they are asked for once for all machines.
+    /// Where costs come from.
     pub costs: CostsOf<'a>,
     /// Whether a cost without a clock is to be asked for again.
     pub with_clock: bool,
@@ -50,6 +50,9 @@ pub struct Shard {
     /// Of how many.
     pub of: usize,
 }
+
+/// Machines whose costs are asked for at once, and kept before the next ones.
+const TOGETHER: usize = 48;
 
 /// Points of the same pixels.
 struct Group<'a> {
@@ -188,24 +191,25 @@ impl<'a> Subject<'a> {
         names.all(|id| self.store.take(&id).is_some())
     }
 
-    /// The costs of all machines that have none yet, in one go: machines share most of their modules.
+    /// The costs of all machines that have none yet, many in one go: they share most of their modules.
     fn add_costs(&self) -> Result<(), TradeError> {
         let kept = self.request.designs.iter();
         let points: Vec<Point> = kept
             .filter_map(|design| self.store.take(&design.name()))
             .filter(|point| self.lacks_cost(point))
             .collect();
-        let machines: Vec<FittedMachine> =
-            points.iter().filter_map(|p| p.machine.clone()).collect();
-        if machines.is_empty() {
-            return Ok(());
-        }
-        let costs: Vec<Result<Cost, String>> = match (self.request.costs)(&machines) {
-            Ok(costs) => costs.into_iter().map(Ok).collect(),
-            Err(problem) => vec![Err(problem); machines.len()],
-        };
-        for (point, cost) in points.into_iter().zip(costs) {
-            self.store.keep(&self.with_cost(point, cost))?;
+        for points in points.chunks(TOGETHER) {
+            let machines: Vec<FittedMachine> =
+                points.iter().filter_map(|p| p.machine.clone()).collect();
+            let costs: Vec<Result<Cost, String>> = match (self.request.costs)(&machines) {
+                Ok(costs) => costs.into_iter().map(Ok).collect(),
+                Err(problem) => vec![Err(problem); machines.len()],
+            };
+            // A cost without a clock is better than none.
+            let better = |(point, cost): &(&Point, _)| point.cost.is_none() || Result::is_ok(cost);
+            for (point, cost) in points.iter().zip(costs).filter(better) {
+                self.store.keep(&self.with_cost(point.clone(), cost))?;
+            }
         }
         Ok(())
     }
