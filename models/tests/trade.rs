@@ -77,7 +77,7 @@ impl<'a> Run<'a> {
     }
 
     fn trade(&self) -> Trade {
-        self.with(|request| run(request)).unwrap()
+        self.with(run).unwrap()
     }
 
     fn text(&self) -> String {
@@ -285,7 +285,7 @@ fn scenes_of_other_processors_are_refused_by_name() {
         file: scene("processors/mesh.toml"),
         ..Run::new(folder.path())
     };
-    let error = run_of.with(|request| run(request)).unwrap_err();
+    let error = run_of.with(run).unwrap_err();
     assert!(
         matches!(
             error,
