@@ -1,7 +1,7 @@
 //! The cost of a whole machine from the costs of its modules.
 //!
-//! Machines that differ in one word share most of their modules. Each distinct module is synthesised once, with the modules below it as black boxes, and its
-//! own cells are kept by the digest of its text; a machine costs the sum over its instances. Nothing is optimised across modules, so the sum
+//! Machines that differ in one word share most of their units. Each distinct unit is synthesised once, and what holds units with these as black boxes; the
+//! cells are kept by the digest of the text, and a machine costs the sum over its instances. Nothing is optimised across modules, so the sum
 //! is somewhat more than a synthesis of the flat machine; `docs/fit.md` compares the two.
 
 mod modules;
@@ -14,7 +14,7 @@ use crate::harness;
 use crate::target::{Family, Target};
 use crate::yosys::{self, Resources};
 use imogene_rtl::emit::Emitted;
-use modules::{Module, closure, modules, ports};
+use modules::{Module, closure, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
@@ -85,7 +85,7 @@ impl Knowledge {
                 kind,
                 digest,
                 target.name(),
-                &target.synthesis("top"),
+                &target.synthesis_of_part("top"),
                 &versions,
             ])
         };
@@ -188,7 +188,7 @@ fn synthesise_alone(
         }
         script += &format!(
             "; {}; tee -q -o {}.stat {}",
-            target.synthesis(&module.name),
+            target.synthesis_of_part(&module.name),
             module.name,
             target.statistics()
         );
@@ -203,28 +203,15 @@ fn synthesise_alone(
     batch.iter().map(read).collect()
 }
 
-/// The units of a machine that can be the slowest, as designs of their own.
+/// The units of a machine that can be the slowest, as designs of their own: of variants that differ in their planes, the largest.
 fn critical(machine: &Emitted) -> Vec<Emitted> {
-    // Variants of a module have their widths or a number behind the name, as in normal_unit_w12_v2.
-    let is_mark = |part: &str| {
-        let digits = part.trim_start_matches(|c: char| "wvx".contains(c));
-        !digits.is_empty()
-            && digits.len() < part.len()
-            && digits.bytes().all(|b| b.is_ascii_digit())
+    let largest = |kind: &&str| {
+        let modules = machine.modules.iter();
+        let variants = modules.filter(|(name, _)| is_of(name, kind));
+        variants.max_by_key(|(_, text)| text.len())
     };
-    let is_critical = |name: &str| {
-        CRITICAL.iter().any(|critical| {
-            let rest = name.strip_prefix(critical);
-            rest.is_some_and(|rest| {
-                rest.split('_').skip(1).all(is_mark) && (rest.is_empty() || rest.starts_with('_'))
-            })
-        })
-    };
-    let names = machine.modules.iter().map(|(name, _)| name);
-    names
-        .filter(|name| is_critical(name))
-        .map(|name| unit(machine, name))
-        .collect()
+    let found = CRITICAL.iter().filter_map(largest);
+    found.map(|(name, _)| unit(machine, name)).collect()
 }
 
 /// One module of a machine and all below it.

@@ -90,8 +90,9 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     };
     let choice = choose(&found, options.min_mhz, target)?;
     let base = base_machine(&choice.machine);
-    let base_cost = fitted::costs(&[base], target, true)?;
-    let base_cost = base_cost.into_iter().next().unwrap_or_default();
+    let machines = [choice.machine.clone(), base];
+    let costs = fitted::costs(&machines, target, true)?;
+    let (cost, base_cost) = (costs[0], costs[1]);
     let emitted = fitted::emit(&choice.machine, None)?;
     let cosim = cosimulate(&choice, &emitted, options.engine)?;
     let bounds = proof::bounds(&frames, choice.drawn);
@@ -115,9 +116,9 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
         bounds,
         measured: choice.drawn.metrics.clone(),
         target: target.name(),
-        cost: choice.cost,
+        cost,
         base_cost,
-        saving_percent: saving(&choice.cost, &base_cost),
+        saving_percent: saving(&cost, &base_cost),
         cosim,
         command: choice.machine.command(),
         reproduce: options.reproduce(&budget),
@@ -177,7 +178,7 @@ fn choose<'a>(
         .map(|(drawn, rows)| (drawn, drawn.machine(rows)))
         .collect();
     let machines: Vec<FittedMachine> = candidates.iter().map(|(_, m)| m.clone()).collect();
-    let costs = fitted::costs(&machines, target, true)?;
+    let costs = fitted::costs(&machines, target, min_mhz.is_some())?;
     let priced = candidates.into_iter().zip(costs);
     let priced: Vec<Choice> = priced
         .map(|((drawn, machine), cost)| Choice {

@@ -4,30 +4,64 @@ use crate::cache::digest;
 use imogene_rtl::emit::{Direction, Emitted, Port};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A module of a machine.
+/// Modules that hold units; what they hold is synthesised apart. Every other module is synthesised with all that is below it, since constants that pass from
+/// one to the next take much of it away, as in the triangle of a root network.
+const COMPOSITES: [&str; 4] = ["beam", "decider", "quadric_processor", "quadric_pe"];
+
+/// A module of a machine that is synthesised apart.
 #[derive(Clone, Debug)]
 pub(super) struct Module {
     pub name: String,
-    /// Of its text, in which the names and widths of its ports and of those below it stand.
+    /// Of its text, in which the names and widths of its ports and of those below it stand; of a unit, of all texts below it too.
     pub digest: String,
     /// Instances in the whole machine.
     pub instances: u64,
-    /// Instances of each module below.
+    /// Instances of each module below that is synthesised apart.
     pub children: BTreeMap<String, u64>,
 }
 
-/// The modules of a machine, the top first.
+/// True if a module is one of this kind: variants have their widths or a number behind the name, as in `normal_unit_w12_v2`.
+pub(super) fn is_of(name: &str, kind: &str) -> bool {
+    let is_mark = |part: &str| {
+        let digits = part.trim_start_matches(['w', 'v', 'x']);
+        !digits.is_empty()
+            && digits.len() < part.len()
+            && digits.bytes().all(|b| b.is_ascii_digit())
+    };
+    match name.strip_prefix(kind) {
+        Some("") => true,
+        Some(rest) => rest.starts_with('_') && rest.split('_').skip(1).all(is_mark),
+        None => false,
+    }
+}
+
+fn is_composite(machine: &Emitted, name: &str) -> bool {
+    name == machine.top || COMPOSITES.iter().any(|kind| is_of(name, kind))
+}
+
+/// The modules of a machine that are synthesised apart, the top first.
 pub(super) fn modules(machine: &Emitted) -> Vec<Module> {
     let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut list: Vec<Module> = machine
         .modules
         .iter()
         .rev()
-        .map(|(name, text)| Module {
-            name: name.clone(),
-            digest: digest(text),
-            instances: u64::from(*name == machine.top),
-            children: children(text, &names),
+        .map(|(name, text)| {
+            let is_composite = is_composite(machine, name);
+            Module {
+                name: name.clone(),
+                digest: if is_composite {
+                    digest(text)
+                } else {
+                    texts_below(machine, name)
+                },
+                instances: u64::from(*name == machine.top),
+                children: if is_composite {
+                    children(text, &names)
+                } else {
+                    BTreeMap::new()
+                },
+            }
         })
         .collect();
     // Leaves stand first in the text, so every module comes before those below it here.
@@ -37,7 +71,16 @@ pub(super) fn modules(machine: &Emitted) -> Vec<Module> {
             module.instances += times * children.get(&module.name).copied().unwrap_or(0);
         }
     }
+    list.retain(|module| module.instances > 0);
     list
+}
+
+fn texts_below(machine: &Emitted, name: &str) -> String {
+    let needed = closure(machine, name);
+    let modules = machine.modules.iter();
+    let texts = modules.filter(|(name, _)| needed.contains(name));
+    let texts: Vec<&str> = texts.map(|(_, text)| &**text).collect();
+    digest(&texts.concat())
 }
 
 /// Instances in a text: lines of the form `module instance (`.
@@ -56,10 +99,12 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
 
 /// A module and all below it.
 pub(super) fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
+    let names: BTreeSet<&str> = machine.modules.iter().map(|(name, _)| &**name).collect();
     let mut needed = BTreeSet::from([name.to_owned()]);
-    for module in modules(machine) {
-        if needed.contains(&module.name) {
-            needed.extend(module.children.into_keys());
+    // A module stands behind those below it.
+    for (module, text) in machine.modules.iter().rev() {
+        if needed.contains(module) {
+            needed.extend(children(text, &names).into_keys());
         }
     }
     needed
@@ -113,8 +158,8 @@ mod tests {
         // Two planes, each with both halves, in three processors.
         assert_eq!((of("plane_depth"), of("cut_plane")), (Some(6), Some(12)));
         assert_eq!(of("visibility_node"), Some(2));
-        // A pe1 for the depth, and one for each plane.
-        assert_eq!((of("pe1_w18"), of("pe1_w28")), (Some(3), Some(6)));
+        // The pe1 of the depth stands by itself, that of a plane is part of its unit.
+        assert_eq!((of("pe1_w18"), of("pe1_w28")), (Some(3), None));
         assert!(closure(&beam, "plane_depth").contains("pe1_w28"));
         assert!(!closure(&beam, "plane_depth").contains("pe2"));
     }
