@@ -409,6 +409,9 @@ pub struct Fit {
     /// Greatest angle of a normal in degrees, where picture and truth show the same face.
     #[arg(long, value_name = "DEGREES")]
     pub max_normal_error: Option<f64>,
+    /// Place and route the slowest units as well, for their clock.
+    #[arg(long)]
+    pub clock: bool,
     /// Clock that the slowest unit must reach on the target.
     #[arg(long, value_name = "MHZ")]
     pub min_mhz: Option<f64>,
@@ -457,6 +460,9 @@ impl Fit {
         command += &budget.options();
         if let Some(mhz) = self.min_mhz {
             command += &format!(" --min-mhz {mhz}");
+        }
+        if self.clock {
+            command += " --clock";
         }
         command + &format!(" --target {} --out {}", self.target, self.out.display())
     }

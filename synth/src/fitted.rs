@@ -9,7 +9,7 @@ mod modules;
 use crate::bench::Bench;
 use crate::cache::{Kept, digest};
 use crate::error::SynthError;
-use crate::flow::{Options, Programs, tools, write};
+use crate::flow::{Options, Programs, write};
 use crate::harness;
 use crate::target::{Family, Target};
 use crate::yosys::{self, Resources};
@@ -40,6 +40,9 @@ pub struct MachineCost {
 
 /// Units that can be the slowest; `square_root` stands for the whole network.
 const CRITICAL: [&str; 4] = ["cut_plane", "normal_unit", "depth_interval", "square_root"];
+
+/// The kind of result that depends on Yosys alone.
+const OWN_CELLS: &str = "own cells";
 
 /// Modules synthesised by one process.
 const BATCH: usize = 8;
@@ -79,14 +82,22 @@ impl Knowledge {
         with_clock: bool,
         done: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Knowledge, SynthError> {
-        let versions = format!("{:?}", tools(target)?);
+        let programs = if with_clock {
+            Programs::find(target)?
+        } else {
+            Programs::find_yosys()?
+        };
+        // Cells depend on Yosys alone, clocks on the router too.
+        let yosys = format!("{:?}", Programs::find_yosys()?.versions());
+        let all = format!("{:?}", programs.versions());
         let key = |kind: &str, digest: &str| {
+            let versions = if kind == OWN_CELLS { &yosys } else { &all };
             Kept::new(&[
                 kind,
                 digest,
                 target.name(),
                 &target.synthesis_of_part("top"),
-                &versions,
+                versions,
             ])
         };
         let mut own = HashMap::new();
@@ -99,7 +110,7 @@ impl Knowledge {
                 if !wanted.insert(module.digest.clone()) {
                     continue;
                 }
-                match key("own cells", &module.digest).load::<Own>() {
+                match key(OWN_CELLS, &module.digest).load::<Own>() {
                     Some(kept) => drop(own.insert(module.digest, kept.resources)),
                     None => of_machine.push(module),
                 }
@@ -108,7 +119,6 @@ impl Knowledge {
                 missing.push((machine, batch.to_vec()));
             }
         }
-        let programs = Programs::find(target)?;
         let finished = std::sync::atomic::AtomicUsize::new(own.len());
         let count = wanted.len();
         let found: Vec<Vec<(String, Resources)>> = missing
@@ -117,7 +127,7 @@ impl Knowledge {
                 let resources = synthesise_alone(machine, batch, &programs, target)?;
                 let mut results = Vec::new();
                 for (module, resources) in batch.iter().zip(resources) {
-                    key("own cells", &module.digest).store(&Own { resources })?;
+                    key(OWN_CELLS, &module.digest).store(&Own { resources })?;
                     results.push((module.digest.clone(), resources));
                 }
                 let before = finished.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed);

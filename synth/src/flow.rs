@@ -106,6 +106,14 @@ impl Programs {
         })
     }
 
+    /// Yosys alone, for resources.
+    pub fn find_yosys() -> Result<Self, SynthError> {
+        Ok(Self {
+            yosys: Program::Yosys.find()?,
+            router: None,
+        })
+    }
+
     /// Versions by name.
     pub fn versions(&self) -> BTreeMap<String, String> {
         let tools = std::iter::once(&self.yosys).chain(&self.router);

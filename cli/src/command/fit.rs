@@ -91,7 +91,8 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let choice = choose(&found, options.min_mhz, target)?;
     let base = base_machine(&choice.machine);
     let machines = [choice.machine.clone(), base];
-    let costs = fitted::costs(&machines, target, true)?;
+    let with_clock = options.clock || options.min_mhz.is_some();
+    let costs = fitted::costs(&machines, target, with_clock)?;
     let (cost, base_cost) = (costs[0], costs[1]);
     let emitted = fitted::emit(&choice.machine, None)?;
     let cosim = cosimulate(&choice, &emitted, options.engine)?;
