@@ -5,7 +5,8 @@ use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::check::headroom::{Headroom, Summary, headroom, summaries};
-use imogene_models::check::trial::{self, FORMATS, Term, TrialReport, format_of};
+use imogene_models::check::trial::{self, FORMATS, Term, TrialReport};
+use imogene_models::format::Format;
 use imogene_models::scene::SceneFile;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -42,8 +43,8 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
     if !json {
         output::text(trial_head());
     }
-    for shape in FORMATS {
-        let format = format_of(shape).map_err(Failure::input)?;
+    for widths in FORMATS {
+        let format = Format::fitted(&widths).map_err(Failure::input)?;
         let report = trial::run(&format, options.cases, options.seed, false, |n| bar.inc(n));
         if !json {
             bar.suspend(|| output::text(trial_line(&report)));
@@ -80,10 +81,8 @@ fn trial_line(report: &TrialReport) -> String {
     });
     let ratios: Vec<String> = ratios.collect();
     format!(
-        "| {}, {}:{} | {} | {} | {} | {} | {} |",
-        report.depth,
-        report.guard_linear,
-        report.guard_quadratic,
+        "| {} | {} | {} | {} | {} | {} |",
+        report.label(),
         report.cases,
         report.comparisons,
         report.decided_exactly,
@@ -100,10 +99,8 @@ fn verdict(trial: &Trial) -> Result<(), Failure> {
     for format in &trial.formats {
         for v in &format.first_violations {
             text += &format!(
-                "\n  depth word {}, guard bits {}:{}, case {} of seed {}, pixel {:?}: {} {:e} beyond {:e}",
-                format.depth,
-                format.guard_linear,
-                format.guard_quadratic,
+                "\n  widths {}, case {} of seed {}, pixel {:?}: {} {:e} beyond {:e}",
+                format.widths,
                 v.case,
                 trial.seed,
                 v.pixel,
@@ -232,7 +229,7 @@ mod tests {
 
     #[test]
     fn an_error_beyond_its_bound_fails_the_check_and_is_named() {
-        let format = format_of(FORMATS[4]).unwrap();
+        let format = Format::fitted(&FORMATS[4]).unwrap();
         let mut report = trial::run(&format, 1, 1, false, |_| ());
         report.violations = 1;
         report.first_violations = vec![Violation {
@@ -252,7 +249,7 @@ mod tests {
             panic!("not a failed check");
         };
         for part in [
-            "depth word 20, guard bits 2:4",
+            "widths depth=20,root=20,plane=32,normal=16,g1=2,g2=4,dropped=0",
             "case 17 of seed 9",
             "(3, 4)",
             "2.5e0 beyond 2e0",

@@ -17,8 +17,6 @@ use crate::unit::pe2::Quadratic;
 
 /// Most pixels of a box along each side.
 const MOST_PIXELS: u64 = 1 << 10;
-/// Bits of a factor of the normal, and of the root it is multiplied with.
-const FACTOR_BITS: u32 = 15;
 
 /// Exact normal: `N_k = g_k -+ K_k s / 2^(shift + 6)`.
 pub(super) struct ExactNormal {
@@ -55,11 +53,11 @@ pub(super) struct Case {
 impl Case {
     /// Draws a case.
     pub fn draw(format: &Format, random: &mut Random) -> Case {
-        let (window, anchor, reach) = draw_box(random);
+        let (window, anchor, reach) = draw_box(most_pixels(format), random);
         let f1 = draw_linear(format, &reach, random);
         let (f2, on_silhouette) = draw_quadratic(format, &reach, random);
         let root_bits = root_bits(&f2, &reach, format);
-        let (normal, shift) = draw_normal(root_bits, &reach, random);
+        let (normal, shift) = draw_normal(format, root_bits, &reach, random);
         let words = QuadricWords {
             class: Class::Side,
             screen_box: window,
@@ -115,9 +113,28 @@ fn stated(
     }
 }
 
-fn draw_box(random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
+/// Most pixels of a box along each side in a format: roundings stay a small part of the words, or the preparation would refuse most objects. Words of the
+/// catalogue are long enough for all boxes.
+fn most_pixels(format: &Format) -> u64 {
+    let fits = |most: &u64| {
+        let side = (most / 2) as i64;
+        let reach = ScreenBox {
+            x0: -side,
+            x1: side,
+            y0: -side,
+            y1: side,
+        };
+        let word = |bits: u32| f64::exp2(f64::from(bits));
+        Anchor::ORIGIN.linear_bound(&reach) <= 0.05 * word(format.depth + format.guard_linear)
+            && Anchor::ORIGIN.quadratic_bound(&reach) <= 0.1 * word(format.pe2_width() - 1)
+    };
+    let sides = (0..=MOST_PIXELS.ilog2()).map(|power| MOST_PIXELS >> power);
+    sides.into_iter().find(fits).unwrap_or(1)
+}
+
+fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
     let mut side = || {
-        let limit = random_limit(random.next());
+        let limit = random_limit(most, random.next());
         random.below(limit) as i64
     };
     let (width, height) = (side(), side());
@@ -139,30 +156,40 @@ fn draw_box(random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
 }
 
 /// All magnitudes of boxes alike.
-fn random_limit(bits: u64) -> u64 {
-    MOST_PIXELS >> (bits % 10)
+fn random_limit(most: u64, bits: u64) -> u64 {
+    (most >> (bits % 10)).max(1)
 }
 
-/// Bits that hold the greatest root on the box.
+/// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding makes most of the root.
 fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
-    let most = super::shape::reach_of(f2, reach) / f2.denominator + 1;
+    let rounded = ExactQuadratic {
+        factors: f2.rounded(),
+        denominator: 1,
+    };
+    let most = super::shape::reach_of(&rounded, reach) + 1;
     let root = ((most >> format.guard_quadratic) as f64).sqrt() + 2.0;
     64 - (root as u64).leading_zeros()
 }
 
-/// A normal whose components stay within their 24 bits, with factors that use as much of theirs as that allows.
-fn draw_normal(root_bits: u32, reach: &ScreenBox, random: &mut Random) -> (ExactNormal, u8) {
-    let shift = root_bits.saturating_sub(FACTOR_BITS);
+/// A normal whose components stay within their words (24 bits in the base format), with factors that use as much of theirs as that allows.
+fn draw_normal(
+    format: &Format,
+    root_bits: u32,
+    reach: &ScreenBox,
+    random: &mut Random,
+) -> (ExactNormal, u8) {
+    // A factor of the normal, and the root it is multiplied with, have one bit less than a component.
+    let shift = root_bits.saturating_sub(format.normal - 1);
     let shifted_bits = root_bits - shift;
-    let product_fraction = Format::BASE.product_fraction();
-    // The product with the root is at most 2^21, the linear part at most 2^22.
-    let factor_limit =
-        f64::from(i16::MAX).min(f64::exp2(f64::from(21 + product_fraction - shifted_bits)));
+    // In the base format the product with the root is at most 2^21, the linear part at most 2^22.
+    let product_bits = format.normal_linear - 3;
+    let room = product_bits + format.product_fraction() - shifted_bits;
+    let factor_limit = f64::from(format.greatest_normal()).min(f64::exp2(f64::from(room)));
     let denominator = 1 + random.below(1 << 20) as i128;
     let size = random.magnitude(1.0, 8);
     let spread = (reach.x1 - reach.x0 + reach.y1 - reach.y0 + 1) as f64;
     let mut part = |limit: f64| (random.signed() * limit * denominator as f64) as i128;
-    let limit = size * f64::from(1 << 21);
+    let limit = size * f64::from(1 << product_bits);
     let g = [(); 3].map(|()| ExactLinear {
         factors: [part(limit / spread), part(limit / spread), part(limit)],
         denominator,

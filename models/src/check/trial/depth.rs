@@ -109,7 +109,7 @@ impl Pixel<'_> {
             format.drop_linear(self.q1 as i64),
             format.drop_quadratic(self.q2 as i64),
         );
-        let root = fast_root(f2);
+        let root = format.keep_rows(fast_root(f2));
         let stated = depth_terms(bounds, f2);
 
         let (r1, r2) = self.residuals();
@@ -133,7 +133,8 @@ impl Pixel<'_> {
             || dropped >= 0 && at_most(dropped, 1 << format.guard_linear, stated.truncation),
         );
         tally.compare(Term::RootFloor, at, (floor, stated.root_floor), || {
-            above >= 0 && self.q2 < i128::from(root + 1).pow(2) << format.guard_quadratic
+            let next = i128::from(root + (1 << format.dropped_rows));
+            above >= 0 && self.q2 < next.pow(2) << format.guard_quadratic
         });
         tally.compare(
             Term::QuadraticRoot,

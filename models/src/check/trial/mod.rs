@@ -16,7 +16,8 @@ mod tally;
 
 pub use tally::{Fared, Term, Violation};
 
-use crate::format::{Format, FormatError, GuardError};
+use crate::format::{FittedWidths, Format};
+use crate::widths;
 use case::Case;
 use random::Random;
 use rayon::prelude::*;
@@ -26,23 +27,55 @@ use tally::Tally;
 /// Cases of one piece of parallel work.
 const PIECE: u64 = 500;
 
-/// Depth words and guard bits that are tried: 14 formats. The 28-bit word has room for 8 guard bits of f2, the 32-bit word for none.
-pub const FORMATS: [(u32, u32, u32); 14] = [
-    (16, 0, 0),
-    (16, 2, 4),
-    (16, 4, 8),
-    (20, 0, 0),
-    (20, 2, 4),
-    (20, 4, 8),
-    (24, 0, 0),
-    (24, 2, 4),
-    (24, 4, 8),
-    (28, 0, 0),
-    (28, 2, 4),
-    (28, 4, 8),
-    (32, 0, 0),
-    (32, 4, 0),
+/// Widths that are tried. Fourteen formats of the catalogue, by depth word and guard bits: the 28-bit word has room for 8 guard bits of f2, the 32-bit word
+/// for none. Then eight of fitted machines: normals of 10 to 15 bits, root networks without their last rows, and both, down to the shortest words.
+pub const FORMATS: [FittedWidths; 22] = [
+    catalogue(16, 0, 0),
+    catalogue(16, 2, 4),
+    catalogue(16, 4, 8),
+    catalogue(20, 0, 0),
+    catalogue(20, 2, 4),
+    catalogue(20, 4, 8),
+    catalogue(24, 0, 0),
+    catalogue(24, 2, 4),
+    catalogue(24, 4, 8),
+    catalogue(28, 0, 0),
+    catalogue(28, 2, 4),
+    catalogue(28, 4, 8),
+    catalogue(32, 0, 0),
+    catalogue(32, 4, 0),
+    fitted(24, 24, 10, (0, 0), 0),
+    fitted(24, 24, 13, (2, 4), 0),
+    fitted(24, 24, 16, (0, 0), 1),
+    fitted(24, 21, 15, (0, 0), 4),
+    fitted(20, 18, 12, (2, 4), 2),
+    fitted(16, 16, 14, (4, 8), 8),
+    fitted(13, 11, 11, (1, 3), 3),
+    fitted(8, 8, 10, (0, 0), 2),
 ];
+
+const fn catalogue(depth: u32, guard_linear: u32, guard_quadratic: u32) -> FittedWidths {
+    fitted(depth, depth, 16, (guard_linear, guard_quadratic), 0)
+}
+
+const fn fitted(
+    depth: u32,
+    root: u32,
+    normal: u32,
+    (guard_linear, guard_quadratic): (u32, u32),
+    dropped_rows: u32,
+) -> FittedWidths {
+    FittedWidths {
+        depth,
+        root,
+        // No plane is tried: its bound is that of its coefficients, like the bound of f1.
+        plane: depth + 12,
+        normal,
+        guard_linear,
+        guard_quadratic,
+        dropped_rows,
+    }
+}
 
 /// How one term's bound fared.
 #[derive(Clone, Debug, Serialize)]
@@ -63,6 +96,14 @@ pub struct TrialReport {
     pub guard_linear: u32,
     /// Guard bits of f2.
     pub guard_quadratic: u32,
+    /// Root bits.
+    pub root: u32,
+    /// Bits of a normal component.
+    pub normal: u32,
+    /// Last digits of the root that are not computed.
+    pub dropped_rows: u32,
+    /// All widths, as text.
+    pub widths: String,
     /// Cases tried.
     pub cases: u64,
     /// Pixels tried.
@@ -83,20 +124,24 @@ pub struct TrialReport {
     pub terms: Vec<TermReport>,
 }
 
-/// A format of [`FORMATS`].
-pub fn format_of((depth, linear, quadratic): (u32, u32, u32)) -> Result<Format, TrialError> {
-    Ok(Format::new(depth)?.with_guards(linear, quadratic)?)
-}
-
-/// A format that cannot be tried.
-#[derive(Debug, PartialEq, Eq, thiserror::Error)]
-pub enum TrialError {
-    /// No such depth word.
-    #[error(transparent)]
-    Depth(#[from] FormatError),
-    /// No such guard bits.
-    #[error(transparent)]
-    Guards(#[from] GuardError),
+impl TrialReport {
+    /// The format in a few characters: depth word and guard bits, and of a fitted machine what else is not as in the catalogue.
+    pub fn label(&self) -> String {
+        let mut label = format!(
+            "{}, {}:{}",
+            self.depth, self.guard_linear, self.guard_quadratic
+        );
+        for (name, value, usual) in [
+            ("root", self.root, self.depth),
+            ("normal", self.normal, Format::BASE.normal),
+            ("dropped", self.dropped_rows, 0),
+        ] {
+            if value != usual {
+                label += &format!(", {name} {value}");
+            }
+        }
+        label
+    }
 }
 
 /// Tries `cases` random cases; `piece_done` is called after each piece with the number of cases in it, from any thread. With `always_exactly` every
@@ -190,6 +235,10 @@ fn report(format: &Format, cases: u64, tally: Tally) -> TrialReport {
         depth: format.depth,
         guard_linear: format.guard_linear,
         guard_quadratic: format.guard_quadratic,
+        root: format.root,
+        normal: format.normal,
+        dropped_rows: format.dropped_rows,
+        widths: widths::print(&format.widths()),
         cases,
         pixels: tally.pixels,
         comparisons: terms.iter().map(|t| t.fared.comparisons).sum(),

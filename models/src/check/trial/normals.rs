@@ -20,7 +20,7 @@ pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
     if f2 < 0 || true_f2 < 0 {
         return;
     }
-    let root = fast_root(f2);
+    let root = case.format.keep_rows(fast_root(f2));
     let g = words
         .normal
         .g

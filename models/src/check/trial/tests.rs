@@ -13,8 +13,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 
+fn of(widths: &FittedWidths) -> Format {
+    Format::fitted(widths).expect("a format")
+}
+
 fn formats() -> impl Iterator<Item = Format> {
-    FORMATS.into_iter().map(|f| format_of(f).expect("a format"))
+    FORMATS.iter().map(of)
 }
 
 /// Tries every format and expects no violation; returns the reports.
@@ -23,10 +27,11 @@ fn tried(cases: u64, seed: u64, always_exactly: bool) -> Vec<TrialReport> {
         .map(|format| run(&format, cases, seed, always_exactly, |_| ()))
         .collect();
     for report in &reports {
-        let name = (report.depth, report.guard_linear, report.guard_quadratic);
         assert_eq!(
-            report.violations, 0,
-            "{name:?}: {:?}",
+            report.violations,
+            0,
+            "{}: {:?}",
+            report.label(),
             report.first_violations
         );
         assert_eq!(report.cases, cases);
@@ -45,10 +50,8 @@ fn no_bound_is_exceeded_and_the_dominating_ones_are_tight() {
     for report in tried(cases, 4, false) {
         for t in &report.terms {
             println!(
-                "{}:{}:{} {}: {:.4} of {} comparisons, {:.4e} of {:.4e}",
-                report.depth,
-                report.guard_linear,
-                report.guard_quadratic,
+                "{} | {}: {:.4} of {} comparisons, {:.4e} of {:.4e}",
+                report.label(),
                 t.term.name(),
                 t.fared.tightness,
                 t.fared.comparisons,
@@ -101,7 +104,7 @@ proptest! {
     /// The trial's 128-bit rounding and residual bounds are those of the preparation, in big rationals on the screen's coordinates.
     #[test]
     fn cases_are_rounded_and_bounded_as_the_preparation_does(seed in any::<u64>(), which in 0usize..FORMATS.len()) {
-        let format = format_of(FORMATS[which]).expect("a format");
+        let format = of(&FORMATS[which]);
         let case = Case::draw(&format, &mut Random::of_case(seed, 0));
         let (f1, f2) = exact_forms(&case);
         let (g1, g2) = (format.guard_linear, format.guard_quadratic);
@@ -117,7 +120,7 @@ proptest! {
     /// What the preparation would refuse is not tried: f2, and f1 with the root, stay within their words on the whole box.
     #[test]
     fn cases_fit_their_words(seed in any::<u64>(), which in 0usize..FORMATS.len()) {
-        let format = format_of(FORMATS[which]).expect("a format");
+        let format = of(&FORMATS[which]);
         let case = Case::draw(&format, &mut Random::of_case(seed, 1));
         let window = case.words.screen_box;
         let unit = |guards: u32| power_of_two(guards).recip();
@@ -127,6 +130,15 @@ proptest! {
         let root = BigRational::from_integer(most.ceil().to_integer().sqrt() + 1);
         let f1 = LinearForm::of_words(&case.words.f1).scaled(&unit(format.guard_linear));
         prop_assert!(f1.max_abs_on(&window) + root < power_of_two(format.sum - 1));
+        // The root that the normal takes is not masked off, and the sum stays in its word.
+        let normal = &case.words.normal;
+        let shifted = f2.range_on(&window).1.max(integer(0)).ceil().to_integer().sqrt() >> normal.shift;
+        prop_assert!(shifted <= BigInt::from(format.greatest_normal()));
+        for (g, k) in normal.g.iter().zip(normal.k) {
+            let change = BigInt::from(k.unsigned_abs()) * &shifted / (1 << format.product_fraction()) + 1;
+            let most = LinearForm::of_words(g).max_abs_on(&window) + BigRational::from_integer(change);
+            prop_assert!(most < power_of_two(format.normal_linear - 1));
+        }
         let ScreenBox { x0, x1, y0, y1 } = window;
         prop_assert!(x0 >= 0 && y0 >= 0 && x1 < 4096 && y1 < 4096 && x0 <= x1 && y0 <= y1);
     }
