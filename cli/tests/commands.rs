@@ -212,8 +212,37 @@ fn units_prepare_and_check_answer_in_json() {
     );
     assert_keys(
         &checked["objects"][0],
-        &["name", "kind", "class", "problems"],
+        &[
+            "name",
+            "kind",
+            "class",
+            "problems",
+            "shows",
+            "visible_pixels",
+            "front_view",
+            "prism",
+            "degenerate",
+            "highlights",
+            "perpendicular_planes",
+            "planes_without_effect",
+        ],
     );
+    let accumulators = &checked["objects"][0]["accumulators"];
+    assert_keys(
+        accumulators,
+        &["f1", "f2", "f1_minus_r", "root", "normal_sum"],
+    );
+    assert_keys(
+        &accumulators["increments"]["f2"],
+        &["a2", "b2", "c", "j", "p", "i", "line_value"],
+    );
+    let machine = &checked["summary"]["machine"];
+    assert_keys(machine, &["widths", "slots", "root_limit", "plane_limit"]);
+    // What is printed is what the commands take, and the scene fits it.
+    let widths = machine["widths"].as_str().unwrap();
+    let path = teapot.to_str().unwrap();
+    let narrow = json(&["check", path, "--size", "160x120", "--widths", widths]);
+    assert_eq!(&narrow["summary"]["machine"], machine);
 }
 
 /// Moved to the screen's corner, a 64-bit word can be longer; it is shown as its register holds it.

@@ -3,13 +3,14 @@
 mod common;
 
 use common::*;
-use imogene_models::check::{CheckReport, check, depth_bound};
+use imogene_models::check::{CheckReport, Shows, check, depth_bound};
 use imogene_models::format::Format;
 use imogene_models::object::quadric::ScreenBox;
-use imogene_models::prepare::{PreparedQuadric, prepare as prepare_scene};
+use imogene_models::prepare::{PreparedObject, PreparedQuadric, prepare as prepare_scene};
 use imogene_models::rational::from_f64_exact;
 use imogene_models::scene::{FramedScene, Quadric, Surface};
 use imogene_models::unit::interval::Class;
+use imogene_models::unit::pe1::Linear;
 use num_traits::Signed;
 
 fn report(objects: Vec<imogene_models::scene::FramedQuadric>) -> CheckReport {
@@ -236,4 +237,73 @@ fn longer_words_are_never_worse() {
         assert!(silhouette < last, "{depth} bits");
         last = silhouette;
     }
+}
+
+/// The preparation proves the exact depth of a plane. In short words rounding is coarse: what the words reach is checked again.
+#[test]
+fn planes_that_wrap_as_loaded_fail_the_check() {
+    let cuts = [[0, 0, -1, 250]];
+    let scene = scene(vec![object("ball", Surface::Solid, ball(), &cuts)]);
+    let mut prepared = prepare(&scene);
+    assert!(check(&scene, &prepared).ok);
+    let PreparedObject::Quadric(object) = &mut prepared.objects[0] else {
+        panic!("not a quadric");
+    };
+    let plane = &mut object.words.planes[0].depth;
+    // Reaches 2^35 in the last column of the box, and nowhere else.
+    *plane = Linear::new(1, 0, (1 << 35) - i128::from(object.words.screen_box.x1));
+    let report = check(&scene, &prepared);
+    assert!(!report.ok);
+    assert_problem(&report, "reaches 37 bits");
+}
+
+#[test]
+fn what_an_object_is_and_whether_it_shows_are_fields() {
+    let before = object("before", Surface::Solid, sphere([0, 0, 100], 150), &[]);
+    let behind = object("behind", Surface::Solid, sphere([0, 0, 600], 20), &[]);
+    let aside = object("aside", Surface::Solid, sphere([2000, 0, 300], 100), &[]);
+    let report = report(vec![before, behind, aside]);
+    let shows: Vec<Shows> = report.objects.iter().map(|o| o.shows()).collect();
+    assert_eq!(shows, [Shows::Visible, Shows::Hidden, Shows::OffScreen]);
+    assert_eq!(report.summary.never_shown, ["behind", "aside"]);
+    assert_eq!(report.summary.without_highlights.len(), 3);
+    let machine = report.summary.machine.as_ref().expect("quadrics alone");
+    assert_eq!(machine.slots, "0,0,0");
+    let quadrics: Vec<_> = report.objects.iter().filter_map(|o| o.quadric()).collect();
+    assert_eq!(quadrics[0].visible_pixels, quadrics[0].pixels);
+    assert!(quadrics[1].pixels > 0 && quadrics[1].visible_pixels == 0);
+    assert!(quadrics[2].accumulators.is_none());
+}
+
+#[test]
+fn planes_and_classes_are_fields() {
+    // Vertical half-plane through the eye, one that cuts, one that does nothing.
+    let cuts = [[1, 0, 0, -20], [0, 0, -1, 250], [0, 0, 1, -500]];
+    let ball = report(vec![object("ball", Surface::Solid, ball(), &cuts)]);
+    let found = ball.objects[0].quadric().expect("a quadric");
+    assert_eq!(found.planes_without_effect, [2]);
+    assert!(!found.front_view && !found.prism && !found.degenerate);
+    assert_eq!(ball.summary.planes_without_effect, ["ball"]);
+    let through_the_eye = [[1, 0, 0, 0]];
+    let sliced = report(vec![object(
+        "ball",
+        Surface::Solid,
+        self::ball(),
+        &through_the_eye,
+    )]);
+    let found = sliced.objects[0].quadric().expect("a quadric");
+    assert_eq!(found.perpendicular_planes, [0]);
+    assert_eq!(sliced.summary.perpendicular_planes, ["ball"]);
+    // Two planes x = 100, x = 140, of which the viewer is not between.
+    let slab = whole_quadric([1, 0, 0, 0, 0, 0, -120, 0, 0, 14_000]);
+    let pair = [
+        [0, 1, 0, -90],
+        [0, -1, 0, -90],
+        [0, 0, 1, -400],
+        [0, 0, -1, 200],
+    ];
+    let slab = report(vec![object("slab", Surface::Solid, slab, &pair)]);
+    let found = slab.objects[0].quadric().expect("a quadric");
+    assert!(found.degenerate, "{}", found.kind);
+    assert_eq!(slab.summary.degenerate, ["slab"]);
 }

@@ -4,7 +4,9 @@ use super::load_scene;
 use crate::arguments::Check;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::{CheckReport, ObjectReport, PartsReport, check};
+use imogene_models::check::{
+    Accumulators, CheckReport, ObjectReport, PartsReport, QuadricReport, Summary, check,
+};
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
@@ -19,7 +21,8 @@ pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
         Ok(())
     } else {
         Err(Failure::Check(
-            "a silhouette has no bound below its screen box; see the objects' problems".into(),
+            "a word wraps, or a silhouette has no bound below its screen box; see the objects' problems"
+                .into(),
         ))
     }
 }
@@ -33,11 +36,7 @@ fn describe(report: &CheckReport) {
     for object in &report.objects {
         let problems = match object {
             ObjectReport::Quadric(o) => {
-                let by = match o.processor {
-                    "quadric" => String::new(),
-                    other => format!(", processor {other}"),
-                };
-                output::text(format!("{}: {}, class {:?}{by}", o.name, o.kind, o.class));
+                describe_quadric(o);
                 &o.problems
             }
             ObjectReport::Parts(o) => {
@@ -49,6 +48,76 @@ fn describe(report: &CheckReport) {
             output::text(format!("  {problem}"));
         }
     }
+    describe_summary(&report.summary);
+}
+
+fn describe_quadric(o: &QuadricReport) {
+    let by = match o.processor {
+        "quadric" => String::new(),
+        other => format!(", processor {other}"),
+    };
+    output::text(format!(
+        "{}: {}, class {:?}{by}, {} pixels of {}",
+        o.name, o.kind, o.class, o.visible_pixels, o.pixels
+    ));
+    if let Some(accumulators) = &o.accumulators {
+        describe_accumulators(accumulators);
+    }
+}
+
+fn describe_accumulators(a: &Accumulators) {
+    let list = |bits: &[u32]| {
+        let bits: Vec<String> = bits.iter().map(u32::to_string).collect();
+        bits.join(" ")
+    };
+    let mut values = vec![format!("f1 {}", a.f1)];
+    if let (Some(near), Some(far)) = (a.f1_minus_r, a.f1_plus_r) {
+        values.push(format!("f1 - r {near}, f1 + r {far}"));
+    }
+    values.push(format!("f2 {}", a.f2));
+    if let Some(root) = a.root {
+        values.push(format!("root {root}"));
+    }
+    if !a.planes.is_empty() {
+        values.push(format!("planes {}", list(&a.planes)));
+    }
+    if let Some(linear) = &a.normal_linear {
+        values.push(format!("normal {}", list(linear)));
+    }
+    if let Some(sum) = &a.normal_sum {
+        values.push(format!("with K r {}", list(sum)));
+    }
+    output::text(format!("  bits of its values: {}", values.join(", ")));
+    let (f1, f2) = (&a.increments.f1, &a.increments.f2);
+    output::text(format!(
+        "  increments, which may wrap: f1 a {}, b {}, line {}; f2 2a {}, 2b {}, c {}, J {}, P {}, I {}, line {}",
+        f1.a, f1.b, f1.line_value, f2.a2, f2.b2, f2.c, f2.j, f2.p, f2.i, f2.line_value
+    ));
+}
+
+fn describe_summary(summary: &Summary) {
+    for (what, objects) in [
+        ("front view, needs half B", &summary.front_view),
+        ("prisms", &summary.prisms),
+        ("no curved surface", &summary.degenerate),
+        ("perpendicular planes", &summary.perpendicular_planes),
+        ("planes without effect", &summary.planes_without_effect),
+        ("never shown", &summary.never_shown),
+        ("without highlights", &summary.without_highlights),
+    ] {
+        if !objects.is_empty() {
+            output::text(format!("{what}: {}", objects.join(", ")));
+        }
+    }
+    let Some(machine) = &summary.machine else {
+        return;
+    };
+    output::text(format!(
+        "narrowest machine with the same picture: --widths {} --slots {}",
+        machine.widths, machine.slots
+    ));
+    output::text(format!("  no shorter root: {}", machine.root_limit));
+    output::text(format!("  no shorter plane word: {}", machine.plane_limit));
 }
 
 fn describe_bounds(report: &CheckReport) {

@@ -4,23 +4,31 @@
 //! pixel. [`depth_bound`] and [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which
 //! they might not are counted and can be listed ([`undecided_pixels`]).
 
+mod accumulators;
 mod contour;
 mod depth;
 pub mod headroom;
 mod kind;
+mod needs;
 mod normal;
 mod object;
 mod parts;
 mod silhouette;
+mod summary;
 pub mod trial;
 mod verdict;
 
+pub use accumulators::{
+    Accumulators, Increments, LinearIncrements, QuadraticIncrements, accumulators,
+};
 pub use depth::{DepthTerms, depth_bound, depth_terms};
 pub use kind::quadric_kind;
+pub use needs::{MachineNeeds, machine_needs};
 pub use normal::normal_bound;
 pub use object::{ObjectBounds, QuadricReport, Undecided};
 pub use parts::PartsReport;
 pub use silhouette::displacement_at;
+pub use summary::{Shows, Summary};
 
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
@@ -41,6 +49,8 @@ pub struct CheckReport {
     pub widths: Widths,
     /// Pixels of the picture at which rounding could change the visible object or face, among the objects that have bounds.
     pub undecided_pixels: usize,
+    /// What the scene needs and has, in short.
+    pub summary: Summary,
     /// Objects in the order of the scene.
     pub objects: Vec<ObjectReport>,
 }
@@ -89,33 +99,71 @@ impl ObjectReport {
             Self::Parts(_) => None,
         }
     }
+
+    /// Name in the scene.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Quadric(report) => &report.name,
+            Self::Parts(report) => &report.name,
+        }
+    }
+
+    /// Whether any pixel of the golden picture shows it.
+    pub fn shows(&self) -> Shows {
+        match self {
+            Self::Quadric(report) => report.shows,
+            Self::Parts(report) => report.shows,
+        }
+    }
+
+    /// Whether its material mirrors light.
+    pub fn highlights(&self) -> bool {
+        match self {
+            Self::Quadric(report) => report.highlights,
+            Self::Parts(report) => report.highlights,
+        }
+    }
 }
 
 /// Checks a prepared scene; `prepared` must come from `scene`.
 pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
+    let seen = summary::visible_pixels(prepared);
     let mut reviews: Vec<object::Review> = vec![];
     let objects: Vec<ObjectReport> = scene
         .objects
         .iter()
-        .zip(&prepared.objects)
-        .map(
-            |(framed, object)| match (framed.quadric(), object.quadric()) {
+        .zip(prepared.objects.iter().zip(seen))
+        .map(|(framed, (object, seen))| {
+            let highlights = scene.materials[framed.material()].specular > 0.0;
+            match (framed.quadric(), object.quadric()) {
                 (Some(framed_quadric), Some(quadric)) => {
-                    let review = object::review(framed_quadric, quadric, &prepared.format);
+                    let review = object::review(framed_quadric, quadric, prepared);
                     let mut report = review.report.clone();
                     report.processor = framed.processor();
+                    report.visible_pixels = seen;
+                    report.shows = Shows::of(&report.screen_box, report.pixels, seen);
+                    report.highlights = highlights;
                     reviews.push(review);
                     ObjectReport::Quadric(Box::new(report))
                 }
-                _ => ObjectReport::Parts(parts::report(framed, object, &prepared.format)),
-            },
-        )
+                _ => {
+                    let mut report = parts::report(framed, object, &prepared.format);
+                    report.visible_pixels = seen;
+                    report.shows = Shows::of(&report.screen_box, report.pixels, seen);
+                    report.highlights = highlights;
+                    ObjectReport::Parts(report)
+                }
+            }
+        })
         .collect();
     let bounds = scene_bounds(&reviews);
     let needed = needed_widths(&reviews);
     let fits = needed.sum <= prepared.format.sum
         && needed.quadratic <= prepared.format.quadratic
-        && needed.plane <= prepared.format.plane;
+        && needed.plane <= prepared.format.plane
+        && objects
+            .iter()
+            .all(|object| planes_fit(object, &prepared.format));
     CheckReport {
         ok: fits && bounds.silhouette_px < 1.0,
         bounds,
@@ -123,6 +171,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
             format: prepared.format,
             needed,
         },
+        summary: summary::summary(scene, prepared, &objects),
         undecided_pixels: undecided_pixels(prepared).iter().filter(|&&u| u).count(),
         objects,
     }
@@ -151,6 +200,12 @@ pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
         .into_par_iter()
         .flat_map_iter(line)
         .collect()
+}
+
+/// The preparation proves the exact depth of a plane; what the rounded words reach is checked here.
+fn planes_fit(object: &ObjectReport, format: &Format) -> bool {
+    let accumulators = object.quadric().and_then(|o| o.accumulators.as_ref());
+    accumulators.is_none_or(|a| a.planes.iter().all(|&bits| bits <= format.plane))
 }
 
 fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {

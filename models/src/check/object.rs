@@ -1,14 +1,16 @@
 //! The check of one object: a golden pass over its screen box, with the bounds at every pixel.
 
+use super::accumulators::{Accumulators, accumulators, plane_bits};
 use super::contour::{Displacement, displacement};
 use super::depth::{DepthTerms, depth_bound, worst_case, worst_terms};
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
+use super::summary::Shows;
 use super::verdict::{Verdict, decide};
 use crate::format::Format;
 use crate::object::line::for_each_present;
 use crate::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
-use crate::prepare::{NeededWidths, PreparedQuadric};
+use crate::prepare::{NeededWidths, PreparedQuadric, PreparedScene};
 use crate::scene::{FramedQuadric, Surface};
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::{Class, FACE_NEAR_END};
@@ -34,8 +36,26 @@ pub struct QuadricReport {
     pub screen_box: ScreenBox,
     /// Pixels at which the golden processor sees it, hidden or not.
     pub pixels: usize,
+    /// Pixels of the golden picture that show it.
+    pub visible_pixels: usize,
+    /// Whether any does, and if not, why.
+    pub shows: Shows,
+    /// Whether its material mirrors light.
+    pub highlights: bool,
+    /// Whether it takes the front-view path, half B of a slot: the viewer is inside the unbounded quadric.
+    pub front_view: bool,
+    /// Whether it is a prism: the quadric does not depend on the depth.
+    pub prism: bool,
+    /// Whether the quadric is no curved surface: planes, a line, a point, or nothing.
+    pub degenerate: bool,
+    /// Indices of the cut planes that are half-planes of the screen.
+    pub perpendicular_planes: Vec<usize>,
+    /// Indices of the cut planes that change no pixel.
+    pub planes_without_effect: Vec<usize>,
     /// Bits that each accumulator needs.
     pub needed: NeededWidths,
+    /// Bits that the values take at the pixels of the box, exactly; nothing if the box is empty.
+    pub accumulators: Option<Accumulators>,
     /// Bounds that hold at every pixel of the box.
     pub bounds: ObjectBounds,
     /// Pixels of the box that rounding could change.
@@ -110,7 +130,12 @@ impl Findings {
     }
 }
 
-pub(super) fn review(framed: &FramedQuadric, object: &PreparedQuadric, format: &Format) -> Review {
+pub(super) fn review(
+    framed: &FramedQuadric,
+    object: &PreparedQuadric,
+    prepared: &PreparedScene,
+) -> Review {
+    let format = &prepared.format;
     let window = object.words.screen_box;
     let mut found = lines(&window)
         .map(|y| pass_line(object, format, y))
@@ -133,6 +158,7 @@ pub(super) fn review(framed: &FramedQuadric, object: &PreparedQuadric, format: &
         normal_deg_999: quantile_999(&mut found.angles),
         normals_undetermined: found.undetermined,
     };
+    let without_effect = planes_without_effect(object, &found, format);
     let report = QuadricReport {
         name: object.name.clone(),
         kind: quadric_kind(&framed.quadric),
@@ -142,10 +168,20 @@ pub(super) fn review(framed: &FramedQuadric, object: &PreparedQuadric, format: &
         planes: framed.planes.len(),
         screen_box: window,
         pixels: found.pixels,
+        // Of the whole picture, which the caller knows.
+        visible_pixels: 0,
+        shows: Shows::OffScreen,
+        highlights: false,
+        front_view: object.words.class == Class::Front,
+        prism: object.words.class == Class::Prism,
+        degenerate: is_degenerate(quadric_kind(&framed.quadric)),
+        perpendicular_planes: perpendicular_planes(&object.words),
         needed: object.needed.clone(),
+        accumulators: accumulators(object, (prepared.width, prepared.height), format),
         bounds,
         undecided: found.undecided,
-        problems: problems(object, format, &found, silhouette),
+        problems: problems(object, format, &without_effect, &found, silhouette),
+        planes_without_effect: without_effect,
     };
     Review {
         report,
@@ -202,6 +238,7 @@ fn pass_line(object: &PreparedQuadric, format: &Format, y: i64) -> Findings {
 fn problems(
     object: &PreparedQuadric,
     format: &Format,
+    without_effect: &[usize],
     found: &Findings,
     silhouette: Displacement,
 ) -> Vec<String> {
@@ -218,14 +255,18 @@ fn problems(
             found.near_end
         ));
     }
-    if found.pixels > 0 {
-        for (index, plane) in object.words.planes.iter().enumerate() {
-            if plane.kind != PlaneKind::None && is_without_effect(&object.words, index, format) {
-                problems.push(format!(
-                    "cut {index} changes no pixel of the screen box, which already leaves out what it removes beside the object"
-                ));
-            }
+    for (index, bits) in plane_bits(&object.words).into_iter().enumerate() {
+        if bits > format.plane {
+            problems.push(format!(
+                "cut {index}, rounded, reaches {bits} bits on the screen box and wraps: the plane word has {}",
+                format.plane
+            ));
         }
+    }
+    for index in without_effect {
+        problems.push(format!(
+            "cut {index} changes no pixel of the screen box, which already leaves out what it removes beside the object"
+        ));
     }
     if let Some((x, y)) = silhouette.singular {
         problems.push(format!(
@@ -240,6 +281,40 @@ fn problems(
         ));
     }
     problems
+}
+
+/// Kinds of quadrics that are no curved surface.
+fn is_degenerate(kind: &str) -> bool {
+    let kinds = [
+        "plane_pair",
+        "double_plane",
+        "plane",
+        "line",
+        "point",
+        "empty",
+    ];
+    kinds.contains(&kind)
+}
+
+fn perpendicular_planes(words: &QuadricWords) -> Vec<usize> {
+    let is = |&index: &usize| words.planes[index].kind == PlaneKind::Perpendicular;
+    (0..words.planes.len()).filter(is).collect()
+}
+
+/// None of an object that no pixel shows.
+fn planes_without_effect(
+    object: &PreparedQuadric,
+    found: &Findings,
+    format: &Format,
+) -> Vec<usize> {
+    let words = &object.words;
+    let idle = |&index: &usize| {
+        words.planes[index].kind != PlaneKind::None && is_without_effect(words, index, format)
+    };
+    let planes = 0..words.planes.len();
+    planes
+        .filter(|index| found.pixels > 0 && idle(index))
+        .collect()
 }
 
 /// True if the golden processor sees the same on every pixel of the box without this plane.

@@ -1,6 +1,7 @@
 //! What is reported of an object whose processor has no bounds that are proven pixel by pixel.
 
 use super::kind::quadric_kind;
+use super::summary::Shows;
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::prepare::{NeededWord, PreparedObject};
@@ -22,6 +23,12 @@ pub struct PartsReport {
     pub screen_box: ScreenBox,
     /// Pixels at which a golden processor sees it, hidden or not.
     pub pixels: usize,
+    /// Pixels of the golden picture that show it.
+    pub visible_pixels: usize,
+    /// Whether any does, and if not, why.
+    pub shows: Shows,
+    /// Whether its material mirrors light.
+    pub highlights: bool,
     /// Bits that each accumulator needs.
     pub needed: Vec<NeededWord>,
     /// What a person should know.
@@ -49,6 +56,10 @@ pub(super) fn report(
         processors: words.len(),
         screen_box: window,
         pixels,
+        // Of the whole picture, which the caller knows.
+        visible_pixels: 0,
+        shows: Shows::OffScreen,
+        highlights: false,
         needed: match object {
             PreparedObject::Parts(parts) => parts.needed.clone(),
             PreparedObject::Quadric(_) | PreparedObject::Patch(_) => vec![],

@@ -1,0 +1,212 @@
+//! The narrowest machine that the check states: every scene prepares in it to the same picture, and in no narrower one.
+
+use imogene_models::check::{CheckReport, check, machine_needs};
+use imogene_models::format::{FittedWidths, Format};
+use imogene_models::machine::beam;
+use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::machine::frame::Frame;
+use imogene_models::prepare::error::PrepareError;
+use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::scene::{FramedScene, SceneFile};
+use imogene_models::{slots, widths};
+use std::path::{Path, PathBuf};
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../scenes")
+        .join(name)
+}
+
+fn framed(path: &Path) -> FramedScene {
+    let file = SceneFile::read(path).expect("a scene");
+    file.frame(160, 120).expect("can be framed")
+}
+
+fn scenes(name: &str) -> Vec<(String, FramedScene)> {
+    let entries = std::fs::read_dir(folder(name)).expect("the scenes");
+    let paths = entries.map(|entry| entry.expect("readable").path());
+    let mut paths: Vec<PathBuf> = paths
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    paths.sort();
+    let name = |path: &Path| path.file_stem().expect("a name").to_string_lossy().into();
+    paths.iter().map(|p| (name(p), framed(p))).collect()
+}
+
+fn picture(prepared: &PreparedScene) -> Frame {
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    beam::render(&prepared.slots(), &prepared.format, width, height, || ())
+}
+
+fn in_widths(scene: &FramedScene, widths: &FittedWidths) -> Result<PreparedScene, PrepareError> {
+    prepare(scene, Format::fitted(widths).expect("a machine"))
+}
+
+/// One bit less is no machine, or the scene is refused in it.
+fn assert_refused(scene: &FramedScene, less: &FittedWidths, name: &str) {
+    if let Ok(format) = Format::fitted(less) {
+        let refused = prepare(scene, format);
+        assert!(refused.is_err(), "{name} prepares in {less:?}");
+    }
+}
+
+#[test]
+fn every_scene_prepares_in_its_narrowest_machine_to_the_same_picture_and_in_no_narrower_one() {
+    let scenes = scenes("");
+    assert!(scenes.len() >= 15);
+    for (name, scene) in scenes {
+        for depth in [16, 24] {
+            let format = Format::new(depth).expect("in the catalogue");
+            let wide = prepare(&scene, format).expect("fits");
+            let needs = machine_needs(&scene, &wide).expect("quadrics alone");
+            let narrow = widths::parse(&needs.widths).expect("widths");
+            println!("{name}: {}", needs.widths);
+            assert_eq!((narrow.depth, narrow.normal), (depth, 16));
+            let prepared = in_widths(&scene, &narrow).expect("stated to fit");
+            assert_eq!(picture(&prepared), picture(&wide), "{name}");
+            let slots = slots::parse(&needs.slots).expect("slots");
+            assert_eq!(slots, FittedMachine::of(&prepared, 1).slots, "{name}");
+            let root = FittedWidths {
+                root: narrow.root - 1,
+                ..narrow
+            };
+            assert_refused(&scene, &root, &name);
+            let plane = FittedWidths {
+                plane: narrow.plane - 1,
+                ..narrow
+            };
+            assert_refused(&scene, &plane, &name);
+        }
+    }
+}
+
+/// Where a form is scaled to its word a shorter word would hold other integers: it is kept, and said why.
+#[test]
+fn words_that_are_scaled_are_not_shortened() {
+    let scene = framed(&folder("extremes/axis-along-the-ray.toml"));
+    let wide = prepare(&scene, Format::BASE).expect("fits");
+    let report = check(&scene, &wide);
+    assert!(!report.summary.prisms.is_empty());
+    let needs = report.summary.machine.expect("quadrics alone");
+    assert_eq!(widths::parse(&needs.widths).expect("widths").root, 24);
+    assert!(
+        needs.root_limit.contains("scaled to their widths"),
+        "{}",
+        needs.root_limit
+    );
+}
+
+/// Widths that are not those of the catalogue stay as they are: guard bits, normals, dropped digits of the root.
+#[test]
+fn other_widths_are_kept() {
+    let scene = framed(&folder("teapot.toml"));
+    let text = "depth=20,root=20,plane=32,normal=13,g1=2,g2=4,dropped=3";
+    let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
+    let wide = prepare(&scene, format).expect("fits");
+    let needs = machine_needs(&scene, &wide).expect("quadrics alone");
+    assert!(
+        needs.widths.ends_with("normal=13,g1=2,g2=4,dropped=3"),
+        "{}",
+        needs.widths
+    );
+    let narrow = widths::parse(&needs.widths).expect("widths");
+    assert!(narrow.root < 20 && narrow.plane < 32, "{}", needs.widths);
+    let prepared = in_widths(&scene, &narrow).expect("stated to fit");
+    assert_eq!(picture(&prepared), picture(&wide));
+    // In its own narrowest machine a scene needs exactly that.
+    assert_eq!(machine_needs(&scene, &prepared), Some(needs));
+}
+
+fn checked(path: &str) -> CheckReport {
+    let scene = framed(&folder(path));
+    check(&scene, &prepare(&scene, Format::BASE).expect("fits"))
+}
+
+#[test]
+fn other_processors_have_no_fitted_machine() {
+    let report = checked("processors/polyhedron.toml");
+    assert_eq!(report.summary.machine, None);
+    assert!(report.summary.never_shown.is_empty());
+}
+
+/// All values at all pixels, one by one in big integers, fit the bits that are stated, and one bit less does not hold them.
+#[test]
+fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
+    use imogene_models::check::accumulators;
+    use num_bigint::BigInt;
+    let bits = |values: &[BigInt]| {
+        let of = |v: &BigInt| {
+            let magnitude = if v.sign() == num_bigint::Sign::Minus {
+                -v - 1
+            } else {
+                v.clone()
+            };
+            magnitude.bits() as u32 + 1
+        };
+        values.iter().map(of).max()
+    };
+    let formats = ["depth=24", "depth=18,normal=12,g1=2,g2=5,dropped=2"];
+    for name in ["teapot", "cut-sphere", "front-view", "molecule"] {
+        let file = SceneFile::read(&folder(&format!("{name}.toml"))).expect("a scene");
+        let scene = file.frame(48, 36).expect("can be framed");
+        for text in formats {
+            let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
+            let prepared = prepare(&scene, format).expect("fits");
+            for (_, object) in prepared.quadrics() {
+                let found = accumulators(object, (48, 36), &format).expect("on the screen");
+                let words = &object.words;
+                let window = words.screen_box;
+                let mut values: [Vec<BigInt>; 4] = Default::default();
+                let mut normals: [Vec<BigInt>; 3] = Default::default();
+                let mut sums: [Vec<BigInt>; 3] = Default::default();
+                let mut planes: Vec<Vec<BigInt>> = vec![vec![]; words.planes.len()];
+                let mut greatest = BigInt::ZERO;
+                for y in window.y0..=window.y1 {
+                    for x in window.x0..=window.x1 {
+                        let f1 = words.f1.exact_at(x, y) >> format.guard_linear;
+                        let f2 = words.f2.exact_at(x, y) >> format.guard_quadratic;
+                        for (plane, words) in planes.iter_mut().zip(&words.planes) {
+                            plane.push(words.depth.exact_at(x, y));
+                        }
+                        for k in 0..3 {
+                            normals[k].push(words.normal.g[k].exact_at(x, y));
+                        }
+                        values[0].push(f1.clone());
+                        values[1].push(f2.clone());
+                        if f2.sign() == num_bigint::Sign::Minus {
+                            continue;
+                        }
+                        let root = f2.sqrt() >> format.dropped_rows << format.dropped_rows;
+                        values[2].push(&f1 - &root);
+                        values[3].push(&f1 + &root);
+                        for k in 0..3 {
+                            let product: BigInt = (&root >> words.normal.shift) * words.normal.k[k];
+                            for product in [-&product, product] {
+                                let change = product >> format.product_fraction();
+                                sums[k].push(words.normal.g[k].exact_at(x, y) + change);
+                            }
+                        }
+                        greatest = greatest.max(f2);
+                    }
+                }
+                let [f1, f2, near, far] = values.each_ref().map(|v| bits(v));
+                assert_eq!((Some(found.f1), Some(found.f2)), (f1, f2), "{name}");
+                assert_eq!((found.f1_minus_r, found.f1_plus_r), (near, far), "{name}");
+                let own: Vec<_> = planes.iter().map(|p| bits(p).expect("pixels")).collect();
+                assert_eq!(found.planes, own, "{name}");
+                let own = normals.each_ref().map(|v| bits(v).expect("pixels"));
+                assert_eq!(found.normal_linear, Some(own), "{name}");
+                assert_eq!(
+                    found.normal_sum.map(|s| s.map(Some)),
+                    Some(sums.each_ref().map(|v| bits(v)))
+                );
+                let root = found.root.expect("has roots");
+                assert!(greatest < BigInt::from(1) << (2 * root - 1), "{name}");
+                assert!(
+                    root == 1 || greatest >= BigInt::from(1) << (2 * root - 3),
+                    "{name}"
+                );
+            }
+        }
+    }
+}
