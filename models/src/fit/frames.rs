@@ -103,7 +103,7 @@ impl Frames {
             let framed = file.frame(width, height);
             framed.map_err(|source| FitError::Scene {
                 scene: name.clone(),
-                source,
+                source: Box::new(source),
             })
         });
         let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
@@ -114,7 +114,7 @@ impl Frames {
             if let Some(source) = refused {
                 return Err(FitError::Prepare {
                     scene: name.clone(),
-                    source,
+                    source: Box::new(source),
                 });
             }
         }
@@ -199,7 +199,7 @@ impl Frames {
                 Err(source) => {
                     return Err(FitError::Prepare {
                         scene: frame.name.clone(),
-                        source,
+                        source: Box::new(source),
                     });
                 }
             }

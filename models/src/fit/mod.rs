@@ -22,7 +22,7 @@ pub enum FitError {
         /// The file.
         scene: String,
         /// What is wrong with it.
-        source: SceneError,
+        source: Box<SceneError>,
     },
     /// A scene that no machine takes, whatever its words.
     #[error("{scene}: {source}")]
@@ -30,7 +30,7 @@ pub enum FitError {
         /// The file.
         scene: String,
         /// What is in the way.
-        source: PrepareError,
+        source: Box<PrepareError>,
     },
     /// An object of another processor.
     #[error(

@@ -121,9 +121,9 @@ fn port(line: &str) -> Option<Port> {
         .trim_end_matches(',')
         .split_whitespace()
         .collect();
-    let direction = match words.first()? {
-        &"input" => Direction::Input,
-        &"output" => Direction::Output,
+    let direction = match *words.first()? {
+        "input" => Direction::Input,
+        "output" => Direction::Output,
         _ => return None,
     };
     let high = words.iter().find_map(|word| word.strip_prefix('['));
