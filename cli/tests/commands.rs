@@ -236,6 +236,7 @@ fn units_prepare_and_check_answer_in_json() {
         &accumulators["increments"]["f2"],
         &["a2", "b2", "c", "j", "p", "i", "line_value"],
     );
+    assert_keys(&checked["summary"]["guards"], &["g1", "g2", "accepted"]);
     let machine = &checked["summary"]["machine"];
     assert_keys(machine, &["widths", "slots", "root_limit", "plane_limit"]);
     // What is printed is what the commands take, and the scene fits it.

@@ -1,6 +1,6 @@
 //! The narrowest machine that the check states: every scene prepares in it to the same picture, and in no narrower one.
 
-use imogene_models::check::{CheckReport, check, machine_needs};
+use imogene_models::check::{CheckReport, check, depth_bound, exact_guards, machine_needs};
 use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::beam;
 use imogene_models::machine::fitted::FittedMachine;
@@ -206,6 +206,57 @@ fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
                     root == 1 || greatest >= BigInt::from(1) << (2 * root - 3),
                     "{name}"
                 );
+            }
+        }
+    }
+}
+
+/// With the guard bits that are stated, and with more, no sign of f2 is open and no face is farther off than its floors and one word.
+#[test]
+fn guard_bits_that_leave_nothing_to_rounding_do() {
+    let mut tried = 0;
+    for (name, scene) in scenes("") {
+        for depth in [16, 20, 24] {
+            let format = Format::new(depth).expect("in the catalogue");
+            let wide = prepare(&scene, format).expect("fits");
+            let Some(guards) = exact_guards(&wide) else {
+                println!("{name}, {depth} bits: none");
+                continue;
+            };
+            println!("{name}, {depth} bits: {guards:?}");
+            for (g1, g2) in [(guards.g1, guards.g2), (guards.g1 + 1, guards.g2 + 2)] {
+                let Ok(format) = format.with_guards(g1, g2) else {
+                    continue;
+                };
+                let prepared = prepare(&scene, format).expect("fits");
+                assert_decided(&scene, &prepared, &name);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 40, "{tried}");
+}
+
+fn assert_decided(scene: &FramedScene, prepared: &PreparedScene, name: &str) {
+    let report = check(scene, prepared);
+    assert_eq!(report.summary.guards, exact_guards(prepared), "{name}");
+    for (report, object) in report.objects.iter().zip(&prepared.objects) {
+        let report = report.quadric().expect("a quadric");
+        assert_eq!(report.undecided.silhouette, 0, "{name}: {}", report.name);
+        let object = object.quadric().expect("a quadric");
+        let window = object.words.screen_box;
+        for y in window.y0..=window.y1 {
+            for x in window.x0..=window.x1 {
+                let f2 = object.words.f2_at(x, y, &prepared.format);
+                for face in [0, 1] {
+                    // The floor of the root, the dropped guard bits, and one word.
+                    let bound = depth_bound(object, face, f2.max(0));
+                    assert!(
+                        f2 < 0 || bound <= 3.0,
+                        "{name}: {} ({x}, {y}) {bound}",
+                        report.name
+                    );
+                }
             }
         }
     }

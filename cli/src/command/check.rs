@@ -109,6 +109,17 @@ fn describe_summary(summary: &Summary) {
             output::text(format!("{what}: {}", objects.join(", ")));
         }
     }
+    if let Some(guards) = &summary.guards {
+        let accepted = if guards.accepted {
+            ""
+        } else {
+            ", more than this depth word can have"
+        };
+        output::text(format!(
+            "guard bits from which on rounding adds at most a depth word to a quadric's face and decides no silhouette pixel: {}:{}{accepted}",
+            guards.g1, guards.g2
+        ));
+    }
     let Some(machine) = &summary.machine else {
         return;
     };

@@ -7,6 +7,7 @@
 mod accumulators;
 mod contour;
 mod depth;
+mod guards;
 pub mod headroom;
 mod kind;
 mod needs;
@@ -22,6 +23,7 @@ pub use accumulators::{
     Accumulators, Increments, LinearIncrements, QuadraticIncrements, accumulators,
 };
 pub use depth::{DepthTerms, depth_bound, depth_terms};
+pub use guards::{ExactGuards, exact_guards};
 pub use kind::quadric_kind;
 pub use needs::{MachineNeeds, machine_needs};
 pub use normal::normal_bound;

@@ -1,6 +1,7 @@
 //! What a scene needs and has, in short: the machine, and the objects that a person may want to know of.
 
 use super::ObjectReport;
+use super::guards::{ExactGuards, exact_guards};
 use super::needs::{MachineNeeds, machine_needs};
 use super::object::QuadricReport;
 use crate::machine::beam;
@@ -39,6 +40,8 @@ impl Shows {
 pub struct Summary {
     /// The narrowest machine; nothing if there are objects of other processors than quadric and patch.
     pub machine: Option<MachineNeeds>,
+    /// Guard bits from which on rounding adds at most a depth word to a quadric's face and leaves no silhouette pixel open; nothing where none do.
+    pub guards: Option<ExactGuards>,
     /// Objects that need the front-view path.
     pub front_view: Vec<String>,
     /// Prisms.
@@ -71,6 +74,7 @@ pub(super) fn summary(
     };
     Summary {
         machine: machine_needs(scene, prepared),
+        guards: exact_guards(prepared),
         front_view: quadrics(|o| o.front_view),
         prisms: quadrics(|o| o.prism),
         degenerate: quadrics(|o| o.degenerate),

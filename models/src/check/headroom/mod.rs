@@ -158,6 +158,15 @@ pub fn headroom(prepared: &PreparedScene) -> Headroom {
     }
 }
 
+/// The least magnitude of the true f2 at a pixel of the object's screen box, rounded down; zero if it is zero at one. Endless if the box is empty.
+pub(super) fn least_f2(object: &PreparedQuadric) -> f64 {
+    let signs = true_signs(&object.exact.f2, &object.words.screen_box, |_, _| 1.0);
+    if signs.ties > 0 {
+        return 0.0;
+    }
+    signs.risk.recip() * (1.0 - 1e-9)
+}
+
 /// The last number of guard bits without errors on the way down from the derived one, and the errors with one bit less.
 fn count_down(derived: i32, count: &dyn Fn(i32) -> u64) -> (Option<i32>, u64) {
     let mut last = None;
