@@ -159,7 +159,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         })
         .collect();
     let bounds = scene_bounds(&reviews);
-    let needed = needed_widths(&reviews);
+    let needed = prepared.needed();
     let fits = needed.sum <= prepared.format.sum
         && needed.quadratic <= prepared.format.quadratic
         && needed.plane <= prepared.format.plane
@@ -232,15 +232,4 @@ fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
             .map(|r| r.report.bounds.normals_undetermined)
             .sum(),
     }
-}
-
-fn needed_widths(reviews: &[object::Review]) -> NeededWidths {
-    reviews
-        .iter()
-        .map(|review| &review.report)
-        .fold(NeededWidths::default(), |most, object| NeededWidths {
-            sum: most.sum.max(object.needed.sum),
-            quadratic: most.quadratic.max(object.needed.quadratic),
-            plane: most.plane.max(object.needed.plane),
-        })
 }

@@ -3,7 +3,7 @@
 use super::accumulators::plane_bits;
 use crate::format::{FittedWidths, Format};
 use crate::machine::fitted::FittedMachine;
-use crate::prepare::{NeededWidths, PreparedScene, prepare};
+use crate::prepare::{PreparedScene, prepare};
 use crate::scene::FramedScene;
 use crate::{slots, widths};
 use serde::Serialize;
@@ -67,29 +67,12 @@ impl Search<'_> {
     /// What the preparation said that the words need, if the scene prepares to the same integers in that; else the format's own.
     fn guess(&self) -> FittedWidths {
         let wide = self.prepared.format.widths();
-        let needed = self.needed();
-        let least = 4.max(wide.dropped_rows + 1);
-        let guess = FittedWidths {
-            root: needed.quadratic.div_ceil(2).max(least).min(wide.root),
-            plane: needed.plane.clamp(wide.depth, wide.plane),
-            ..wide
-        };
+        let guess = self.prepared.needed().narrowed(&wide);
         if self.keeps(&guess).is_ok() {
             guess
         } else {
             wide
         }
-    }
-
-    fn needed(&self) -> NeededWidths {
-        let objects = self.prepared.quadrics().map(|(_, object)| &object.needed);
-        let volumes = self.prepared.volumes.iter().map(|volume| &volume.needed);
-        let all = objects.chain(volumes);
-        all.fold(NeededWidths::default(), |most, needed| NeededWidths {
-            sum: most.sum.max(needed.sum),
-            quadratic: most.quadratic.max(needed.quadratic),
-            plane: most.plane.max(needed.plane),
-        })
     }
 
     /// Shortens a word as far as it goes, and says why no further.

@@ -172,7 +172,7 @@ impl Frames {
         let Some(in_wide) = self.in_widths(&wide)? else {
             return Ok(None);
         };
-        let mut widths = narrowed(&wide, &needed(&in_wide));
+        let mut widths = needed(&in_wide).narrowed(&wide);
         // The root of the rounded words may need a bit more in the narrower word; never more than the wide one has.
         while widths != wide {
             if let Some(prepared) = self.in_widths(&widths)? {
@@ -232,19 +232,6 @@ fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitErro
 }
 
 fn needed(frames: &[PreparedScene]) -> NeededWidths {
-    let objects = frames.iter().flat_map(PreparedScene::quadrics);
-    objects.fold(NeededWidths::default(), |most, (_, object)| NeededWidths {
-        sum: most.sum.max(object.needed.sum),
-        quadratic: most.quadratic.max(object.needed.quadratic),
-        plane: most.plane.max(object.needed.plane),
-    })
-}
-
-fn narrowed(wide: &FittedWidths, needed: &NeededWidths) -> FittedWidths {
-    let least = 4.max(wide.dropped_rows + 1);
-    FittedWidths {
-        root: needed.quadratic.div_ceil(2).max(least).min(wide.root),
-        plane: needed.plane.clamp(wide.depth, wide.plane),
-        ..*wide
-    }
+    let each = frames.iter().map(PreparedScene::needed);
+    each.fold(NeededWidths::default(), |most, one| most.or(&one))
 }

@@ -20,7 +20,7 @@ pub mod rounding;
 pub mod screen_box;
 pub mod volume;
 
-use crate::format::Format;
+use crate::format::{FittedWidths, Format};
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
@@ -63,6 +63,14 @@ impl PreparedScene {
             prepared.words().into_iter().map(slot)
         };
         self.objects.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// The bits that its objects of the quadric and the patch processor need, and its shadow and light volumes.
+    pub fn needed(&self) -> NeededWidths {
+        let objects = self.quadrics().map(|(_, object)| &object.needed);
+        let volumes = self.volumes.iter().map(|volume| &volume.needed);
+        let all = objects.chain(volumes);
+        all.fold(NeededWidths::default(), |most, one| most.or(one))
     }
 
     /// The objects of the quadric and the patch processor, the only ones with bounds; the index is the id.
@@ -152,6 +160,27 @@ pub struct NeededWidths {
     pub quadratic: u32,
     /// The widest plane.
     pub plane: u32,
+}
+
+impl NeededWidths {
+    /// The greater of each.
+    pub fn or(&self, other: &NeededWidths) -> NeededWidths {
+        NeededWidths {
+            sum: self.sum.max(other.sum),
+            quadratic: self.quadratic.max(other.quadratic),
+            plane: self.plane.max(other.plane),
+        }
+    }
+
+    /// The narrowest words of a fitted machine that hold what is needed; the others are those of `wide`.
+    pub fn narrowed(&self, wide: &FittedWidths) -> FittedWidths {
+        let least = 4.max(wide.dropped_rows + 1);
+        FittedWidths {
+            root: self.quadratic.div_ceil(2).max(least).min(wide.root),
+            plane: self.plane.clamp(wide.depth, wide.plane),
+            ..*wide
+        }
+    }
 }
 
 /// How to prepare; the default is what a machine uses.

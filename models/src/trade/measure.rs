@@ -117,7 +117,7 @@ fn prepared(
     }
     let wide = widest(accuracy);
     let zones = in_format(scene, accuracy, &wide)?;
-    let mut widths = narrowed(&wide, &needed(&zones));
+    let mut widths = needed(&zones).narrowed(&wide);
     loop {
         match in_format(scene, accuracy, &widths) {
             Ok(zones) => return Ok((widths, zones)),
@@ -143,23 +143,9 @@ pub fn widest(accuracy: &Accuracy) -> FittedWidths {
     }
 }
 
-/// The narrowest words that hold what is needed.
-fn narrowed(wide: &FittedWidths, needed: &NeededWidths) -> FittedWidths {
-    let least = 4.max(wide.dropped_rows + 1);
-    FittedWidths {
-        root: needed.quadratic.div_ceil(2).max(least).min(wide.root),
-        plane: needed.plane.clamp(wide.depth, wide.plane),
-        ..*wide
-    }
-}
-
 fn needed(zones: &[ZoneScene]) -> NeededWidths {
-    let objects = zones.iter().flat_map(|zone| zone.prepared.quadrics());
-    objects.fold(NeededWidths::default(), |most, (_, object)| NeededWidths {
-        sum: most.sum.max(object.needed.sum),
-        quadratic: most.quadratic.max(object.needed.quadratic),
-        plane: most.plane.max(object.needed.plane),
-    })
+    let each = zones.iter().map(|zone| zone.prepared.needed());
+    each.fold(NeededWidths::default(), |most, one| most.or(&one))
 }
 
 /// The scene in a format, prepared for the whole screen or for each zone.
