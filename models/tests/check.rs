@@ -264,7 +264,7 @@ fn what_an_object_is_and_whether_it_shows_are_fields() {
     let aside = object("aside", Surface::Solid, sphere([2000, 0, 300], 100), &[]);
     let report = report(vec![before, behind, aside]);
     let shows: Vec<Shows> = report.objects.iter().map(|o| o.shows()).collect();
-    assert_eq!(shows, [Shows::Visible, Shows::Hidden, Shows::OffScreen]);
+    assert_eq!(shows, [Shows::Visible, Shows::Hidden, Shows::EmptyBox]);
     assert_eq!(report.summary.never_shown, ["behind", "aside"]);
     assert_eq!(report.summary.without_highlights.len(), 3);
     let machine = report.summary.machine.as_ref().expect("quadrics alone");

@@ -1,6 +1,6 @@
 //! The narrowest machine that the check states: every scene prepares in it to the same picture, and in no narrower one.
 
-use imogene_models::check::{CheckReport, check, depth_bound, exact_guards, machine_needs};
+use imogene_models::check::{CheckReport, Shows, check, depth_bound, exact_guards, machine_needs};
 use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::beam;
 use imogene_models::machine::fitted::FittedMachine;
@@ -260,4 +260,23 @@ fn assert_decided(scene: &FramedScene, prepared: &PreparedScene, name: &str) {
             }
         }
     }
+}
+
+#[test]
+fn front_views_and_specks_are_named() {
+    let front = checked("front-view.toml");
+    assert!(!front.summary.front_view.is_empty());
+    let slots = front.summary.machine.expect("quadrics alone").slots;
+    assert!(slots.contains('v'), "{slots}");
+    let speck = checked_at_its_size("extremes/between-pixels.toml");
+    let shows: Vec<Shows> = speck.objects.iter().map(|o| o.shows()).collect();
+    assert_eq!(shows, [Shows::EmptyBox]);
+    assert_eq!(speck.summary.never_shown, ["dot"]);
+}
+
+fn checked_at_its_size(path: &str) -> CheckReport {
+    let file = SceneFile::read(&folder(path)).expect("a scene");
+    let (width, height) = (file.image.width, file.image.height);
+    let scene = file.frame(width, height).expect("can be framed");
+    check(&scene, &prepare(&scene, Format::BASE).expect("fits"))
 }

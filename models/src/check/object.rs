@@ -170,7 +170,7 @@ pub(super) fn review(
         pixels: found.pixels,
         // Of the whole picture, which the caller knows.
         visible_pixels: 0,
-        shows: Shows::OffScreen,
+        shows: Shows::EmptyBox,
         highlights: false,
         front_view: object.words.class == Class::Front,
         prism: object.words.class == Class::Prism,

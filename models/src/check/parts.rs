@@ -58,7 +58,7 @@ pub(super) fn report(
         pixels,
         // Of the whole picture, which the caller knows.
         visible_pixels: 0,
-        shows: Shows::OffScreen,
+        shows: Shows::EmptyBox,
         highlights: false,
         needed: match object {
             PreparedObject::Parts(parts) => parts.needed.clone(),

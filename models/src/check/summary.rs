@@ -20,14 +20,14 @@ pub enum Shows {
     Hidden,
     /// Its screen box has pixels, but none shows it: it falls between them, or its planes leave nothing.
     BetweenPixels,
-    /// Nothing of it is on the screen.
-    OffScreen,
+    /// Its screen box holds no pixel: off the screen or its depth range, edge-on, cut away, or so small that it lies between the pixels.
+    EmptyBox,
 }
 
 impl Shows {
     pub(super) fn of(window: &ScreenBox, pixels: usize, visible: usize) -> Shows {
         match (pixels, visible) {
-            _ if window.is_empty() => Shows::OffScreen,
+            _ if window.is_empty() => Shows::EmptyBox,
             (0, _) => Shows::BetweenPixels,
             (_, 0) => Shows::Hidden,
             _ => Shows::Visible,
