@@ -1,14 +1,18 @@
 //! The narrowest machine that the check states: every scene prepares in it to the same picture, and in no narrower one.
 
-use imogene_models::check::{CheckReport, Shows, check, depth_bound, exact_guards, machine_needs};
+use imogene_models::check::{
+    CheckReport, Shows, accumulators, check, depth_bound, exact_guards, machine_needs,
+};
 use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::beam;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::error::PrepareError;
-use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::prepare::{PreparedQuadric, PreparedScene, prepare};
 use imogene_models::scene::{FramedScene, SceneFile};
 use imogene_models::{slots, widths};
+use num_bigint::BigInt;
+use num_traits::Signed;
 use std::path::{Path, PathBuf};
 
 fn folder(name: &str) -> PathBuf {
@@ -129,22 +133,73 @@ fn other_processors_have_no_fitted_machine() {
     assert!(report.summary.never_shown.is_empty());
 }
 
+/// Two's complement bits of the longest of some integers; nothing if there are none.
+fn bits(values: &[BigInt]) -> Option<u32> {
+    let of = |v: &BigInt| {
+        let magnitude = if v.is_negative() { -v - 1 } else { v.clone() };
+        magnitude.bits() as u32 + 1
+    };
+    values.iter().map(of).max()
+}
+
+/// All values of an object at all pixels of its box.
+#[derive(Default)]
+struct Values {
+    f1: Vec<BigInt>,
+    f2: Vec<BigInt>,
+    near: Vec<BigInt>,
+    far: Vec<BigInt>,
+    planes: Vec<Vec<BigInt>>,
+    linear: [Vec<BigInt>; 3],
+    sums: [Vec<BigInt>; 3],
+}
+
+impl Values {
+    fn of(object: &PreparedQuadric, format: &Format) -> Values {
+        let window = object.words.screen_box;
+        let mut values = Values {
+            planes: vec![vec![]; object.words.planes.len()],
+            ..Values::default()
+        };
+        for y in window.y0..=window.y1 {
+            for x in window.x0..=window.x1 {
+                values.add(object, format, (x, y));
+            }
+        }
+        values
+    }
+
+    fn add(&mut self, object: &PreparedQuadric, format: &Format, (x, y): (i64, i64)) {
+        let words = &object.words;
+        let f1 = words.f1.exact_at(x, y) >> format.guard_linear;
+        let f2 = words.f2.exact_at(x, y) >> format.guard_quadratic;
+        for (plane, words) in self.planes.iter_mut().zip(&words.planes) {
+            plane.push(words.depth.exact_at(x, y));
+        }
+        for (linear, g) in self.linear.iter_mut().zip(&words.normal.g) {
+            linear.push(g.exact_at(x, y));
+        }
+        self.f1.push(f1.clone());
+        self.f2.push(f2.clone());
+        if f2.is_negative() {
+            return;
+        }
+        let root: BigInt = f2.sqrt() >> format.dropped_rows << format.dropped_rows;
+        self.near.push(&f1 - &root);
+        self.far.push(f1 + &root);
+        let factors = words.normal.g.iter().zip(words.normal.k);
+        for (sums, (g, k)) in self.sums.iter_mut().zip(factors) {
+            let product: BigInt = (&root >> words.normal.shift) * k;
+            for product in [-&product, product] {
+                sums.push(g.exact_at(x, y) + (product >> format.product_fraction()));
+            }
+        }
+    }
+}
+
 /// All values at all pixels, one by one in big integers, fit the bits that are stated, and one bit less does not hold them.
 #[test]
 fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
-    use imogene_models::check::accumulators;
-    use num_bigint::BigInt;
-    let bits = |values: &[BigInt]| {
-        let of = |v: &BigInt| {
-            let magnitude = if v.sign() == num_bigint::Sign::Minus {
-                -v - 1
-            } else {
-                v.clone()
-            };
-            magnitude.bits() as u32 + 1
-        };
-        values.iter().map(of).max()
-    };
     let formats = ["depth=24", "depth=18,normal=12,g1=2,g2=5,dropped=2"];
     for name in ["teapot", "cut-sphere", "front-view", "molecule"] {
         let file = SceneFile::read(&folder(&format!("{name}.toml"))).expect("a scene");
@@ -153,62 +208,30 @@ fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
             let format = Format::fitted(&widths::parse(text).expect("widths")).expect("a machine");
             let prepared = prepare(&scene, format).expect("fits");
             for (_, object) in prepared.quadrics() {
-                let found = accumulators(object, (48, 36), &format).expect("on the screen");
-                let words = &object.words;
-                let window = words.screen_box;
-                let mut values: [Vec<BigInt>; 4] = Default::default();
-                let mut normals: [Vec<BigInt>; 3] = Default::default();
-                let mut sums: [Vec<BigInt>; 3] = Default::default();
-                let mut planes: Vec<Vec<BigInt>> = vec![vec![]; words.planes.len()];
-                let mut greatest = BigInt::ZERO;
-                for y in window.y0..=window.y1 {
-                    for x in window.x0..=window.x1 {
-                        let f1 = words.f1.exact_at(x, y) >> format.guard_linear;
-                        let f2 = words.f2.exact_at(x, y) >> format.guard_quadratic;
-                        for (plane, words) in planes.iter_mut().zip(&words.planes) {
-                            plane.push(words.depth.exact_at(x, y));
-                        }
-                        for k in 0..3 {
-                            normals[k].push(words.normal.g[k].exact_at(x, y));
-                        }
-                        values[0].push(f1.clone());
-                        values[1].push(f2.clone());
-                        if f2.sign() == num_bigint::Sign::Minus {
-                            continue;
-                        }
-                        let root = f2.sqrt() >> format.dropped_rows << format.dropped_rows;
-                        values[2].push(&f1 - &root);
-                        values[3].push(&f1 + &root);
-                        for k in 0..3 {
-                            let product: BigInt = (&root >> words.normal.shift) * words.normal.k[k];
-                            for product in [-&product, product] {
-                                let change = product >> format.product_fraction();
-                                sums[k].push(words.normal.g[k].exact_at(x, y) + change);
-                            }
-                        }
-                        greatest = greatest.max(f2);
-                    }
-                }
-                let [f1, f2, near, far] = values.each_ref().map(|v| bits(v));
-                assert_eq!((Some(found.f1), Some(found.f2)), (f1, f2), "{name}");
-                assert_eq!((found.f1_minus_r, found.f1_plus_r), (near, far), "{name}");
-                let own: Vec<_> = planes.iter().map(|p| bits(p).expect("pixels")).collect();
-                assert_eq!(found.planes, own, "{name}");
-                let own = normals.each_ref().map(|v| bits(v).expect("pixels"));
-                assert_eq!(found.normal_linear, Some(own), "{name}");
-                assert_eq!(
-                    found.normal_sum.map(|s| s.map(Some)),
-                    Some(sums.each_ref().map(|v| bits(v)))
-                );
-                let root = found.root.expect("has roots");
-                assert!(greatest < BigInt::from(1) << (2 * root - 1), "{name}");
-                assert!(
-                    root == 1 || greatest >= BigInt::from(1) << (2 * root - 3),
-                    "{name}"
-                );
+                assert_exact(object, &format);
             }
         }
     }
+}
+
+fn assert_exact(object: &PreparedQuadric, format: &Format) {
+    let name = &object.name;
+    let found = accumulators(object, (48, 36), format).expect("on the screen");
+    let values = Values::of(object, format);
+    let three = |v: &[Vec<BigInt>; 3]| v.each_ref().map(|v| bits(v).expect("pixels"));
+    assert_eq!(Some(found.f1), bits(&values.f1), "{name}");
+    assert_eq!(Some(found.f2), bits(&values.f2), "{name}");
+    assert_eq!(found.f1_minus_r, bits(&values.near), "{name}");
+    assert_eq!(found.f1_plus_r, bits(&values.far), "{name}");
+    let planes: Vec<u32> = values.planes.iter().filter_map(|v| bits(v)).collect();
+    assert_eq!(found.planes, planes, "{name}");
+    assert_eq!(found.normal_linear, Some(three(&values.linear)), "{name}");
+    assert_eq!(found.normal_sum, Some(three(&values.sums)), "{name}");
+    let root = found.root.expect("has roots");
+    let greatest = values.f2.iter().max().expect("pixels");
+    let limit = |root: u32| BigInt::from(1) << (2 * root - 1);
+    assert!(*greatest < limit(root), "{name}");
+    assert!(root == 1 || *greatest >= limit(root - 1), "{name}");
 }
 
 /// With the guard bits that are stated, and with more, no sign of f2 is open and no face is farther off than its floors and one word.
