@@ -59,6 +59,13 @@ pub(super) fn prepare_quadric(
             (&region, &window, anchor),
             context,
         )?;
+        // A half-plane of the screen has a scale of its own, but in a short word its rounding can still carry it out.
+        if plane.needed > context.format.plane {
+            let magnitude = power_of_two(plane.needed - 1) - integer(1);
+            let (name, word) = (&object.name, format!("cut {index}"));
+            let available = context.format.plane;
+            return Err(too_large(name, &word, &magnitude, available, &window));
+        }
         prepared.notes.extend(plane.note(index));
         prepared.words.planes.push(plane.words);
         prepared.exact.planes.push(plane.exact);

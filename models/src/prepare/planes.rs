@@ -10,6 +10,7 @@ use crate::object::quadric::{PlaneWords, ScreenBox};
 use crate::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
 use crate::scene::Plane;
 use crate::unit::cut_plane::PlaneKind;
+use crate::unit::pe1::Linear;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -79,8 +80,8 @@ pub(super) fn prepare_plane_between(
         return Ok(perpendicular(value, normal, anchor, window, context, false));
     }
     let depth = value.scaled(&(&context.depth_scale / &projected.c));
-    let needed = signed_bits(&depth.max_abs_on(window));
     let word = round_linear(&depth, anchor).ok();
+    let needed = bits_needed(&depth, word.as_ref(), window);
     if let (Some(word), true) = (word, needed <= context.format.plane) {
         let kind = if projected.c.is_negative() {
             PlaneKind::Front
@@ -130,6 +131,13 @@ fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     })
 }
 
+/// Bits of an expression on the box: of the exact one, and of the rounded one, which in a short word and far from the anchor can be greater.
+fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) -> u32 {
+    let rounded = word.map(|word| LinearForm::of_words(word).max_abs_on(window));
+    let most = exact.max_abs_on(window);
+    signed_bits(&rounded.map_or(most.clone(), |rounded| rounded.max(most)))
+}
+
 /// The half-plane form. Its scale is free, so the exact integers are used whenever they fit the plane word.
 fn perpendicular(
     value: LinearForm,
@@ -154,7 +162,7 @@ fn perpendicular(
             depth,
             normal,
         },
-        needed: signed_bits(&exact.max_abs_on(window)),
+        needed: bits_needed(&exact, Some(&depth), window),
         bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
         exact,
         steep,
