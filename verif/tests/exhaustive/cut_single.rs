@@ -29,6 +29,7 @@ const fn small_format(depth: u32) -> Format {
         normal: 16,
         guard_linear: 0,
         guard_quadratic: 0,
+        dropped_rows: 0,
     }
 }
 
