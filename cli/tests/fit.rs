@@ -114,7 +114,7 @@ fn bad_input_is_refused_with_what_would_be_accepted() {
             "0.5px",
         ),
         (
-            &["fit", scene, "--out", "x", "--max-face-errors", "-1"],
+            &["fit", scene, "--out", "x", "--max-face-errors", "1.5"],
             "0.1%",
         ),
         (
