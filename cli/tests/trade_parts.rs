@@ -72,11 +72,12 @@ fn kill(pid: u32) -> bool {
     status.unwrap().success()
 }
 
-/// Waits for a process and kills it.
-fn kill_first(wanted: impl Fn(&[String]) -> bool, run: &mut Child) -> u32 {
+/// Waits for a process that was not killed before, and kills it; one that dies is listed for a moment longer.
+fn kill_first(wanted: impl Fn(&[String]) -> bool, killed: &[u32], run: &mut Child) -> u32 {
     let started = Instant::now();
     while started.elapsed() < DEADLINE {
-        if let Some(&pid) = processes(&wanted).first()
+        let alive = processes(&wanted);
+        if let Some(&pid) = alive.iter().find(|pid| !killed.contains(pid))
             && kill(pid)
         {
             return pid;
@@ -102,8 +103,8 @@ fn a_part_that_is_killed_is_done_again() {
     let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
     let place = out.display().to_string();
     // Two of the parts, which the two workers run.
-    let first = kill_first(is_part(&place), &mut run);
-    let second = kill_first(is_part(&place), &mut run);
+    let first = kill_first(is_part(&place), &[], &mut run);
+    let second = kill_first(is_part(&place), &[first], &mut run);
     assert_ne!(first, second);
     succeeds(run);
     assert!(std::fs::read(out.join("trade.json")).unwrap() == wanted);
@@ -123,7 +124,7 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
         std::thread::sleep(Duration::from_millis(2));
     }
     // The server with its workers is the Python process.
-    kill_first(is_server(&place), &mut run);
+    kill_first(is_server(&place), &[], &mut run);
     let output = run.wait_with_output().unwrap();
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{error}");
