@@ -10,7 +10,6 @@ module square_w48_v2 (
     wire [14:0] low;
     wire [14:0] middle;
     wire [14:0] high;
-    wire [47:0] term_0;
     wire [47:0] term_1;
     wire [47:0] term_2;
     wire [47:0] term_3;
@@ -67,13 +66,12 @@ module square_w48_v2 (
     assign low = wide[14:0];
     assign middle = wide[29:15];
     assign high = wide[44:30];
-    assign term_0 = products_0_product << 8'd0;
     assign term_1 = products_1_product << 8'd16;
     assign term_2 = products_2_product << 8'd30;
     assign term_3 = products_3_product << 8'd31;
     assign term_4 = products_4_product << 8'd46;
     assign term_5 = products_5_product << 8'd60;
-    assign lower_sum = term_0 + term_1;
+    assign lower_sum = products_0_product + term_1;
     assign middle_sum = term_2 + term_3;
     assign upper_sum = term_4 + term_5;
     assign most = lower_sum + middle_sum;
