@@ -292,7 +292,7 @@ mod tests {
         let text = fitted.bundle();
         assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
         let has = |name: &str| fitted.modules.iter().any(|(module, _)| module == name);
-        assert!(has("two_volume_merge") && has("flag_delay_x1"));
+        assert!(has("two_volume_merge") && has("word_delay_w12_x1"));
         let single = emitted(&request(&[(0, false), (1, false)])).unwrap();
         assert!(!single.modules.iter().any(|(m, _)| m == "two_volume_merge"));
     }
