@@ -2,6 +2,7 @@
 
 use super::EmitError;
 use super::names::literal;
+use crate::kernel::BLOCK_MEMORY;
 use rust_hdl::core::ast::{Verilog, VerilogBlock, VerilogStatement};
 use rust_hdl::core::prelude::{Atom, AtomKind, Block, Probe, TypeKind, check_all};
 
@@ -20,6 +21,8 @@ pub enum Kernel {
     Statements { unit: String, code: VerilogBlock },
     /// A register: `q` takes `d` at the rising edge of `clock`.
     Register,
+    /// A block memory, in a module of its own.
+    Memory,
 }
 
 /// A block with its signals and sub-blocks.
@@ -40,6 +43,7 @@ impl Scope {
     pub fn unit(&self) -> Option<&str> {
         match &self.kernel {
             Ok(Kernel::Statements { unit, .. }) => Some(unit),
+            Ok(Kernel::Memory) => Some(MEMORY_UNIT),
             _ => None,
         }
     }
@@ -92,6 +96,9 @@ const REGISTER: [&str; 2] = [
     "always @(posedge clock) begin\n   q <= d;\nend",
 ];
 
+/// The unit whose modules are block memories.
+pub const MEMORY_UNIT: &str = "block_memory";
+
 fn kernel(name: &str, code: Verilog) -> Result<Kernel, EmitError> {
     match code {
         Verilog::Combinatorial(code) => {
@@ -104,7 +111,11 @@ fn kernel(name: &str, code: Verilog) -> Result<Kernel, EmitError> {
         Verilog::Custom(text) if REGISTER.iter().all(|part| text.contains(part)) => {
             Ok(Kernel::Register)
         }
-        _ => Err(EmitError::block(name, "is neither a kernel nor a register")),
+        Verilog::Custom(text) if text == BLOCK_MEMORY => Ok(Kernel::Memory),
+        _ => Err(EmitError::block(
+            name,
+            "is neither a kernel nor a register nor a memory",
+        )),
     }
 }
 

@@ -1,7 +1,8 @@
 //! One module for all equal sub-blocks, under a readable name.
 
 use super::EmitError;
-use super::collect::{Kernel, Scope};
+use super::collect::{Kernel, MEMORY_UNIT, Scope};
+use super::memory;
 use super::module::{body, is_port};
 use super::names::check_identifier;
 use rust_hdl::core::prelude::AtomKind;
@@ -32,6 +33,7 @@ impl Merger {
                 check_identifier(unit)?;
                 unit.clone()
             }
+            Ok(Kernel::Memory) => MEMORY_UNIT.to_owned(),
             Ok(Kernel::Register) => {
                 return Err(EmitError::block(&scope.instance, "is a bare register"));
             }
@@ -45,7 +47,11 @@ impl Merger {
                 self.module(child)?
             });
         }
-        let text = body(scope, &|child| format!("{MARK}{}{MARK}", children[child]))?;
+        let text = if matches!(scope.kernel, Ok(Kernel::Memory)) {
+            memory::body(scope)
+        } else {
+            body(scope, &|child| format!("{MARK}{}{MARK}", children[child]))?
+        };
         let key = (unit, text);
         if let Some(number) = self.known.get(&key) {
             return Ok(*number);
@@ -103,7 +109,7 @@ impl Merger {
     }
 }
 
-/// The shape of a module: width of its first output, and how many sub-blocks, or else registers, it holds.
+/// The shape of a module: width of its first output, and how many sub-blocks, or else registers, it holds; of a memory, bits of its address.
 fn distinct(scope: &Scope, key: &(String, String)) -> Distinct {
     let output = scope
         .nets
@@ -120,10 +126,10 @@ fn distinct(scope: &Scope, key: &(String, String)) -> Distinct {
         text: key.1.clone(),
         width: output.map_or(0, |net| net.width),
         signed: output.is_some_and(|net| net.signed),
-        count: if blocks == 0 {
-            scope.children.len()
-        } else {
-            blocks
+        count: match &scope.kernel {
+            Ok(Kernel::Memory) => memory::address_width(scope),
+            _ if blocks == 0 => scope.children.len(),
+            _ => blocks,
         },
     }
 }

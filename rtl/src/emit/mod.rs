@@ -9,6 +9,7 @@ mod collect;
 mod error;
 mod lower;
 pub mod machine;
+mod memory;
 mod merge;
 mod module;
 mod names;

@@ -13,7 +13,8 @@ use super::names::{check_identifier, instance, signal};
 use flow::{
     check_order, drop_holds, drop_replaced, execute, filtered, ones, read, read_statements,
 };
-use print::{number, port, section, shape};
+use print::{number, section};
+pub use print::{port, shape};
 use rust_hdl::core::prelude::AtomKind;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fmt::Write;

@@ -1,5 +1,6 @@
 //! The units from which processors and machines are built.
 
+pub mod block_memory;
 pub mod coarse_point;
 pub mod contour_choice;
 pub mod cut_plane;

@@ -142,3 +142,23 @@ fn legal_forms_are_printed_with_their_widths() {
         "{text}"
     );
 }
+
+/// A memory whose read is one clock late, as rust-hdl simulates it, in the form that synthesis maps to block memory.
+#[test]
+fn a_memory_is_a_module_of_its_own() {
+    use crate::unit::block_memory::BlockMemory;
+    let scope = collect(BlockMemory::<4, 12>::new()).unwrap();
+    let modules = modules(&scope, "").unwrap();
+    let [(name, text)] = modules.as_slice() else {
+        panic!("a memory is one module");
+    };
+    assert_eq!(name, "block_memory");
+    for part in [
+        "input  wire [3:0] write_address",
+        "reg [11:0] words [0:15];",
+        "kept_read_data <= words[read_address];",
+        "if (write) words[write_address] <= write_data;",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+}
