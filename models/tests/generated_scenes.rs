@@ -12,19 +12,21 @@ use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
 
 fn committed(name: &str) -> String {
-    let path = format!(
-        "{}/../scenes/shadows/{name}.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
+    let path = format!("{}/../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(path).expect("a readable file")
 }
 
 #[test]
 fn committed_scenes_are_those_of_the_generator() {
-    for (name, text) in [("dna", dna::scene()), ("sphere-surface", surface::scene())] {
+    for (path, text) in [
+        ("shadows/dna", dna::scene()),
+        ("shadows/sphere-surface", surface::scene()),
+        ("zones/molecule-480", dna::without_shadows()),
+    ] {
+        let name = path.rsplit('/').next().expect("a name");
         assert!(
-            committed(name) == text,
-            "scenes/shadows/{name}.toml is stale: run the example generate_scene {name} and write its output there"
+            committed(path) == text,
+            "scenes/{path}.toml is stale: run the example generate_scene {name} and write its output there"
         );
     }
 }
@@ -32,7 +34,11 @@ fn committed_scenes_are_those_of_the_generator() {
 #[test]
 fn they_have_as_many_spheres_and_shadows_as_they_say() {
     // One sphere casts one volume for each source with shadows, unless that meets nothing seen; the wall of the helix casts none.
-    for (name, objects, volumes) in [("dna", 481, 960), ("sphere-surface", 4000, 3803)] {
+    for (name, objects, volumes) in [
+        ("shadows/dna", 481, 960),
+        ("shadows/sphere-surface", 4000, 3803),
+        ("zones/molecule-480", 481, 0),
+    ] {
         let scene = SceneFile::parse(&committed(name), name).expect("a valid scene");
         assert_eq!(scene.objects.len(), objects);
         let framed = scene.frame(720, 540).expect("a valid size");

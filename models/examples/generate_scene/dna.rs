@@ -1,4 +1,4 @@
-//! Forty base pairs of a double helix in 480 spheres before a wall, under two point sources: 960 shadow volumes.
+//! Forty base pairs of a double helix in 480 spheres before a wall, under two point sources: 960 shadow volumes, or none.
 
 use super::sphere::sphere;
 use std::fmt::Write;
@@ -49,7 +49,17 @@ view_height = 9.6
 
 /// The text of the scene file.
 pub fn scene() -> String {
-    let mut text = HEAD.to_owned();
+    after(HEAD)
+}
+
+/// The same without shadows.
+pub fn without_shadows() -> String {
+    let head = HEAD.replace(", shadows = true", "");
+    after(&head.replace("generate_scene -- dna", "generate_scene -- molecule-480"))
+}
+
+fn after(head: &str) -> String {
+    let mut text = head.to_owned();
     for pair in 0..PAIRS {
         let base = SEQUENCE[pair % SEQUENCE.len()];
         for (strand, letter) in [(0, base), (1, partner(base))] {

@@ -14,6 +14,7 @@ mod needs;
 mod normal;
 mod object;
 mod parts;
+pub mod shading;
 mod silhouette;
 mod summary;
 pub mod trial;

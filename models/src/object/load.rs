@@ -3,6 +3,7 @@
 use super::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use crate::format::{Format, wrap};
 use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use serde::Serialize;
 
 /// One word of the load bus.
@@ -17,31 +18,24 @@ pub struct LoadWord {
 }
 
 /// Address of the first word of plane 0.
-const FIRST_PLANE: u8 = 24;
+pub const FIRST_PLANE: u8 = 24;
+/// Address of the control word.
+pub const CONTROL: u8 = 23;
 /// Words of one plane.
-const PLANE_WORDS: u8 = 7;
+pub const PLANE_WORDS: u8 = 7;
 
 /// All words of an object for one zone, by ascending address; absent planes up to `planes` are written as kind none.
 pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<LoadWord> {
     let mut list = List(Vec::new());
     list.linear(&words.f1, format.pe1_width());
-    let f2 = words.f2.preconditioned(format.pe2_width());
-    for value in [f2.a2, f2.b2, f2.c, f2.i0, f2.p0, f2.f] {
-        list.push(value, format.pe2_width());
-    }
+    list.quadratic(&words.f2, format.pe2_width());
     for g in &words.normal.g {
         list.linear(g, format.normal_linear);
     }
     for k in words.normal.k {
         list.push(k.into(), format.normal);
     }
-    let window = if words.screen_box.is_empty() {
-        ScreenBox::EMPTY
-    } else {
-        words.screen_box
-    };
-    list.push((window.x0 | window.x1 << 12).into(), 24);
-    list.push((window.y0 | window.y1 << 12).into(), 24);
+    list.window(&words.screen_box);
     let control = words.class as i128 | i128::from(words.normal.shift) << 2;
     list.push(control, 7);
     let none = PlaneWords::default();
@@ -60,10 +54,11 @@ pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<L
     list.0
 }
 
-struct List(Vec<LoadWord>);
+/// Words at ascending addresses from 0.
+pub(super) struct List(pub(super) Vec<LoadWord>);
 
 impl List {
-    fn push(&mut self, value: i128, width: u32) {
+    pub(super) fn push(&mut self, value: i128, width: u32) {
         let bits = wrap(value, width) as u64 & (u64::MAX >> (64 - width));
         self.0.push(LoadWord {
             address: self.0.len() as u8,
@@ -72,10 +67,27 @@ impl List {
         });
     }
 
-    fn linear(&mut self, words: &Linear, width: u32) {
+    pub(super) fn linear(&mut self, words: &Linear, width: u32) {
         for value in [words.a, words.b, words.c] {
             self.push(value, width);
         }
+    }
+
+    pub(super) fn quadratic(&mut self, words: &Quadratic, width: u32) {
+        let words = words.preconditioned(width);
+        for value in [words.a2, words.b2, words.c, words.i0, words.p0, words.f] {
+            self.push(value, width);
+        }
+    }
+
+    pub(super) fn window(&mut self, window: &ScreenBox) {
+        let window = if window.is_empty() {
+            &ScreenBox::EMPTY
+        } else {
+            window
+        };
+        self.push((window.x0 | window.x1 << 12).into(), Format::BOX_WORD);
+        self.push((window.y0 | window.y1 << 12).into(), Format::BOX_WORD);
     }
 }
 
@@ -83,7 +95,6 @@ impl List {
 mod tests {
     use super::*;
     use crate::unit::interval::Class;
-    use crate::unit::pe2::Quadratic;
 
     #[test]
     fn words_stand_at_their_addresses() {

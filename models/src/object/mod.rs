@@ -1,5 +1,6 @@
 //! Golden models of the object processors.
 
+pub mod as_quadric;
 pub mod curved_facet;
 pub mod cylinder;
 pub mod facet;
@@ -7,6 +8,7 @@ pub mod facet_contour;
 pub mod first_generation;
 pub mod line;
 pub mod load;
+pub mod load_volume;
 pub mod paraboloid;
 pub mod patch;
 pub mod polyhedron;

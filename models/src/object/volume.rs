@@ -35,6 +35,20 @@ pub enum VolumeKind {
     Light,
 }
 
+impl VolumeKind {
+    /// The flags of the sources after a volume of this kind that belongs to a source.
+    ///
+    /// Both kinds only take flags away, so neither the order of the volumes nor that of lights and shadows matters.
+    #[inline]
+    pub const fn after(self, source: u8, flags: u16, inside: bool) -> u16 {
+        let dark = match self {
+            VolumeKind::Shadow => inside,
+            VolumeKind::Light => !inside,
+        };
+        if dark { flags & !(1 << source) } else { flags }
+    }
+}
+
 /// Coefficient words of a plane of a volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct VolumePlane {
@@ -56,6 +70,23 @@ pub struct VolumeQuadric {
     /// The unit of both is `2^shift` depth words, at most [`MAX_SHIFT`]: a shadow that passes near the viewer has depths far beyond the
     /// depth word.
     pub shift: u8,
+}
+
+impl VolumeQuadric {
+    /// A quadric that every point is inside of.
+    pub const EVERYWHERE: VolumeQuadric = VolumeQuadric {
+        class: Class::Prism,
+        f1: Linear::new(0, 0, 0),
+        f2: Quadratic {
+            a: 0,
+            b: 0,
+            c: 0,
+            d: 0,
+            e: 0,
+            f: 0,
+        },
+        shift: 0,
+    };
 }
 
 /// All coefficient words of a volume for one zone.
@@ -111,19 +142,9 @@ impl VolumeWords {
     }
 
     /// The flags of the sources after this volume.
-    ///
-    /// Both kinds only take flags away, so neither the order of the volumes nor that of lights and shadows matters.
     #[inline]
     pub const fn after(&self, flags: u16, inside: bool) -> u16 {
-        let dark = match self.kind {
-            VolumeKind::Shadow => inside,
-            VolumeKind::Light => !inside,
-        };
-        if dark {
-            flags & !(1 << self.source)
-        } else {
-            flags
-        }
+        self.kind.after(self.source, flags, inside)
     }
 }
 

@@ -74,7 +74,7 @@ impl Quadric {
             return in_quadric(self.class, 0, 0, negative, point);
         }
         let linear = format.drop_linear(wrap64(f1, format.pe1_width()));
-        let root = fast_root(radicand);
+        let root = format.keep_rows(fast_root(radicand));
         let near = wrap64(linear - root, format.sum);
         let far = wrap64(linear + root, format.sum);
         in_quadric(self.class, near, far, false, point.coarse(self.shift))
@@ -84,6 +84,7 @@ impl Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::format::FittedWidths;
     use crate::object::quadric::ScreenBox;
     use crate::object::volume::{
         MAX_SHIFT, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric,
@@ -125,12 +126,56 @@ mod tests {
         })
     }
 
+    /// Roots without their last digits, at every depth around them.
+    #[test]
+    fn lines_drop_the_digits_that_the_processor_drops() {
+        let widths = FittedWidths {
+            dropped_rows: 2,
+            ..Format::BASE.widths()
+        };
+        let format = Format::fitted(&widths).unwrap();
+        let depths: Vec<i64> = (-12..=12).collect();
+        let last = depths.len() as i64 - 1;
+        let mut inside = 0;
+        for f in 0..100 {
+            let words = VolumeWords {
+                kind: VolumeKind::Shadow,
+                source: 0,
+                screen_box: ScreenBox {
+                    x0: 0,
+                    x1: last,
+                    y0: 0,
+                    y1: 0,
+                },
+                margin: 0,
+                quadric: Some(VolumeQuadric {
+                    class: Class::Side,
+                    f2: Quadratic {
+                        f,
+                        ..Quadratic::default()
+                    },
+                    ..VolumeQuadric::EVERYWHERE
+                }),
+                planes: vec![],
+            };
+            let mut processor = VolumeProcessor::zone_start(&words, &format);
+            let mut line = vec![false; depths.len()];
+            for_each_inside(&words, &format, 0, &depths, |x| line[x] = true);
+            for (&got, &z) in line.iter().zip(&depths) {
+                assert_eq!(got, processor.pixel(z), "f2 = {f}, depth {z}");
+                inside += usize::from(got);
+            }
+        }
+        // Roots 0 to 9 become 0, 4 and 8.
+        assert_eq!(inside, 16 + 48 * 9 + 36 * 17);
+    }
+
     proptest! {
         #[test]
         fn lines_equal_the_processor_pixel_by_pixel(
             quadric in proptest::option::of(quadric()), planes in proptest::collection::vec(plane(), 0..=5),
             depths in proptest::collection::vec(-(1i64 << 23) + 1..1 << 23, 20), margin in 0u32..1000,
-            b in [0i64..20, 0..20, 0..20, 0..20], guards in 0u32..=8
+            b in [0i64..20, 0..20, 0..20, 0..20], guards in 0u32..=8, dropped_rows in 0u32..=8
         ) {
             let words = VolumeWords {
                 kind: VolumeKind::Shadow,
@@ -142,7 +187,13 @@ mod tests {
                 quadric,
                 planes,
             };
-            let format = Format::BASE.with_guards(guards, guards).unwrap();
+            let widths = FittedWidths {
+                guard_linear: guards,
+                guard_quadratic: guards,
+                dropped_rows,
+                ..Format::BASE.widths()
+            };
+            let format = Format::fitted(&widths).unwrap();
             let mut processor = VolumeProcessor::zone_start(&words, &format);
             for y in 0..20 {
                 if y > 0 {

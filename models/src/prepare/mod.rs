@@ -18,6 +18,7 @@ mod polyhedron;
 mod round;
 pub mod rounding;
 pub mod screen_box;
+pub mod shader;
 pub mod volume;
 
 use crate::format::{FittedWidths, Format};

@@ -86,6 +86,19 @@ impl Quadratic {
         Quadratic { a, b, c, d, e, f }
     }
 
+    /// An expression with the same words; second differences are even, so halving them loses nothing.
+    pub fn of_preconditioned(words: &PreconditionedWords) -> Quadratic {
+        let (a, b) = (words.a2 >> 1, words.b2 >> 1);
+        Quadratic {
+            a,
+            b,
+            c: words.c,
+            d: words.p0 - a,
+            e: words.i0 - b,
+            f: words.f,
+        }
+    }
+
     /// The words the hardware is loaded with, as registers of `width` bits hold them.
     pub fn preconditioned(&self, width: u32) -> PreconditionedWords {
         PreconditionedWords {

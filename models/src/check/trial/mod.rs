@@ -10,7 +10,7 @@ mod depth;
 mod exact;
 mod normals;
 mod outline;
-mod random;
+pub(super) mod random;
 mod shape;
 mod tally;
 

@@ -1,7 +1,7 @@
 //! Random numbers for the trial: the same from the same seed in every build (SplitMix64 of Steele, Lea and Flood, 2014).
 
 /// The state of a generator.
-pub(super) struct Random(u64);
+pub(in crate::check) struct Random(u64);
 
 impl Random {
     /// The generator of one case: seeds and numbers of cases are spread over all states.

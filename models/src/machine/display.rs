@@ -1,0 +1,322 @@
+//! What a machine with a screen shows of a scene, and the words that it is given.
+
+use super::beam;
+use super::description::{MachineDescription, MachineKind, Smoothing};
+use super::frame::Frame;
+use super::lighting::Lighting;
+use super::shader::{ShaderWords, shade_picture};
+use super::zone::golden::{StreamError, ZoneMachineModel};
+use super::zone::plan::{PlanError, ZonePlan};
+use super::zone::stream::{Beat, kind};
+use crate::object::as_quadric::AsQuadricError;
+use crate::object::load::load_words;
+use crate::object::load_volume::load_volume;
+use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use crate::object::slot::{ProcessorWords, Slot};
+use crate::object::volume::{VolumePlane, VolumeWords};
+use crate::prepare::PreparedScene;
+use crate::prepare::shader::{ShaderError, material_numbers, shader_words};
+use crate::scene::FramedScene;
+use thiserror::Error;
+
+/// Why a machine cannot show a scene.
+#[derive(Debug, Error)]
+pub enum DisplayError {
+    /// More parts than processors.
+    #[error(
+        "the scene has {needed} {what}; the machine has {given}; a description with {what} = {needed} would do"
+    )]
+    Processors {
+        /// Key of the description.
+        what: &'static str,
+        /// What the scene needs.
+        needed: usize,
+        /// What the machine has.
+        given: usize,
+    },
+    /// An object that its processors do not draw.
+    #[error("object '{object}': {why}")]
+    Object {
+        /// Its name.
+        object: String,
+        /// Why not.
+        why: AsQuadricError,
+    },
+    /// A volume that its processors are not for.
+    #[error("volume '{volume}': {why}")]
+    Volume {
+        /// Its name.
+        volume: String,
+        /// Why not.
+        why: AsQuadricError,
+    },
+    /// The zones cannot be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The shading processor cannot be loaded.
+    #[error(transparent)]
+    Shader(#[from] ShaderError),
+    /// The picture has another size than the screen.
+    #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", picture.0, picture.1, screen.0, screen.1)]
+    Size {
+        /// Of the picture.
+        picture: (u32, u32),
+        /// Of the screen.
+        screen: (u64, u64),
+    },
+    /// More words than the loader of a beam machine keeps, or copies in the vertical blanking.
+    #[error("a frame has {needed} words; {limit} of them {why}")]
+    Words {
+        /// Words of the frame.
+        needed: usize,
+        /// Words that fit.
+        limit: usize,
+        /// In what.
+        why: &'static str,
+    },
+}
+
+/// One image of a machine: the words that it is given and the picture that it then shows.
+#[derive(Clone, Debug)]
+pub struct Image {
+    /// The command stream of a zone machine, or the words of a beam machine.
+    pub beats: Vec<Beat>,
+    /// Visible surfaces.
+    pub frame: Frame,
+    /// Sources that reach them.
+    pub lighting: Lighting,
+    /// Red, green, blue of every pixel on the pins, row-major.
+    pub picture: Vec<u8>,
+    /// The plan of a zone machine.
+    pub plan: Option<ZonePlan>,
+}
+
+/// The image of a prepared scene, without an overlay.
+///
+/// # Errors
+///
+/// When the machine has not the processors for the scene, or the picture another size than the screen.
+pub fn image(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<Image, DisplayError> {
+    check(scene, machine)?;
+    let shader = shader_words(scene, &prepared.format, None)?;
+    let numbers = material_numbers(scene);
+    let mut shading = shader.load_words();
+    // Lights that the scene has not got are dark.
+    let missing = scene.lights.len()..machine.lights;
+    shading.extend(missing.flat_map(|light| dark_light(light as u16)));
+    match machine.machine {
+        MachineKind::Zone => {
+            let materials = numbers.iter().map(|&number| number.into()).collect();
+            let plan =
+                ZonePlan::of(prepared, machine.zone_machine())?.shaded(shading, materials)?;
+            let beats: Vec<Beat> = plan.beats().collect();
+            let mut golden = ZoneMachineModel::new(&prepared.format, &plan.machine);
+            let size = (prepared.width as usize, prepared.height as usize);
+            let (frame, lighting) = golden
+                .frame(beats.iter().copied(), size.0, size.1)
+                .unwrap_or_else(|error: StreamError| unreachable!("the stream of a plan: {error}"));
+            let picture = finished(&frame, &lighting, &numbers, &shader, machine.smoothing);
+            Ok(Image {
+                beats,
+                frame,
+                lighting,
+                picture,
+                plan: Some(plan),
+            })
+        }
+        MachineKind::Beam => {
+            let parts = parts(prepared, machine)?;
+            let volumes = volumes(prepared, machine)?;
+            let slots: Vec<Slot> = parts
+                .iter()
+                .map(|(object, words)| Slot {
+                    object: *object,
+                    words: ProcessorWords::Quadric(words.clone()),
+                })
+                .collect();
+            let (width, height) = (prepared.width as usize, prepared.height as usize);
+            let frame = beam::render(&slots, &prepared.format, width, height, || ());
+            let lighting = Lighting::of(&frame, prepared, || ());
+            let picture = finished(&frame, &lighting, &numbers, &shader, machine.smoothing);
+            let beats = beam_beats(&parts, &volumes, &shading, &numbers, prepared, machine);
+            check_words(beats.len(), machine)?;
+            Ok(Image {
+                beats,
+                frame,
+                lighting,
+                picture,
+                plan: None,
+            })
+        }
+    }
+}
+
+fn check(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {
+    if scene.lights.len() > machine.lights {
+        return Err(DisplayError::Processors {
+            what: "lights",
+            needed: scene.lights.len(),
+            given: machine.lights,
+        });
+    }
+    let screen = machine
+        .video_mode()
+        .map(|m| (m.line.active, m.frame.active));
+    let picture = (scene.width, scene.height);
+    match screen {
+        Some(screen) if screen != (u64::from(picture.0), u64::from(picture.1)) => {
+            Err(DisplayError::Size { picture, screen })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The words of a light that sends nothing: its colour is black.
+fn dark_light(light: u16) -> impl Iterator<Item = (u16, u32)> {
+    let first = super::shader::LIGHT_ADDRESS + 16 * light;
+    (first..first + 16).map(|address| (address, 0))
+}
+
+/// The picture on the pins.
+fn finished(
+    frame: &Frame,
+    lighting: &Lighting,
+    materials: &[u8],
+    shader: &ShaderWords,
+    smoothing: Smoothing,
+) -> Vec<u8> {
+    let picture = shade_picture(frame, lighting, materials, shader);
+    if smoothing == Smoothing::None {
+        return picture;
+    }
+    let pixels: Vec<[u8; 3]> = picture
+        .chunks_exact(3)
+        .map(|p| [p[0], p[1], p[2]])
+        .collect();
+    let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(frame.width).map(<[_]>::to_vec).collect();
+    smoothing.kernel().picture(&lines).concat().concat()
+}
+
+fn parts(
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<Vec<(usize, QuadricWords)>, DisplayError> {
+    let slots = prepared.slots();
+    if slots.len() > machine.objects {
+        return Err(DisplayError::Processors {
+            what: "objects",
+            needed: slots.len(),
+            given: machine.objects,
+        });
+    }
+    let part = |slot: &Slot| {
+        let words = slot
+            .words
+            .on_quadric_processor(&prepared.format, machine.planes);
+        let words = words.map_err(|why| DisplayError::Object {
+            object: prepared.objects[slot.object].name().to_owned(),
+            why,
+        })?;
+        Ok((slot.object, words))
+    };
+    slots.iter().map(part).collect()
+}
+
+fn volumes(
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<Vec<VolumeWords>, DisplayError> {
+    if prepared.volumes.len() > machine.volumes {
+        return Err(DisplayError::Processors {
+            what: "volumes",
+            needed: prepared.volumes.len(),
+            given: machine.volumes,
+        });
+    }
+    let volumes = prepared.volumes.iter().map(|volume| {
+        let words = volume.words.on_quadric_processor(machine.volume_planes);
+        words.map_err(|why| DisplayError::Volume {
+            volume: volume.name.clone(),
+            why,
+        })
+    });
+    volumes.collect()
+}
+
+/// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
+fn beam_beats(
+    parts: &[(usize, QuadricWords)],
+    volumes: &[VolumeWords],
+    shading: &[(u16, u32)],
+    materials: &[u8],
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Vec<Beat> {
+    let format = &prepared.format;
+    let mut beats: Vec<Beat> = shading
+        .iter()
+        .map(|&(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
+        .collect();
+    for (place, (object, words)) in parts.iter().enumerate() {
+        let material = materials[*object].into();
+        beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
+        let mut words = words.clone();
+        words.planes.resize(machine.planes, PlaneWords::default());
+        let words = load_words(&words, format, machine.planes);
+        beats.extend(
+            words
+                .iter()
+                .map(|w| Beat::new(kind::OBJECT, place as u8, w.address.into(), w.bits)),
+        );
+    }
+    let nowhere = ScreenBox::EMPTY;
+    for place in parts.len()..machine.objects {
+        let columns = (nowhere.x0 as u64 & 0xfff) | (nowhere.x1 as u64 & 0xfff) << 12;
+        beats.push(Beat::new(kind::OBJECT, place as u8, 21, columns));
+    }
+    for (place, words) in volumes.iter().enumerate() {
+        let mut words = words.clone();
+        words
+            .planes
+            .resize(machine.volume_planes, VolumePlane::default());
+        let words = load_volume(&words, format, machine.volume_planes);
+        beats.extend(
+            words
+                .iter()
+                .map(|w| Beat::new(kind::VOLUME, place as u8, w.address.into(), w.bits)),
+        );
+    }
+    if let Some(beat) = beats.last_mut() {
+        beat.last = true;
+    }
+    beats
+}
+
+fn check_words(needed: usize, machine: &MachineDescription) -> Result<(), DisplayError> {
+    let limit = machine.loader_words();
+    if needed > limit {
+        return Err(DisplayError::Words {
+            needed,
+            limit,
+            why: "fit the loader; give loader_words",
+        });
+    }
+    // What the pipeline and a smoothing filter look ahead is less than two lines and a few hundred clocks.
+    let blanking = machine.video_mode().map_or(0, |mode| {
+        let lines = mode.frame.front + mode.frame.sync + mode.frame.back;
+        let line = mode.line.active + mode.line.front + mode.line.sync + mode.line.back;
+        (lines * line).saturating_sub(2 * line + 300) as usize
+    });
+    if needed > blanking {
+        return Err(DisplayError::Words {
+            needed,
+            limit: blanking,
+            why: "are copied in the vertical blanking; a mode with more blanking takes more",
+        });
+    }
+    Ok(())
+}

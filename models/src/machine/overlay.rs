@@ -1,0 +1,90 @@
+//! Plane of one bit per pixel over a picture.
+
+use std::collections::VecDeque;
+
+/// A pixel that comes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Covered {
+    /// Its place, line by line.
+    pub place: usize,
+    /// Red, green, blue.
+    pub colour: [u8; 3],
+}
+
+/// Clocks from a pixel to the pixel with the plane over it.
+pub const LATENCY: usize = 4;
+
+/// The plane and the pixels on their way, the last one first: with its bit from the clock on in which its word is read.
+#[derive(Clone, Debug)]
+pub struct Overlay {
+    plane: Vec<u32>,
+    coming: VecDeque<Option<Covered>>,
+    read: Option<(Covered, bool)>,
+}
+
+impl Overlay {
+    /// An empty plane of so many words.
+    pub fn new(words: usize) -> Self {
+        Overlay {
+            plane: vec![0; words],
+            coming: VecDeque::from([None; LATENCY - 2]),
+            read: None,
+        }
+    }
+
+    /// One clock; the pixel that is there after the edge. `shown` is the colour of the set pixels, if the plane is shown.
+    pub fn clock(
+        &mut self,
+        write: Option<(usize, u32)>,
+        shown: Option<[u8; 3]>,
+        pixel: Option<Covered>,
+    ) -> Option<[u8; 3]> {
+        let leaving = self.read.take().map(|(pixel, is_set)| {
+            let over = shown.filter(|_| is_set);
+            over.unwrap_or(pixel.colour)
+        });
+        self.coming.push_back(pixel);
+        self.read = self
+            .coming
+            .pop_front()
+            .flatten()
+            .map(|pixel| (pixel, self.bit(pixel.place)));
+        if let Some((address, word)) = write {
+            self.plane[address] = word;
+        }
+        leaving
+    }
+
+    /// The bit of a pixel; pixels beyond the plane begin it again.
+    fn bit(&self, place: usize) -> bool {
+        self.plane[place / 32 % self.plane.len()] >> (place % 32) & 1 == 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pixel of a clock before the write sees it, one of two clocks before does not.
+    #[test]
+    fn a_word_is_read_two_clocks_after_its_pixel() {
+        for (before, seen) in [(1, true), (2, false)] {
+            let mut overlay = Overlay::new(2);
+            let pixel = Covered {
+                place: 33,
+                colour: [1, 2, 3],
+            };
+            let clocks = (0..8).map(|clock| {
+                overlay.clock(
+                    (clock == 4).then_some((1, 2)),
+                    Some([9; 3]),
+                    (clock == 4 - before).then_some(pixel),
+                )
+            });
+            let out: Vec<_> = clocks.collect();
+            let expected = if seen { [9; 3] } else { [1, 2, 3] };
+            assert_eq!(out[4 - before + LATENCY - 1], Some(expected));
+            assert_eq!(out.iter().flatten().count(), 1);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Queue between a pipeline that cannot stall and a receiver that can.
+
+use std::collections::VecDeque;
+
+/// What the queue shows after a clock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FifoOutput {
+    /// A pixel that is started now finds a place.
+    pub room: bool,
+    /// The oldest pixel and whether it ends its packet.
+    pub word: Option<(u32, bool)>,
+}
+
+/// The queue: a pixel is promised its place when it is started, waits from its push on, and can be seen two clocks after it.
+#[derive(Clone, Debug)]
+pub struct PixelFifo {
+    places: usize,
+    promised: usize,
+    waiting: VecDeque<(u32, bool)>,
+    is_seen: bool,
+}
+
+impl PixelFifo {
+    /// A queue of so many places.
+    pub fn new(places: usize) -> Self {
+        PixelFifo {
+            places,
+            promised: 0,
+            waiting: VecDeque::new(),
+            is_seen: false,
+        }
+    }
+
+    /// What is there before the next edge.
+    pub fn output(&self) -> FifoOutput {
+        FifoOutput {
+            room: self.promised < self.places,
+            word: self.waiting.front().copied().filter(|_| self.is_seen),
+        }
+    }
+
+    /// One clock; what is there after the edge.
+    ///
+    /// # Panics
+    ///
+    /// When a pixel is started without room or pushed without having been started.
+    pub fn clock(&mut self, started: bool, push: Option<(u32, bool)>, ready: bool) -> FifoOutput {
+        assert!(!started || self.output().room, "started without room");
+        if self.is_seen && ready {
+            self.waiting.pop_front();
+            self.promised -= 1;
+        }
+        self.is_seen = !self.waiting.is_empty();
+        self.promised += usize::from(started);
+        self.waiting.extend(push);
+        assert!(
+            self.waiting.len() <= self.promised,
+            "pushed without having been started"
+        );
+        self.output()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_is_seen_two_clocks_after_its_push() {
+        let mut fifo = PixelFifo::new(8);
+        fifo.clock(true, None, false);
+        assert_eq!(fifo.clock(false, Some((7, true)), false).word, None);
+        assert_eq!(fifo.clock(false, None, false).word, Some((7, true)));
+        assert_eq!(fifo.clock(false, None, false).word, Some((7, true)));
+        assert_eq!(fifo.clock(false, None, true).word, None);
+    }
+
+    #[test]
+    fn places_are_promised_until_words_are_taken() {
+        let mut fifo = PixelFifo::new(2);
+        assert!(fifo.clock(true, None, false).room);
+        assert!(!fifo.clock(true, Some((1, false)), false).room);
+        assert!(!fifo.clock(false, Some((2, false)), false).room);
+        assert!(fifo.clock(false, None, true).room);
+    }
+}

@@ -1,0 +1,226 @@
+//! Words of the shading processor and their addresses.
+
+/// Lights at most.
+pub const MOST_LIGHTS: usize = 4;
+/// Materials at most.
+pub const MOST_MATERIALS: usize = 256;
+/// Address of the first word of light 0; the next light begins 16 further on.
+pub const LIGHT_ADDRESS: u16 = 0x10;
+/// Address of the first word of material 0; the next material begins 4 further on.
+pub const MATERIAL_ADDRESS: u16 = 0x1000;
+
+/// All that a shading processor is loaded with.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ShaderWords {
+    /// Depth word `W` of the machine: 8 to 32 bits.
+    pub depth: u32,
+    /// Columns and lines of the picture, at most 4096: the point (0, 0) of the camera frame is in the middle.
+    pub size: [u16; 2],
+    /// Lines of sight meet in the eye; otherwise they are parallel.
+    pub perspective: bool,
+    /// Places that pixel coordinates, in 1/64 pixels, are shifted to the right in a line of sight, 0 to 15.
+    pub view_shift: u8,
+    /// Distance of the eye from the screen in units of the shifted coordinates, 17 bits.
+    pub distance: u32,
+    /// The attenuation's `log2(unit / k)`, 22 bits after the point, 30 bits; none if it is off.
+    pub attenuation: Option<i32>,
+    /// Word of an attenuation that is off.
+    pub offset_when_on: i32,
+    /// Colour of the background.
+    pub background: [u8; 3],
+    /// The lights.
+    pub lights: Vec<LightWords>,
+    /// The materials.
+    pub materials: Vec<MaterialWords>,
+}
+
+/// Words of one light: `L = base - (pixel coordinates) - slope * depth`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LightWords {
+    /// Bit of the flags that says whether the light reaches the point, 0 to 15.
+    pub source: u8,
+    /// Pixel coordinates count: a point light.
+    pub point: bool,
+    /// Places that half pixels are shifted to the left, 0 to 14.
+    pub shift: u8,
+    /// The constant part, 28 bits.
+    pub base: [i32; 3],
+    /// The part that goes with depth, 28 bits.
+    pub slope: [i32; 3],
+    /// Colour times intensity in levels of 8 bits, 5 bits after the point, 17 bits.
+    pub colour: [u32; 3],
+}
+
+/// Words of one material.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MaterialWords {
+    /// Share of ambient light in levels of 8 bits, 8 bits after the point.
+    pub ambient: [u16; 3],
+    /// Share of diffused light, 16 bits after the point.
+    pub diffuse: [u16; 3],
+    /// Share of mirrored light, 16 bits after the point.
+    pub specular: u16,
+    /// Sharpness of the highlight.
+    pub exponent: u8,
+}
+
+impl ShaderWords {
+    /// Unloaded words of a processor with so many lights: all are zero.
+    pub fn unloaded(depth: u32, lights: usize) -> ShaderWords {
+        ShaderWords {
+            depth,
+            lights: vec![LightWords::default(); lights],
+            materials: vec![MaterialWords::default(); MOST_MATERIALS],
+            ..ShaderWords::default()
+        }
+    }
+
+    /// Writes one word; what a word has beyond its fields, and addresses that are not in use, mean nothing.
+    pub fn load(&mut self, address: u16, word: u32) {
+        let bits = |low: u32, width: u32| word >> low & ((1 << width) - 1);
+        match address {
+            0 => self.size = [bits(0, 13) as u16, bits(16, 13) as u16],
+            1 => {
+                self.perspective = bits(0, 1) == 1;
+                self.view_shift = bits(4, 4) as u8;
+                let offset = self.attenuation.unwrap_or(self.offset_when_on);
+                self.attenuation = (bits(1, 1) == 1).then_some(offset);
+            }
+            2 => self.distance = bits(0, 17),
+            3 => {
+                self.offset_when_on = signed(word, 30);
+                self.attenuation = self.attenuation.map(|_| self.offset_when_on);
+            }
+            4 => self.background = [0, 8, 16].map(|low| bits(low, 8) as u8),
+            LIGHT_ADDRESS.. if address < MATERIAL_ADDRESS => {
+                let light = usize::from(address / 16) - 1;
+                if let Some(light) = self.lights.get_mut(light) {
+                    light.load(address % 16, word);
+                }
+            }
+            _ => {
+                let material = usize::from(address.wrapping_sub(MATERIAL_ADDRESS) / 4);
+                if let Some(material) = self.materials.get_mut(material) {
+                    material.load(address % 4, word);
+                }
+            }
+        }
+    }
+
+    /// Every address with its word, in the order of loading.
+    pub fn load_words(&self) -> Vec<(u16, u32)> {
+        let [columns, lines] = self.size.map(u32::from);
+        let [red, green, blue] = self.background.map(u32::from);
+        let offset = self.attenuation.unwrap_or(self.offset_when_on);
+        let attenuation = offset as u32 & 0x3fff_ffff;
+        let view = u32::from(self.perspective)
+            | u32::from(self.attenuation.is_some()) << 1
+            | u32::from(self.view_shift) << 4;
+        let mut words = vec![
+            (0, columns | lines << 16),
+            (1, view),
+            (2, self.distance),
+            (3, attenuation),
+            (4, red | green << 8 | blue << 16),
+        ];
+        for (light, address) in self.lights.iter().zip((LIGHT_ADDRESS..).step_by(16)) {
+            words.extend((address..).zip(light.load_words()));
+        }
+        for (material, address) in self.materials.iter().zip((MATERIAL_ADDRESS..).step_by(4)) {
+            words.extend((address..).zip(material.load_words()));
+        }
+        words
+    }
+}
+
+/// The low bits of a word as a number.
+fn signed(word: u32, width: u32) -> i32 {
+    (word << (32 - width)) as i32 >> (32 - width)
+}
+
+impl LightWords {
+    fn load(&mut self, at: u16, word: u32) {
+        match at {
+            0 => {
+                self.point = word & 1 == 1;
+                self.source = (word >> 4 & 15) as u8;
+                self.shift = (word >> 8 & 15) as u8;
+            }
+            1..=3 => self.base[usize::from(at) - 1] = signed(word, 28),
+            4..=6 => self.slope[usize::from(at) - 4] = signed(word, 28),
+            7..=9 => self.colour[usize::from(at) - 7] = word & 0x1_ffff,
+            _ => {}
+        }
+    }
+
+    fn load_words(&self) -> [u32; 10] {
+        let control =
+            u32::from(self.point) | u32::from(self.source) << 4 | u32::from(self.shift) << 8;
+        let [bx, by, bz] = self.base.map(|v| v as u32 & 0x0fff_ffff);
+        let [sx, sy, sz] = self.slope.map(|v| v as u32 & 0x0fff_ffff);
+        let [red, green, blue] = self.colour;
+        [control, bx, by, bz, sx, sy, sz, red, green, blue]
+    }
+}
+
+impl MaterialWords {
+    fn load(&mut self, at: u16, word: u32) {
+        let (low, high) = (word as u16, (word >> 16) as u16);
+        match at {
+            0 => [self.ambient[0], self.ambient[1]] = [low, high],
+            1 => (self.ambient[2], self.specular) = (low, high),
+            2 => [self.diffuse[0], self.diffuse[1]] = [low, high],
+            _ => (self.diffuse[2], self.exponent) = (low, high as u8),
+        }
+    }
+
+    fn load_words(&self) -> [u32; 4] {
+        let pair = |low: u16, high: u16| u32::from(low) | u32::from(high) << 16;
+        [
+            pair(self.ambient[0], self.ambient[1]),
+            pair(self.ambient[2], self.specular),
+            pair(self.diffuse[0], self.diffuse[1]),
+            pair(self.diffuse[2], self.exponent.into()),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loading_gives_back_the_words() {
+        let light = LightWords {
+            source: 13,
+            point: true,
+            shift: 14,
+            base: [-1, 1 << 26, -(1 << 27)],
+            slope: [5, -6, 7],
+            colour: [81_600, 1, 131_071],
+        };
+        let material = MaterialWords {
+            ambient: [1, 2, 65_535],
+            diffuse: [3, 65_534, 4],
+            specular: 40_000,
+            exponent: 200,
+        };
+        let mut words = ShaderWords {
+            size: [4096, 1],
+            perspective: true,
+            view_shift: 9,
+            distance: 131_071,
+            attenuation: Some(-77),
+            offset_when_on: -77,
+            background: [1, 128, 255],
+            ..ShaderWords::unloaded(24, 4)
+        };
+        words.lights[3] = light;
+        words.materials[255] = material;
+        let mut loaded = ShaderWords::unloaded(24, 4);
+        for (address, word) in words.load_words() {
+            loaded.load(address, word);
+        }
+        assert_eq!(loaded, words);
+    }
+}

@@ -1,0 +1,156 @@
+//! The shadow stage: from the answers of the volumes to the flags of the sources, for one pixel a clock.
+
+use crate::object::volume::VolumeKind;
+
+/// What the stage holds of a volume.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShadowWords {
+    /// Shadow or light.
+    pub kind: VolumeKind,
+    /// The source it belongs to, below 16.
+    pub source: u8,
+    /// Without it the volume takes nothing away.
+    pub enabled: bool,
+}
+
+/// The flags after all volumes. `before` are those that earlier passes left, or all ones.
+pub fn flags(before: u16, volumes: &[ShadowWords], inside: &[bool]) -> u16 {
+    let enabled = volumes.iter().zip(inside).filter(|(v, _)| v.enabled);
+    enabled.fold(before, |flags, (volume, &inside)| {
+        volume.kind.after(volume.source, flags, inside)
+    })
+}
+
+/// Latency in clocks: a register takes the words of eight volumes, and so does each one behind it.
+pub fn latency(volumes: usize) -> u32 {
+    let levels = (1..).find(|&levels| 8usize.pow(levels) >= volumes);
+    levels.expect("a power of eight is large enough")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::Format;
+    use crate::machine::frame::Frame;
+    use crate::machine::lighting::{ALL_SOURCES, light};
+    use crate::object::quadric::ScreenBox;
+    use crate::object::volume::{VolumePlane, VolumeProcessor, VolumeWords};
+    use crate::unit::cut_plane::PlaneKind;
+    use crate::unit::pe1::Linear;
+    use proptest::prelude::*;
+
+    fn any_volumes(count: usize) -> impl Strategy<Value = Vec<(ShadowWords, bool)>> {
+        let one = (any::<bool>(), 0u8..4, any::<bool>(), any::<bool>()).prop_map(
+            |(is_light, source, enabled, inside)| {
+                let kind = if is_light {
+                    VolumeKind::Light
+                } else {
+                    VolumeKind::Shadow
+                };
+                let words = ShadowWords {
+                    kind,
+                    source,
+                    enabled,
+                };
+                (words, inside)
+            },
+        );
+        proptest::collection::vec(one, count)
+    }
+
+    proptest! {
+        /// The sentence that defines the flags, source by source.
+        #[test]
+        fn a_source_shines_outside_its_shadows_and_inside_its_lights(
+            list in any_volumes(9), before in any::<u16>(),
+        ) {
+            let (volumes, inside): (Vec<_>, Vec<_>) = list.iter().copied().unzip();
+            let found = flags(before, &volumes, &inside);
+            for s in 0..16 {
+                let mut own = list.iter().filter(|(v, _)| v.enabled && v.source == s);
+                let shines = own.all(|(v, inside)| *inside == (v.kind == VolumeKind::Light));
+                prop_assert_eq!(found >> s & 1 == 1, shines && before >> s & 1 == 1);
+            }
+        }
+
+        /// A machine with fewer volume processors than volumes takes several passes.
+        #[test]
+        fn passes_and_order_do_not_matter(
+            (list, shuffled) in any_volumes(12).prop_flat_map(|list| (Just(list.clone()), Just(list).prop_shuffle())),
+            cut in 0usize..=12,
+        ) {
+            let of = |before, list: &[(ShadowWords, bool)]| {
+                let (volumes, inside): (Vec<_>, Vec<_>) = list.iter().copied().unzip();
+                flags(before, &volumes, &inside)
+            };
+            let whole = of(ALL_SOURCES, &list);
+            prop_assert_eq!(of(of(ALL_SOURCES, &shuffled[..cut]), &shuffled[cut..]), whole);
+        }
+    }
+
+    /// Columns x0 to x1, from a depth on.
+    fn slab(kind: VolumeKind, source: u8, [x0, x1]: [i64; 2], depth: i128) -> VolumeWords {
+        VolumeWords {
+            kind,
+            source,
+            screen_box: ScreenBox {
+                x0,
+                x1,
+                y0: 0,
+                y1: 0,
+            },
+            margin: 1,
+            quadric: None,
+            planes: vec![VolumePlane {
+                kind: PlaneKind::Front,
+                depth: Linear::new(0, 0, depth),
+            }],
+        }
+    }
+
+    /// Volumes that overlap, of one source and of two, against the lighting of a frame.
+    #[test]
+    fn the_stage_gives_the_flags_of_a_frame() {
+        let format = Format::BASE;
+        let width = 12;
+        let mut frame = Frame::background(width, 1, format.z_max());
+        frame.depth = (0..width as i64).map(|x| 60 + 10 * (x % 5)).collect();
+        let volumes = [
+            slab(VolumeKind::Shadow, 0, [0, 5], 70),
+            slab(VolumeKind::Shadow, 0, [3, 8], 90),
+            slab(VolumeKind::Light, 0, [1, 9], 50),
+            slab(VolumeKind::Light, 1, [4, 11], 50),
+            slab(VolumeKind::Shadow, 1, [4, 6], 80),
+        ];
+        let expected = light(&frame, &volumes.iter().collect::<Vec<_>>(), &format, || ());
+        let mut processors: Vec<VolumeProcessor> = volumes
+            .iter()
+            .map(|words| VolumeProcessor::zone_start(words, &format))
+            .collect();
+        let words: Vec<ShadowWords> = volumes
+            .iter()
+            .map(|v| ShadowWords {
+                kind: v.kind,
+                source: v.source,
+                enabled: true,
+            })
+            .collect();
+        let found: Vec<u16> = frame
+            .depth
+            .iter()
+            .map(|&depth| {
+                let inside: Vec<bool> = processors.iter_mut().map(|p| p.pixel(depth)).collect();
+                flags(ALL_SOURCES, &words, &inside)
+            })
+            .collect();
+        assert_eq!(found, expected.flags);
+        let kinds: std::collections::BTreeSet<u16> = found.into_iter().collect();
+        assert_eq!(kinds.len(), 4, "all four states of two sources: {kinds:x?}");
+    }
+
+    #[test]
+    fn eight_volumes_to_a_register() {
+        let found = [1, 8, 9, 64, 65, 256].map(latency);
+        assert_eq!(found, [1, 1, 2, 2, 3, 3]);
+    }
+}

@@ -1,0 +1,66 @@
+//! Inputs of one pixel that do not arrive together: where a decider runs past its processors, a later processor starts later.
+
+use std::collections::VecDeque;
+
+/// Puts the inputs of a pixel together: input i of a pixel is taken `starts[i]` clocks after its first.
+#[derive(Clone, Debug)]
+pub struct Skewed<T> {
+    starts: Vec<usize>,
+    rows: VecDeque<Vec<T>>,
+}
+
+impl<T: Clone> Skewed<T> {
+    /// Nothing was taken yet.
+    ///
+    /// # Panics
+    ///
+    /// Without inputs.
+    pub fn new(starts: Vec<usize>) -> Skewed<T> {
+        assert!(!starts.is_empty(), "a pixel has an input at least");
+        Skewed {
+            starts,
+            rows: VecDeque::new(),
+        }
+    }
+
+    /// Clocks from the first input of a pixel to its last.
+    pub fn span(&self) -> usize {
+        self.starts.iter().copied().max().unwrap_or(0)
+    }
+
+    /// One clock: what all inputs carry. Gives the inputs of the pixel whose last one this is, if the first ones were seen.
+    pub fn push(&mut self, row: Vec<T>) -> Option<Vec<T>> {
+        assert_eq!(row.len(), self.starts.len(), "an input for each start");
+        self.rows.push_back(row);
+        if self.rows.len() <= self.span() {
+            return None;
+        }
+        let starts = self.starts.iter().enumerate();
+        let pixel = starts.map(|(i, &start)| self.rows[start][i].clone());
+        let pixel = pixel.collect();
+        self.rows.pop_front();
+        Some(pixel)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_is_a_diagonal_of_the_clocks() {
+        let mut skewed = Skewed::new(vec![0, 1, 2, 0]);
+        // Input i carries the pixel whose first input was taken `start` clocks ago.
+        let at = |clock: i64| vec![clock, clock - 1, clock - 2, clock];
+        assert_eq!(skewed.push(at(0)), None);
+        assert_eq!(skewed.push(at(1)), None);
+        assert_eq!(skewed.push(at(2)), Some(vec![0; 4]));
+        assert_eq!(skewed.push(at(3)), Some(vec![1; 4]));
+    }
+
+    #[test]
+    fn without_skew_a_pixel_is_a_clock() {
+        let mut skewed = Skewed::new(vec![0, 0]);
+        assert_eq!(skewed.push(vec![5, 6]), Some(vec![5, 6]));
+    }
+}

@@ -1,0 +1,78 @@
+//! The zone machine: few processors that draw many objects, zone by zone (`docs/zone-machine.md`).
+//!
+//! K quadric object processors and V volume processors are loaded again and again with the objects and volumes of one zone of the screen; a buffer keeps what is
+//! seen so far at each pixel of the zone. The host cuts the screen and sends a stream of words and commands ([`plan`], [`stream`]); the golden machine
+//! ([`golden`]) is driven by that stream alone; [`clocks`] counts what a frame takes.
+
+pub mod clocks;
+mod decode;
+pub mod golden;
+pub mod growth;
+pub mod plan;
+pub mod plot;
+pub mod stream;
+
+use crate::object::quadric::MAX_PLANES;
+use plan::PlanError;
+use serde::{Deserialize, Serialize};
+
+/// Bits of an object's id in the zone buffer.
+pub const ID_BITS: u32 = 12;
+/// Most processors of a kind: a unit number has 8 bits.
+pub const MAX_PROCESSORS: usize = 256;
+/// Most pixels along a side of the screen: coordinates have 12 bits.
+pub const MAX_PICTURE: u32 = 4096;
+/// Most pixels along a side of a zone: its width and height have 12 bits.
+pub const MAX_ZONE: u32 = 4095;
+
+/// What a zone machine is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ZoneMachine {
+    /// K: quadric object processors, at least 1.
+    pub object_processors: usize,
+    /// N: cut planes of each.
+    pub planes: usize,
+    /// V: volume processors with a quadric; none in a machine without shadows and spots.
+    pub volume_processors: usize,
+    /// M: planes of each.
+    pub volume_planes: usize,
+    /// Columns of a zone; zones at the right edge can be narrower.
+    pub zone_width: u32,
+    /// Lines of a zone; zones at the lower edge can be lower.
+    pub zone_height: u32,
+}
+
+impl ZoneMachine {
+    /// Is there such a machine?
+    pub fn check(&self) -> Result<(), PlanError> {
+        let range = |what, value: usize, least: usize, most: usize| {
+            if (least..=most).contains(&value) {
+                Ok(())
+            } else {
+                Err(PlanError::Machine {
+                    what,
+                    value,
+                    least,
+                    most,
+                })
+            }
+        };
+        let side = MAX_ZONE as usize;
+        range(
+            "object processors",
+            self.object_processors,
+            1,
+            MAX_PROCESSORS,
+        )?;
+        range("planes", self.planes, 0, MAX_PLANES)?;
+        range(
+            "volume processors",
+            self.volume_processors,
+            0,
+            MAX_PROCESSORS,
+        )?;
+        range("planes of a volume", self.volume_planes, 0, MAX_PLANES)?;
+        range("zone width", self.zone_width as usize, 1, side)?;
+        range("zone height", self.zone_height as usize, 1, side)
+    }
+}

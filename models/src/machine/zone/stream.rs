@@ -1,0 +1,200 @@
+//! The command stream: all that a zone machine is told, beat by beat.
+
+use super::plan::{Part, Pass, Zone, ZonePlan};
+use crate::object::load::{self, LoadWord, load_words};
+use crate::object::load_volume::{self, load_volume};
+use crate::object::volume::VolumeWords;
+use serde::{Deserialize, Serialize};
+
+/// Bytes of a beat: 64 bits of data, 16 of address, 8 of unit, 4 of kind, and padding.
+pub const BEAT_BYTES: u64 = 12;
+
+/// Kinds of beats.
+pub mod kind {
+    /// Coefficient word of an object processor.
+    pub const OBJECT: u8 = 0;
+    /// Coefficient word of a volume processor.
+    pub const VOLUME: u8 = 1;
+    /// Word of the shading processor.
+    pub const SHADING: u8 = 2;
+    /// Material of an object.
+    pub const MATERIAL: u8 = 3;
+    /// Command.
+    pub const COMMAND: u8 = 4;
+}
+
+/// Addresses of commands.
+pub mod command {
+    /// First column and line of the zone.
+    pub const ORIGIN: u16 = 0;
+    /// Columns and lines of the zone.
+    pub const SIZE: u16 = 1;
+    /// Draw pass.
+    pub const DRAW: u16 = 2;
+    /// Light pass.
+    pub const LIGHT: u16 = 3;
+    /// Show pass.
+    pub const SHOW: u16 = 4;
+
+    /// Bit of draw and light: the first one of the zone.
+    pub const FIRST: u64 = 1;
+    /// Bit of show: the zone had a light pass.
+    pub const LIT: u64 = 1;
+    /// Bit of show: the zone had a draw pass.
+    pub const DRAWN: u64 = 2;
+    /// Bit of show: the last zone of the frame.
+    pub const LAST_ZONE: u64 = 4;
+}
+
+/// Address of the first word of an object's plane 0, and words of a plane.
+pub(super) const OBJECT_PLANES: [u8; 2] = [load::FIRST_PLANE, load::PLANE_WORDS];
+/// The same of a volume.
+pub(super) const VOLUME_PLANES: [u8; 2] = [load_volume::FIRST_PLANE, load_volume::PLANE_WORDS];
+
+/// Address of an object processor's id.
+pub const ID_ADDRESS: u16 = 255;
+
+/// One beat of the stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Beat {
+    /// What it is, 4 bits: a constant of [`mod@kind`].
+    pub kind: u8,
+    /// Processor, for coefficient words.
+    pub unit: u8,
+    /// Address of the word, object of the material, or the command.
+    pub address: u16,
+    /// The word, in the low bits.
+    pub data: u64,
+    /// The final beat of the frame.
+    pub last: bool,
+}
+
+impl Beat {
+    /// A beat that is not the final one.
+    pub const fn new(kind: u8, unit: u8, address: u16, data: u64) -> Beat {
+        Beat {
+            kind,
+            unit,
+            address,
+            data,
+            last: false,
+        }
+    }
+
+    /// A command.
+    pub const fn command(address: u16, data: u64) -> Beat {
+        Beat::new(kind::COMMAND, 0, address, data)
+    }
+}
+
+impl ZonePlan {
+    /// The beats of the frame. The words of a pass come before the commands of its zone, so that they can be loaded while the pass before is running.
+    pub fn beats(&self) -> impl Iterator<Item = Beat> + '_ {
+        let last = self.zones.len() - 1;
+        let zones = self.zones.iter().enumerate();
+        self.set_up()
+            .chain(zones.flat_map(move |(index, zone)| self.zone_beats(zone, index == last)))
+    }
+
+    /// Shading words and materials.
+    fn set_up(&self) -> impl Iterator<Item = Beat> + '_ {
+        let word =
+            |&(address, data): &(u16, u32)| Beat::new(kind::SHADING, 0, address, data.into());
+        let material =
+            |(id, &index): (usize, &u32)| Beat::new(kind::MATERIAL, 0, id as u16, index.into());
+        let materials = self.materials.iter().enumerate();
+        self.shading.iter().map(word).chain(materials.map(material))
+    }
+
+    /// All beats of one zone.
+    pub fn zone_beats(&self, zone: &Zone, last: bool) -> Vec<Beat> {
+        let mut beats = vec![];
+        for (index, pass) in self.passes(zone, last).enumerate() {
+            self.words_of(&pass, zone, &mut beats);
+            if index == 0 {
+                let pair = |a: u32, b: u32| u64::from(a) | u64::from(b) << 12;
+                beats.push(Beat::command(command::ORIGIN, pair(zone.x0, zone.y0)));
+                beats.push(Beat::command(command::SIZE, pair(zone.width, zone.height)));
+            }
+            beats.push(command_of(&pass));
+        }
+        if let Some(beat) = beats.last_mut() {
+            beat.last = last;
+        }
+        beats
+    }
+
+    fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
+        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
+        match pass {
+            Pass::Draw { parts, .. } => {
+                for (unit, &index) in parts.iter().enumerate() {
+                    let Part { object, words } = &self.parts[index as usize];
+                    let words = words.for_zone(x0, y0, width, height);
+                    let list = load_words(&words, &self.format, words.planes.len());
+                    let kinds = none_planes(OBJECT_PLANES, words.planes.len(), self.machine.planes);
+                    push(beats, kind::OBJECT, unit, &list, kinds);
+                    let id = u64::from(*object);
+                    beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
+                }
+            }
+            Pass::Light { volumes, .. } => {
+                for (unit, &index) in volumes.iter().enumerate() {
+                    let words = self.volumes[index as usize].for_zone(x0, y0, width, height);
+                    let list = load_volume(&words, &self.format, words.planes.len());
+                    let kinds = none_planes(
+                        VOLUME_PLANES,
+                        words.planes.len(),
+                        self.machine.volume_planes,
+                    );
+                    push(beats, kind::VOLUME, unit, &list, kinds);
+                }
+            }
+            Pass::Show { .. } => {}
+        }
+    }
+}
+
+/// Addresses of the kinds of the planes that are not used.
+fn none_planes(planes: [u8; 2], used: usize, all: usize) -> impl Iterator<Item = u16> {
+    let [first, words] = planes.map(u16::from);
+    (used..all).map(move |plane| first + words * plane as u16)
+}
+
+fn push(
+    beats: &mut Vec<Beat>,
+    kind: u8,
+    unit: usize,
+    words: &[LoadWord],
+    unused: impl Iterator<Item = u16>,
+) {
+    let beat = |address, data| Beat::new(kind, unit as u8, address, data);
+    beats.extend(words.iter().map(|w| beat(w.address.into(), w.bits)));
+    beats.extend(unused.map(|address| beat(address, 0)));
+}
+
+fn command_of(pass: &Pass) -> Beat {
+    let bit = |set: bool, mask: u64| if set { mask } else { 0 };
+    match *pass {
+        Pass::Draw { first, .. } => Beat::command(command::DRAW, bit(first, command::FIRST)),
+        Pass::Light { first, .. } => Beat::command(command::LIGHT, bit(first, command::FIRST)),
+        Pass::Show { lit, drawn, last } => Beat::command(
+            command::SHOW,
+            bit(lit, command::LIT) | bit(drawn, command::DRAWN) | bit(last, command::LAST_ZONE),
+        ),
+    }
+}
+
+/// Beats of the words of a part in a machine of `planes` planes: all but those of unused planes, which send their kind, and the id.
+pub fn beats_of_part(part: &Part, planes: usize) -> u64 {
+    let used = part.words.planes.len();
+    let [first, each] = OBJECT_PLANES.map(usize::from);
+    (first + each * used + (planes - used) + 1) as u64
+}
+
+/// Beats of the words of a volume in a machine of `planes` planes of a volume.
+pub fn beats_of_volume(volume: &VolumeWords, planes: usize) -> u64 {
+    let used = volume.planes.len();
+    let [first, each] = VOLUME_PLANES.map(usize::from);
+    (first + each * used + (planes - used)) as u64
+}

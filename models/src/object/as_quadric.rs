@@ -1,0 +1,425 @@
+//! One type of processor for everything: the words of other object and volume processors as those of a quadric processor, exactly.
+//!
+//! A time-shared machine has processors of one type, which must take whatever object comes next. Each conversion gives the same front depth, the same normal and
+//! the same presence at every pixel; back depth and face number too, but for a facet, whose one face (number 2) becomes the faces 0 and 1 of a patch.
+
+use super::facet::FacetWords;
+use super::paraboloid::plane_guard;
+use super::polyhedron::PolyhedronWords;
+use super::quadric::{PlaneWords, QuadricWords};
+use super::slot::ProcessorWords;
+use super::volume::{VolumeQuadric, VolumeWords};
+use crate::format::Format;
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::Class;
+use crate::unit::normal::NormalWords;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
+use thiserror::Error;
+
+/// Why words have no equal on a quadric processor.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum AsQuadricError {
+    /// The processor computes something that a quadric processor cannot.
+    #[error(
+        "{0} cannot be drawn by a quadric processor; accepted are quadrics, patches, polyhedra and flat facets"
+    )]
+    Processor(&'static str),
+    /// The chain of planes is too short.
+    #[error("needs {needed} planes; the processor has {available}")]
+    Planes {
+        /// Planes, or sides of a facet.
+        needed: usize,
+        /// Of the processor.
+        available: usize,
+    },
+    /// A facet's depth has more binary places than f1.
+    #[error("the depth of a facet needs {needed} guard bits of f1; the format has {available}")]
+    GuardBits {
+        /// That keep every pixel's depth.
+        needed: u32,
+        /// Of the format.
+        available: u32,
+    },
+    /// Facets have words of the catalogue only.
+    #[error(
+        "the words of a facet are those of a format of the catalogue; this format is fitted to a scene"
+    )]
+    Fitted,
+}
+
+impl ProcessorWords {
+    /// The words with which a quadric processor of `planes` cut planes draws the object.
+    pub fn on_quadric_processor(
+        &self,
+        format: &Format,
+        planes: usize,
+    ) -> Result<QuadricWords, AsQuadricError> {
+        let words = match self {
+            Self::Quadric(words) => words.clone(),
+            Self::Patch(words) => QuadricWords {
+                class: Class::Patch,
+                ..words.clone()
+            },
+            Self::Polyhedron(words) => polyhedron(words),
+            Self::Facet(words) => facet(words, format)?,
+            Self::FirstGeneration(_) => {
+                return Err(AsQuadricError::Processor(
+                    "a quadric of the first generation",
+                ));
+            }
+            Self::Sphere(_) => return Err(AsQuadricError::Processor("a sphere by a paraboloid")),
+            Self::Cylinder(_) => {
+                return Err(AsQuadricError::Processor(
+                    "a cylinder by a parabolic cylinder",
+                ));
+            }
+            Self::CurvedFacet(_) => return Err(AsQuadricError::Processor("a curved facet")),
+        };
+        fits(words.planes.len(), planes)?;
+        Ok(words)
+    }
+}
+
+impl VolumeWords {
+    /// The words with which a volume processor that has a quadric and `planes` planes answers for the volume: planes alone are cut out of a quadric that is
+    /// everywhere.
+    pub fn on_quadric_processor(&self, planes: usize) -> Result<VolumeWords, AsQuadricError> {
+        fits(self.planes.len(), planes)?;
+        Ok(VolumeWords {
+            quadric: self.quadric.or(Some(VolumeQuadric::EVERYWHERE)),
+            ..self.clone()
+        })
+    }
+}
+
+fn fits(needed: usize, available: usize) -> Result<(), AsQuadricError> {
+    if needed > available {
+        return Err(AsQuadricError::Planes { needed, available });
+    }
+    Ok(())
+}
+
+/// The whole line of sight, cut by the faces: the chain finds what the polyhedron's trees find.
+fn polyhedron(words: &PolyhedronWords) -> QuadricWords {
+    QuadricWords {
+        class: Class::Prism,
+        screen_box: words.screen_box,
+        f1: Linear::default(),
+        f2: Quadratic::default(),
+        normal: NormalWords::default(),
+        planes: words.planes.clone(),
+    }
+}
+
+/// A patch whose root is 0 and whose sides are half-planes of the screen. The root takes no part in the normal, so the linear parts are all of it.
+fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricError> {
+    if !format.is_of_catalogue() {
+        return Err(AsQuadricError::Fitted);
+    }
+    let side = |edge: &Linear| PlaneWords {
+        kind: PlaneKind::Perpendicular,
+        depth: *edge,
+        normal: [0; 3],
+    };
+    Ok(QuadricWords {
+        class: Class::Patch,
+        screen_box: words.screen_box,
+        f1: depth_of_facet(&words.depth, format)?,
+        f2: Quadratic::default(),
+        normal: NormalWords {
+            g: words.normal,
+            ..NormalWords::default()
+        },
+        planes: words.edges.iter().map(side).collect(),
+    })
+}
+
+/// A facet's depth in the units of f1. Both drop their places below a depth word downwards, so the last places may be missing from f1 if they are zero in both
+/// increments: then the constant's take no part in any value.
+fn depth_of_facet(depth: &Linear, format: &Format) -> Result<Linear, AsQuadricError> {
+    let (places, available) = (plane_guard(format), format.guard_linear);
+    let Linear { a, b, c } = *depth;
+    if available >= places {
+        let more = available - places;
+        return Ok(Linear::new(a << more, b << more, c << more));
+    }
+    let zeros = (a | b).trailing_zeros().min(places);
+    let needed = places - zeros;
+    if needed > available {
+        return Err(AsQuadricError::GuardBits { needed, available });
+    }
+    let less = places - available;
+    Ok(Linear::new(a >> less, b >> less, c >> less))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::object::facet::FacetProcessor;
+    use crate::object::patch::PatchProcessor;
+    use crate::object::polyhedron::PolyhedronProcessor;
+    use crate::object::quadric::{ObjectPixel, QuadricProcessor, ScreenBox};
+    use crate::object::volume::{VolumeKind, VolumePlane, VolumeProcessor};
+    use proptest::prelude::*;
+
+    const SIDE: i64 = 20;
+    const BOX: ScreenBox = ScreenBox {
+        x0: 2,
+        x1: SIDE - 1,
+        y0: 1,
+        y1: SIDE - 3,
+    };
+
+    fn linear(slope: i64, constant: i64) -> impl Strategy<Value = Linear> {
+        let one = -slope..=slope;
+        (one.clone(), one, -constant..=constant)
+            .prop_map(|(a, b, c)| Linear::new(a.into(), b.into(), c.into()))
+    }
+
+    fn kind() -> impl Strategy<Value = PlaneKind> {
+        prop_oneof![
+            1 => Just(PlaneKind::None),
+            4 => Just(PlaneKind::Front),
+            4 => Just(PlaneKind::Back),
+            1 => Just(PlaneKind::Perpendicular),
+        ]
+    }
+
+    /// Every pixel of the quadric processor beside another one: `step` is a line step, the rest is a pixel.
+    fn compare<P>(
+        words: &QuadricWords,
+        format: &Format,
+        mut other: P,
+        step: impl Fn(&mut P),
+        pixel: impl Fn(&mut P) -> ObjectPixel,
+        same: impl Fn(&ObjectPixel, &ObjectPixel) -> bool,
+    ) -> Result<usize, TestCaseError> {
+        let mut ours = QuadricProcessor::zone_start(words, format);
+        let mut present = 0;
+        for y in 0..SIDE {
+            if y > 0 {
+                ours.line_step();
+                step(&mut other);
+            }
+            for x in 0..SIDE {
+                let (got, wanted) = (ours.pixel(), pixel(&mut other));
+                prop_assert!(same(&got, &wanted), "({x}, {y}): {got:?}, not {wanted:?}");
+                present += usize::from(got.zf != format.z_max());
+            }
+        }
+        Ok(present)
+    }
+
+    fn facet_words(format: &Format) -> impl Strategy<Value = FacetWords> + use<> {
+        let end = format.z_max() << 10;
+        let depth = prop_oneof![
+            linear(3000, 1 << 20),
+            linear(1 << 14, 1 << 16).prop_map(move |l| Linear {
+                c: l.c + i128::from(end),
+                ..l
+            }),
+            linear(1 << 14, 1 << 16).prop_map(move |l| Linear {
+                c: l.c - i128::from(end),
+                ..l
+            }),
+            // Past the end of the accumulator: both wrap alike.
+            linear(i64::MAX >> 20, i64::MAX >> 20),
+        ];
+        let normal = || linear(1 << 19, 1 << 24);
+        let edges = prop::collection::vec(linear(40, 600), 3..=4);
+        (edges, depth, [normal(), normal(), normal()]).prop_map(|(edges, depth, normal)| {
+            FacetWords {
+                screen_box: BOX,
+                edges,
+                depth,
+                normal,
+            }
+        })
+    }
+
+    fn check_facet(words: &FacetWords, format: &Format) -> Result<usize, TestCaseError> {
+        let quadric = ProcessorWords::Facet(words.clone())
+            .on_quadric_processor(format, 4)
+            .expect("enough guard bits");
+        compare(
+            &quadric,
+            format,
+            FacetProcessor::zone_start(words, format),
+            FacetProcessor::line_step,
+            FacetProcessor::pixel,
+            // All but the number of the face.
+            |a, b| (a.zf, a.zb, a.normal) == (b.zf, b.zb, b.normal),
+        )
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn facets_with_all_guard_bits_are_the_same(
+            words in facet_words(&Format::BASE), guards in 10u32..=16
+        ) {
+            check_facet(&words, &Format::BASE.with_guards(guards, 0).unwrap())?;
+        }
+
+        /// Without guard bits where the increments are whole depth words, whatever the constant.
+        #[test]
+        fn facets_with_fewer_places_need_fewer_guard_bits(
+            mut words in facet_words(&Format::BASE), guards in 0u32..10
+        ) {
+            let format = Format::BASE.with_guards(guards, 0).unwrap();
+            words.depth.a <<= 10 - guards;
+            words.depth.b <<= 10 - guards;
+            check_facet(&words, &format)?;
+            if let Some(fewer) = guards.checked_sub(1) {
+                words.depth.a |= 1 << (10 - guards);
+                let format = Format::BASE.with_guards(fewer, 0).unwrap();
+                prop_assert_eq!(
+                    ProcessorWords::Facet(words).on_quadric_processor(&format, 4),
+                    Err(AsQuadricError::GuardBits { needed: guards, available: fewer })
+                );
+            }
+        }
+
+        /// A patch processor reads no class; its words may have any.
+        #[test]
+        fn patches_are_the_same(
+            class in prop_oneof![Just(Class::Side), Just(Class::Front), Just(Class::Patch), Just(Class::Prism)],
+            f1 in linear(60, 900), (a, b) in (-900i128..=60, -900i128..=60), f in 0i128..200_000,
+            g in [linear(9000, 1 << 22), linear(9000, 1 << 22), linear(9000, 1 << 22)], k in any::<[i16; 3]>(),
+            planes in prop::collection::vec((kind(), linear(40, 900), any::<[i16; 3]>()), 0..=5)
+        ) {
+            let format = Format::BASE;
+            let half = i128::from(SIDE / 2);
+            let words = QuadricWords {
+                class,
+                screen_box: BOX,
+                f1,
+                f2: Quadratic {
+                    a,
+                    b,
+                    c: 3,
+                    d: -2 * half * a,
+                    e: -2 * half * b,
+                    f: f + (a + b) * half * half,
+                },
+                normal: NormalWords { g, k, shift: 1 },
+                planes: planes
+                    .into_iter()
+                    .map(|(kind, depth, normal)| PlaneWords { kind, depth, normal })
+                    .collect(),
+            };
+            let quadric = ProcessorWords::Patch(words.clone())
+                .on_quadric_processor(&format, 5)
+                .expect("five planes");
+            compare(
+                &quadric,
+                &format,
+                PatchProcessor::zone_start(&words, &format),
+                PatchProcessor::line_step,
+                PatchProcessor::pixel,
+                |a, b| a == b,
+            )?;
+        }
+
+        #[test]
+        fn polyhedra_are_the_same(
+            planes in prop::collection::vec((kind(), linear(30, 900), any::<[i16; 3]>()), 1..=12), end in -1i64..=1
+        ) {
+            let format = Format::BASE;
+            let shifted = |kind, l: Linear| match kind {
+                PlaneKind::Perpendicular => l,
+                _ => Linear { c: l.c + i128::from(end * format.z_max()), ..l },
+            };
+            let plane = |(kind, l, normal)| PlaneWords { kind, depth: shifted(kind, l), normal };
+            let words = PolyhedronWords {
+                screen_box: BOX,
+                planes: planes.into_iter().map(plane).collect(),
+            };
+            let quadric = ProcessorWords::Polyhedron(words.clone())
+                .on_quadric_processor(&format, 12)
+                .expect("twelve planes");
+            compare(
+                &quadric,
+                &format,
+                PolyhedronProcessor::zone_start(&words, &format),
+                PolyhedronProcessor::line_step,
+                |p| p.pixel().front(),
+                // An absent object is absent, whatever face it lost last.
+                |a, b| a == b || (a.zf, b.zf) == (format.z_max(), format.z_max()),
+            )?;
+        }
+
+        #[test]
+        fn volumes_of_planes_are_the_same(
+            planes in prop::collection::vec((kind(), linear(30, 900)), 0..=10), margin in 0u32..200,
+            depths in prop::collection::vec(-1500i64..1500, 20)
+        ) {
+            let format = Format::BASE;
+            let words = VolumeWords {
+                kind: VolumeKind::Shadow,
+                source: 1,
+                screen_box: BOX,
+                margin,
+                quadric: None,
+                planes: planes.into_iter().map(|(kind, depth)| VolumePlane { kind, depth }).collect(),
+            };
+            let quadric = words.on_quadric_processor(10).expect("ten planes");
+            let [mut ours, mut theirs] = [&quadric, &words].map(|w| VolumeProcessor::zone_start(w, &format));
+            for y in 0..SIDE {
+                if y > 0 {
+                    ours.line_step();
+                    theirs.line_step();
+                }
+                for &z in &depths {
+                    prop_assert_eq!(ours.pixel(z), theirs.pixel(z));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_facet_is_there_where_it_should_be() {
+        let format = Format::BASE.with_guards(10, 0).unwrap();
+        let words = FacetWords {
+            screen_box: BOX,
+            edges: vec![
+                Linear::new(1, 0, -4),
+                Linear::new(0, 1, -5),
+                Linear::new(-1, -1, 30),
+            ],
+            depth: Linear::new(1500, -700, 123_456),
+            normal: [Linear::new(5000, 0, 1 << 20); 3],
+        };
+        let present = check_facet(&words, &format).expect("the same");
+        assert_eq!(
+            present,
+            (5..=17).map(|y| (30 - y).min(19) - 4 + 1).sum::<usize>()
+        );
+    }
+
+    #[test]
+    fn what_has_no_equal_is_refused_by_name() {
+        let planes = vec![PlaneWords::default(); 3];
+        let words = ProcessorWords::Polyhedron(PolyhedronWords {
+            screen_box: BOX,
+            planes,
+        });
+        let refused = words.on_quadric_processor(&Format::BASE, 2).unwrap_err();
+        assert_eq!(refused.to_string(), "needs 3 planes; the processor has 2");
+        let mut widths = Format::BASE.widths();
+        widths.plane -= 3;
+        let fitted = Format::fitted(&widths).unwrap();
+        let facet = ProcessorWords::Facet(FacetWords {
+            screen_box: BOX,
+            edges: vec![Linear::default(); 3],
+            depth: Linear::default(),
+            normal: Default::default(),
+        });
+        assert_eq!(
+            facet.on_quadric_processor(&fitted, 4),
+            Err(AsQuadricError::Fitted)
+        );
+    }
+}
