@@ -1,5 +1,7 @@
 //! Arguments of every command.
 
+mod machine;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_models::format::FittedWidths;
@@ -11,6 +13,7 @@ use imogene_rtl::catalogue::Unit;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
+pub use machine::Machine;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -51,6 +54,8 @@ pub enum Command {
     Prepare(Prepare),
     /// Compare hardware and golden model clock by clock, for a scene or a unit.
     Cosim(Cosim),
+    /// Show scenes on the pins of a whole machine: Verilog from a machine description, co-simulation of every clock, and the picture from the pins.
+    Machine(Machine),
     /// Measure how fast the engines run a unit: clocks per second alone, with the scoreboard, with waveforms.
     Speed(Speed),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
@@ -63,6 +68,8 @@ pub enum Command {
     Fit(Fit),
     /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
     Bounds(Bounds),
+    /// Compare the shading processor with its formula on random and searched cases, and show what each bit of its widths is worth.
+    Shading(Shading),
     /// Take one number of a scene to its extreme, step by step: proven bound, observed error and refusals, with plots.
     Sweep(Sweep),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
@@ -141,7 +148,7 @@ pub struct Shape {
     /// Rows of the root network per register stage, 1 to W.
     #[arg(long, default_value_t = 1, value_name = "R")]
     pub rows_per_stage: usize,
-    /// Object slots of a machine, or inputs of a decider, 1 to 256.
+    /// Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider.
     #[arg(long, default_value_t = 4, value_name = "M")]
     pub objects: usize,
     /// Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2].
@@ -153,6 +160,28 @@ pub struct Shape {
     /// Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3].
     #[arg(long, value_name = "E")]
     pub sides: Option<usize>,
+    /// Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0].
+    #[arg(long, value_name = "MODE")]
+    pub mode: Option<usize>,
+    /// Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2].
+    #[arg(long, value_name = "K")]
+    pub cards: Option<usize>,
+    /// Layers of transparency_pipeline, 1 to 8 [default: 2].
+    #[arg(long, value_name = "T")]
+    pub layers: Option<usize>,
+    /// Products of csg_decider, 1 to 16 [default: 2].
+    #[arg(long, value_name = "G")]
+    pub products: Option<usize>,
+    /// Objects intersected in each product of csg_decider, 1 to 8 [default: 2].
+    #[arg(long, value_name = "I")]
+    pub intersected: Option<usize>,
+    /// Objects taken away in each product of csg_decider, 0 to 8 [default: 2].
+    #[arg(long, value_name = "J")]
+    pub subtracted: Option<usize>,
+    /// Lights of the shading processor, 1 to 4; 1 if not given
+    /// Lights of the shading processor, 1 to 4 [default: 1].
+    #[arg(long, value_name = "L")]
+    pub lights: Option<usize>,
 }
 
 impl Shape {
@@ -172,6 +201,13 @@ impl Shape {
             digits: self.digits,
             corrections: self.corrections,
             sides: self.sides,
+            mode: self.mode,
+            cards: self.cards,
+            layers: self.layers,
+            products: self.products,
+            intersected: self.intersected,
+            subtracted: self.subtracted,
+            lights: self.lights,
         }
     }
 }
@@ -492,6 +528,20 @@ impl FromStr for ShardArgument {
             .map(|(number, of)| ShardArgument(Shard { number, of }))
             .ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())
     }
+}
+
+/// Arguments of `shading`.
+#[derive(Debug, Args)]
+pub struct Shading {
+    /// Random cases for each set of widths.
+    #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(4096..))]
+    pub cases: u64,
+    /// Seed of the random cases.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Also with each width shorter by 1 to 4 bits.
+    #[arg(long)]
+    pub sweep: bool,
 }
 
 /// Arguments of `bounds`.

@@ -3,7 +3,10 @@
 mod accuracy;
 
 use crate::emit::EmitError;
-use crate::format::{MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
+use crate::format::{
+    MOST_CARDS, MOST_CORRECTIONS, MOST_LAYERS, MOST_LIGHTS, MOST_LITERALS, MOST_MODE, MOST_OBJECTS,
+    MOST_PLANES, MOST_PRODUCTS, MOST_SIDES,
+};
 
 /// A unit that can be emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -70,10 +73,36 @@ pub enum Unit {
     VisibilityNode,
     /// Nearest of many objects.
     Decider,
+    /// Nearest of many objects, past their processors.
+    VisibilityChain,
+    /// Nearest of the objects of many cards.
+    CardDecider,
+    /// Flags of the light sources.
+    ShadowStage,
+    /// One transparent object before the visible surface.
+    TransparencyStage,
+    /// Transparent objects before the visible surface.
+    TransparencyPipeline,
+    /// Solids of union, intersection and difference.
+    CsgDecider,
     /// Coefficient words of one object.
     CoefficientStore,
     /// Beam machine.
     Beam,
+    /// Raster of a screen.
+    VideoTiming,
+    /// Queue behind a pipeline.
+    PixelFifo,
+    /// Two frames.
+    FrameStore,
+    /// Smoothing filter.
+    PostFilter,
+    /// Plane of one bit per pixel.
+    Overlay,
+    /// Mean of several passes.
+    Accumulator,
+    /// Shading processor.
+    ShadingProcessor,
 }
 
 /// A parameter of a unit, besides the format.
@@ -111,6 +140,39 @@ const SIDES: Parameter = Parameter {
 };
 const CURVED_SIDES: Parameter = Parameter { least: 1, ..SIDES };
 
+const CARDS: Parameter = Parameter {
+    option: "cards",
+    least: 1,
+    most: Some(MOST_CARDS),
+};
+
+const LAYERS: Parameter = Parameter {
+    option: "layers",
+    least: 1,
+    most: Some(MOST_LAYERS),
+};
+
+const PRODUCTS: Parameter = Parameter {
+    option: "products",
+    least: 1,
+    most: Some(MOST_PRODUCTS),
+};
+const INTERSECTED: Parameter = Parameter {
+    option: "intersected",
+    least: 1,
+    most: Some(MOST_LITERALS),
+};
+const SUBTRACTED: Parameter = Parameter {
+    option: "subtracted",
+    least: 0,
+    most: Some(MOST_LITERALS),
+};
+const LIGHTS: Parameter = Parameter {
+    option: "lights",
+    least: 1,
+    most: Some(MOST_LIGHTS),
+};
+
 const DIGITS: Parameter = Parameter {
     option: "digits",
     least: 1,
@@ -122,9 +184,16 @@ const CORRECTIONS: Parameter = Parameter {
     most: Some(MOST_CORRECTIONS),
 };
 
+/// Number of a video mode.
+const MODE: Parameter = Parameter {
+    option: "mode",
+    least: 0,
+    most: Some(MOST_MODE),
+};
+
 impl Unit {
     /// All units, from the smallest to the machine.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 46] = [
         Self::Pe1,
         Self::Pe2,
         Self::ProgrammablePe,
@@ -156,8 +225,21 @@ impl Unit {
         Self::RasterControl,
         Self::VisibilityNode,
         Self::Decider,
+        Self::VisibilityChain,
+        Self::CardDecider,
+        Self::ShadowStage,
+        Self::TransparencyStage,
+        Self::TransparencyPipeline,
+        Self::CsgDecider,
         Self::CoefficientStore,
         Self::Beam,
+        Self::VideoTiming,
+        Self::PixelFifo,
+        Self::FrameStore,
+        Self::PostFilter,
+        Self::Overlay,
+        Self::Accumulator,
+        Self::ShadingProcessor,
     ];
 
     /// Name of the unit, its file and its Verilog module.
@@ -182,6 +264,12 @@ impl Unit {
             Self::RasterControl => "raster_control",
             Self::VisibilityNode => "visibility_node",
             Self::Decider => "decider",
+            Self::VisibilityChain => "visibility_chain",
+            Self::CardDecider => "card_decider",
+            Self::ShadowStage => "shadow_stage",
+            Self::TransparencyStage => "transparency_stage",
+            Self::TransparencyPipeline => "transparency_pipeline",
+            Self::CsgDecider => "csg_decider",
             Self::CoefficientStore => "coefficient_store",
             Self::ProgrammablePe => "programmable_pe",
             Self::MemoryPe2 => "memory_pe2",
@@ -196,6 +284,13 @@ impl Unit {
             Self::QuadricVolume => "quadric_volume",
             Self::PolyhedralVolume => "polyhedral_volume",
             Self::Beam => "beam",
+            Self::VideoTiming => "video_timing",
+            Self::PixelFifo => "pixel_fifo",
+            Self::FrameStore => "frame_store",
+            Self::PostFilter => "post_filter",
+            Self::Overlay => "overlay",
+            Self::Accumulator => "accumulator",
+            Self::ShadingProcessor => "shading_processor",
         }
     }
 
@@ -250,6 +345,24 @@ impl Unit {
             }
             Self::VisibilityNode => "the nearer of two objects",
             Self::Decider => "the nearest of many objects",
+            Self::VisibilityChain => {
+                "the nearest of many objects, compared on the way past their processors"
+            }
+            Self::CardDecider => {
+                "the nearest of the objects of many cards: a chain on each card, a tree between the cards"
+            }
+            Self::ShadowStage => {
+                "which light sources reach the visible point, from the answers of the shadow and light volumes"
+            }
+            Self::TransparencyStage => {
+                "the colour of a transparent object blended over that of a pixel, if it is nearer"
+            }
+            Self::TransparencyPipeline => {
+                "the colours of transparent objects blended over that of a pixel, farthest first"
+            }
+            Self::CsgDecider => {
+                "the visible face of a union of products: convex objects intersected, others taken away"
+            }
             Self::CoefficientStore => "the coefficient words of one object, loaded over a bus",
             Self::ProgrammablePe => {
                 "value(x, y) of second degree, or four of first degree with the decision on their signs, by additions alone"
@@ -286,6 +399,19 @@ impl Unit {
             }
             Self::PolyhedralVolume => "is the visible point in a shadow or light volume of planes",
             Self::Beam => "the visible surface of many quadric objects, pixel by pixel",
+            Self::VideoTiming => {
+                "the raster of a screen with its blanking, and the same some clocks ahead"
+            }
+            Self::PixelFifo => {
+                "a queue from a pipeline that cannot stall to an AXI4-Stream receiver that can"
+            }
+            Self::FrameStore => "the last whole frame that came, while the next one comes",
+            Self::PostFilter => "a picture smoothed by a 2 x 2 box or a 3 x 3 binomial",
+            Self::Overlay => "a plane of one bit per pixel over a picture",
+            Self::Accumulator => "the mean of 4 or 16 passes over a picture",
+            Self::ShadingProcessor => {
+                "the colour of every pixel by Phong shading under several lights"
+            }
         }
     }
 
@@ -321,7 +447,18 @@ impl Unit {
             Self::PolyhedralVolume => "Nyiri 1994, 3.2.1 and 4.1.3",
             Self::RasterControl => "architecture, 2",
             Self::VisibilityNode | Self::Decider => "architecture, 6",
+            Self::VisibilityChain => "Chaillou 1991, IV.3.2",
+            Self::CardDecider => "Chaillou 1991, IV.3.6",
+            Self::ShadowStage => "Chaillou 1991, IV.3.4; Nyiri 1994, 4.1.3",
+            Self::TransparencyStage | Self::TransparencyPipeline => "Chaillou 1991, IV.3.3",
+            Self::CsgDecider => "Chaillou 1991, III.1.1.4 and IV.3.5",
             Self::CoefficientStore | Self::Beam => "architecture, 7",
+            Self::VideoTiming => "Chaillou 1991, I.2.4.2 and IV.4.4",
+            Self::PixelFifo | Self::FrameStore => "architecture, 8",
+            Self::PostFilter => "Chaillou 1991, IV.4.3",
+            Self::Overlay => "Chaillou 1991, IV.4.7.1",
+            Self::Accumulator => "Chaillou 1991, III.1.5 and IV.4.7.2",
+            Self::ShadingProcessor => "Chaillou 1991, III.1.2; Nyiri 1994, 1.2.4",
         }
     }
 
@@ -338,8 +475,13 @@ impl Unit {
             Self::PolyhedronProcessor => &[HALF_SPACES],
             Self::FacetProcessor => &[SIDES],
             Self::CurvedFacetProcessor => &[CURVED_SIDES],
-            Self::Decider => &[OBJECTS],
+            Self::Decider | Self::VisibilityChain | Self::ShadowStage => &[OBJECTS],
+            Self::CardDecider => &[OBJECTS, CARDS],
+            Self::TransparencyPipeline => &[LAYERS],
+            Self::CsgDecider => &[PRODUCTS, INTERSECTED, SUBTRACTED],
             Self::Beam => &[PLANES, ROWS, OBJECTS],
+            Self::VideoTiming => &[MODE],
+            Self::ShadingProcessor => &[LIGHTS],
             _ => &[],
         }
     }
@@ -356,7 +498,9 @@ impl Unit {
         }
     }
 
-    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections, `E` sides.
+    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections, `E` sides, `K` cards, `T` layers, `G` products, `I` objects
+    /// intersected and `J` taken away in each.
+    /// Latency as a formula; `W` depth word, `R` rows per stage, `N` planes, `M` objects, `D` digits, `C` corrections, `E` sides; `V`, the video mode, is in none.
     pub const fn latency_formula(self) -> &'static str {
         match self {
             Self::SquareRoot | Self::SquareRootNonRestoring => "ceil(W / R)",
@@ -375,9 +519,18 @@ impl Unit {
             Self::PolyhedralVolume | Self::CylinderProcessor => "3",
             Self::PolyhedronProcessor => "ceil(log2 N) + 4",
             Self::PatchDecider | Self::FacetProcessor | Self::CurvedFacetProcessor => "2",
-            Self::SphereProcessor => "4",
+            Self::SphereProcessor | Self::Overlay => "4",
+            Self::PixelFifo | Self::Accumulator => "2",
+            Self::FrameStore | Self::PostFilter => "3",
             Self::Decider => "ceil(log2 M)",
+            Self::VisibilityChain => "M",
+            Self::CardDecider => "M + ceil(log2 K)",
+            Self::ShadowStage => "max(1, ceil(log8 M))",
+            Self::TransparencyStage => "2",
+            Self::TransparencyPipeline => "2 T",
+            Self::CsgDecider => "ceil(log2 I) + 1 + ceil(log2(G (J + 1)))",
             Self::Beam => "1 + (ceil(W / R) + N + 7) + ceil(log2 M)",
+            Self::ShadingProcessor => "38",
             _ => "1",
         }
     }

@@ -116,8 +116,8 @@ impl<P: Pending> Pending for Vec<P> {
     }
 }
 
-/// What a block memory gives in the place of a kernel; the emitter knows it by this text.
-pub(crate) const BLOCK_MEMORY: &str = "block memory";
+/// What a block memory gives in the place of a kernel, before the bits of its address; the emitter knows it by this text.
+pub(crate) const BLOCK_MEMORY: &str = "block memory of address bits ";
 
 /// A constant of the width the context asks for.
 pub(crate) fn constant<const N: usize>(value: u64) -> Constant<Word<N>> {

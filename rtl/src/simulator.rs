@@ -4,6 +4,7 @@
 //! those visible after the clock edge.
 
 use crate::catalogue::Unit;
+use crate::emit::display::{DisplayRequest, with_machine};
 use crate::emit::{EmitError, EmitRequest, Task, with_block};
 use crate::for_format;
 use crate::kernel::Ports;
@@ -269,6 +270,15 @@ impl Task for Simulate {
 /// When a parameter is out of its legal range.
 pub fn unit_simulator(request: &EmitRequest) -> Result<Box<dyn UnitSimulator>, EmitError> {
     with_block(request, Simulate)
+}
+
+/// The machine that [`emit_display`](crate::emit::display::emit_display) gives for the same request.
+///
+/// # Errors
+///
+/// When a number is out of its legal range.
+pub fn display_simulator(request: &DisplayRequest) -> Result<Box<dyn UnitSimulator>, EmitError> {
+    with_machine(request, Simulate)
 }
 
 fn processor<const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize>(

@@ -3,9 +3,15 @@
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
 use imogene_rtl::machine::beam::Beam;
+use imogene_rtl::machine::card_decider::CardDecider;
 use imogene_rtl::machine::coefficient_store::CoefficientStore;
+use imogene_rtl::machine::csg_decider::CsgDecider;
 use imogene_rtl::machine::decider::Decider;
 use imogene_rtl::machine::raster_control::RasterControl;
+use imogene_rtl::machine::shadow_stage::ShadowStage;
+use imogene_rtl::machine::transparency_pipeline::TransparencyPipeline;
+use imogene_rtl::machine::transparency_stage::TransparencyStage;
+use imogene_rtl::machine::visibility_chain::VisibilityChain;
 use imogene_rtl::machine::visibility_node::VisibilityNode;
 use imogene_rtl::object::quadric_processor::QuadricProcessor;
 use imogene_rtl::step::{Clocked, step};
@@ -380,6 +386,166 @@ fn machine() {
         assert_eq!(
             (found, found),
             (Machine::latency(objects, planes, rows), expected)
+        );
+    }
+}
+
+#[test]
+fn deciders_that_run_past_their_processors() {
+    for inputs in [1, 2, 5, 16] {
+        // Input i is taken i clocks after input 0.
+        for input in 0..inputs {
+            let found = measured(
+                VisibilityChain::<W>::new(inputs),
+                |unit, on| unit.input_depth[input].next = Int::new(if on { -1 } else { 0 }),
+                |unit| unit.depth.val().get(),
+            );
+            let latency = VisibilityChain::<W>::latency(inputs);
+            assert_eq!(found + input, latency);
+            assert_eq!(latency, formula(Unit::VisibilityChain, 0, 1, inputs));
+        }
+    }
+    for (processors, cards) in [(1, 1), (1, 3), (4, 1), (3, 2), (4, 5)] {
+        let latency = CardDecider::<W>::latency(processors, cards);
+        for input in 0..processors * cards {
+            let found = measured(
+                CardDecider::<W>::new(processors, cards),
+                |unit, on| unit.input_depth[input].next = Int::new(if on { -1 } else { 0 }),
+                |unit| unit.depth.val().get(),
+            );
+            assert_eq!(found + input % processors, latency);
+        }
+        let request = EmitRequest {
+            cards: Some(cards),
+            ..request(Unit::CardDecider, 0, 1, processors)
+        };
+        assert_eq!(request.latency(), latency);
+    }
+}
+
+#[test]
+fn shadow_stages() {
+    for volumes in [1, 8, 9, 64, 65, 256] {
+        let latency = ShadowStage::latency(volumes);
+        assert_eq!(latency, formula(Unit::ShadowStage, 0, 1, volumes));
+        for volume in [0, volumes - 1] {
+            let found = measured(
+                ShadowStage::new(volumes),
+                |unit, on| {
+                    unit.flags_in.next = Word::new(1);
+                    unit.volume_enabled[volume].next = true;
+                    unit.volume_inside[volume].next = on;
+                },
+                |unit| unit.flags.val().get() as i64,
+            );
+            assert_eq!(found, latency);
+        }
+        let found = measured(
+            ShadowStage::new(volumes),
+            |unit, on| unit.flags_in.next = Word::new(on.into()),
+            |unit| unit.flags.val().get() as i64,
+        );
+        assert_eq!(found, latency);
+    }
+}
+
+#[test]
+fn blends() {
+    let found = measured(
+        TransparencyStage::<W>::default(),
+        |unit, on| unit.pixel_red.next = Word::new(on.into()),
+        |unit| unit.red.val().get() as i64,
+    );
+    let latency = TransparencyStage::<W>::latency();
+    assert_eq!(
+        (found, found),
+        (latency, request(Unit::TransparencyStage, 0, 1, 1).latency())
+    );
+    for layers in 1..=8 {
+        let latency = TransparencyPipeline::<W>::latency(layers);
+        let request = EmitRequest {
+            layers: Some(layers),
+            ..request(Unit::TransparencyPipeline, 0, 1, 1)
+        };
+        assert_eq!(request.latency(), latency);
+        let found = measured(
+            TransparencyPipeline::<W>::new(layers),
+            |unit, on| unit.pixel_depth.next = Int::new(on.into()),
+            |unit| unit.depth.val().get(),
+        );
+        assert_eq!(found, latency);
+        // Layer i is taken 2 i clocks after the pixel.
+        for layer in 0..layers {
+            let found = measured(
+                TransparencyPipeline::<W>::new(layers),
+                |unit, on| {
+                    unit.pixel_depth.next = Int::new(5);
+                    unit.layer_red[layer].next = Word::new(200);
+                    unit.layer_weight[layer].next = Word::new(if on { 255 } else { 0 });
+                },
+                |unit| unit.red.val().get() as i64,
+            );
+            assert_eq!(found + 2 * layer, latency);
+        }
+    }
+}
+
+#[test]
+fn solids() {
+    for (products, intersected, subtracted) in [
+        (1, 1, 0),
+        (1, 1, 1),
+        (2, 2, 2),
+        (3, 3, 1),
+        (4, 5, 3),
+        (16, 8, 8),
+    ] {
+        let latency = CsgDecider::<W>::latency(products, intersected, subtracted);
+        let request = EmitRequest {
+            products: Some(products),
+            intersected: Some(intersected),
+            subtracted: Some(subtracted),
+            ..request(Unit::CsgDecider, 0, 1, 1)
+        };
+        assert_eq!(request.latency(), latency);
+        let last = products * intersected - 1;
+        let drive = |unit: &mut CsgDecider<W>| {
+            for back in &mut unit.intersected_zb {
+                back.next = Int::new(9);
+            }
+        };
+        let found = measured(
+            CsgDecider::<W>::new(products, intersected, subtracted),
+            |unit, on| {
+                drive(unit);
+                unit.intersected_zf
+                    .iter_mut()
+                    .for_each(|front| front.next = Int::new(5));
+                // The front of the last product alone comes nearer.
+                let first = last + 1 - intersected;
+                for front in &mut unit.intersected_zf[first..] {
+                    front.next = Int::new(if on { 4 } else { 5 });
+                }
+            },
+            |unit| unit.depth.val().get(),
+        );
+        assert_eq!(found, latency);
+        if subtracted == 0 {
+            continue;
+        }
+        // What is taken away is used after the tree of the intersection.
+        let skew = intersected.next_power_of_two().trailing_zeros() as usize;
+        let found = measured(
+            CsgDecider::<W>::new(1, intersected, subtracted),
+            |unit, on| {
+                drive(unit);
+                unit.subtracted_zb[0].next = Int::new(if on { 3 } else { 0 });
+            },
+            |unit| unit.depth.val().get(),
+        );
+        assert_eq!(
+            found + skew,
+            CsgDecider::<W>::latency(1, intersected, subtracted)
         );
     }
 }

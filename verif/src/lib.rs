@@ -6,6 +6,7 @@
 //! [`equivalence`] proves the emitted text equal to rust-hdl's own.
 
 pub mod bench;
+pub mod display;
 pub mod engine;
 pub mod equivalence;
 pub mod extremes;

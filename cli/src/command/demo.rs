@@ -65,6 +65,13 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
             digits: None,
             corrections: None,
             sides: None,
+            mode: None,
+            cards: None,
+            layers: None,
+            products: None,
+            intersected: None,
+            subtracted: None,
+            lights: None,
         },
     )?;
     // Written first: an unwritable folder is found before the long work.

@@ -10,6 +10,7 @@ pub mod emit;
 pub mod extremes;
 pub mod fit;
 pub mod fitted;
+pub mod machine;
 pub mod mutate;
 pub mod package;
 pub mod peers;
@@ -18,6 +19,7 @@ pub mod processors;
 pub mod prove;
 pub mod render;
 pub mod roots;
+pub mod shading;
 pub mod speed;
 pub mod sweep;
 pub mod synth;
@@ -92,6 +94,13 @@ fn emit_request(name: &str, shape: Shape) -> Result<EmitRequest, Failure> {
         digits: shape.digits,
         corrections: shape.corrections,
         sides: shape.sides,
+        mode: shape.mode,
+        cards: shape.cards,
+        layers: shape.layers,
+        products: shape.products,
+        intersected: shape.intersected,
+        subtracted: shape.subtracted,
+        lights: shape.lights,
     })
 }
 

@@ -43,7 +43,7 @@ pub fn run(json: bool) -> Result<(), Failure> {
         ));
     }
     output::text(
-        "W depth word (--format), R rows per stage, N planes, M objects, D digits, C corrections, E sides",
+        "W depth word (--format), R rows per stage, N planes, M objects, D digits, C corrections, E sides, K cards, T layers, G products, I intersected, J taken away",
     );
     Ok(())
 }

@@ -8,6 +8,7 @@ pub mod ports;
 mod processors;
 mod shared;
 pub mod statement;
+mod video;
 pub mod width;
 
 use imogene_rtl::catalogue::Parameter;
@@ -19,13 +20,20 @@ use thiserror::Error;
 pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something under valid only, or where there is none after the latency has passed";
 
 /// Symbols of the parameters in formulas.
-const SYMBOLS: [(&str, &str); 6] = [
+const SYMBOLS: [(&str, &str); 13] = [
     ("planes", "N"),
     ("rows-per-stage", "R"),
     ("objects", "M"),
     ("digits", "D"),
     ("corrections", "C"),
     ("sides", "E"),
+    ("cards", "K"),
+    ("layers", "T"),
+    ("products", "G"),
+    ("intersected", "I"),
+    ("subtracted", "J"),
+    ("mode", "V"),
+    ("lights", "Q"),
 ];
 
 /// Why a unit has no contract.

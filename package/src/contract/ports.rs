@@ -2,6 +2,7 @@
 
 use super::processors::{self, Polynomial};
 use super::shared::*;
+use super::video;
 use super::width::Width;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
@@ -191,6 +192,13 @@ fn groups(unit: Unit) -> Vec<&'static [Text]> {
                 Text("last", BIT, "last pixel of the zone"),
             ],
         ],
+        Unit::VideoTiming => video::TIMING,
+        Unit::PixelFifo => video::FIFO,
+        Unit::FrameStore => video::STORE,
+        Unit::PostFilter => video::FILTER,
+        Unit::Overlay => video::OVERLAY,
+        Unit::Accumulator => video::ACCUMULATOR,
+        Unit::ShadingProcessor => &[SHADED],
         Unit::VisibilityNode => &[
             VISIBLE,
             NORMAL_RESULT,
@@ -212,15 +220,135 @@ fn groups(unit: Unit) -> Vec<&'static [Text]> {
         Unit::Decider => &[
             VISIBLE,
             NORMAL_RESULT,
+            DECIDED,
+            &[Text("input_#_depth", W, "depth of input #")],
+        ],
+        Unit::VisibilityChain => &[
+            VISIBLE,
+            NORMAL_RESULT,
+            DECIDED,
+            &[Text(
+                "input_#_depth",
+                W,
+                "depth of input #; all of input # comes # clocks after input 0",
+            )],
+        ],
+        Unit::CardDecider => &[
+            VISIBLE,
+            NORMAL_RESULT,
+            DECIDED,
+            &[Text(
+                "input_#_depth",
+                W,
+                "depth of input #; all of input M k + p, place p of card k, comes p clocks after input 0",
+            )],
+        ],
+        Unit::ShadowStage => &[&[
+            Text(
+                "flags_in",
+                FLAG_WORD,
+                "flags before these volumes: bit s is set where source s reaches the point; all ones in a first pass",
+            ),
+            Text(
+                "volume_#_inside",
+                BIT,
+                "the visible point is inside volume #",
+            ),
+            Text(
+                "volume_#_kind",
+                BIT,
+                "kind of volume #: 0 shadow, dark inside, 1 light, dark outside; held",
+            ),
+            Text(
+                "volume_#_source",
+                FACE,
+                "source that volume # belongs to; held",
+            ),
+            Text(
+                "volume_#_enabled",
+                BIT,
+                "volume # counts; without it it takes nothing away; held",
+            ),
+            Text("flags", FLAG_WORD, "flags after these volumes"),
+        ]],
+        Unit::TransparencyStage => &[
+            BLEND,
             &[
-                Text("input_#_depth", W, "depth of input #"),
-                Text("input_#_id", ID, "number of the object on input #"),
-                Text("input_#_number", FACE, "face of the object on input #"),
-                Text("input_#_nx", NORMAL, "normal x of the object on input #"),
-                Text("input_#_ny", NORMAL, "normal y of the object on input #"),
-                Text("input_#_nz", NORMAL, "normal z of the object on input #"),
+                Text(
+                    "layer_depth",
+                    W,
+                    "depth of the transparent object; 2^(W-1) - 1 where it is absent",
+                ),
+                Text("layer_red", COLOUR, "its red"),
+                Text("layer_green", COLOUR, "its green"),
+                Text("layer_blue", COLOUR, "its blue"),
+                Text(
+                    "layer_weight",
+                    COLOUR,
+                    "its part of what is seen, in 255ths; 255 is opaque",
+                ),
             ],
         ],
+        Unit::TransparencyPipeline => &[
+            BLEND,
+            &[
+                Text(
+                    "layer_#_depth",
+                    W,
+                    "depth of layer #, 2 # clocks after the pixel; 2^(W-1) - 1 where it is absent",
+                ),
+                Text("layer_#_red", COLOUR, "red of layer #"),
+                Text("layer_#_green", COLOUR, "green of layer #"),
+                Text("layer_#_blue", COLOUR, "blue of layer #"),
+                Text(
+                    "layer_#_weight",
+                    COLOUR,
+                    "part of layer # in what is seen, in 255ths; 255 is opaque",
+                ),
+            ],
+        ],
+        Unit::CsgDecider => &[&[
+            Text(
+                "intersected_#_zf",
+                W,
+                "front depth of intersected object #, product by product; 2^(W-1) - 1 where it is absent",
+            ),
+            Text("intersected_#_zb", W, "back depth of intersected object #"),
+            Text("intersected_#_id", ID, "number of intersected object #"),
+            Text(
+                "intersected_#_number",
+                FACE,
+                "face at the front of intersected object #",
+            ),
+            Text(
+                "subtracted_#_zf",
+                W,
+                "front depth of object # taken away, product by product, ceil(log2 I) clocks after the intersected; 2^(W-1) - 1 where it is absent",
+            ),
+            Text("subtracted_#_zb", W, "back depth of object # taken away"),
+            Text("subtracted_#_id", ID, "number of object # taken away"),
+            Text(
+                "subtracted_#_number",
+                FACE,
+                "face at the back of object # taken away",
+            ),
+            Text(
+                "depth",
+                W,
+                "depth that is seen; 2^(W-1) - 1 where nothing is",
+            ),
+            Text(
+                "id",
+                ID,
+                "number of the object whose face is seen; 0 where nothing is",
+            ),
+            Text("number", FACE, "face that is seen; 0 where nothing is"),
+            Text(
+                "is_back",
+                BIT,
+                "it is the back of an object taken away: its normal is to be turned",
+            ),
+        ]],
         Unit::CoefficientStore => &[
             F1,
             F2,
@@ -299,7 +427,13 @@ fn words(
 fn repeated(name: &str, width: Width, meaning: String, request: &EmitRequest) -> Vec<Described> {
     let count = match (name.contains('#'), request.unit) {
         (false, _) => 1,
-        (true, Unit::Decider) => request.objects,
+        (true, Unit::Decider | Unit::VisibilityChain | Unit::ShadowStage) => request.objects,
+        (true, Unit::TransparencyPipeline) => request.layers(),
+        (true, Unit::CsgDecider) if name.starts_with("intersected") => {
+            request.products() * request.intersected()
+        }
+        (true, Unit::CsgDecider) => request.products() * request.subtracted(),
+        (true, Unit::CardDecider) => request.objects * request.cards(),
         (true, Unit::FacetProcessor | Unit::CurvedFacetProcessor) => request.sides(),
         (true, Unit::FirstGenerationProcessor) => 2,
         (true, _) => request.planes,

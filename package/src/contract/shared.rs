@@ -15,8 +15,29 @@ pub(super) const COORDINATE: Width = Width::fixed(12);
 pub(super) const FACE: Width = Width::fixed(4);
 pub(super) const PART: Width = Width::fixed(24);
 pub(super) const NORMAL: Width = Width::fixed(16);
+pub(super) const FLAG_WORD: Width = Width::fixed(16);
+pub(super) const COLOUR: Width = Width::fixed(8);
 pub(super) const ID: Width = Width::fixed(8);
 
+/// What a stage for transparent objects takes and hands on besides them.
+pub(super) const BLEND: &[Text] = &[
+    Text("pixel_depth", W, "depth of the opaque surface"),
+    Text("pixel_red", COLOUR, "red seen so far"),
+    Text("pixel_green", COLOUR, "green seen so far"),
+    Text("pixel_blue", COLOUR, "blue seen so far"),
+    Text("depth", W, "depth of the opaque surface"),
+    Text("red", COLOUR, "red that is seen"),
+    Text("green", COLOUR, "green that is seen"),
+    Text("blue", COLOUR, "blue that is seen"),
+];
+/// What a decider takes of each object besides its depth.
+pub(super) const DECIDED: &[Text] = &[
+    Text("input_#_id", ID, "number of the object on input #"),
+    Text("input_#_number", FACE, "face of the object on input #"),
+    Text("input_#_nx", NORMAL, "normal x of the object on input #"),
+    Text("input_#_ny", NORMAL, "normal y of the object on input #"),
+    Text("input_#_nz", NORMAL, "normal z of the object on input #"),
+];
 pub(super) const CLOCK: &[Text] = &[Text("clock", BIT, "rising edge")];
 pub(super) const FLAGS: &[Text] = &[
     Text(
@@ -201,6 +222,32 @@ pub(super) const VISIBLE: &[Text] = &[
     ),
     Text("id", ID, "number of the nearest object"),
     Text("number", FACE, "number of its visible face"),
+];
+pub(super) const SHADED: &[Text] = &[
+    Text("valid", BIT, "this clock carries a pixel"),
+    Text("x", COORDINATE, "column of the pixel on the screen"),
+    Text("y", COORDINATE, "line of the pixel on the screen"),
+    Text("depth", W, "depth; 2^(W-1) - 1 is the background"),
+    Text("material", ID, "number of the material"),
+    Text("nx", NORMAL, "normal x, of any length"),
+    Text("ny", NORMAL, "normal y"),
+    Text("nz", NORMAL, "normal z"),
+    Text("flags", NORMAL, "bit i: source i reaches the point"),
+    Text(
+        "load_valid",
+        BIT,
+        "write a word; only while no pixel is inside",
+    ),
+    Text(
+        "load_address",
+        NORMAL,
+        "address of the word, section 8 of the architecture",
+    ),
+    Text("load_data", Width::fixed(32), "the word, in the low bits"),
+    Text("out_valid", BIT, "valid, with the colour of its pixel"),
+    Text("red", ID, "red, 0 to 255"),
+    Text("green", ID, "green, 0 to 255"),
+    Text("blue", ID, "blue, 0 to 255"),
 ];
 pub(super) const RADICAND: &[Text] = &[Text("radicand", QUADRATIC, "number to take the root of")];
 pub(super) const ROOT: &[Text] = &[Text("root", W, "floor(sqrt(radicand))")];

@@ -38,8 +38,20 @@ const fn throughput(unit: Unit) -> &'static str {
         | Unit::PlaneDepth
         | Unit::NormalUnit
         | Unit::RasterControl => PIXELS,
+        Unit::VideoTiming => "one position of the raster per clock with enable",
+        Unit::PixelFifo => {
+            "one pixel per clock as long as the receiver does not stall, behind a pipeline of at most 60 clocks"
+        }
+        Unit::FrameStore => "one pixel per clock out, and one in while a frame is not whole",
+        Unit::PostFilter => {
+            "one pixel per clock; a clock without a pixel after each line, width + 2 after a picture"
+        }
+        Unit::Overlay | Unit::Accumulator => "one pixel per clock",
         Unit::MemoryPe2 => {
             "one pixel per clock within a line; 15 clocks between lines, 27 in a field"
+        }
+        Unit::ShadingProcessor => {
+            "one pixel per clock, without a bubble; words change only when the pipeline has drained"
         }
         Unit::QuadricProcessor
         | Unit::PatchProcessor
@@ -93,10 +105,28 @@ const fn ties(unit: Unit) -> &'static str {
         | Unit::CurvedFacetProcessor
         | Unit::SphereProcessor => "zero is inside",
         Unit::CylinderProcessor => "zero is inside; the front disc goes before the body",
+        Unit::ShadingProcessor => {
+            "a normal at a right angle to the line of sight is not turned; a light in the plane of the surface adds nothing; half a level is rounded up"
+        }
         Unit::QuadricVolume | Unit::PolyhedralVolume => {
             "with margin 0 a point on the boundary is inside; with more the beginning is open by the margin, the end stays closed"
         }
-        Unit::VisibilityNode | Unit::Decider => SMALLER_ID,
+        Unit::FrameStore => {
+            "a retrace in the clock of the last pixel of a frame comes too early for it"
+        }
+        Unit::PostFilter => "halves are rounded up; beyond an edge the nearest pixel stands",
+        Unit::Overlay => "a word read in the clock that writes it is the old one",
+        Unit::Accumulator => "halves are rounded up",
+        Unit::VisibilityNode | Unit::Decider | Unit::VisibilityChain | Unit::CardDecider => {
+            SMALLER_ID
+        }
+        Unit::TransparencyStage | Unit::TransparencyPipeline => {
+            "at equal depth the opaque surface hides the layer; 255ths have no halves"
+        }
+        Unit::CsgDecider => {
+            "at equal depth a front goes before the back of an object taken away, then the smaller id, then the smaller face; what ends where a solid begins takes nothing of it away"
+        }
+        Unit::ShadowStage => "none: what is on the boundary of a volume its processor decides",
         Unit::Beam => {
             "at equal depth the smaller slot wins; within an object those of the quadric processor"
         }

@@ -56,6 +56,14 @@ impl Unit {
             Self::CylinderProcessor => {
                 "exact in its integer words; against a cylinder: outline and front disc exact, depth of the body that of the sphere processor over the part of the axis in the screen plane".into()
             }
+            Self::TransparencyStage => "bound: half a step of a component".into(),
+            Self::TransparencyPipeline => format!(
+                "bound: half a step of a component for each of {} layers",
+                shape.layers()
+            ),
+            Self::ShadingProcessor => {
+                "within one level of 8 bits of the formula in real numbers on the same integer words (docs/shading.md)".into()
+            }
             _ => EXACT.into(),
         }
     }

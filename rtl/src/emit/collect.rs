@@ -21,8 +21,8 @@ pub enum Kernel {
     Statements { unit: String, code: VerilogBlock },
     /// A register: `q` takes `d` at the rising edge of `clock`.
     Register,
-    /// A block memory, in a module of its own.
-    Memory,
+    /// A block memory with so many bits of address, in a module of its own.
+    Memory(usize),
 }
 
 /// A block with its signals and sub-blocks.
@@ -43,7 +43,7 @@ impl Scope {
     pub fn unit(&self) -> Option<&str> {
         match &self.kernel {
             Ok(Kernel::Statements { unit, .. }) => Some(unit),
-            Ok(Kernel::Memory) => Some(MEMORY_UNIT),
+            Ok(Kernel::Memory(_)) => Some(MEMORY_UNIT),
             _ => None,
         }
     }
@@ -111,7 +111,11 @@ fn kernel(name: &str, code: Verilog) -> Result<Kernel, EmitError> {
         Verilog::Custom(text) if REGISTER.iter().all(|part| text.contains(part)) => {
             Ok(Kernel::Register)
         }
-        Verilog::Custom(text) if text == BLOCK_MEMORY => Ok(Kernel::Memory),
+        Verilog::Custom(text) if text.starts_with(BLOCK_MEMORY) => {
+            let bits = text[BLOCK_MEMORY.len()..].parse();
+            bits.map(Kernel::Memory)
+                .map_err(|_| EmitError::block(name, "is a memory of unknown size"))
+        }
         _ => Err(EmitError::block(
             name,
             "is neither a kernel nor a register nor a memory",

@@ -5,19 +5,20 @@ use super::lower::Type;
 use super::module::{is_port, port, shape};
 use std::fmt::Write;
 
-/// Bits of the address.
-pub fn address_width(scope: &Scope) -> usize {
-    scope.net("read_address").map_or(0, |net| net.width)
-}
-
 /// The body of the module, from the port list on.
-pub fn body(scope: &Scope) -> String {
+pub fn body(scope: &Scope, bits: usize) -> String {
     let ports = scope.nets.iter().filter(|net| is_port(net));
     let lines: Vec<_> = ports
         .map(|net: &Net| format!("    {}", port(net)))
         .collect();
     let width = scope.net("read_data").map_or(0, |net| net.width);
-    let last = (1u64 << address_width(scope)) - 1;
+    let last = (1u64 << bits) - 1;
+    let ports = scope.net("read_address").map_or(bits, |net| net.width);
+    let low = |address: &str| match ports == bits {
+        true => address.to_owned(),
+        false => format!("{address}[{}:0]", bits - 1),
+    };
+    let (read, written) = (low("read_address"), low("write_address"));
     let of = Type {
         width,
         signed: false,
@@ -29,18 +30,28 @@ pub fn body(scope: &Scope) -> String {
         "
     reg {word}words [0:{last}];
     reg {word}kept_read_data = {width}'d0;
+    // Block RAM begins with zeros; synthesis need not work through a loop for it.
+`ifndef SYNTHESIS
     integer place;
     initial begin
         for (place = 0; place <= {last}; place = place + 1) words[place] = {width}'d0;
     end
+`endif
 
     assign read_data = kept_read_data;
 
     always @(posedge clock) begin
-        kept_read_data <= words[read_address];
-        if (write) words[write_address] <= write_data;
+        kept_read_data <= words[{read}];
+        if (write) words[{written}] <= write_data;
     end
 "
     );
+    if ports > bits {
+        let high = format!("{}:{bits}", ports - 1);
+        let _ = writeln!(
+            text,
+            "\n    wire unused_bits = &{{1'b0, write_address[{high}], read_address[{high}]}};"
+        );
+    }
     text
 }

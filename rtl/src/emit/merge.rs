@@ -33,7 +33,7 @@ impl Merger {
                 check_identifier(unit)?;
                 unit.clone()
             }
-            Ok(Kernel::Memory) => MEMORY_UNIT.to_owned(),
+            Ok(Kernel::Memory(_)) => MEMORY_UNIT.to_owned(),
             Ok(Kernel::Register) => {
                 return Err(EmitError::block(&scope.instance, "is a bare register"));
             }
@@ -47,10 +47,9 @@ impl Merger {
                 self.module(child)?
             });
         }
-        let text = if matches!(scope.kernel, Ok(Kernel::Memory)) {
-            memory::body(scope)
-        } else {
-            body(scope, &|child| format!("{MARK}{}{MARK}", children[child]))?
+        let text = match scope.kernel {
+            Ok(Kernel::Memory(bits)) => memory::body(scope, bits),
+            _ => body(scope, &|child| format!("{MARK}{}{MARK}", children[child]))?,
         };
         let key = (unit, text);
         if let Some(number) = self.known.get(&key) {
@@ -127,7 +126,7 @@ fn distinct(scope: &Scope, key: &(String, String)) -> Distinct {
         width: output.map_or(0, |net| net.width),
         signed: output.is_some_and(|net| net.signed),
         count: match &scope.kernel {
-            Ok(Kernel::Memory) => memory::address_width(scope),
+            Ok(Kernel::Memory(bits)) => *bits,
             _ if blocks == 0 => scope.children.len(),
             _ => blocks,
         },

@@ -6,6 +6,7 @@
 
 mod census;
 mod collect;
+pub mod display;
 mod error;
 mod lower;
 pub mod machine;
@@ -20,10 +21,24 @@ mod tests;
 
 use crate::catalogue::Unit;
 use crate::kernel::Ports;
+use crate::machine::accumulator::Accumulator;
 use crate::machine::beam::Beam;
+use crate::machine::card_decider::CardDecider;
 use crate::machine::coefficient_store::CoefficientStore;
+use crate::machine::csg_decider::CsgDecider;
 use crate::machine::decider::Decider;
+use crate::machine::frame_store::FrameStore;
+use crate::machine::overlay::Overlay;
+use crate::machine::pixel_fifo::PixelFifo;
+use crate::machine::post_filter::PostFilter;
 use crate::machine::raster_control::RasterControl;
+use crate::machine::shading_processor::ShadingProcessor;
+use crate::machine::shadow_stage::ShadowStage;
+use crate::machine::transparency_pipeline::TransparencyPipeline;
+use crate::machine::transparency_stage::TransparencyStage;
+use crate::machine::video_mode::VideoMode;
+use crate::machine::video_timing::VideoTiming;
+use crate::machine::visibility_chain::VisibilityChain;
 use crate::machine::visibility_node::VisibilityNode;
 use crate::object::curved_facet_processor::CurvedFacetProcessor;
 use crate::object::cylinder_processor::CylinderProcessor;
@@ -198,6 +213,9 @@ fn module_texts(modules: Vec<(String, String)>) -> Vec<(String, String)> {
     modules.into_iter().map(text).collect()
 }
 
+/// Clocks of the pipeline that the video units of the catalogue stand around.
+pub const LEAD: usize = 40;
+
 /// What is done with the block of a unit, whatever its type.
 pub(crate) trait Task {
     type Outcome;
@@ -291,11 +309,28 @@ fn with_block_of_format<
             task.run(QuadricVolume::<W, W1, S, F, P>::new(planes, rows_per_stage))
         }
         Unit::PolyhedralVolume => task.run(PolyhedralVolume::<W, S, P>::new(planes)),
+        Unit::ShadingProcessor => task.run(ShadingProcessor::<W>::new(request.lights())),
         Unit::RasterControl => task.run(RasterControl::new()),
-        Unit::VisibilityNode => task.run(VisibilityNode::<W>::default()),
-        Unit::Decider => task.run(Decider::<W>::new(objects)),
+        Unit::VisibilityChain => task.run(VisibilityChain::<W>::new(objects)),
+        Unit::CardDecider => task.run(CardDecider::<W>::new(objects, request.cards())),
+        Unit::ShadowStage => task.run(ShadowStage::new(objects)),
+        Unit::CsgDecider => task.run(CsgDecider::<W>::new(
+            request.products(),
+            request.intersected(),
+            request.subtracted(),
+        )),
+        Unit::TransparencyStage => task.run(TransparencyStage::<W>::default()),
+        Unit::TransparencyPipeline => task.run(TransparencyPipeline::<W>::new(request.layers())),
+        Unit::VisibilityNode => task.run(<VisibilityNode<W>>::default()),
+        Unit::Decider => task.run(<Decider<W>>::new(objects)),
         Unit::CoefficientStore => task.run(CoefficientStore::<S, F, P>::new(planes)),
         Unit::Beam => task.run(Beam::<W, W1, S, F, P>::new(objects, planes, rows_per_stage)),
+        Unit::VideoTiming => task.run(VideoTiming::new(&VideoMode::ALL[request.mode()], LEAD)),
+        Unit::PixelFifo => task.run(PixelFifo::<6, 7, 24, 25>::new(LEAD)),
+        Unit::FrameStore => task.run(FrameStore::<12>::new()),
+        Unit::PostFilter => task.run(PostFilter::<11>::new()),
+        Unit::Overlay => task.run(Overlay::<10>::new()),
+        Unit::Accumulator => task.run(Accumulator::<12>::new()),
     }
 }
 

@@ -1,7 +1,7 @@
 //! rust-hdl's own text of a unit. It is compared with ours and used for nothing else.
 
 use super::{EmitError, EmitRequest, Task, with_block};
-use crate::kernel::Ports;
+use crate::kernel::{BLOCK_MEMORY, Ports};
 use crate::step::Clocked;
 use rust_hdl::core::prelude::generate_verilog;
 use std::any::Any;
@@ -12,7 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 ///
 /// # Errors
 ///
-/// When a parameter is out of its legal range, or rust-hdl's printer stops, which it does with a panic.
+/// When a parameter is out of its legal range, rust-hdl's printer stops, which it does with a panic, or the unit has a block memory, which it cannot print.
 pub fn raw(request: &EmitRequest) -> Result<String, EmitError> {
     with_block(request, Print)?.map_err(|said| {
         let problem = format!("stops rust-hdl's own printer: {said}");
@@ -30,7 +30,14 @@ impl Task for Print {
         mut block: B,
     ) -> Result<Self::Outcome, EmitError> {
         block.connect_all();
-        Ok(catch_unwind(AssertUnwindSafe(|| generate_verilog(&block))).map_err(message))
+        let text = catch_unwind(AssertUnwindSafe(|| generate_verilog(&block))).map_err(message);
+        Ok(text.and_then(|text| {
+            if text.contains(BLOCK_MEMORY) {
+                Err("a block memory has no kernel".into())
+            } else {
+                Ok(text)
+            }
+        }))
     }
 }
 

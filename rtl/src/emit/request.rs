@@ -2,7 +2,12 @@
 
 use super::EmitError;
 use crate::catalogue::Unit;
-use crate::format::{DEPTH_WORDS, MOST_CORRECTIONS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
+use crate::format::{
+    DEPTH_WORDS, MOST_CARDS, MOST_CORRECTIONS, MOST_LAYERS, MOST_LIGHTS, MOST_LITERALS, MOST_MODE,
+    MOST_OBJECTS, MOST_PLANES, MOST_PRODUCTS, MOST_SIDES,
+};
+use crate::machine::shading_processor::LATENCY as SHADING_LATENCY;
+use crate::machine::shadow_stage::ShadowStage;
 use std::fmt::Write;
 
 /// What to emit.
@@ -24,6 +29,20 @@ pub struct EmitRequest {
     pub corrections: Option<usize>,
     /// Sides of a facet, up to 4; 3 if not given.
     pub sides: Option<usize>,
+    /// Number of a video mode, up to 3; 0 if not given.
+    pub mode: Option<usize>,
+    /// Cards of a decider, 1 to 64, with [`EmitRequest::objects`] processors each; 2 if not given.
+    pub cards: Option<usize>,
+    /// Layers of a transparency pipeline, 1 to 8; 2 if not given.
+    pub layers: Option<usize>,
+    /// Products of a solid, 1 to 16; 2 if not given.
+    pub products: Option<usize>,
+    /// Objects intersected in a product, 1 to 8; 2 if not given.
+    pub intersected: Option<usize>,
+    /// Objects taken away in a product, 0 to 8; 2 if not given.
+    pub subtracted: Option<usize>,
+    /// Lights of the shading processor, 1 to 4; 1 if not given.
+    pub lights: Option<usize>,
 }
 
 impl EmitRequest {
@@ -38,6 +57,13 @@ impl EmitRequest {
             digits: None,
             corrections: None,
             sides: None,
+            mode: None,
+            cards: None,
+            layers: None,
+            products: None,
+            intersected: None,
+            subtracted: None,
+            lights: None,
         }
     }
 
@@ -61,6 +87,41 @@ impl EmitRequest {
         self.sides.unwrap_or(3)
     }
 
+    /// Number of the video mode.
+    pub fn mode(&self) -> usize {
+        self.mode.unwrap_or(0)
+    }
+
+    /// Cards of the decider.
+    pub fn cards(&self) -> usize {
+        self.cards.unwrap_or(2)
+    }
+
+    /// Layers of the pipeline.
+    pub fn layers(&self) -> usize {
+        self.layers.unwrap_or(2)
+    }
+
+    /// Products of the solid.
+    pub fn products(&self) -> usize {
+        self.products.unwrap_or(2)
+    }
+
+    /// Objects intersected in a product.
+    pub fn intersected(&self) -> usize {
+        self.intersected.unwrap_or(2)
+    }
+
+    /// Objects taken away in a product.
+    pub fn subtracted(&self) -> usize {
+        self.subtracted.unwrap_or(2)
+    }
+
+    /// Lights of the shading processor.
+    pub fn lights(&self) -> usize {
+        self.lights.unwrap_or(1)
+    }
+
     /// Checks every parameter against its legal range.
     pub fn check(&self) -> Result<(), EmitError> {
         check_format(self.depth_word)?;
@@ -70,10 +131,28 @@ impl EmitRequest {
         check_range("digits", self.digits(), 1, self.depth_word)?;
         check_range("corrections", self.corrections(), 0, MOST_CORRECTIONS)?;
         check_range("sides", self.sides(), self.least("sides"), MOST_SIDES)?;
+        check_range("mode", self.mode(), 0, MOST_MODE)?;
+        check_range("cards", self.cards(), 1, MOST_CARDS)?;
+        if self.unit == Unit::CardDecider {
+            let inputs = self.objects * self.cards();
+            check_range("objects times cards", inputs, 1, MOST_OBJECTS)?;
+        }
+        check_range("layers", self.layers(), 1, MOST_LAYERS)?;
+        check_range("products", self.products(), 1, MOST_PRODUCTS)?;
+        check_range("intersected", self.intersected(), 1, MOST_LITERALS)?;
+        check_range("subtracted", self.subtracted(), 0, MOST_LITERALS)?;
+        check_range("lights", self.lights(), 1, MOST_LIGHTS)?;
         let given = [
             ("digits", self.digits),
             ("corrections", self.corrections),
             ("sides", self.sides),
+            ("mode", self.mode),
+            ("cards", self.cards),
+            ("layers", self.layers),
+            ("products", self.products),
+            ("intersected", self.intersected),
+            ("subtracted", self.subtracted),
+            ("lights", self.lights),
         ];
         let has = |name| self.unit.parameters().iter().any(|p| p.option == name);
         match given
@@ -104,6 +183,13 @@ impl EmitRequest {
             "digits" => self.digits(),
             "corrections" => self.corrections(),
             "sides" => self.sides(),
+            "mode" => self.mode(),
+            "cards" => self.cards(),
+            "layers" => self.layers(),
+            "products" => self.products(),
+            "intersected" => self.intersected(),
+            "subtracted" => self.subtracted(),
+            "lights" => self.lights(),
             _ => self.objects,
         };
         let parameters = self.unit.parameters().iter();
@@ -114,7 +200,7 @@ impl EmitRequest {
     pub fn latency(&self) -> usize {
         let root = self.depth_word.div_ceil(self.rows_per_stage);
         let short_root = self.digits().div_ceil(self.rows_per_stage);
-        let tree = self.objects.next_power_of_two().trailing_zeros() as usize;
+        let decision = tree(self.objects);
         match self.unit {
             Unit::SquareRoot | Unit::SquareRootNonRestoring => root,
             Unit::SquareRootIterative => self.depth_word,
@@ -130,13 +216,23 @@ impl EmitRequest {
             Unit::FirstGenerationProcessor => root + 6,
             Unit::QuadricVolume => root + 4,
             Unit::PolyhedralVolume | Unit::CylinderProcessor => 3,
-            Unit::PolyhedronProcessor => {
-                self.planes.next_power_of_two().trailing_zeros() as usize + 4
-            }
+            Unit::PolyhedronProcessor => tree(self.planes) + 4,
             Unit::PatchDecider | Unit::FacetProcessor | Unit::CurvedFacetProcessor => 2,
-            Unit::SphereProcessor => 4,
-            Unit::Decider => tree,
-            Unit::Beam => 1 + (root + self.planes + 7) + tree,
+            Unit::SphereProcessor | Unit::Overlay => 4,
+            Unit::PixelFifo | Unit::Accumulator => 2,
+            Unit::FrameStore | Unit::PostFilter => 3,
+            Unit::Decider => decision,
+            Unit::VisibilityChain => self.objects,
+            Unit::CardDecider => self.objects + tree(self.cards()),
+            Unit::CsgDecider => {
+                let candidates = self.products() * (self.subtracted() + 1);
+                tree(self.intersected()) + 1 + tree(candidates)
+            }
+            Unit::TransparencyStage => 2,
+            Unit::TransparencyPipeline => 2 * self.layers(),
+            Unit::ShadowStage => ShadowStage::latency(self.objects),
+            Unit::Beam => 1 + (root + self.planes + 7) + decision,
+            Unit::ShadingProcessor => SHADING_LATENCY,
             _ => 1,
         }
     }
@@ -161,6 +257,11 @@ impl EmitRequest {
         }
         command + " --out DIR"
     }
+}
+
+/// Levels of a binary tree.
+const fn tree(inputs: usize) -> usize {
+    inputs.next_power_of_two().trailing_zeros() as usize
 }
 
 /// Refuses a format outside the catalogue.

@@ -188,7 +188,7 @@ impl<
                 .map(|slot| QuadricProcessor::of_shape(slot, rows_per_stage))
                 .collect(),
             decider: Decider::new(objects),
-            valid_delay: WordDelay::new(Decider::<W, N>::latency(objects)),
+            valid_delay: WordDelay::new(<Decider<W, N>>::latency(objects)),
             slot: (0..objects as u64).map(constant).collect(),
             late_flags: repeat(most, || FlagDelay::new(1)),
             late_x: repeat(most, || WordDelay::new(1)),
@@ -228,7 +228,7 @@ impl<
             )
         };
         let longest = slots.iter().map(clocks).max().unwrap_or(0);
-        RasterControl::latency() + longest + Decider::<W, N>::latency(slots.len())
+        RasterControl::latency() + longest + <Decider<W, N>>::latency(slots.len())
     }
 
     /// Clocks from `go` to the first pixel.
@@ -238,7 +238,7 @@ impl<
                 planes,
                 rows_per_stage,
             )
-            + Decider::<W, N>::latency(objects)
+            + <Decider<W, N>>::latency(objects)
     }
 }
 

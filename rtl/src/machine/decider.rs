@@ -11,19 +11,19 @@ use crate::tree::{Tree, table};
 /// |---|---|---|
 /// | `clock` | in | rising edge |
 /// | `input_i_depth` | in | `W` bits |
-/// | `input_i_id` | in | 8 bits |
+/// | `input_i_id` | in | `I` bits, 8 in the catalogue |
 /// | `input_i_number` | in | 4 bits |
 /// | `input_i_nx`, `input_i_ny`, `input_i_nz` | in | 16 bits |
 /// | `depth`, `id`, `number`, `nx`, `ny`, `nz` | out | the winner |
 ///
 /// Latency `ceil(log2 M)`. At equal depth the smaller id wins.
-pub struct Decider<const W: usize, const N: usize = 16> {
+pub struct Decider<const W: usize, const N: usize = 16, const I: usize = 8> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of each object.
     pub input_depth: Vec<Signal<In, Int<W>>>,
     /// Id of each object.
-    pub input_id: Vec<Signal<In, Word<8>>>,
+    pub input_id: Vec<Signal<In, Word<I>>>,
     /// Face of each object.
     pub input_number: Vec<Signal<In, Word<4>>>,
     /// Normal x of each object.
@@ -35,7 +35,7 @@ pub struct Decider<const W: usize, const N: usize = 16> {
     /// Depth of the winner.
     pub depth: Signal<Out, Int<W>>,
     /// Id of the winner.
-    pub id: Signal<Out, Word<8>>,
+    pub id: Signal<Out, Word<I>>,
     /// Face of the winner.
     pub number: Signal<Out, Word<4>>,
     /// Normal x of the winner.
@@ -45,13 +45,13 @@ pub struct Decider<const W: usize, const N: usize = 16> {
     /// Normal z of the winner.
     pub nz: Signal<Out, Int<N>>,
     branch_depth: Vec<Signal<Local, Int<W>>>,
-    branch_id: Vec<Signal<Local, Word<8>>>,
+    branch_id: Vec<Signal<Local, Word<I>>>,
     branch_number: Vec<Signal<Local, Word<4>>>,
     branch_nx: Vec<Signal<Local, Int<N>>>,
     branch_ny: Vec<Signal<Local, Int<N>>>,
     branch_nz: Vec<Signal<Local, Int<N>>>,
-    nodes: Vec<VisibilityNode<W, N>>,
-    registers: Vec<VisibilityRegister<W, N>>,
+    nodes: Vec<VisibilityNode<W, N, I>>,
+    registers: Vec<VisibilityRegister<W, N, I>>,
     node_a: Vec<Constant<Word<16>>>,
     node_b: Vec<Constant<Word<16>>>,
     node_out: Vec<Constant<Word<16>>>,
@@ -65,7 +65,7 @@ pub struct Decider<const W: usize, const N: usize = 16> {
 }
 
 block! {
-    [const W: usize, const N: usize] Decider [W, N]
+    [const W: usize, const N: usize, const I: usize] Decider [W, N, I]
     inputs { clock, input_depth, input_id, input_number, input_nx, input_ny, input_nz }
     parts { depth, id, number, nx, ny, nz, branch_depth, branch_id, branch_number, branch_nx,
         branch_ny, branch_nz, nodes, registers, node_a, node_b, node_out, register_in,
@@ -73,7 +73,7 @@ block! {
     data { _inputs, _nodes, _registers }
 }
 
-impl<const W: usize, const N: usize> Decider<W, N> {
+impl<const W: usize, const N: usize, const I: usize> Decider<W, N, I> {
     /// A decider of `inputs` objects.
     ///
     /// # Panics
@@ -126,7 +126,7 @@ impl<const W: usize, const N: usize> Decider<W, N> {
     }
 }
 
-impl<const W: usize, const N: usize> Logic for Decider<W, N> {
+impl<const W: usize, const N: usize, const I: usize> Logic for Decider<W, N, I> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("decider");
@@ -191,4 +191,4 @@ impl<const W: usize, const N: usize> Logic for Decider<W, N> {
     }
 }
 
-clocked!(Decider<const W: usize, const N: usize>);
+clocked!(Decider<const W: usize, const N: usize, const I: usize>);

@@ -8,20 +8,20 @@ use crate::kernel::*;
 /// |---|---|---|
 /// | `clock` | in | rising edge |
 /// | `a_depth`, `b_depth` | in | `W` bits |
-/// | `a_id`, `b_id` | in | 8 bits |
+/// | `a_id`, `b_id` | in | `I` bits, 8 in the catalogue |
 /// | `a_number`, `b_number` | in | 4 bits |
 /// | `a_nx` .. `b_nz` | in | 16 bits |
 /// | `depth`, `id`, `number`, `nx`, `ny`, `nz` | out | the winner |
 ///
 /// Latency 1. The smaller depth wins, at equal depth the smaller id, so that the order of the inputs does not matter.
 #[derive(Default)]
-pub struct VisibilityNode<const W: usize, const N: usize = 16> {
+pub struct VisibilityNode<const W: usize, const N: usize = 16, const I: usize = 8> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of the first object.
     pub a_depth: Signal<In, Int<W>>,
     /// Id of the first object.
-    pub a_id: Signal<In, Word<8>>,
+    pub a_id: Signal<In, Word<I>>,
     /// Face of the first object.
     pub a_number: Signal<In, Word<4>>,
     /// Normal x of the first object.
@@ -33,7 +33,7 @@ pub struct VisibilityNode<const W: usize, const N: usize = 16> {
     /// Depth of the second object.
     pub b_depth: Signal<In, Int<W>>,
     /// Id of the second object.
-    pub b_id: Signal<In, Word<8>>,
+    pub b_id: Signal<In, Word<I>>,
     /// Face of the second object.
     pub b_number: Signal<In, Word<4>>,
     /// Normal x of the second object.
@@ -45,7 +45,7 @@ pub struct VisibilityNode<const W: usize, const N: usize = 16> {
     /// Depth of the winner.
     pub depth: Signal<Out, Int<W>>,
     /// Id of the winner.
-    pub id: Signal<Out, Word<8>>,
+    pub id: Signal<Out, Word<I>>,
     /// Face of the winner.
     pub number: Signal<Out, Word<4>>,
     /// Normal x of the winner.
@@ -59,7 +59,7 @@ pub struct VisibilityNode<const W: usize, const N: usize = 16> {
     b_has_smaller_id: Signal<Local, Bit>,
     b_wins: Signal<Local, Bit>,
     kept_depth: DFF<Int<W>>,
-    kept_id: DFF<Word<8>>,
+    kept_id: DFF<Word<I>>,
     kept_number: DFF<Word<4>>,
     kept_nx: DFF<Int<N>>,
     kept_ny: DFF<Int<N>>,
@@ -68,7 +68,7 @@ pub struct VisibilityNode<const W: usize, const N: usize = 16> {
 }
 
 block! {
-    [const W: usize, const N: usize] VisibilityNode [W, N]
+    [const W: usize, const N: usize, const I: usize] VisibilityNode [W, N, I]
     inputs { clock, a_depth, a_id, a_number, a_nx, a_ny, a_nz, b_depth, b_id, b_number, b_nx,
         b_ny, b_nz }
     parts { depth, id, number, nx, ny, nz, b_is_nearer, depths_are_equal, b_has_smaller_id,
@@ -76,14 +76,14 @@ block! {
     data { }
 }
 
-impl<const W: usize, const N: usize> VisibilityNode<W, N> {
+impl<const W: usize, const N: usize, const I: usize> VisibilityNode<W, N, I> {
     /// Clocks from the objects to the winner.
     pub const fn latency() -> usize {
         1
     }
 }
 
-impl<const W: usize, const N: usize> Logic for VisibilityNode<W, N> {
+impl<const W: usize, const N: usize, const I: usize> Logic for VisibilityNode<W, N, I> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("visibility_node");
@@ -126,17 +126,17 @@ impl<const W: usize, const N: usize> Logic for VisibilityNode<W, N> {
     }
 }
 
-clocked!(VisibilityNode<const W: usize, const N: usize>);
+clocked!(VisibilityNode<const W: usize, const N: usize, const I: usize>);
 
 /// A register in the place of a node that has one input only.
 #[derive(Default)]
-pub struct VisibilityRegister<const W: usize, const N: usize = 16> {
+pub struct VisibilityRegister<const W: usize, const N: usize = 16, const I: usize = 8> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
     /// Depth of the object.
     pub a_depth: Signal<In, Int<W>>,
     /// Id of the object.
-    pub a_id: Signal<In, Word<8>>,
+    pub a_id: Signal<In, Word<I>>,
     /// Face of the object.
     pub a_number: Signal<In, Word<4>>,
     /// Normal x of the object.
@@ -148,7 +148,7 @@ pub struct VisibilityRegister<const W: usize, const N: usize = 16> {
     /// Depth, one clock later.
     pub depth: Signal<Out, Int<W>>,
     /// Id, one clock later.
-    pub id: Signal<Out, Word<8>>,
+    pub id: Signal<Out, Word<I>>,
     /// Face, one clock later.
     pub number: Signal<Out, Word<4>>,
     /// Normal x, one clock later.
@@ -158,7 +158,7 @@ pub struct VisibilityRegister<const W: usize, const N: usize = 16> {
     /// Normal z, one clock later.
     pub nz: Signal<Out, Int<N>>,
     kept_depth: DFF<Int<W>>,
-    kept_id: DFF<Word<8>>,
+    kept_id: DFF<Word<I>>,
     kept_number: DFF<Word<4>>,
     kept_nx: DFF<Int<N>>,
     kept_ny: DFF<Int<N>>,
@@ -167,14 +167,14 @@ pub struct VisibilityRegister<const W: usize, const N: usize = 16> {
 }
 
 block! {
-    [const W: usize, const N: usize] VisibilityRegister [W, N]
+    [const W: usize, const N: usize, const I: usize] VisibilityRegister [W, N, I]
     inputs { clock, a_depth, a_id, a_number, a_nx, a_ny, a_nz }
     parts { depth, id, number, nx, ny, nz, kept_depth, kept_id, kept_number, kept_nx, kept_ny,
         kept_nz }
     data { }
 }
 
-impl<const W: usize, const N: usize> Logic for VisibilityRegister<W, N> {
+impl<const W: usize, const N: usize, const I: usize> Logic for VisibilityRegister<W, N, I> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("visibility_register");

@@ -3,7 +3,7 @@
 use crate::kernel::*;
 use crate::kernel::{BLOCK_MEMORY, InputPort, Part, Ports};
 
-/// Keeps `2^A` words of `D` bits.
+/// Keeps `2^A` words of `D` bits, or fewer: `2^a`, of whose addresses the low `a` bits count.
 ///
 /// | port | direction | format |
 /// |---|---|---|
@@ -29,7 +29,7 @@ pub struct BlockMemory<const A: usize, const D: usize> {
     pub read_address: Signal<In, Word<A>>,
     /// What was read.
     pub read_data: Signal<Out, Word<D>>,
-    words: Vec<Word<D>>,
+    kept: Vec<Word<D>>,
 }
 
 impl<const A: usize, const D: usize> BlockMemory<A, D> {
@@ -39,7 +39,19 @@ impl<const A: usize, const D: usize> BlockMemory<A, D> {
     ///
     /// When there are more than 24 bits of address.
     pub fn new() -> Self {
-        assert!(A <= 24, "a block memory has at most 24 bits of address");
+        Self::of_address_bits(A)
+    }
+
+    /// A memory of `2^bits` zeros.
+    ///
+    /// # Panics
+    ///
+    /// When `bits` is not in `1..=A`, or more than 24.
+    pub fn of_address_bits(bits: usize) -> Self {
+        assert!(
+            (1..=A.min(24)).contains(&bits),
+            "a block memory has 1 to 24 bits of address, no more than its ports"
+        );
         Self {
             clock: Signal::default(),
             write: Signal::default(),
@@ -47,7 +59,7 @@ impl<const A: usize, const D: usize> BlockMemory<A, D> {
             write_data: Signal::default(),
             read_address: Signal::default(),
             read_data: Signal::default(),
-            words: vec![Word::default(); 1 << A],
+            kept: vec![Word::default(); 1 << bits],
         }
     }
 
@@ -66,9 +78,14 @@ impl<const A: usize, const D: usize> Default for BlockMemory<A, D> {
 impl<const A: usize, const D: usize> Logic for BlockMemory<A, D> {
     fn update(&mut self) {
         if self.clock.pos_edge() {
-            self.read_data.next = self.words[self.read_address.val().index()];
+            let place = |address: Word<A>| address.index() & (self.kept.len() - 1);
+            let (read, write) = (
+                place(self.read_address.val()),
+                place(self.write_address.val()),
+            );
+            self.read_data.next = self.kept[read];
             if self.write.val() {
-                self.words[self.write_address.val().index()] = self.write_data.val();
+                self.kept[write] = self.write_data.val();
             }
         }
     }
@@ -78,7 +95,7 @@ impl<const A: usize, const D: usize> Logic for BlockMemory<A, D> {
     }
 
     fn hdl(&self) -> Verilog {
-        Verilog::Custom(BLOCK_MEMORY.into())
+        Verilog::Custom(format!("{BLOCK_MEMORY}{}", self.kept.len().ilog2()))
     }
 }
 

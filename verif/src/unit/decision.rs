@@ -1,4 +1,4 @@
-//! The visibility node and the decider.
+//! The visibility node and the deciders.
 
 use super::Description;
 use super::Late;
@@ -7,6 +7,8 @@ use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
 use imogene_models::machine::decider::{Visible, decide, latency};
+use imogene_models::machine::skew::Skewed;
+use imogene_models::machine::{card_decider as cards, visibility_chain as chain};
 use proptest::prelude::*;
 
 /// Ports of one input or output.
@@ -104,4 +106,39 @@ pub(super) fn decider(format: Format, inputs: usize) -> Description {
         }),
         stimulus: objects,
     }
+}
+
+/// A decider whose inputs are taken at their own clocks, `starts`, and that answers `latency` clocks after the first.
+fn skewed(name: &'static str, format: Format, starts: Vec<usize>, latency: u32) -> Description {
+    Description {
+        name: name.into(),
+        inputs: (0..starts.len())
+            .flat_map(|m| visible_ports(&format!("input_{m}_"), format.depth))
+            .collect(),
+        outputs: visible_ports("", format.depth),
+        golden: Box::new(move || {
+            let mut pixels = Skewed::new(starts.clone());
+            let mut late = Late::new(latency as usize - pixels.span());
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let row: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
+                let winner = pixels.push(row).map(|pixel| decide(&pixel));
+                match late.push(winner).flatten() {
+                    Some(v) => flat(&v),
+                    None => vec![None; FIELDS],
+                }
+            }))
+        }),
+        stimulus: objects,
+    }
+}
+
+pub(super) fn visibility_chain(format: Format, inputs: usize) -> Description {
+    let latency = chain::latency(inputs);
+    skewed("visibility_chain", format, chain::starts(inputs), latency)
+}
+
+pub(super) fn card_decider(format: Format, processors: usize, count: usize) -> Description {
+    let latency = cards::latency(processors, count);
+    let starts = cards::starts(processors, count);
+    skewed("card_decider", format, starts, latency)
 }

@@ -5,6 +5,7 @@ mod depth;
 mod elementary;
 mod facet;
 mod first_generation;
+mod lighting;
 mod machine;
 mod memory;
 mod normal;
@@ -16,6 +17,12 @@ mod raster;
 mod root;
 mod root_family;
 mod round;
+mod shading;
+mod solid;
+mod transparency;
+mod video;
+mod video_filter;
+mod video_stream;
 mod volume;
 pub mod words;
 mod zone;
@@ -45,6 +52,20 @@ pub struct Parameters {
     pub corrections: Option<usize>,
     /// Sides of a facet; 3 if not given.
     pub sides: Option<usize>,
+    /// Number of a video mode; 0 if not given.
+    pub mode: Option<usize>,
+    /// Cards of a decider; 2 if not given.
+    pub cards: Option<usize>,
+    /// Layers of a transparency pipeline; 2 if not given.
+    pub layers: Option<usize>,
+    /// Products of a solid; 2 if not given.
+    pub products: Option<usize>,
+    /// Objects intersected in a product; 2 if not given.
+    pub intersected: Option<usize>,
+    /// Objects taken away in a product; 2 if not given.
+    pub subtracted: Option<usize>,
+    /// Lights of the shading processor; 1 if not given.
+    pub lights: Option<usize>,
 }
 
 impl Parameters {
@@ -59,6 +80,13 @@ impl Parameters {
             digits: self.digits,
             corrections: self.corrections,
             sides: self.sides,
+            mode: self.mode,
+            cards: self.cards,
+            layers: self.layers,
+            products: self.products,
+            intersected: self.intersected,
+            subtracted: self.subtracted,
+            lights: self.lights,
         }
     }
 }
@@ -73,6 +101,13 @@ impl Default for Parameters {
             digits: None,
             corrections: None,
             sides: None,
+            mode: None,
+            cards: None,
+            layers: None,
+            products: None,
+            intersected: None,
+            subtracted: None,
+            lights: None,
         }
     }
 }
@@ -92,7 +127,7 @@ pub enum UnitError {
 }
 
 /// Units that can be co-simulated on their own.
-pub const NAMES: [&str; 31] = [
+pub const NAMES: [&str; 44] = [
     "pe1",
     "pe2",
     "programmable_pe",
@@ -124,6 +159,19 @@ pub const NAMES: [&str; 31] = [
     "raster_control",
     "visibility_node",
     "decider",
+    "video_timing",
+    "pixel_fifo",
+    "frame_store",
+    "post_filter",
+    "overlay",
+    "accumulator",
+    "visibility_chain",
+    "card_decider",
+    "shadow_stage",
+    "transparency_stage",
+    "transparency_pipeline",
+    "csg_decider",
+    "shading_processor",
 ];
 
 /// Units that are co-simulated inside a scene, and on their own only in the test benches handed out with them.
@@ -206,7 +254,20 @@ fn describe(p: &EmitRequest, format: Format) -> Description {
         "raster_control" => raster::raster_control(),
         "coefficient_store" => machine::coefficient_store(format, p.planes),
         "beam" => machine::beam(format, p.objects, p.planes, p.rows_per_stage),
+        "video_timing" => video::video_timing(p.mode()),
+        "pixel_fifo" => video_stream::pixel_fifo(),
+        "frame_store" => video_stream::frame_store(),
+        "post_filter" => video_filter::post_filter(),
+        "overlay" => video_filter::overlay(),
+        "accumulator" => video_filter::accumulator(),
+        "shading_processor" => shading::shading_processor(format, p.lights()),
         "visibility_node" => decision::visibility_node(format),
+        "visibility_chain" => decision::visibility_chain(format, p.objects),
+        "card_decider" => decision::card_decider(format, p.objects, p.cards()),
+        "shadow_stage" => lighting::shadow_stage(p.objects),
+        "transparency_stage" => transparency::transparency_stage(format),
+        "transparency_pipeline" => transparency::transparency_pipeline(format, p.layers()),
+        "csg_decider" => solid::csg_decider(format, p.products(), p.intersected(), p.subtracted()),
         _ => decision::decider(format, p.objects),
     }
 }

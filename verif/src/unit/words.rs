@@ -31,6 +31,7 @@ impl Loaded {
             planes: self.planes.unwrap_or(0),
             rows_per_stage,
             sides: self.sides,
+            lights: None,
             ..Parameters::default()
         }
     }

@@ -161,4 +161,13 @@ fn a_memory_is_a_module_of_its_own() {
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }
+    let scope = collect(BlockMemory::<6, 12>::of_address_bits(4)).unwrap();
+    let text = &super::merge::modules(&scope, "").unwrap()[0].1;
+    for part in [
+        "reg [11:0] words [0:15];",
+        "words[read_address[3:0]]",
+        "read_address[5:4]",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
 }

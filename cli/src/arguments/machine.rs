@@ -1,0 +1,37 @@
+//! Arguments of `machine`.
+
+use super::EngineName;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `machine`.
+#[derive(Debug, Args)]
+pub struct Machine {
+    /// Scene files; several are shown one after the other.
+    #[arg(required = true)]
+    pub scenes: Vec<PathBuf>,
+    /// Machine description (TOML), as those in machines/.
+    #[arg(long, value_name = "FILE.toml")]
+    pub machine: PathBuf,
+    /// What runs the hardware.
+    #[arg(long, value_enum, default_value = "verilator")]
+    pub engine: EngineName,
+    /// Folder of the Verilog, the picture from the pins, the golden picture and summary.json.
+    #[arg(long, value_name = "DIR", default_value = "imogene-machine")]
+    pub out: PathBuf,
+    /// Whole frames to see of the last scene, at least 1.
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000))]
+    pub frames: u32,
+    /// Clocks that the host lets pass before each scene.
+    #[arg(long, default_value_t = 0, value_name = "CLOCKS", value_parser = clap::value_parser!(u64).range(0..=1_000_000_000))]
+    pub late: u64,
+    /// The host stalls at random, one clock in three, from this seed.
+    #[arg(long, value_name = "SEED")]
+    pub stalls: Option<u64>,
+    /// Write the Verilog and the clocks, and run nothing.
+    #[arg(long)]
+    pub emit_only: bool,
+    /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object processors as well, with a plot.
+    #[arg(long)]
+    pub growth: bool,
+}

@@ -1,0 +1,281 @@
+//! `imogene machine`.
+
+use super::{describe, frame_scene, verdict};
+use crate::arguments::Machine;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::machine::description::MachineDescription;
+use imogene_models::machine::display::{Image, image};
+use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
+use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
+use imogene_models::machine::zone::plot::plot;
+use imogene_models::picture::{write_png, write_whole};
+use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::SceneFile;
+use imogene_rtl::emit::display::{DisplayRequest, emit_display};
+use imogene_verif::display::DisplayEngine;
+use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
+use imogene_verif::display::request::{request, zone_timing};
+use imogene_verif::report::Report;
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// What a machine was and did; the keys are stable.
+#[derive(Serialize)]
+struct MachineReport<'a> {
+    machine: &'a MachineDescription,
+    top: String,
+    scenes: Vec<String>,
+    /// Clocks of a frame on the pins, and pixels of it: one pixel per clock within a line.
+    clocks_per_frame: u64,
+    pixels_per_frame: u64,
+    /// Words of each scene's frame.
+    words: Vec<usize>,
+    /// Clocks of each scene's frame in a zone machine, by the formula.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    zone_clocks: Vec<FrameClocks>,
+    /// Clocks from the first word of each scene until the machine took the last one, and until it came on the screen.
+    taking: Vec<u64>,
+    loading: Vec<u64>,
+    /// Which scene each frame on the pins showed.
+    shown: Vec<Option<usize>>,
+    /// The picture of the pins is the golden picture, byte for byte.
+    equal: Option<bool>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    growth: Vec<Growth>,
+    report: Option<Report>,
+    files: Vec<PathBuf>,
+}
+
+/// Shows scenes on the pins of a machine.
+pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
+    let machine = MachineDescription::read(&options.machine).map_err(Failure::input)?;
+    let scenes = options.scenes.iter().map(|path| drawn(path, &machine));
+    let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+    let command = command_of(options);
+    let request = request(&machine, &command);
+    let mut files = write_verilog(&request, &options.out)?;
+    let images: Vec<Image> = scenes.iter().map(|(_, image)| image.clone()).collect();
+    let timing = zone_timing_of(&request, &machine)?;
+    let mut growths = vec![];
+    if options.growth {
+        growths = grow(&scenes[0].0, &machine, timing, &options.out, &mut files)?;
+    }
+    let outcome = match options.emit_only {
+        true => None,
+        false => Some(show(&machine, &images, options)?),
+    };
+    write_pictures(
+        &machine,
+        &images,
+        outcome.as_ref(),
+        &options.out,
+        &mut files,
+    )?;
+    let mode = machine.video_mode().map_or((0, 0), |mode| {
+        (mode.clocks(), mode.line.active * mode.frame.active)
+    });
+    let plans = images.iter().filter_map(|image| image.plan.as_ref());
+    let last = images.last();
+    let mut summary = MachineReport {
+        machine: &machine,
+        top: top_of(&request)?,
+        scenes: options
+            .scenes
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect(),
+        clocks_per_frame: mode.0,
+        pixels_per_frame: mode.1,
+        words: images.iter().map(|image| image.beats.len()).collect(),
+        zone_clocks: plans
+            .filter_map(|plan| timing.map(|timing| clocks(plan, &timing)))
+            .collect(),
+        taking: outcome.as_ref().map_or(vec![], |o| o.taking.clone()),
+        loading: outcome.as_ref().map_or(vec![], |o| o.loading.clone()),
+        shown: outcome.as_ref().map_or(vec![], |o| o.shown.clone()),
+        equal: outcome
+            .as_ref()
+            .map(|o| last.is_some_and(|image| image.picture == o.picture)),
+        growth: growths,
+        report: outcome.map(|o| Report {
+            reproduce: command,
+            ..o.report
+        }),
+        files,
+    };
+    let path = options.out.join("summary.json");
+    summary.files.push(path.clone());
+    let text = serde_json::to_string_pretty(&summary).expect("reports have no unserialisable keys");
+    write_text(&path, &text)?;
+    tell(&summary, json);
+    match &summary.report {
+        Some(report) => verdict(report),
+        None => Ok(()),
+    }
+}
+
+fn drawn(path: &Path, machine: &MachineDescription) -> Result<(PreparedScene, Image), Failure> {
+    let file = SceneFile::read(path).map_err(Failure::input)?;
+    let mode = machine
+        .video_mode()
+        .ok_or_else(|| Failure::Input("no video mode".into()))?;
+    let size = crate::arguments::Size {
+        width: mode.line.active as u32,
+        height: mode.frame.active as u32,
+    };
+    let (framed, prepared) = frame_scene(&file, Some(size), machine.depth_word)?;
+    let image = image(&framed, &prepared, machine);
+    let image = image.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    Ok((prepared, image))
+}
+
+fn command_of(options: &Machine) -> String {
+    let scenes: Vec<String> = options
+        .scenes
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect();
+    format!(
+        "imogene machine {} --machine {} --out DIR",
+        scenes.join(" "),
+        options.machine.display()
+    )
+}
+
+fn top_of(request: &DisplayRequest) -> Result<String, Failure> {
+    Ok(emit_display(request).map_err(Failure::input)?.top)
+}
+
+fn write_verilog(request: &DisplayRequest, out: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let emitted = emit_display(request).map_err(Failure::input)?;
+    let path = out.join(format!("{}.v", emitted.top));
+    write_text(&path, &emitted.bundle())?;
+    Ok(vec![path])
+}
+
+fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    write_whole(path, |file| file.write_all(text.as_bytes())).map_err(Failure::input)
+}
+
+fn zone_timing_of(
+    request: &DisplayRequest,
+    machine: &MachineDescription,
+) -> Result<Option<ZoneTiming>, Failure> {
+    match machine.zone {
+        Some(_) => zone_timing(request).map(Some).map_err(Failure::input),
+        None => Ok(None),
+    }
+}
+
+fn grow(
+    scene: &PreparedScene,
+    machine: &MachineDescription,
+    timing: Option<ZoneTiming>,
+    out: &Path,
+    files: &mut Vec<PathBuf>,
+) -> Result<Vec<Growth>, Failure> {
+    let timing = timing.ok_or_else(|| {
+        Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
+    })?;
+    let shape = machine.zone_machine();
+    let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS);
+    let rows = rows.map_err(Failure::input)?;
+    let title = format!(
+        "clocks of a frame of {} x {} pixels",
+        scene.width, scene.height
+    );
+    let path = out.join("growth.svg");
+    write_text(&path, &plot(&title, &rows).map_err(Failure::input)?)?;
+    files.push(path);
+    Ok(rows)
+}
+
+fn show(
+    machine: &MachineDescription,
+    images: &[Image],
+    options: &Machine,
+) -> Result<PinsOutcome, Failure> {
+    let engine = match options.engine.simulator() {
+        None => DisplayEngine::RustHdl,
+        Some(simulator) => DisplayEngine::Verilog(simulator),
+    };
+    let run = PinsRun {
+        engine,
+        stalls: options.stalls,
+        late: options.late,
+        frames: options.frames as usize,
+    };
+    let bar = output::progress(
+        images.len() as u64 + u64::from(options.frames),
+        "frames on the pins",
+    );
+    let outcome = run_pins(machine, images, &run, || bar.inc(1));
+    bar.finish_and_clear();
+    outcome.map_err(Failure::input)
+}
+
+fn write_pictures(
+    machine: &MachineDescription,
+    images: &[Image],
+    outcome: Option<&PinsOutcome>,
+    out: &Path,
+    files: &mut Vec<PathBuf>,
+) -> Result<(), Failure> {
+    let Some((mode, image)) = machine.video_mode().zip(images.last()) else {
+        return Ok(());
+    };
+    let size = (mode.line.active as usize, mode.frame.active as usize);
+    let mut write = |name: &str, picture: &[u8]| {
+        let path = out.join(name);
+        write_png(&path, size.0, size.1, picture).map_err(Failure::input)?;
+        files.push(path);
+        Ok::<(), Failure>(())
+    };
+    write("golden.png", &image.picture)?;
+    match outcome {
+        Some(outcome) if outcome.picture.len() == image.picture.len() => {
+            write("pins.png", &outcome.picture)
+        }
+        _ => Ok(()),
+    }
+}
+
+fn tell(summary: &MachineReport, json: bool) {
+    if json {
+        output::json(summary);
+        return;
+    }
+    output::text(format!(
+        "{}: {} pixels in {} clocks of a frame on the pins",
+        summary.top, summary.pixels_per_frame, summary.clocks_per_frame
+    ));
+    for (place, clocks) in summary.zone_clocks.iter().enumerate() {
+        output::text(format!(
+            "  {}: {} clocks in {} zones ({} drawing, {} lighting passes), {} beats",
+            summary.scenes[place],
+            clocks.total,
+            clocks.zones,
+            clocks.draw_passes,
+            clocks.light_passes,
+            clocks.beats
+        ));
+    }
+    if let Some(report) = &summary.report {
+        output::text(describe(report));
+        let shown = summary.shown.iter().flatten().count();
+        output::text(format!(
+            "  {} frames, {shown} of them of a scene; the last one is {} golden picture",
+            summary.shown.len(),
+            if summary.equal == Some(true) {
+                "the"
+            } else {
+                "NOT the"
+            }
+        ));
+    }
+    for file in &summary.files {
+        output::text(format!("  wrote {}", file.display()));
+    }
+}

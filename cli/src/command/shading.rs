@@ -1,0 +1,122 @@
+//! `imogene shading`.
+
+use crate::arguments::Shading;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::check::shading::{ShadingErrors, errors};
+use imogene_models::machine::shader::ShaderWidths;
+use serde::Serialize;
+
+const HEAD: &str = "\
+| widths | multiplier bits, one light | four lights | cases | searched | off by 1 | beyond 1 | max error, random | max error, searched |
+|---|---|---|---|---|---|---|---|---|";
+
+/// Bits that are taken of each width by the sweep.
+const MOST_LESS: u32 = 4;
+
+/// One set of widths; the keys are stable.
+#[derive(Serialize)]
+struct Row {
+    name: String,
+    widths: ShaderWidths,
+    multiplier_bits: u32,
+    multiplier_bits_of_4_lights: u32,
+    #[serde(flatten)]
+    errors: ShadingErrors,
+}
+
+/// All sets of widths; the keys are stable.
+#[derive(Serialize)]
+struct Table {
+    seed: u64,
+    rows: Vec<Row>,
+}
+
+/// Compares the shading processor with its formula on random cases.
+pub fn run(options: &Shading, json: bool) -> Result<(), Failure> {
+    let widths = ShaderWidths::default();
+    let mut sets = vec![("of the hardware".to_string(), widths)];
+    if options.sweep {
+        for (name, width) in widths.named() {
+            sets.extend((1..=MOST_LESS).map(|less| {
+                let text = format!("{name} {} - {less}", width);
+                (text, widths.shorter(name, less))
+            }));
+        }
+    }
+    let bar = output::progress(options.cases * sets.len() as u64, "random cases");
+    let mut rows = vec![];
+    if !json {
+        output::text(HEAD);
+    }
+    for (name, widths) in sets {
+        let row = Row {
+            name,
+            widths,
+            multiplier_bits: widths.multiplier_bits(1),
+            multiplier_bits_of_4_lights: widths.multiplier_bits(4),
+            errors: errors(&widths, options.cases, options.seed, |n| bar.inc(n)),
+        };
+        if !json {
+            bar.suspend(|| output::text(line(&row)));
+        }
+        rows.push(row);
+    }
+    bar.finish_and_clear();
+    let verdict = verdict(&rows[0]);
+    if json {
+        let seed = options.seed;
+        output::json(&Table { seed, rows });
+    }
+    verdict
+}
+
+fn line(row: &Row) -> String {
+    let e = &row.errors;
+    format!(
+        "| {} | {} | {} | {} | {} | {:.3} % | {} | {:.3} | {:.3} |",
+        row.name,
+        row.multiplier_bits,
+        row.multiplier_bits_of_4_lights,
+        e.cases,
+        e.searched,
+        100.0 * e.differing as f64 / e.levels as f64,
+        e.beyond,
+        e.random_error,
+        e.error
+    )
+}
+
+/// The widths of the hardware have to keep every level within one.
+fn verdict(row: &Row) -> Result<(), Failure> {
+    if row.errors.beyond == 0 {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{} levels differ by more than 1 from the formula, by {} at most; the worst case: {:?}",
+        row.errors.beyond, row.errors.greatest, row.errors.worst
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_two_levels_fails_the_check_and_is_named() {
+        let widths = ShaderWidths::default();
+        let mut row = Row {
+            name: String::new(),
+            widths,
+            multiplier_bits: widths.multiplier_bits(1),
+            multiplier_bits_of_4_lights: widths.multiplier_bits(4),
+            errors: errors(&widths, 4096, 1, |_| {}),
+        };
+        assert!(verdict(&row).is_ok());
+        row.errors.beyond = 3;
+        let Err(Failure::Check(message)) = verdict(&row) else {
+            panic!("not a failed check");
+        };
+        assert!(message.contains("3 levels"), "{message}");
+    }
+}

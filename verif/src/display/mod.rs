@@ -1,0 +1,10 @@
+//! Co-simulation of machines with everything between the object processors and the picture.
+
+mod machine;
+pub mod pins;
+pub mod request;
+pub mod stalls;
+pub mod stream;
+pub mod zone_core;
+
+pub use machine::{DisplayEngine, DisplayError, Machine};

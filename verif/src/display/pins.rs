@@ -1,0 +1,257 @@
+//! A machine with its screen against golden pictures: the pins on every clock.
+
+use super::request::request;
+use super::stalls::Stalls;
+use super::zone_core::offer;
+use super::{DisplayEngine, DisplayError, Machine};
+use crate::report::{Mismatch, Report};
+use imogene_models::machine::description::{MachineDescription, MachineKind};
+use imogene_models::machine::display::Image;
+use imogene_models::machine::video_timing::{Shown, VideoTiming};
+use std::collections::VecDeque;
+use std::time::Instant;
+
+/// How to run.
+#[derive(Clone, Copy, Debug)]
+pub struct PinsRun {
+    /// Engine.
+    pub engine: DisplayEngine,
+    /// Seed of random stalls of the host; none if it never stalls.
+    pub stalls: Option<u64>,
+    /// Clocks for which the host does nothing before each image.
+    pub late: u64,
+    /// Whole frames to see of the last image.
+    pub frames: usize,
+}
+
+/// What the pins have shown.
+#[derive(Clone, Debug, Default)]
+pub struct PinsOutcome {
+    /// Comparisons of every clock.
+    pub report: Report,
+    /// The last whole frame on the pins: red, green, blue, row-major.
+    pub picture: Vec<u8>,
+    /// Which image each frame showed, none before the first.
+    pub shown: Vec<Option<usize>>,
+    /// Clocks from the first word of each image to the blanking in which it came on.
+    pub loading: Vec<u64>,
+    /// Clocks from the first word of each image until the machine took its last one.
+    pub taking: Vec<u64>,
+    /// Clocks of a frame on the pins.
+    pub clocks_per_frame: u64,
+}
+
+/// Shows images one after the other and compares every pin on every clock. A frame is that of the image that came on last, or black.
+///
+/// # Errors
+///
+/// When the hardware cannot be built or run.
+pub fn run(
+    machine: &MachineDescription,
+    images: &[Image],
+    options: &PinsRun,
+    mut frame_done: impl FnMut(),
+) -> Result<PinsOutcome, DisplayError> {
+    let request = request(machine, "");
+    let behind = request.clocks()?.output;
+    let mode = machine
+        .video_mode()
+        .unwrap_or(imogene_models::machine::video_timing::MODES[0]);
+    let mut hardware = Machine::start(&request, options.engine)?;
+    let started = Instant::now();
+    let mut run = Run {
+        golden: VideoTiming::new(mode, 0),
+        late: VecDeque::from(vec![None; behind]),
+        width: mode.line.active as usize,
+        black: vec![0; 3 * (mode.line.active * mode.frame.active) as usize],
+        images,
+        on: None,
+        outcome: PinsOutcome {
+            clocks_per_frame: mode.clocks(),
+            ..PinsOutcome::default()
+        },
+        frame: vec![],
+    };
+    let mut host = Host::new(images, options);
+    let mut seen_last = 0;
+    let limit = host.limit(mode.clocks());
+    while seen_last < options.frames && hardware.clocks < limit {
+        host.offer(
+            &mut hardware,
+            machine.machine == MachineKind::Beam,
+            &mut run.outcome,
+        );
+        hardware.clock();
+        run.see_swap(&hardware, &host);
+        if run.see_pins(&hardware) {
+            let is_last = run.outcome.shown.last() == Some(&images.len().checked_sub(1));
+            seen_last += usize::from(is_last);
+            frame_done();
+        }
+    }
+    let report = &mut run.outcome.report;
+    let mismatch = || Mismatch {
+        cycle: hardware.clocks,
+        pixel: None,
+        signal: "frames of the last image".into(),
+        hardware: Some(seen_last as i64),
+        golden: options.frames as i64,
+    };
+    report.compare(mismatch, seen_last == options.frames);
+    report.subject = hardware.name.clone();
+    report.engine = options.engine.name().into();
+    report.seed = options.stalls;
+    report.cycles = hardware.clocks;
+    report.timed(started.elapsed().as_secs_f64());
+    Ok(run.outcome)
+}
+
+/// The host: the words of the images, one beat after the other.
+struct Host<'a> {
+    images: &'a [Image],
+    image: usize,
+    beat: usize,
+    wait: u64,
+    began: Vec<u64>,
+    stalls: Stalls,
+    late: u64,
+}
+
+impl<'a> Host<'a> {
+    fn new(images: &'a [Image], options: &PinsRun) -> Self {
+        Host {
+            images,
+            image: 0,
+            beat: 0,
+            wait: options.late,
+            began: vec![],
+            stalls: Stalls::new(options.stalls),
+            late: options.late,
+        }
+    }
+
+    /// Clocks after which a machine that shows nothing is given up.
+    fn limit(&self, frame: u64) -> u64 {
+        let beats: usize = self.images.iter().map(|image| image.beats.len()).sum();
+        let pixels: u64 = self
+            .images
+            .iter()
+            .filter_map(|i| i.plan.as_ref())
+            .map(|plan| {
+                let passes = |zone: &imogene_models::machine::zone::plan::Zone| {
+                    plan.passes(zone, false).count() as u64
+                };
+                let each = u64::from(plan.machine.zone_width * plan.machine.zone_height) + 600;
+                plan.zones
+                    .iter()
+                    .map(|zone| passes(zone) * each)
+                    .sum::<u64>()
+            })
+            .sum();
+        8 * (beats as u64 + pixels + self.late * self.images.len() as u64) + 16 * frame
+    }
+
+    /// Sets the stream for the next clock.
+    fn offer(&mut self, hardware: &mut Machine, is_beam: bool, outcome: &mut PinsOutcome) {
+        self.wait = self.wait.saturating_sub(1);
+        let image = self.images.get(self.image).filter(|_| self.wait == 0);
+        let beat = image.and_then(|image| image.beats.get(self.beat));
+        let beat = beat.filter(|_| !self.stalls.next());
+        let is_ready = hardware.is_set("s_tready");
+        offer(hardware, beat);
+        if is_beam {
+            hardware.set("s_tlast", i64::from(beat.is_some_and(|beat| beat.last)));
+        }
+        if self.beat == 0 && beat.is_some() && self.began.len() == self.image {
+            self.began.push(hardware.clocks);
+        }
+        if let Some(beat) = beat.filter(|_| is_ready) {
+            self.beat += 1;
+            if beat.last {
+                outcome
+                    .taking
+                    .push(hardware.clocks - self.began[self.image]);
+                self.image += 1;
+                self.beat = 0;
+                self.wait = self.late;
+            }
+        }
+    }
+}
+
+struct Run<'a> {
+    golden: VideoTiming,
+    late: VecDeque<Option<(Shown, bool, bool)>>,
+    width: usize,
+    black: Vec<u8>,
+    images: &'a [Image],
+    on: Option<usize>,
+    outcome: PinsOutcome,
+    frame: Vec<u8>,
+}
+
+impl Run<'_> {
+    fn see_swap(&mut self, hardware: &Machine, host: &Host) {
+        if hardware.is_set("swapped") {
+            let next = self.on.map_or(0, |on| on + 1);
+            self.on = Some(next);
+            if let Some(began) = host.began.get(next) {
+                self.outcome.loading.push(hardware.clocks - began);
+            }
+        }
+    }
+
+    /// Compares the pins; true if a frame is complete.
+    fn see_pins(&mut self, hardware: &Machine) -> bool {
+        let timing = self.golden.clock(true);
+        self.late
+            .push_back(Some((timing.now, timing.hsync, timing.vsync)));
+        let Some(Some((shown, hsync, vsync))) = self.late.pop_front() else {
+            return false;
+        };
+        let expected = match self.on {
+            Some(on) => self
+                .images
+                .get(on)
+                .map_or(&self.black, |image| &image.picture),
+            None => &self.black,
+        };
+        let at = 3 * (usize::from(shown.y) * self.width + usize::from(shown.x));
+        let colour = |channel: usize| match shown.active {
+            true => i64::from(expected[at + channel]),
+            false => 0,
+        };
+        let pins = [
+            ("hsync", hsync.into()),
+            ("vsync", vsync.into()),
+            ("de", shown.active.into()),
+            ("red", colour(0)),
+            ("green", colour(1)),
+            ("blue", colour(2)),
+        ];
+        for (pin, golden) in pins {
+            let found = hardware.get(pin);
+            let mismatch = || Mismatch {
+                cycle: hardware.clocks,
+                pixel: shown.active.then_some((shown.x.into(), shown.y.into())),
+                signal: pin.into(),
+                hardware: found,
+                golden,
+            };
+            self.outcome.report.compare(mismatch, found == Some(golden));
+        }
+        if !hardware.is_set("de") {
+            return false;
+        }
+        self.outcome.report.pixels += 1;
+        for pin in ["red", "green", "blue"] {
+            self.frame.push(hardware.get(pin).unwrap_or(0) as u8);
+        }
+        let is_whole = self.frame.len() == self.black.len();
+        if is_whole {
+            self.outcome.picture = std::mem::take(&mut self.frame);
+            self.outcome.shown.push(self.on);
+        }
+        is_whole
+    }
+}

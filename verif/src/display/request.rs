@@ -1,0 +1,90 @@
+//! The hardware of a machine description.
+
+use super::zone_core::shape;
+use imogene_models::machine::description::{MachineDescription, MachineKind, Smoothing};
+use imogene_models::machine::video_timing;
+use imogene_models::machine::zone::clocks::ZoneTiming;
+use imogene_rtl::emit::EmitError;
+use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
+use imogene_rtl::machine::beam_display::BeamShape;
+use imogene_rtl::machine::video_mode::{Span, VideoMode};
+use imogene_rtl::machine::video_output::OutputShape;
+
+/// The request for the machine of a description with its screen; `command` is stated in the header of its Verilog.
+///
+/// # Panics
+///
+/// When the description was not checked.
+pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
+    let output = OutputShape {
+        mode: mode(machine),
+        kernel: match machine.smoothing {
+            Smoothing::None => 0,
+            Smoothing::Box => 1,
+            Smoothing::Binomial => 2,
+        },
+        has_overlay: machine.overlay,
+    };
+    let rows_per_stage = machine.rows_per_stage as usize;
+    let kind = match machine.machine {
+        MachineKind::Zone => {
+            let shape = shape(&machine.zone_machine(), rows_per_stage);
+            DisplayKind::ZoneDisplay(shape, machine.lights, output)
+        }
+        MachineKind::Beam => {
+            let shape = BeamShape {
+                objects: machine.objects,
+                planes: machine.planes,
+                volumes: machine.volumes,
+                volume_planes: machine.volume_planes,
+                rows_per_stage,
+                loader_bits: machine.loader_words().next_power_of_two().trailing_zeros() as usize,
+            };
+            DisplayKind::BeamDisplay(shape, machine.lights, output)
+        }
+    };
+    DisplayRequest {
+        kind,
+        depth_word: machine.depth_word as usize,
+        prefix: String::new(),
+        command: command.to_owned(),
+    }
+}
+
+/// The zone machine of a description without its screen: pixels over AXI4-Stream.
+pub fn stream_request(machine: &MachineDescription, command: &str) -> DisplayRequest {
+    let shape = shape(&machine.zone_machine(), machine.rows_per_stage as usize);
+    DisplayRequest {
+        kind: DisplayKind::ZoneMachine(shape, machine.lights),
+        ..request(machine, command)
+    }
+}
+
+/// The clocks of a zone machine's passes, as the analytic count wants them: after the clock that takes the command.
+///
+/// # Errors
+///
+/// When a number of the request is out of its range.
+pub fn zone_timing(request: &DisplayRequest) -> Result<ZoneTiming, EmitError> {
+    let clocks = request.clocks()?;
+    Ok(ZoneTiming {
+        draw_drain: clocks.draw as u32 - 1,
+        light_drain: clocks.light as u32 - 1,
+        show_drain: clocks.show as u32 - 1,
+        settle: clocks.settle as u32,
+        command: 1,
+    })
+}
+
+fn mode(machine: &MachineDescription) -> VideoMode {
+    let mode = machine
+        .video_mode()
+        .expect("a description that was checked");
+    let span = |s: &video_timing::Span| Span::new(s.active, s.front, s.sync, s.back);
+    VideoMode {
+        line: span(&mode.line),
+        frame: span(&mode.frame),
+        hsync_high: mode.hsync_high,
+        vsync_high: mode.vsync_high,
+    }
+}

@@ -1,0 +1,148 @@
+//! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel compared.
+
+use super::stalls::Stalls;
+use super::{DisplayEngine, DisplayError, Machine};
+use crate::report::{Mismatch, Report};
+use imogene_models::format::Format;
+use imogene_models::machine::zone::ZoneMachine;
+use imogene_models::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
+use imogene_models::machine::zone::stream::Beat;
+use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
+use imogene_rtl::machine::zone_core::ZoneShape;
+use std::time::Instant;
+
+/// The hardware of a zone machine.
+pub fn shape(machine: &ZoneMachine, rows_per_stage: usize) -> ZoneShape {
+    let pixels = machine.zone_width * machine.zone_height;
+    ZoneShape {
+        objects: machine.object_processors,
+        planes: machine.planes,
+        volumes: machine.volume_processors,
+        volume_planes: machine.volume_planes,
+        rows_per_stage,
+        zone_bits: pixels.next_power_of_two().trailing_zeros().max(1) as usize,
+    }
+}
+
+/// Puts a beat on the command stream of a machine, or none.
+pub fn offer(hardware: &mut Machine, beat: Option<&Beat>) {
+    hardware.set("s_tvalid", i64::from(beat.is_some()));
+    if let Some(beat) = beat {
+        hardware.set("s_tdest", beat.kind.into());
+        let user = i64::from(beat.unit) << 16 | i64::from(beat.address);
+        hardware.set("s_tuser", user);
+        hardware.set("s_tdata", beat.data as i64);
+    }
+}
+
+/// What a run takes.
+#[derive(Clone, Copy, Debug)]
+pub struct CoreRun {
+    /// Rows of the root networks between registers.
+    pub rows_per_stage: usize,
+    /// Engine.
+    pub engine: DisplayEngine,
+    /// Seed of random stalls on the stream and behind the core; none if neither side ever stalls.
+    pub stalls: Option<u64>,
+}
+
+/// Why a run cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum CoreError {
+    /// The hardware cannot be run.
+    #[error(transparent)]
+    Display(#[from] DisplayError),
+    /// The stream is none.
+    #[error(transparent)]
+    Stream(#[from] StreamError),
+}
+
+/// Runs a stream through hardware and golden model. The report's cycles are those from the first beat to the last pixel.
+///
+/// # Errors
+///
+/// When the hardware cannot be run, or the golden model refuses the stream.
+pub fn run(
+    beats: &[Beat],
+    format: &Format,
+    machine: &ZoneMachine,
+    options: &CoreRun,
+) -> Result<Report, CoreError> {
+    let mut golden = ZoneMachineModel::new(format, machine);
+    let mut wanted = Vec::new();
+    for beat in beats {
+        golden.beat(beat, |pixel| wanted.push(pixel))?;
+    }
+    let request = DisplayRequest {
+        kind: DisplayKind::ZoneCore(shape(machine, options.rows_per_stage)),
+        depth_word: format.depth as usize,
+        prefix: String::new(),
+        command: String::new(),
+    };
+    let mut hardware = Machine::start(&request, options.engine)?;
+    let mut stalls = Stalls::new(options.stalls);
+    let started = Instant::now();
+    let mut report = Report {
+        subject: "zone_core".into(),
+        engine: options.engine.name().into(),
+        seed: options.stalls,
+        ..Report::default()
+    };
+    hardware.set("room", 0);
+    hardware.clock();
+    hardware.clocks = 0;
+    let (mut sent, mut seen, mut idle) = (0, 0, 0u64);
+    while seen < wanted.len() && idle < 1 << 20 {
+        let is_ready = hardware.is_set("s_tready");
+        let beat = beats.get(sent).filter(|_| !stalls.next());
+        offer(&mut hardware, beat);
+        hardware.set("room", i64::from(!stalls.next()));
+        sent += usize::from(beat.is_some() && is_ready);
+        hardware.clock();
+        idle += 1;
+        if hardware.is_set("valid") {
+            compare(&hardware, &wanted[seen], format, &mut report);
+            seen += 1;
+            idle = 0;
+        }
+    }
+    report.compare(
+        || Mismatch {
+            cycle: hardware.clocks,
+            pixel: None,
+            signal: "pixels".into(),
+            hardware: Some(seen as i64),
+            golden: wanted.len() as i64,
+        },
+        seen == wanted.len(),
+    );
+    report.cycles = hardware.clocks;
+    report.pixels = seen as u64;
+    report.timed(started.elapsed().as_secs_f64());
+    Ok(report)
+}
+
+fn compare(hardware: &Machine, wanted: &ShownPixel, format: &Format, report: &mut Report) {
+    let mut values = vec![
+        ("x", i64::from(wanted.x)),
+        ("y", i64::from(wanted.y)),
+        ("depth", wanted.depth),
+        ("frame_ends", wanted.last.into()),
+    ];
+    if wanted.depth != format.z_max() {
+        let [nx, ny, nz] = wanted.normal.map(i64::from);
+        values.extend([("id", wanted.id.into()), ("nx", nx), ("ny", ny), ("nz", nz)]);
+        values.push(("source_flags", wanted.flags.into()));
+    }
+    for (port, golden) in values {
+        let found = hardware.get(port);
+        let mismatch = || Mismatch {
+            cycle: hardware.clocks,
+            pixel: Some((wanted.x.into(), wanted.y.into())),
+            signal: port.into(),
+            hardware: found,
+            golden,
+        };
+        report.compare(mismatch, found == Some(golden));
+    }
+}

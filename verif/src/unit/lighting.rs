@@ -1,0 +1,71 @@
+//! The flags of the light sources.
+
+use super::{Description, Late, bit};
+use crate::signal::Signal;
+use crate::stimulus::word;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::machine::shadow::{ShadowWords, flags, latency};
+use imogene_models::object::volume::VolumeKind;
+use proptest::prelude::*;
+
+/// Ports of one volume.
+const FIELDS: usize = 4;
+
+fn volume_ports(volume: usize) -> [Signal; FIELDS] {
+    let name = |field: &str| format!("volume_{volume}_{field}");
+    [
+        Signal::bit(name("inside")),
+        Signal::bit(name("kind")),
+        Signal::unsigned(name("source"), 4),
+        Signal::bit(name("enabled")),
+    ]
+}
+
+fn words_of(i: &[i64]) -> ShadowWords {
+    ShadowWords {
+        kind: if bit(i[1]) {
+            VolumeKind::Light
+        } else {
+            VolumeKind::Shadow
+        },
+        source: i[2] as u8,
+        enabled: bit(i[3]),
+    }
+}
+
+pub(super) fn shadow_stage(volumes: usize) -> Description {
+    let mut inputs = vec![Signal::unsigned("flags_in", 16)];
+    inputs.extend((0..volumes).flat_map(volume_ports));
+    Description {
+        name: "shadow_stage".into(),
+        inputs,
+        outputs: vec![Signal::unsigned("flags", 16)],
+        golden: Box::new(move || {
+            let mut late = Late::new(latency(volumes) as usize);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let list = i[1..].chunks(FIELDS);
+                let (words, inside): (Vec<_>, Vec<_>) =
+                    list.map(|i| (words_of(i), bit(i[0]))).unzip();
+                vec![late.push(flags(i[0] as u16, &words, &inside).into())]
+            }))
+        }),
+        stimulus: answers,
+    }
+}
+
+/// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays, since one volume among many
+/// would hide the others.
+fn answers(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let count = (subject.inputs.len() - 1) / FIELDS;
+    let before = prop_oneof![Just(0xffff), word(&subject.inputs[0])];
+    let source = prop_oneof![0i64..16, 0i64..3];
+    let takes_away = prop_oneof![6 => Just(0i64), 1 => Just(1)];
+    let volume =
+        (takes_away, 0i64..=1, source, 0i64..=1).prop_map(|(takes_away, kind, source, enabled)| {
+            // A volume that does not count says the opposite: it must not be heard.
+            [takes_away ^ kind ^ (1 - enabled), kind, source, enabled]
+        });
+    let one = (before, proptest::collection::vec(volume, count))
+        .prop_map(|(before, volumes)| [vec![before], volumes.concat()].concat());
+    proptest::collection::vec(one, clocks).boxed()
+}

@@ -1,0 +1,118 @@
+//! The shading processor.
+
+use super::{Description, Late, bit};
+use crate::signal::Signal;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::check::shading::sequence;
+use imogene_models::format::Format;
+use imogene_models::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
+use proptest::prelude::*;
+
+/// Where the ports stand, in the order of this subject.
+mod port {
+    pub const VALID: usize = 0;
+    pub const PIXEL: usize = 1;
+    pub const DEPTH: usize = 3;
+    pub const LOAD_VALID: usize = 9;
+    pub const LOAD_ADDRESS: usize = 10;
+    pub const LOAD_DATA: usize = 11;
+    pub const COUNT: usize = 12;
+}
+
+pub(super) fn shading_processor(format: Format, lights: usize) -> Description {
+    let inputs = vec![
+        Signal::bit("valid"),
+        Signal::unsigned("x", 12),
+        Signal::unsigned("y", 12),
+        Signal::signed("depth", format.depth),
+        Signal::unsigned("material", 8),
+        Signal::signed("nx", 16),
+        Signal::signed("ny", 16),
+        Signal::signed("nz", 16),
+        Signal::unsigned("flags", 16),
+        Signal::bit("load_valid"),
+        Signal::unsigned("load_address", 16),
+        Signal::unsigned("load_data", 32),
+    ];
+    let mut outputs = vec![Signal::bit("out_valid")];
+    outputs.extend(["red", "green", "blue"].map(|name| Signal::unsigned(name, 8)));
+    Description {
+        name: "shading_processor".into(),
+        inputs,
+        outputs,
+        golden: Box::new(move || {
+            let mut words = ShaderWords::unloaded(format.depth, lights);
+            let mut shader = Shader::new(&words);
+            let mut late = Late::new(LATENCY as usize);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                if bit(i[port::LOAD_VALID]) {
+                    words.load(i[port::LOAD_ADDRESS] as u16, i[port::LOAD_DATA] as u32);
+                    shader = shader.reloaded(&words);
+                }
+                let colour = bit(i[port::VALID]).then(|| shader.pixel(&pixel(i)));
+                match late.push(colour) {
+                    None => vec![None; 4],
+                    Some(None) => vec![Some(0), None, None, None],
+                    Some(Some(colour)) => [1]
+                        .into_iter()
+                        .chain(colour)
+                        .map(|v| Some(v.into()))
+                        .collect(),
+                }
+            }))
+        }),
+        stimulus: words_then_pixels,
+    }
+}
+
+fn pixel(i: &[i64]) -> Pixel {
+    let [x, y, depth, material, nx, ny, nz, flags] = std::array::from_fn(|k| i[port::PIXEL + k]);
+    Pixel {
+        x: x as u16,
+        y: y as u16,
+        depth,
+        material: material as u8,
+        normal: [nx, ny, nz].map(|v| v as i16),
+        flags: flags as u16,
+    }
+}
+
+/// Words are held while pixels are inside, so they are loaded first; then pixels with gaps.
+fn words_then_pixels(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let depth = subject.inputs[port::DEPTH].width;
+    let options = subject.options.rsplit(' ').next();
+    let lights: usize = options
+        .and_then(|n| n.parse().ok())
+        .expect("a number of lights");
+    let gaps = proptest::collection::vec(0u8..4, clocks + LATENCY as usize);
+    (any::<u64>(), gaps)
+        .prop_map(move |(seed, gaps)| {
+            let (words, pixels) = sequence(seed, depth, lights, gaps.len());
+            let idle: Inputs = vec![0; port::COUNT];
+            let mut list: Vec<Inputs> = vec![];
+            for (address, word) in words.load_words() {
+                let mut inputs = idle.clone();
+                inputs[port::LOAD_ADDRESS] = address.into();
+                inputs[port::LOAD_DATA] = word.into();
+                if gaps[list.len() % gaps.len()] == 0 {
+                    // A word on the bus that is not valid is not loaded.
+                    let mut other = inputs.clone();
+                    other[port::LOAD_DATA] ^= 0xffff_ffff;
+                    list.push(other);
+                }
+                inputs[port::LOAD_VALID] = 1;
+                list.push(inputs);
+            }
+            for (gap, p) in gaps.iter().zip(pixels) {
+                let [nx, ny, nz] = p.normal.map(i64::from);
+                let (x, y) = (p.x.into(), p.y.into());
+                let (material, flags) = (p.material.into(), p.flags.into());
+                let valid = i64::from(*gap > 0);
+                list.push(vec![
+                    valid, x, y, p.depth, material, nx, ny, nz, flags, 0, 0, 0,
+                ]);
+            }
+            list
+        })
+        .boxed()
+}

@@ -1,0 +1,116 @@
+//! The blends of transparent objects.
+
+use super::{Description, Late};
+use crate::signal::Signal;
+use crate::stimulus::{depth, word};
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::format::Format;
+use imogene_models::machine::skew::Skewed;
+use imogene_models::machine::transparency::{
+    Layer, STAGE_LATENCY, Seen, latency, pipeline, stage, starts,
+};
+use proptest::prelude::*;
+
+/// Ports of the pixel.
+const PIXEL: usize = 4;
+/// Ports of a layer.
+const LAYER: usize = 5;
+
+fn colour_ports(prefix: &str, width: u32) -> Vec<Signal> {
+    let mut ports = vec![Signal::signed(format!("{prefix}depth"), width)];
+    let parts = ["red", "green", "blue"].map(|part| format!("{prefix}{part}"));
+    ports.extend(parts.map(|part| Signal::unsigned(part, 8)));
+    ports
+}
+
+fn layer_ports(prefix: &str, width: u32) -> Vec<Signal> {
+    let mut ports = colour_ports(prefix, width);
+    ports.push(Signal::unsigned(format!("{prefix}weight"), 8));
+    ports
+}
+
+fn seen_of(i: &[i64]) -> Seen {
+    Seen {
+        depth: i[0],
+        colour: [1, 2, 3].map(|k| i[k] as u8),
+    }
+}
+
+fn layer_of(i: &[i64]) -> Layer {
+    Layer {
+        depth: i[0],
+        colour: [1, 2, 3].map(|k| i[k] as u8),
+        weight: i[4] as u8,
+    }
+}
+
+fn flat(seen: Option<Seen>) -> Vec<Option<i64>> {
+    let Some(seen) = seen else {
+        return vec![None; PIXEL];
+    };
+    let [red, green, blue] = seen.colour.map(i64::from);
+    [seen.depth, red, green, blue].map(Some).to_vec()
+}
+
+pub(super) fn transparency_stage(format: Format) -> Description {
+    let mut inputs = colour_ports("pixel_", format.depth);
+    inputs.extend(layer_ports("layer_", format.depth));
+    Description {
+        name: "transparency_stage".into(),
+        inputs,
+        outputs: colour_ports("", format.depth),
+        golden: Box::new(|| {
+            let mut late = Late::new(STAGE_LATENCY as usize);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                flat(late.push(stage(seen_of(i), layer_of(&i[PIXEL..]))))
+            }))
+        }),
+        stimulus: blends,
+    }
+}
+
+pub(super) fn transparency_pipeline(format: Format, layers: usize) -> Description {
+    let mut inputs = colour_ports("pixel_", format.depth);
+    for layer in 0..layers {
+        inputs.extend(layer_ports(&format!("layer_{layer}_"), format.depth));
+    }
+    Description {
+        name: "transparency_pipeline".into(),
+        inputs,
+        outputs: colour_ports("", format.depth),
+        golden: Box::new(move || {
+            // The pixel, and behind it the layers.
+            let starts = [vec![0], starts(layers)].concat();
+            let mut pixels = Skewed::new(starts);
+            let mut late = Late::new(latency(layers) as usize - pixels.span());
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let (pixel, list) = i.split_at(PIXEL);
+                let row = std::iter::once(pixel).chain(list.chunks(LAYER));
+                let whole = pixels.push(row.map(<[i64]>::to_vec).collect());
+                let seen = whole.map(|parts| {
+                    let layers: Vec<Layer> = parts[1..].iter().map(|i| layer_of(i)).collect();
+                    pipeline(seen_of(&parts[0]), &layers)
+                });
+                flat(late.push(seen).flatten())
+            }))
+        }),
+        stimulus: blends,
+    }
+}
+
+/// Depths that often tie, layers mostly before the surface, components and weights with their ends.
+fn blends(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let width = subject.inputs[0].width;
+    let far = (1i64 << (width - 1)) - 1;
+    let one: Vec<BoxedStrategy<i64>> = subject
+        .inputs
+        .iter()
+        .enumerate()
+        .map(|(place, port)| match port.width {
+            8 => prop_oneof![1 => Just(0i64), 1 => Just(255), 6 => 0i64..256].boxed(),
+            _ if place == 0 => prop_oneof![depth(width), Just(2), Just(far)].boxed(),
+            _ => prop_oneof![2 => word(port), 2 => -3i64..4, 1 => Just(far)].boxed(),
+        })
+        .collect();
+    proptest::collection::vec(one, clocks).boxed()
+}

@@ -1,0 +1,51 @@
+//! The raster of a screen.
+
+use super::{Description, bit};
+use crate::signal::Signal;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::machine::video_timing::{MODES, Shown, VideoTiming};
+use imogene_rtl::emit::LEAD;
+use proptest::prelude::*;
+
+pub(super) fn video_timing(mode: usize) -> Description {
+    let pixel = |flags: [&str; 3], x: &str, y: &str| {
+        let mut list = flags.map(Signal::bit).to_vec();
+        list.extend([Signal::unsigned(x, 12), Signal::unsigned(y, 12)]);
+        list
+    };
+    let mut outputs = pixel(["de", "start", "line"], "x", "y");
+    outputs.extend(["hsync", "vsync", "frame_start"].map(Signal::bit));
+    outputs.extend(pixel(["need", "go", "need_line"], "need_x", "need_y"));
+    Description {
+        name: "video_timing".into(),
+        inputs: vec![Signal::bit("enable")],
+        outputs,
+        golden: Box::new(move || {
+            let mut timing = VideoTiming::new(MODES[mode], LEAD as u64);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let at = timing.clock(bit(i[0]));
+                let mut values = shown(&at.now);
+                values.extend([at.hsync, at.vsync, at.frame_start].map(i64::from));
+                values.extend(shown(&at.ahead));
+                values.into_iter().map(Some).collect()
+            }))
+        }),
+        stimulus: mostly_enabled,
+    }
+}
+
+fn shown(pixel: &Shown) -> Vec<i64> {
+    vec![
+        pixel.active.into(),
+        pixel.start.into(),
+        pixel.line.into(),
+        pixel.x.into(),
+        pixel.y.into(),
+    ]
+}
+
+/// Now and then a clock without `enable`.
+fn mostly_enabled(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let enable = prop_oneof![15 => Just(1i64), 1 => Just(0)];
+    proptest::collection::vec(enable.prop_map(|e| vec![e]), clocks).boxed()
+}

@@ -1,0 +1,295 @@
+//! What changes the pixels of a picture: filter, overlay, accumulator.
+
+use super::{Description, Late, bit};
+use crate::signal::Signal;
+use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_models::machine::accumulator::{self, Accumulator, PassPixel};
+use imogene_models::machine::overlay::{Covered, Overlay};
+use imogene_models::machine::post_filter::{FilterPixel, Kernel, PostFilter};
+use proptest::collection::vec as list;
+use proptest::prelude::*;
+
+fn bytes(names: [&str; 3]) -> [Signal; 3] {
+    names.map(|name| Signal::unsigned(name, 8))
+}
+
+fn colour(words: &[i64]) -> [u8; 3] {
+    [words[0] as u8, words[1] as u8, words[2] as u8]
+}
+
+/// A flag that says whether there is a colour, and the colour.
+fn coloured(found: Option<[u8; 3]>) -> [Option<i64>; 4] {
+    let part = |k: usize| found.map(|c| i64::from(c[k]));
+    [Some(found.is_some().into()), part(0), part(1), part(2)]
+}
+
+/// Levels that often are those of an end.
+fn level() -> BoxedStrategy<i64> {
+    prop_oneof![2 => 0i64..256, 1 => Just(0), 1 => Just(255), 1 => 253i64..256, 1 => 0i64..3]
+        .boxed()
+}
+
+pub(super) fn post_filter() -> Description {
+    let place = |x: &str, y: &str| [Signal::unsigned(x, 12), Signal::unsigned(y, 12)];
+    let mut inputs = vec![Signal::unsigned("kernel", 2), Signal::bit("valid")];
+    inputs.extend(place("x", "y"));
+    inputs.extend(["line_end", "last"].map(Signal::bit));
+    inputs.extend(bytes(["r", "g", "b"]));
+    let mut outputs = vec![Signal::bit("out_valid")];
+    outputs.extend(place("out_x", "out_y"));
+    outputs.extend(["out_line_end", "out_last"].map(Signal::bit));
+    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
+    Description {
+        name: "post_filter".into(),
+        inputs,
+        outputs,
+        golden: Box::new(|| {
+            let mut filter = PostFilter::default();
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let pixel = bit(i[1]).then(|| FilterPixel {
+                    x: i[2] as u16,
+                    y: i[3] as u16,
+                    line_end: bit(i[4]),
+                    last: bit(i[5]),
+                    colour: colour(&i[6..]),
+                });
+                let out = filter.clock(Kernel::from_word(i[0]), pixel);
+                let [valid, r, g, b] = coloured(out.map(|p| p.colour));
+                vec![
+                    valid,
+                    out.map(|p| p.x.into()),
+                    out.map(|p| p.y.into()),
+                    out.map(|p| p.line_end.into()),
+                    out.map(|p| p.last.into()),
+                    r,
+                    g,
+                    b,
+                ]
+            }))
+        }),
+        stimulus: pictures,
+    }
+}
+
+/// A picture of random colours with a random kernel and random pauses.
+#[derive(Clone, Debug)]
+struct Picture {
+    width: usize,
+    height: usize,
+    kernel: i64,
+    pauses: Vec<usize>,
+    noise: Vec<Vec<i64>>,
+}
+
+impl Picture {
+    /// Appends the clocks of the picture; what stands on the ports in a pause is noise.
+    fn write(&self, clocks: &mut Vec<Inputs>) {
+        let mut noise = self.noise.iter().cycle();
+        let mut next = || noise.next().expect("a cycle has no end").clone();
+        let mut pauses = self.pauses.iter().cycle();
+        let mut pause = || *pauses.next().expect("a cycle has no end");
+        for y in 0..self.height {
+            for x in 0..self.width {
+                let mut inputs = next();
+                let line_end = x + 1 == self.width;
+                let last = line_end && y + 1 == self.height;
+                if x == 0 && y == 0 {
+                    inputs[0] = self.kernel;
+                }
+                inputs[1..6].copy_from_slice(&[
+                    1,
+                    x as i64,
+                    y as i64,
+                    line_end.into(),
+                    last.into(),
+                ]);
+                clocks.push(inputs);
+                let idle = pause() + usize::from(line_end) + if last { self.width + 1 } else { 0 };
+                clocks.extend((0..idle).map(|_| {
+                    let mut inputs = next();
+                    inputs[1] = 0;
+                    inputs
+                }));
+            }
+        }
+    }
+}
+
+/// Small pictures one after the other.
+fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let noise = (
+        0i64..4,
+        0i64..4,
+        0i64..3,
+        [0i64..=1, 0..=1],
+        [level(), level(), level()],
+    )
+        .prop_map(|(kernel, x, y, ends, colour)| {
+            let mut inputs = vec![kernel, 0, x, y];
+            inputs.extend(ends);
+            inputs.extend(colour);
+            inputs
+        });
+    let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
+    let picture = (
+        1usize..8,
+        1usize..6,
+        0i64..4,
+        list(idle, 41),
+        list(noise, 97),
+    )
+        .prop_map(|(width, height, kernel, pauses, noise)| Picture {
+            width,
+            height,
+            kernel,
+            pauses,
+            noise,
+        });
+    list(picture, clocks / 12 + 1)
+        .prop_map(move |pictures| {
+            let mut list = Vec::new();
+            pictures.iter().for_each(|picture| picture.write(&mut list));
+            list.truncate(clocks);
+            list
+        })
+        .boxed()
+}
+
+/// Words of the plane of the catalogue.
+const PLANE_WORDS: usize = 1 << 10;
+
+pub(super) fn overlay() -> Description {
+    let mut inputs = vec![
+        Signal::bit("write"),
+        Signal::unsigned("write_address", 10),
+        Signal::unsigned("write_data", 32),
+        Signal::bit("enable"),
+        Signal::unsigned("colour", 24),
+        Signal::unsigned("width", 12),
+        Signal::bit("valid"),
+        Signal::unsigned("x", 12),
+        Signal::unsigned("y", 12),
+    ];
+    inputs.extend(bytes(["r", "g", "b"]));
+    let mut outputs = vec![Signal::bit("out_valid")];
+    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
+    Description {
+        name: "overlay".into(),
+        inputs,
+        outputs,
+        golden: Box::new(|| {
+            let mut overlay = Overlay::new(PLANE_WORDS);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let write = bit(i[0]).then_some((i[1] as usize, i[2] as u32));
+                let over = [i[4] >> 16, i[4] >> 8, i[4]];
+                let pixel = bit(i[6]).then(|| Covered {
+                    place: (i[8] * i[5] + i[7]) as usize,
+                    colour: colour(&i[9..]),
+                });
+                let shown = bit(i[3]).then(|| colour(&over));
+                coloured(overlay.clock(write, shown, pixel)).to_vec()
+            }))
+        }),
+        stimulus: planes,
+    }
+}
+
+/// Words written and pixels read at a few places near the ends of the plane and of the coordinates, so that they meet.
+fn planes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let address = prop_oneof![3 => 0i64..3, 1 => 1021i64..1024];
+    let write = (0i64..=1, address, 0i64..1 << 32);
+    let shown = (prop_oneof![1 => Just(0i64), 5 => Just(1)], 0i64..1 << 24);
+    let near = (1i64..64, 0i64..64, 0i64..2);
+    let far = (4000i64..4096, 4000i64..4096, 4000i64..4096);
+    let pixel = (
+        prop_oneof![1 => Just(0i64), 5 => Just(1)],
+        prop_oneof![5 => near, 1 => far],
+        [level(), level(), level()],
+    );
+    let one = (write, shown, pixel).prop_map(
+        |((write, address, data), (enable, over), (valid, (width, x, y), colour))| {
+            let mut inputs = vec![write, address, data, enable, over, width, valid, x, y];
+            inputs.extend(colour);
+            inputs
+        },
+    );
+    list(one, clocks).boxed()
+}
+
+/// Pixels of the accumulator of the catalogue.
+const SUMS: usize = 1 << 12;
+
+pub(super) fn accumulator() -> Description {
+    let mut inputs = vec![
+        Signal::bit("fine"),
+        Signal::bit("valid"),
+        Signal::unsigned("address", 12),
+        Signal::bit("first_pass"),
+        Signal::bit("last_pass"),
+    ];
+    inputs.extend(bytes(["r", "g", "b"]));
+    let mut outputs = vec![
+        Signal::bit("out_valid"),
+        Signal::unsigned("out_address", 12),
+    ];
+    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
+    Description {
+        name: "accumulator".into(),
+        inputs,
+        outputs,
+        golden: Box::new(|| {
+            let mut sums = Accumulator::new(SUMS);
+            let mut late = Late::new(accumulator::LATENCY);
+            Box::new(GoldenFn(move |i: &[i64]| {
+                let pixel = PassPixel {
+                    address: i[2] as usize,
+                    first: bit(i[3]),
+                    last: bit(i[4]),
+                    colour: colour(&i[5..]),
+                };
+                let passes = if bit(i[0]) { 16 } else { 4 };
+                let mean = bit(i[1]).then(|| sums.add(&pixel, passes)).flatten();
+                let found = late.push((mean, i[2])).unwrap_or((None, 0));
+                let [valid, r, g, b] = coloured(found.0);
+                vec![valid, found.0.map(|_| found.1), r, g, b]
+            }))
+        }),
+        stimulus: passes,
+    }
+}
+
+/// Passes over a few pixels in any order, each pixel at its own pass; the last pass as often as it can be.
+fn passes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let place = prop_oneof![4 => 0i64..3, 1 => 4094i64..4096];
+    let one = (
+        prop_oneof![1 => Just(0i64), 9 => Just(1)],
+        place,
+        prop_oneof![15 => Just(false), 1 => Just(true)],
+        [level(), level(), level()],
+    );
+    (any::<bool>(), list(one, clocks))
+        .prop_map(|(fine, list)| {
+            let most = if fine { 16 } else { 4 };
+            let mut done = std::collections::BTreeMap::<i64, u32>::new();
+            let mut before = None;
+            let each = list.into_iter().map(|(valid, place, again, colour)| {
+                // Not the same pixel in two clocks in a row.
+                let valid = valid == 1 && before != Some(place);
+                before = valid.then_some(place);
+                let passes = done.entry(place).or_default();
+                let first = *passes == most || again;
+                if valid {
+                    *passes = if first { 1 } else { *passes + 1 };
+                }
+                let last = *passes == most;
+                let flags = [fine, valid].map(i64::from);
+                let mut inputs = flags.to_vec();
+                inputs.push(place);
+                inputs.extend([first, last].map(i64::from));
+                inputs.extend(colour);
+                inputs
+            });
+            each.collect()
+        })
+        .boxed()
+}

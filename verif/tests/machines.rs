@@ -1,0 +1,156 @@
+//! Machines with a screen: the pins on every clock, and the pixels of their streams.
+
+use imogene_models::format::Format;
+use imogene_models::machine::description::{MachineDescription, Smoothing};
+use imogene_models::machine::display::{Image, image};
+use imogene_models::prepare::prepare;
+use imogene_models::scene::SceneFile;
+use imogene_verif::display::DisplayEngine;
+use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
+use imogene_verif::display::stream;
+use imogene_verif::engine::design::Simulator;
+use std::path::Path;
+
+const VERILATOR: DisplayEngine = DisplayEngine::Verilog(Simulator::Verilator);
+
+fn root() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn machine(name: &str) -> MachineDescription {
+    MachineDescription::read(&root().join("machines").join(name)).expect("a description")
+}
+
+/// A machine with a screen of this size and little blanking.
+fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription {
+    let text = std::fs::read_to_string(root().join("machines").join(name)).expect("a file");
+    let mode =
+        format!("mode = {{ columns = [{columns}, 4, 8, 8], lines = [{lines}, 2, 2, {blank}] }}\n");
+    let lines = text.lines().filter(|line| !line.starts_with("mode"));
+    let text = lines.collect::<Vec<_>>().join("\n") + "\n" + &mode;
+    MachineDescription::parse(&text, name).expect("a description")
+}
+
+fn drawn(scene: &str, machine: &MachineDescription) -> Image {
+    let text = std::fs::read_to_string(root().join("scenes").join(scene)).expect("a scene");
+    drawn_text(&text, machine)
+}
+
+fn drawn_text(text: &str, machine: &MachineDescription) -> Image {
+    let file = SceneFile::parse(text, "a scene").expect("a valid scene");
+    let mode = machine.video_mode().expect("a mode");
+    let framed = file.frame(mode.line.active as u32, mode.frame.active as u32);
+    let framed = framed.expect("a valid size");
+    let format = Format::new(machine.depth_word).expect("a format");
+    let prepared = prepare(&framed, format).expect("fits the format");
+    image(&framed, &prepared, machine).expect("fits the machine")
+}
+
+fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> PinsOutcome {
+    let outcome = pins::run(machine, images, options, || ()).expect("a machine that runs");
+    let report = &outcome.report;
+    assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
+    let last = images.last().expect("an image");
+    assert!(outcome.picture == last.picture, "the picture of the pins");
+    println!(
+        "{} {}: {} clocks, {:.0} per second, taken in {:?}, shown {:?}",
+        report.subject,
+        report.engine,
+        report.cycles,
+        report.cycles_per_second,
+        outcome.taking,
+        outcome.shown
+    );
+    outcome
+}
+
+fn quiet(engine: DisplayEngine) -> PinsRun {
+    PinsRun {
+        engine,
+        stalls: None,
+        late: 0,
+        frames: 1,
+    }
+}
+
+#[test]
+fn the_beam_machine_in_the_built_in_simulator() {
+    let machine = small("beam-160x120.toml", 32, 24, 40);
+    let image = drawn("teapot.toml", &machine);
+    assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
+    run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
+}
+
+#[test]
+fn the_beam_machine_smooths_and_never_tears() {
+    for smoothing in [Smoothing::None, Smoothing::Box, Smoothing::Binomial] {
+        let mut machine = small("beam-160x120.toml", 48, 36, 40);
+        machine.smoothing = smoothing;
+        machine.overlay = smoothing == Smoothing::Box;
+        let teapot = drawn("teapot.toml", &machine);
+        let cylinders = drawn("crossing-cylinders.toml", &machine);
+        let images = [teapot.clone(), cylinders.clone(), teapot, cylinders];
+        // A host that stalls, and that is late by more than a frame before each image.
+        let options = PinsRun {
+            engine: VERILATOR,
+            stalls: Some(5),
+            late: 7000,
+            frames: 2,
+        };
+        let outcome = run(&machine, &images, &options);
+        let repeated = outcome
+            .shown
+            .windows(2)
+            .any(|pair| pair[0] == pair[1] && pair[0].is_some());
+        assert!(repeated, "a late host repeats a frame: {:?}", outcome.shown);
+    }
+}
+
+#[test]
+fn the_beam_machine_with_volumes() {
+    let mut machine = small("beam-160x120.toml", 64, 48, 60);
+    machine.volumes = 12;
+    machine.volume_planes = 10;
+    let path = root().join("scenes").join("crossing-cylinders.toml");
+    let text = std::fs::read_to_string(path).expect("a scene");
+    let shaded = text.replacen(
+        "kind = \"directional\"",
+        "kind = \"directional\"\nshadows = true",
+        1,
+    );
+    let image = drawn_text(&shaded, &machine);
+    assert!(
+        image.lighting.flags.iter().any(|&flags| flags != u16::MAX),
+        "a shadow"
+    );
+    run(&machine, &[image], &quiet(VERILATOR));
+}
+
+#[test]
+fn the_zone_machine_shows_whole_frames() {
+    let mut machine = small("zone-160x120.toml", 48, 36, 12);
+    machine.smoothing = Smoothing::Binomial;
+    let robot = drawn("shadows/robot.toml", &machine);
+    let teapot = drawn("teapot.toml", &machine);
+    let images = [robot.clone(), teapot.clone(), robot, teapot];
+    for (stalls, late) in [(None, 0), (Some(9), 5000)] {
+        let options = PinsRun {
+            engine: VERILATOR,
+            stalls,
+            late,
+            frames: 1,
+        };
+        run(&machine, &images, &options);
+    }
+}
+
+#[test]
+fn a_receiver_that_stalls_gets_every_pixel_once() {
+    let machine = small("zone-160x120.toml", 48, 36, 12);
+    let image = drawn("shadows/robot.toml", &machine);
+    for stalls in [None, Some(1), Some(2)] {
+        let report = stream::run(&machine, &image, VERILATOR, stalls).expect("a machine that runs");
+        assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
+        assert_eq!(report.pixels, 48 * 36);
+    }
+}

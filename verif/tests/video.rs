@@ -1,0 +1,386 @@
+//! The units of the graphics module behind the decider, over whole frames: what the clock by clock comparison of `units.rs` does not say by itself.
+
+use imogene_models::machine::post_filter::Kernel;
+use imogene_models::machine::video_timing::{self as golden, MODES};
+use imogene_rtl::machine::pixel_fifo::PixelFifo;
+use imogene_rtl::machine::video_mode::{Span, VideoMode};
+use imogene_rtl::machine::video_timing::VideoTiming;
+use imogene_rtl::step::step;
+use imogene_verif::random;
+use imogene_verif::subject::{Hardware, Subject};
+use imogene_verif::unit::{Parameters, subject};
+
+/// A reproducible source of numbers.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        self.next() % count
+    }
+}
+
+fn unit(name: &str) -> Subject {
+    subject(name, Parameters::default()).expect("a unit of the catalogue")
+}
+
+/// The values after a clock, by port; all are defined in rust-hdl.
+fn clock(hardware: &mut dyn Hardware, inputs: &[i64]) -> Vec<i64> {
+    let values = hardware.clock(inputs);
+    values.into_iter().map(|v| v.expect("a value")).collect()
+}
+
+#[test]
+fn every_video_unit_is_its_golden_model() {
+    for name in [
+        "video_timing",
+        "pixel_fifo",
+        "frame_store",
+        "post_filter",
+        "overlay",
+        "accumulator",
+    ] {
+        let (report, _) = random::run(&unit(name), 20_000, 5, false);
+        assert_eq!(
+            report.mismatches, 0,
+            "{name}: {:?}",
+            report.first_mismatches
+        );
+        assert!(report.pixels > 1000, "{name}");
+    }
+}
+
+/// Two frames of 160 x 120 and one of 640 x 480, with pauses.
+#[test]
+fn whole_frames_of_video() {
+    for (mode, frames) in [(0, 2), (1, 1)] {
+        let parameters = Parameters {
+            mode: Some(mode),
+            ..Parameters::default()
+        };
+        let subject = subject("video_timing", parameters).expect("a mode of the catalogue");
+        let mut numbers = Numbers(mode as u64);
+        let clocks = MODES[mode].clocks() * frames * 16 / 15 + 1000;
+        let enabled = (0..clocks).map(|_| vec![i64::from(numbers.below(16) > 0)]);
+        let report = subject.run_each(enabled, |_| ());
+        assert_eq!(report.mismatches, 0, "{:?}", report.first_mismatches);
+    }
+}
+
+/// The modes of both sides are the same numbers, stated twice.
+#[test]
+fn modes_have_the_same_numbers() {
+    for (hardware, model) in VideoMode::ALL.iter().zip(&MODES) {
+        for (span, other) in [(hardware.line, model.line), (hardware.frame, model.frame)] {
+            assert_eq!(
+                span,
+                Span::new(other.active, other.front, other.sync, other.back)
+            );
+        }
+        assert_eq!(
+            (hardware.hsync_high, hardware.vsync_high),
+            (model.hsync_high, model.vsync_high)
+        );
+    }
+}
+
+/// A lead of nothing, within a line, of a line and more: the request is what is shown that much later, over all blankings.
+#[test]
+fn leads_of_any_length() {
+    let mode = VideoMode {
+        line: Span::new(5, 1, 1, 0),
+        frame: Span::new(4, 0, 2, 1),
+        hsync_high: true,
+        vsync_high: false,
+    };
+    let span = |s: Span| golden::Span {
+        active: s.active,
+        front: s.front,
+        sync: s.sync,
+        back: s.back,
+    };
+    let model = golden::VideoMode {
+        line: span(mode.line),
+        frame: span(mode.frame),
+        hsync_high: true,
+        vsync_high: false,
+    };
+    for lead in 0..mode.retrace() as usize {
+        let mut unit = VideoTiming::new(&mode, lead);
+        rust_hdl::core::prelude::Block::connect_all(&mut unit);
+        let mut timing = golden::VideoTiming::new(model, lead as u64);
+        for at in 0..150 {
+            unit.enable.next = true;
+            step(&mut unit);
+            let expected = timing.clock(true);
+            let place = format!("lead {lead}, clock {at}");
+            let now = [
+                (unit.de.val(), unit.start.val(), unit.line.val()),
+                (unit.need.val(), unit.go.val(), unit.need_line.val()),
+            ];
+            let places = [
+                (unit.x.val().get(), unit.y.val().get()),
+                (unit.need_x.val().get(), unit.need_y.val().get()),
+            ];
+            for (k, shown) in [expected.now, expected.ahead].iter().enumerate() {
+                assert_eq!(now[k], (shown.active, shown.start, shown.line), "{place}");
+                assert_eq!(places[k], (shown.x.into(), shown.y.into()), "{place}");
+            }
+            assert_eq!(unit.hsync.val(), expected.hsync, "{place}");
+            assert_eq!(unit.vsync.val(), expected.vsync, "{place}");
+            assert_eq!(unit.frame_start.val(), expected.frame_start, "{place}");
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "accepted are fewer than the 336 of the vertical blanking")]
+fn a_lead_longer_than_the_blanking_is_refused() {
+    VideoTiming::new(&VideoMode::SMALL, 336);
+}
+
+#[test]
+#[should_panic(expected = "accepted are 65 at least")]
+fn a_queue_shorter_than_the_pipeline_is_refused() {
+    PixelFifo::<6, 7, 8, 9>::new(61);
+}
+
+/// A pipeline of `flight` clocks before the queue, which starts a pixel on every clock with `room` that `wants` one; gives pushed and taken words.
+fn stream(
+    flight: usize,
+    clocks: usize,
+    mut wants: impl FnMut(usize) -> bool,
+    mut ready: impl FnMut(usize) -> bool,
+) -> (Vec<i64>, Vec<i64>) {
+    let mut hardware = (unit("pixel_fifo").hardware)();
+    let (mut pushed, mut taken) = (Vec::new(), Vec::new());
+    let mut flying = vec![false; clocks + flight + 1];
+    let mut out = vec![1, 0, 0, 0];
+    for at in 0..clocks {
+        let started = out[0] == 1 && wants(at);
+        flying[at + flight] = started;
+        let (push, word) = (flying[at], (at * 2_654_435_761) as i64 & 0xff_ffff);
+        let ready = ready(at);
+        if push {
+            pushed.push(word);
+        }
+        if out[1] == 1 && ready {
+            taken.push(out[2]);
+        }
+        let before = out.clone();
+        let inputs = [started, push].map(i64::from);
+        let inputs = [inputs[0], inputs[1], word, word & 1, ready.into()];
+        out = clock(hardware.as_mut(), &inputs);
+        if before[1] == 1 && !ready {
+            assert_eq!(out[1..], before[1..], "what is not taken stays");
+        }
+        assert!(
+            out[1] == 0 || out[3] == out[2] & 1,
+            "last goes with its word"
+        );
+        assert!(pushed.len() - taken.len() <= 64, "a queue of 64");
+    }
+    (pushed, taken)
+}
+
+#[test]
+fn no_pixel_is_lost_repeated_or_moved() {
+    let mut numbers = Numbers(1);
+    for flight in [0, 1, 5, 39, 40, 60] {
+        for stalls in [1, 2, 9, 200] {
+            let (mut stalled, mut left) = (false, 0);
+            let mut wants = Numbers(numbers.next());
+            let (pushed, taken) = stream(
+                flight,
+                3000,
+                |_| wants.below(8) > 0,
+                |_| {
+                    if left == 0 {
+                        (stalled, left) = (!stalled, 1 + numbers.below(stalls));
+                    }
+                    left -= 1;
+                    !stalled
+                },
+            );
+            assert!(taken.len() > 500 && pushed.len() - taken.len() <= 64);
+            assert_eq!(taken, pushed[..taken.len()], "{flight} {stalls}");
+        }
+    }
+}
+
+/// 2^6 >= flight + 4: one pixel per clock for ever, if nobody stalls; and whatever waits comes out.
+#[test]
+fn a_receiver_that_never_stalls_gets_a_pixel_per_clock() {
+    for flight in [0, 17, 40, 60] {
+        let (pushed, taken) = stream(flight, 2000, |at| at < 1900, |_| true);
+        assert_eq!(pushed.len(), 1900);
+        assert_eq!(taken, pushed);
+    }
+    let (pushed, _) = stream(61, 2000, |_| true, |_| true);
+    assert_eq!(pushed.len(), 2000 - 61);
+    let (pushed, _) = stream(62, 2000, |_| true, |_| true);
+    assert!(pushed.len() < 2000 - 62, "too long a pipeline starves");
+}
+
+/// Two pictures by turns from a writer that stalls and is late: every frame on the screen is one of them, whole, and none is skipped.
+#[test]
+fn frames_are_shown_whole() {
+    const WIDTH: usize = 7;
+    const HEIGHT: usize = 5;
+    const PIXELS: usize = WIDTH * HEIGHT;
+    let colour =
+        |frame: usize, place: usize| (frame * 0x40_1003 + place * 0x1_0107) as i64 & 0xff_ffff;
+    let mut numbers = Numbers(3);
+    let mut hardware = (unit("frame_store").hardware)();
+    let span = |active, front, sync, back| golden::Span {
+        active,
+        front,
+        sync,
+        back,
+    };
+    let mode = golden::VideoMode {
+        line: span(WIDTH as u64, 1, 1, 1),
+        frame: span(HEIGHT as u64, 0, 1, 0),
+        hsync_high: true,
+        vsync_high: true,
+    };
+    let mut timing = golden::VideoTiming::new(mode, 3);
+    let (mut frame, mut sent, mut is_ready, mut pause) = (1, 0, true, 0);
+    let (mut seen, mut screen) = (Vec::new(), Vec::new());
+    for _ in 0..60_000 {
+        let at = timing.clock(true);
+        let arrives = pause == 0 && numbers.below(4) > 0;
+        pause -= usize::from(pause > 0);
+        // Columns first, to show that the order does not matter.
+        let place = sent % HEIGHT * WIDTH + sent / HEIGHT;
+        let last = sent + 1 == PIXELS;
+        let inputs = [
+            WIDTH as i64,
+            arrives.into(),
+            colour(frame, place),
+            ((place / WIDTH) << 12 | (place % WIDTH)) as i64,
+            last.into(),
+            at.frame_start.into(),
+            at.ahead.active.into(),
+            at.ahead.x.into(),
+            at.ahead.y.into(),
+        ];
+        if arrives && is_ready {
+            sent += 1;
+            if last {
+                (frame, sent) = (frame + 1, 0);
+                pause = numbers.below(150) as usize;
+            }
+        }
+        let out = clock(hardware.as_mut(), &inputs);
+        is_ready = out[0] == 1;
+        if out[1] == 1 {
+            screen.push(out[2] << 16 | out[3] << 8 | out[4]);
+            if screen.len() == PIXELS {
+                seen.push(std::mem::take(&mut screen));
+            }
+        }
+    }
+    assert!(seen.len() > 900 && frame > 200);
+    let mut number = 0;
+    let mut repeated = 0;
+    for picture in &seen {
+        let of = |frame: usize| -> Vec<i64> {
+            let pixel = |p: usize| if frame == 0 { 0 } else { colour(frame, p) };
+            (0..PIXELS).map(pixel).collect()
+        };
+        if of(number + 1) == *picture {
+            number += 1;
+        } else {
+            assert_eq!(of(number), *picture, "frame {number}");
+            repeated += 1;
+        }
+    }
+    assert!(number + 2 >= frame - 1, "{number} of {frame} were shown");
+    assert!(repeated > 100, "the writer is late often enough");
+}
+
+/// Whole random pictures against the direct convolution in two dimensions.
+#[test]
+fn filtered_pictures_are_the_convolution() {
+    let mut numbers = Numbers(9);
+    let mut hardware = (unit("post_filter").hardware)();
+    let shapes = [(1, 1), (1, 5), (2, 2), (5, 1), (9, 7), (33, 20), (2048, 3)];
+    for (width, height) in shapes {
+        for kernel in 0..4 {
+            let mut level = || match numbers.below(4) {
+                0 => 0,
+                1 => 255,
+                _ => numbers.below(256) as u8,
+            };
+            let lines: Vec<Vec<[u8; 3]>> = (0..height)
+                .map(|_| (0..width).map(|_| [level(), level(), level()]).collect())
+                .collect();
+            let mut found = Vec::new();
+            let mut take = |out: Vec<i64>| {
+                if out[0] == 1 {
+                    assert_eq!(out[3] == 1, out[1] as usize + 1 == width);
+                    assert_eq!(out[4] == 1, found.len() + 1 == width * height);
+                    found.push((out[1], out[2], [out[5] as u8, out[6] as u8, out[7] as u8]));
+                }
+            };
+            for (y, line) in lines.iter().enumerate() {
+                for (x, colour) in line.iter().enumerate() {
+                    let ends = [x + 1 == width, x + 1 == width && y + 1 == height];
+                    let mut inputs = vec![kernel, 1, x as i64, y as i64];
+                    inputs.extend(ends.map(i64::from));
+                    inputs.extend(colour.map(i64::from));
+                    take(clock(hardware.as_mut(), &inputs));
+                }
+                take(clock(hardware.as_mut(), &[0; 9]));
+            }
+            // What is left of the shortest pause after a picture, and what the pipeline holds.
+            for _ in 0..width + 4 {
+                take(clock(hardware.as_mut(), &[0; 9]));
+            }
+            let smooth = Kernel::from_word(kernel).picture(&lines);
+            let expected: Vec<_> = (0..height)
+                .flat_map(|y| (0..width).map(move |x| (x as i64, y as i64)))
+                .map(|(x, y)| (x, y, smooth[y as usize][x as usize]))
+                .collect();
+            assert!(found == expected, "{width} x {height}, kernel {kernel}");
+        }
+    }
+}
+
+/// Every sum of a pass count has the rounded mean: each step of 0 to 255 in 16 passes.
+#[test]
+fn means_are_exact() {
+    let mut hardware = (unit("accumulator").hardware)();
+    for (fine, passes) in [(0, 4), (1, 16)] {
+        for sum in 0..=passes * 255 {
+            // Levels as even as they can be, in two places by turns, so that no place comes twice in a row.
+            let level = |pass: i64| (sum + pass) / passes;
+            let mut means = Vec::new();
+            for pass in 0..passes {
+                let flags = [i64::from(pass == 0), i64::from(pass + 1 == passes)];
+                for (place, value) in [(7, level(pass)), (8, 255 - level(pass))] {
+                    let inputs = [fine, 1, place, flags[0], flags[1], value, 0, 255];
+                    let out = clock(hardware.as_mut(), &inputs);
+                    means.extend((out[0] == 1).then(|| out[1..].to_vec()));
+                }
+            }
+            for _ in 0..2 {
+                let out = clock(hardware.as_mut(), &[fine, 0, 0, 0, 0, 0, 0, 0]);
+                means.extend((out[0] == 1).then(|| out[1..].to_vec()));
+            }
+            let mean = |sum: i64| (sum + passes / 2).div_euclid(passes);
+            let expected = [
+                vec![7, mean(sum), 0, 255],
+                vec![8, mean(passes * 255 - sum), 0, 255],
+            ];
+            assert_eq!(means, expected, "{sum} of {passes}");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The deciding part of the zone machine against its golden model, on scenes.
+
+use imogene_models::format::Format;
+use imogene_models::machine::zone::ZoneMachine;
+use imogene_models::machine::zone::clocks::clocks;
+use imogene_models::machine::zone::golden::ZoneMachineModel;
+use imogene_models::machine::zone::plan::ZonePlan;
+use imogene_models::machine::zone::stream::Beat;
+use imogene_models::prepare::prepare;
+use imogene_models::scene::SceneFile;
+use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
+use imogene_verif::display::DisplayEngine;
+use imogene_verif::display::request::zone_timing;
+use imogene_verif::display::zone_core::{CoreRun, run, shape};
+use imogene_verif::engine::design::Simulator;
+use std::path::Path;
+
+fn plan(scene: &str, (width, height): (u32, u32), machine: ZoneMachine) -> ZonePlan {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../scenes")
+        .join(scene);
+    let file = SceneFile::read(&path).expect("a valid scene");
+    let framed = file.frame(width, height).expect("a valid size");
+    let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+    ZonePlan::of(&prepared, machine).expect("fits the machine")
+}
+
+fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
+    ZoneMachine {
+        object_processors: objects,
+        planes: 3,
+        volume_processors: volumes,
+        volume_planes: 10,
+        zone_width: side,
+        zone_height: side,
+    }
+}
+
+fn check(plan: &ZonePlan, engine: DisplayEngine, stalls: Option<u64>) {
+    let beats: Vec<Beat> = plan.beats().collect();
+    let options = CoreRun {
+        rows_per_stage: 4,
+        engine,
+        stalls,
+    };
+    let report = run(&beats, &Format::BASE, &plan.machine, &options).expect("a machine that runs");
+    assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
+    assert_eq!(report.pixels, u64::from(plan.width * plan.height));
+    if stalls.is_none() {
+        // Without stalls a frame takes the clocks of the formula, no more and no fewer.
+        let request = DisplayRequest {
+            kind: DisplayKind::ZoneCore(shape(&plan.machine, 4)),
+            depth_word: 24,
+            prefix: String::new(),
+            command: String::new(),
+        };
+        let timing = zone_timing(&request).expect("a machine");
+        assert_eq!(report.cycles, clocks(plan, &timing).total);
+    }
+}
+
+#[test]
+fn small_scenes_in_the_built_in_simulator() {
+    let plan = plan("teapot.toml", (40, 24), machine(2, 0, 16));
+    check(&plan, DisplayEngine::RustHdl, None);
+    check(&plan, DisplayEngine::RustHdl, Some(7));
+}
+
+#[test]
+fn scenes_with_shadows_in_verilator() {
+    let engine = DisplayEngine::Verilog(Simulator::Verilator);
+    for (objects, volumes, side) in [(3, 2, 24), (1, 5, 10), (4, 9, 40)] {
+        let plan = plan(
+            "shadows/robot.toml",
+            (96, 72),
+            machine(objects, volumes, side),
+        );
+        check(&plan, engine, None);
+        check(&plan, engine, Some(3));
+    }
+}
+
+/// Which processor draws an object, and in which pass, changes nothing: the pixels of the shuffled plan are those of the plan.
+#[test]
+fn the_order_of_arrival_changes_nothing() {
+    let engine = DisplayEngine::Verilog(Simulator::Verilator);
+    let plan = plan("shadows/robot.toml", (96, 72), machine(3, 2, 24));
+    let beats: Vec<Beat> = plan.beats().collect();
+    let mut wanted = ZoneMachineModel::new(&Format::BASE, &plan.machine);
+    let wanted = wanted.frame(beats, 96, 72).expect("a stream");
+    for seed in 1..=4 {
+        let mut shuffled = plan.clone();
+        let mut random: u64 = seed;
+        for zone in &mut shuffled.zones {
+            for place in (1..zone.parts.len()).rev() {
+                // A linear congruence is random enough to permute a dozen objects.
+                random = random
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
+                zone.parts
+                    .swap(place, (random >> 20) as usize % (place + 1));
+            }
+        }
+        assert!(
+            shuffled
+                .zones
+                .iter()
+                .zip(&plan.zones)
+                .any(|(a, b)| a.parts != b.parts)
+        );
+        let mut golden = ZoneMachineModel::new(&Format::BASE, &plan.machine);
+        let found = golden.frame(shuffled.beats(), 96, 72).expect("a stream");
+        assert!(found == wanted, "seed {seed}");
+        check(&shuffled, engine, None);
+    }
+}
