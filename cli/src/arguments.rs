@@ -178,7 +178,6 @@ pub struct Shape {
     /// Objects taken away in each product of csg_decider, 0 to 8 [default: 2].
     #[arg(long, value_name = "J")]
     pub subtracted: Option<usize>,
-    /// Lights of the shading processor, 1 to 4; 1 if not given
     /// Lights of the shading processor, 1 to 4 [default: 1].
     #[arg(long, value_name = "L")]
     pub lights: Option<usize>,

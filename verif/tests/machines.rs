@@ -17,10 +17,6 @@ fn root() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn machine(name: &str) -> MachineDescription {
-    MachineDescription::read(&root().join("machines").join(name)).expect("a description")
-}
-
 /// A machine with a screen of this size and little blanking.
 fn small(name: &str, columns: u64, lines: u64, blank: u64) -> MachineDescription {
     let text = std::fs::read_to_string(root().join("machines").join(name)).expect("a file");

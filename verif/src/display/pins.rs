@@ -156,7 +156,7 @@ impl<'a> Host<'a> {
         self.wait = self.wait.saturating_sub(1);
         let image = self.images.get(self.image).filter(|_| self.wait == 0);
         let beat = image.and_then(|image| image.beats.get(self.beat));
-        let beat = beat.filter(|_| !self.stalls.next());
+        let beat = beat.filter(|_| !self.stalls.stall());
         let is_ready = hardware.is_set("s_tready");
         offer(hardware, beat);
         if is_beam {

@@ -17,7 +17,7 @@ impl Stalls {
     }
 
     /// Does the stream stall on the next clock?
-    pub fn next(&mut self) -> bool {
+    pub fn stall(&mut self) -> bool {
         let random = self.0.as_mut();
         random.is_some_and(|random| random.next_u32().is_multiple_of(3))
     }

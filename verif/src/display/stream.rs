@@ -38,10 +38,10 @@ pub fn run(
     hardware.clock();
     while report.pixels < pixels as u64 && idle < 1 << 20 {
         let is_ready = hardware.is_set("s_tready");
-        let beat = image.beats.get(sent).filter(|_| !sender.next());
+        let beat = image.beats.get(sent).filter(|_| !sender.stall());
         offer(&mut hardware, beat);
         sent += usize::from(beat.is_some() && is_ready);
-        let takes = !receiver.next();
+        let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
         let now = hardware.is_set("m_tvalid").then(|| Pixel::of(&hardware));
         check(

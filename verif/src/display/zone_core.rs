@@ -94,9 +94,9 @@ pub fn run(
     let (mut sent, mut seen, mut idle) = (0, 0, 0u64);
     while seen < wanted.len() && idle < 1 << 20 {
         let is_ready = hardware.is_set("s_tready");
-        let beat = beats.get(sent).filter(|_| !stalls.next());
+        let beat = beats.get(sent).filter(|_| !stalls.stall());
         offer(&mut hardware, beat);
-        hardware.set("room", i64::from(!stalls.next()));
+        hardware.set("room", i64::from(!stalls.stall()));
         sent += usize::from(beat.is_some() && is_ready);
         hardware.clock();
         idle += 1;

@@ -293,7 +293,7 @@ fn at_a_point(light: &mut LightWords, words: &ShaderWords, pixel: &Pixel, random
         0,
     ];
     for (k, place) in places.into_iter().enumerate() {
-        let deep = i64::from(light.slope[k]) * pixel.depth >> (words.depth - 1);
+        let deep = (i64::from(light.slope[k]) * pixel.depth) >> (words.depth - 1);
         light.base[k] = bounded(i64::from(light.base[k]) + (place << light.shift) + deep);
     }
 }

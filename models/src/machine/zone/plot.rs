@@ -6,6 +6,7 @@ use thiserror::Error;
 
 const SIZE: (u32, u32) = (760, 520);
 const FONT: &str = "sans-serif";
+const GREY: RGBColor = RGBColor(225, 225, 225);
 const COLOURS: [RGBColor; 5] = [
     RGBColor(20, 90, 170),
     RGBColor(200, 80, 20),
@@ -58,6 +59,8 @@ fn draw(title: &str, rows: &[Growth]) -> Result<String, Box<dyn std::error::Erro
             .x_label_formatter(&power)
             .y_label_formatter(&power)
             .x_labels(6)
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(GREY)
             .draw()?;
         for (place, &count) in counts.iter().enumerate() {
             let colour = COLOURS[place % COLOURS.len()];
@@ -69,7 +72,7 @@ fn draw(title: &str, rows: &[Growth]) -> Result<String, Box<dyn std::error::Erro
             let dots = curve.clone().into_iter();
             chart
                 .draw_series(LineSeries::new(curve, colour.stroke_width(2)))?
-                .label(format!("{count} object processors"))
+                .label(format!("K = {count}"))
                 .legend(move |(x, y)| {
                     PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2))
                 });
@@ -77,6 +80,7 @@ fn draw(title: &str, rows: &[Growth]) -> Result<String, Box<dyn std::error::Erro
         }
         chart
             .configure_series_labels()
+            .position(SeriesLabelPosition::UpperLeft)
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3))
             .label_font((FONT, 14))

@@ -1,0 +1,87 @@
+//! `imogene machine`: from a scene and a description to the picture from the pins.
+
+mod common;
+
+use common::imogene;
+use serde_json::Value;
+use std::path::Path;
+
+/// A beam machine with a screen of 40 x 30 pixels, and a zone machine for it.
+const SMALL: [(&str, &str); 2] = [
+    (
+        "machine = \"beam\"\nobjects = 10\n",
+        "loader_words = 1024\n",
+    ),
+    (
+        "machine = \"zone\"\nobjects = 3\n",
+        "zone = { width = 16, height = 16 }\n",
+    ),
+];
+const COMMON: &str = "planes = 3\nrows_per_stage = 6\nlights = 2\nmode = { columns = [40, 4, 4, 4], lines = [30, 2, 2, 40] }\n";
+
+#[test]
+fn the_pins_show_the_golden_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (index, (head, tail)) in SMALL.iter().enumerate() {
+        let description = folder.path().join(format!("{index}.toml"));
+        std::fs::write(&description, format!("{head}{COMMON}{tail}")).expect("a file");
+        let out = folder.path().join(format!("out{index}"));
+        let mut command = imogene();
+        command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        command.args([
+            "machine",
+            "scenes/teapot.toml",
+            "--machine",
+            description.to_str().expect("a plain path"),
+            "--engine",
+            "rust-hdl",
+            "--out",
+            out.to_str().expect("a plain path"),
+            "--json",
+        ]);
+        let output = command.output().expect("the program runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        let value: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+        assert_eq!(value["equal"], true);
+        assert_eq!(value["pixels_per_frame"], 1200);
+        assert_eq!(value["report"]["mismatches"], 0);
+        let pins = std::fs::read(out.join("pins.png")).expect("a picture");
+        assert!(pins == std::fs::read(out.join("golden.png")).expect("a picture"));
+        for file in value["files"].as_array().expect("files") {
+            assert!(
+                Path::new(file.as_str().expect("a path")).is_file(),
+                "{file}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    let refused = |scene: &str, machine: &str, says: &str| {
+        let mut command = imogene();
+        command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        command.args([
+            "machine",
+            scene,
+            "--machine",
+            machine,
+            "--out",
+            out.to_str().expect("a plain path"),
+        ]);
+        let output = command.output().expect("the program runs");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(says), "{said}");
+        assert!(!out.exists(), "{says}");
+    };
+    refused("scenes/teapot.toml", "no/machine.toml", "give the path");
+    let beam = "machines/beam-160x120.toml";
+    refused("scenes/shadows/robot.toml", beam, "objects = 39 would do");
+    refused("scenes/shadows/sphere-surface.toml", beam, "objects");
+    let zone = "machines/zone-160x120.toml";
+    refused("scenes/processors/mesh.toml", zone, "guard bits");
+}

@@ -1,0 +1,62 @@
+// decider: part of card_decider; see there.
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module decider (
+    input  wire clock,
+    input  wire signed [23:0] input_0_depth,
+    input  wire signed [23:0] input_1_depth,
+    input  wire [7:0] input_0_id,
+    input  wire [7:0] input_1_id,
+    input  wire [3:0] input_0_number,
+    input  wire [3:0] input_1_number,
+    input  wire signed [15:0] input_0_nx,
+    input  wire signed [15:0] input_1_nx,
+    input  wire signed [15:0] input_0_ny,
+    input  wire signed [15:0] input_1_ny,
+    input  wire signed [15:0] input_0_nz,
+    input  wire signed [15:0] input_1_nz,
+    output wire signed [23:0] depth,
+    output wire [7:0] id,
+    output wire [3:0] number,
+    output wire signed [15:0] nx,
+    output wire signed [15:0] ny,
+    output wire signed [15:0] nz
+);
+
+    wire signed [23:0] nodes_0_depth;
+    wire [7:0] nodes_0_id;
+    wire [3:0] nodes_0_number;
+    wire signed [15:0] nodes_0_nx;
+    wire signed [15:0] nodes_0_ny;
+    wire signed [15:0] nodes_0_nz;
+
+    visibility_node nodes_0 (
+        .clock(clock),
+        .a_depth(input_0_depth),
+        .a_id(input_0_id),
+        .a_number(input_0_number),
+        .a_nx(input_0_nx),
+        .a_ny(input_0_ny),
+        .a_nz(input_0_nz),
+        .b_depth(input_1_depth),
+        .b_id(input_1_id),
+        .b_number(input_1_number),
+        .b_nx(input_1_nx),
+        .b_ny(input_1_ny),
+        .b_nz(input_1_nz),
+        .depth(nodes_0_depth),
+        .id(nodes_0_id),
+        .number(nodes_0_number),
+        .nx(nodes_0_nx),
+        .ny(nodes_0_ny),
+        .nz(nodes_0_nz)
+    );
+
+    assign depth = nodes_0_depth;
+    assign id = nodes_0_id;
+    assign number = nodes_0_number;
+    assign nx = nodes_0_nx;
+    assign ny = nodes_0_ny;
+    assign nz = nodes_0_nz;
+
+endmodule

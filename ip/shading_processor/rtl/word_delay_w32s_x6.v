@@ -1,0 +1,28 @@
+// word_delay_w32s_x6: part of shading_processor; see there.
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module word_delay_w32s_x6 (
+    input  wire clock,
+    input  wire signed [31:0] word,
+    output wire signed [31:0] late
+);
+
+    reg signed [31:0] word_at_0 = 32'sd0;
+    reg signed [31:0] word_at_1 = 32'sd0;
+    reg signed [31:0] word_at_2 = 32'sd0;
+    reg signed [31:0] word_at_3 = 32'sd0;
+    reg signed [31:0] word_at_4 = 32'sd0;
+    reg signed [31:0] word_at_5 = 32'sd0;
+
+    assign late = word_at_5;
+
+    always @(posedge clock) begin
+        word_at_0 <= word;
+        word_at_1 <= word_at_0;
+        word_at_2 <= word_at_1;
+        word_at_3 <= word_at_2;
+        word_at_4 <= word_at_3;
+        word_at_5 <= word_at_4;
+    end
+
+endmodule

@@ -1,0 +1,192 @@
+// visibility_chain: the nearest of many objects, compared on the way past their processors
+//
+// parameters: format 24
+//             objects 4
+// latency:    4 clocks
+// error:      exact
+// source:     Chaillou 1991, IV.3.2
+// ports:
+//   in  clock           1 unsigned
+//   in  input_0_depth  24 two's complement
+//   in  input_1_depth  24 two's complement
+//   in  input_2_depth  24 two's complement
+//   in  input_3_depth  24 two's complement
+//   in  input_0_id      8 unsigned
+//   in  input_1_id      8 unsigned
+//   in  input_2_id      8 unsigned
+//   in  input_3_id      8 unsigned
+//   in  input_0_number  4 unsigned
+//   in  input_1_number  4 unsigned
+//   in  input_2_number  4 unsigned
+//   in  input_3_number  4 unsigned
+//   in  input_0_nx     16 two's complement
+//   in  input_1_nx     16 two's complement
+//   in  input_2_nx     16 two's complement
+//   in  input_3_nx     16 two's complement
+//   in  input_0_ny     16 two's complement
+//   in  input_1_ny     16 two's complement
+//   in  input_2_ny     16 two's complement
+//   in  input_3_ny     16 two's complement
+//   in  input_0_nz     16 two's complement
+//   in  input_1_nz     16 two's complement
+//   in  input_2_nz     16 two's complement
+//   in  input_3_nz     16 two's complement
+//   out depth          24 two's complement
+//   out id              8 unsigned
+//   out number          4 unsigned
+//   out nx             16 two's complement
+//   out ny             16 two's complement
+//   out nz             16 two's complement
+//
+// Made by: imogene emit visibility_chain --format 24 --objects 4 --out DIR
+// SPDX-License-Identifier: MIT OR Apache-2.0
+
+module visibility_chain (
+    input  wire clock,
+    input  wire signed [23:0] input_0_depth,
+    input  wire signed [23:0] input_1_depth,
+    input  wire signed [23:0] input_2_depth,
+    input  wire signed [23:0] input_3_depth,
+    input  wire [7:0] input_0_id,
+    input  wire [7:0] input_1_id,
+    input  wire [7:0] input_2_id,
+    input  wire [7:0] input_3_id,
+    input  wire [3:0] input_0_number,
+    input  wire [3:0] input_1_number,
+    input  wire [3:0] input_2_number,
+    input  wire [3:0] input_3_number,
+    input  wire signed [15:0] input_0_nx,
+    input  wire signed [15:0] input_1_nx,
+    input  wire signed [15:0] input_2_nx,
+    input  wire signed [15:0] input_3_nx,
+    input  wire signed [15:0] input_0_ny,
+    input  wire signed [15:0] input_1_ny,
+    input  wire signed [15:0] input_2_ny,
+    input  wire signed [15:0] input_3_ny,
+    input  wire signed [15:0] input_0_nz,
+    input  wire signed [15:0] input_1_nz,
+    input  wire signed [15:0] input_2_nz,
+    input  wire signed [15:0] input_3_nz,
+    output wire signed [23:0] depth,
+    output wire [7:0] id,
+    output wire [3:0] number,
+    output wire signed [15:0] nx,
+    output wire signed [15:0] ny,
+    output wire signed [15:0] nz
+);
+
+    wire signed [23:0] beginning_depth;
+    wire [7:0] beginning_id;
+    wire [3:0] beginning_number;
+    wire signed [15:0] beginning_nx;
+    wire signed [15:0] beginning_ny;
+    wire signed [15:0] beginning_nz;
+    wire signed [23:0] nodes_0_depth;
+    wire [7:0] nodes_0_id;
+    wire [3:0] nodes_0_number;
+    wire signed [15:0] nodes_0_nx;
+    wire signed [15:0] nodes_0_ny;
+    wire signed [15:0] nodes_0_nz;
+    wire signed [23:0] nodes_1_depth;
+    wire [7:0] nodes_1_id;
+    wire [3:0] nodes_1_number;
+    wire signed [15:0] nodes_1_nx;
+    wire signed [15:0] nodes_1_ny;
+    wire signed [15:0] nodes_1_nz;
+    wire signed [23:0] nodes_2_depth;
+    wire [7:0] nodes_2_id;
+    wire [3:0] nodes_2_number;
+    wire signed [15:0] nodes_2_nx;
+    wire signed [15:0] nodes_2_ny;
+    wire signed [15:0] nodes_2_nz;
+
+    visibility_register beginning (
+        .clock(clock),
+        .a_depth(input_0_depth),
+        .a_id(input_0_id),
+        .a_number(input_0_number),
+        .a_nx(input_0_nx),
+        .a_ny(input_0_ny),
+        .a_nz(input_0_nz),
+        .depth(beginning_depth),
+        .id(beginning_id),
+        .number(beginning_number),
+        .nx(beginning_nx),
+        .ny(beginning_ny),
+        .nz(beginning_nz)
+    );
+
+    visibility_node nodes_0 (
+        .clock(clock),
+        .a_depth(beginning_depth),
+        .a_id(beginning_id),
+        .a_number(beginning_number),
+        .a_nx(beginning_nx),
+        .a_ny(beginning_ny),
+        .a_nz(beginning_nz),
+        .b_depth(input_1_depth),
+        .b_id(input_1_id),
+        .b_number(input_1_number),
+        .b_nx(input_1_nx),
+        .b_ny(input_1_ny),
+        .b_nz(input_1_nz),
+        .depth(nodes_0_depth),
+        .id(nodes_0_id),
+        .number(nodes_0_number),
+        .nx(nodes_0_nx),
+        .ny(nodes_0_ny),
+        .nz(nodes_0_nz)
+    );
+
+    visibility_node nodes_1 (
+        .clock(clock),
+        .a_depth(nodes_0_depth),
+        .a_id(nodes_0_id),
+        .a_number(nodes_0_number),
+        .a_nx(nodes_0_nx),
+        .a_ny(nodes_0_ny),
+        .a_nz(nodes_0_nz),
+        .b_depth(input_2_depth),
+        .b_id(input_2_id),
+        .b_number(input_2_number),
+        .b_nx(input_2_nx),
+        .b_ny(input_2_ny),
+        .b_nz(input_2_nz),
+        .depth(nodes_1_depth),
+        .id(nodes_1_id),
+        .number(nodes_1_number),
+        .nx(nodes_1_nx),
+        .ny(nodes_1_ny),
+        .nz(nodes_1_nz)
+    );
+
+    visibility_node nodes_2 (
+        .clock(clock),
+        .a_depth(nodes_1_depth),
+        .a_id(nodes_1_id),
+        .a_number(nodes_1_number),
+        .a_nx(nodes_1_nx),
+        .a_ny(nodes_1_ny),
+        .a_nz(nodes_1_nz),
+        .b_depth(input_3_depth),
+        .b_id(input_3_id),
+        .b_number(input_3_number),
+        .b_nx(input_3_nx),
+        .b_ny(input_3_ny),
+        .b_nz(input_3_nz),
+        .depth(nodes_2_depth),
+        .id(nodes_2_id),
+        .number(nodes_2_number),
+        .nx(nodes_2_nx),
+        .ny(nodes_2_ny),
+        .nz(nodes_2_nz)
+    );
+
+    assign depth = nodes_2_depth;
+    assign id = nodes_2_id;
+    assign number = nodes_2_number;
+    assign nx = nodes_2_nx;
+    assign ny = nodes_2_ny;
+    assign nz = nodes_2_nz;
+
+endmodule
