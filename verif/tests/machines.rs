@@ -1,13 +1,12 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
 use imogene_models::format::Format;
-use imogene_models::machine::description::{MachineDescription, Smoothing};
+use imogene_models::machine::description::{MachineDescription, Output, Smoothing};
 use imogene_models::machine::display::{Image, image};
 use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
-use imogene_verif::display::stream;
 use imogene_verif::engine::design::Simulator;
 use std::path::Path;
 
@@ -142,11 +141,20 @@ fn the_zone_machine_shows_whole_frames() {
 
 #[test]
 fn a_receiver_that_stalls_gets_every_pixel_once() {
-    let machine = small("zone-160x120.toml", 48, 36, 12);
-    let image = drawn("shadows/robot.toml", &machine);
-    for stalls in [None, Some(1), Some(2)] {
-        let report = stream::run(&machine, &image, VERILATOR, stalls).expect("a machine that runs");
-        assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
-        assert_eq!(report.pixels, 48 * 36);
+    for name in ["zone-160x120.toml", "beam-160x120.toml"] {
+        let mut machine = small(name, 48, 36, 12);
+        machine.output = Output::Stream;
+        let cylinders = drawn("crossing-cylinders.toml", &machine);
+        let teapot = drawn("teapot.toml", &machine);
+        let images = [cylinders.clone(), teapot.clone(), cylinders, teapot];
+        for (stalls, late) in [(None, 0), (Some(1), 0), (Some(2), 6000)] {
+            let options = PinsRun {
+                engine: VERILATOR,
+                stalls,
+                late,
+                frames: 2,
+            };
+            run(&machine, &images, &options);
+        }
     }
 }

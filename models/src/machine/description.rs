@@ -50,6 +50,17 @@ impl Smoothing {
     }
 }
 
+/// Where the pixels go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Output {
+    /// To the pins of a screen, with its synchronisation.
+    #[default]
+    Pins,
+    /// Over AXI4-Stream, as fast as they are taken.
+    Stream,
+}
+
 /// Columns and lines of a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -117,8 +128,11 @@ pub struct MachineDescription {
     /// Words that a beam machine keeps for the next frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loader_words: Option<usize>,
-    /// Video mode.
+    /// Video mode; of a machine that streams its shown part alone counts.
     pub mode: Mode,
+    /// Where the pixels go.
+    #[serde(default)]
+    pub output: Output,
     /// Smoothing.
     #[serde(default)]
     pub smoothing: Smoothing,
@@ -261,6 +275,10 @@ impl MachineDescription {
                 accepted,
             ));
         }
+        if self.output == Output::Stream && (self.smoothing != Smoothing::None || self.overlay) {
+            let accepted = "neither smoothing nor overlay, or output = \"pins\"".into();
+            return Err(value("output", "stream".into(), accepted));
+        }
         match (self.machine, self.zone, self.loader_words) {
             (MachineKind::Zone, Some(zone), None) => {
                 let fits = zone.width >= 1
@@ -385,6 +403,10 @@ mod tests {
         assert!(refused("640x480", "640x481").contains("\"1280x720\""));
         assert!(refused("beam", "zone").contains("zone is missing"));
         assert!(refused("planes", "plans").contains("plans"));
+        assert!(
+            refusal(&format!("{BEAM}output = \"stream\"\noverlay = true\n"))
+                .contains("output is stream")
+        );
         assert!(refused("= 3", "= 13").contains("0 to 12"));
         assert!(refusal(&format!("{BEAM}depth_word = 23\n")).contains("16, 20, 24, 28, 32"));
         assert!(

@@ -1,7 +1,7 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
 use super::beam;
-use super::description::{MachineDescription, MachineKind, Smoothing};
+use super::description::{MachineDescription, MachineKind, Output, Smoothing};
 use super::frame::Frame;
 use super::lighting::Lighting;
 use super::shader::{ShaderWords, shade_picture};
@@ -304,6 +304,9 @@ fn check_words(needed: usize, machine: &MachineDescription) -> Result<(), Displa
             limit,
             why: "fit the loader; give loader_words",
         });
+    }
+    if machine.output == Output::Stream {
+        return Ok(());
     }
     // What the pipeline and a smoothing filter look ahead is less than two lines and a few hundred clocks.
     let blanking = machine.video_mode().map_or(0, |mode| {

@@ -5,7 +5,9 @@ use super::{EmitError, Emitted, Heading, Task, merge, module_texts, names, ports
 use crate::for_format;
 use crate::format::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
 use crate::kernel::Ports;
-use crate::machine::beam_display::{BeamDisplay, BeamShape};
+use crate::machine::beam_core::{BeamCore, BeamShape};
+use crate::machine::beam_display::BeamDisplay;
+use crate::machine::beam_stream::BeamStream;
 use crate::machine::frame_loader::LOADER_BITS;
 use crate::machine::video_output::{OutputShape, VideoOutput};
 use crate::machine::zone_core::{ZONE_BITS, ZoneCore, ZoneShape};
@@ -25,6 +27,8 @@ pub enum DisplayKind {
     ZoneDisplay(ZoneShape, usize, OutputShape),
     /// A beam machine with its screen: shape, lights, screen.
     BeamDisplay(BeamShape, usize, OutputShape),
+    /// A beam machine that streams its picture: shape, lights, pixels of a line, lines.
+    BeamStream(BeamShape, usize, usize, usize),
 }
 
 /// A machine.
@@ -83,7 +87,7 @@ impl DisplayRequest {
                 range("lights", *lights, 1, MOST_LIGHTS)?;
                 zone(shape)
             }
-            DisplayKind::BeamDisplay(s, lights, _) => {
+            DisplayKind::BeamDisplay(s, lights, _) | DisplayKind::BeamStream(s, lights, ..) => {
                 range("lights", *lights, 1, MOST_LIGHTS)?;
                 range("loader bits", s.loader_bits, 1, LOADER_BITS)?;
                 processors(
@@ -156,8 +160,12 @@ fn clocks_of_format<
             output: VideoOutput::latency(output),
             ..zone(shape)
         },
+        DisplayKind::BeamStream(shape, ..) => MachineClocks {
+            pixel: BeamCore::<W, W1, S, F, P>::latency(shape),
+            ..MachineClocks::default()
+        },
         DisplayKind::BeamDisplay(shape, _, output) => MachineClocks {
-            pixel: BeamDisplay::<W, W1, S, F, P>::source(shape),
+            pixel: BeamCore::<W, W1, S, F, P>::latency(shape),
             output: VideoOutput::latency(output),
             ..MachineClocks::default()
         },
@@ -194,6 +202,11 @@ fn machine_of_format<
         }
         DisplayKind::BeamDisplay(shape, lights, output) => {
             task.run(BeamDisplay::<W, W1, S, F, P>::new(shape, *lights, output))
+        }
+        DisplayKind::BeamStream(shape, lights, width, height) => {
+            task.run(BeamStream::<W, W1, S, F, P>::new(
+                shape, *lights, *width, *height,
+            ))
         }
     }
 }
@@ -256,6 +269,9 @@ impl DisplayRequest {
             DisplayKind::BeamDisplay(..) => {
                 "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
             }
+            DisplayKind::BeamStream(..) => {
+                "the picture of a scene, frame after frame over AXI4-Stream, one pixel per clock"
+            }
         }
     }
 
@@ -281,7 +297,7 @@ impl DisplayRequest {
                 );
                 lines.push(format!("zones of up to {} pixels", 1usize << s.zone_bits));
             }
-            DisplayKind::BeamDisplay(s, ..) => {
+            DisplayKind::BeamDisplay(s, ..) | DisplayKind::BeamStream(s, ..) => {
                 processors(
                     s.objects,
                     s.planes,
@@ -305,6 +321,10 @@ impl DisplayRequest {
                     "smoothing {smoothing}, overlay {}",
                     if o.has_overlay { "yes" } else { "no" }
                 ));
+            }
+            DisplayKind::BeamStream(_, lights, width, height) => {
+                lines.push(format!("{lights} lights"));
+                lines.push(format!("pictures of {width} x {height} pixels"));
             }
             DisplayKind::ZoneCore(_) => {}
         }
@@ -361,6 +381,7 @@ mod tests {
                 DisplayKind::BeamDisplay(BEAM, 1, screen(2, true)),
                 "beam_display",
             ),
+            (DisplayKind::BeamStream(BEAM, 1, 64, 48), "beam_stream"),
         ];
         for (kind, top) in kinds {
             let emitted = emit_display(&request(kind)).unwrap();

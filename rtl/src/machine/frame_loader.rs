@@ -20,6 +20,7 @@ pub const LOADER_BITS: usize = 16;
 /// | `load_object`, `load_volume`, `load_shading`, `load_material` | out | a word is on the load bus for them |
 /// | `load_unit`, `load_address`, `load_data` | out | the load bus |
 /// | `take` | out | all words of a frame are there |
+/// | `is_busy` | out | words are being copied, until they are all at work |
 /// | `refused` | out | a frame of more words than the memory keeps came to its end, and is forgotten |
 ///
 /// After the last word `s_tready` is low until all words are copied. A `retrace` before the last word changes nothing: the frame before is drawn again, and no
@@ -57,6 +58,8 @@ pub struct FrameLoader<const F: usize> {
     pub load_data: Signal<Out, Word<F>>,
     /// All words are there.
     pub take: Signal<Out, Bit>,
+    /// Words are being copied.
+    pub is_busy: Signal<Out, Bit>,
     /// The frame is forgotten.
     pub refused: Signal<Out, Bit>,
     place_memory: BlockMemory<LOADER_BITS, 28>,
@@ -72,6 +75,7 @@ pub struct FrameLoader<const F: usize> {
     kept_word: DFF<Word<F>>,
     kept_refused: DFF<Bit>,
     take_delay: WordDelay<Bit>,
+    is_settling: DFF<Bit>,
     comes: Signal<Local, Bit>,
     is_full: Signal<Local, Bit>,
     ends: Signal<Local, Bit>,
@@ -92,8 +96,8 @@ pub struct FrameLoader<const F: usize> {
 block! {
     [const F: usize] FrameLoader [F]
     inputs { clock, s_tvalid, s_tdest, s_tuser, s_tdata, s_tlast, retrace }
-    parts { s_tready, load_object, load_volume, load_shading, load_material, load_unit, load_address, load_data, take, refused, place_memory, word_memory, filled,
-        is_whole, is_over, is_copying, copied, was_copying, kept_valid, kept_place, kept_word, kept_refused, take_delay, comes, is_full, ends, place,
+    parts { s_tready, load_object, load_volume, load_shading, load_material, load_unit, load_address, load_data, take, is_busy, refused, place_memory, word_memory, filled,
+        is_whole, is_over, is_copying, copied, was_copying, kept_valid, kept_place, kept_word, kept_refused, take_delay, is_settling, comes, is_full, ends, place,
         kind, zero, one, size, kind_bit, unit_bit, kind_object, kind_volume, kind_shading, kind_material }
     data { }
 }
@@ -107,8 +111,8 @@ impl<const F: usize> FrameLoader<F> {
     pub fn new(bits: usize) -> Self {
         fields! {
             [clock, s_tvalid, s_tdest, s_tuser, s_tdata, s_tlast, retrace, s_tready, load_object, load_volume, load_shading, load_material, load_unit,
-                load_address, load_data, take, refused, filled, is_whole, is_over, is_copying, copied, was_copying, kept_valid, kept_place, kept_word,
-                kept_refused, comes, is_full, ends, place, kind]
+                load_address, load_data, take, is_busy, refused, filled, is_whole, is_over, is_copying, copied, was_copying, kept_valid, kept_place, kept_word,
+                kept_refused, is_settling, comes, is_full, ends, place, kind]
             place_memory: BlockMemory::of_address_bits(bits),
             word_memory: BlockMemory::of_address_bits(bits),
             take_delay: WordDelay::new(3),
@@ -147,7 +151,8 @@ impl<const F: usize> Logic for FrameLoader<F> {
             kept_valid,
             kept_place,
             kept_word,
-            kept_refused
+            kept_refused,
+            is_settling
         );
         self.comes.next = self.s_tvalid.val() & !self.is_whole.q.val();
         self.is_full.next = self.filled.q.val() == self.size.val();
@@ -196,6 +201,9 @@ impl<const F: usize> Logic for FrameLoader<F> {
         self.kept_word.d.next = self.word_memory.read_data.val();
         self.take_delay.word.next = self.is_copying.q.val() & self.ends.val();
         self.take.next = self.take_delay.late.val();
+        self.is_settling.d.next =
+            self.is_copying.q.val() | (self.is_settling.q.val() & !self.take_delay.late.val());
+        self.is_busy.next = self.is_copying.q.val() | self.is_settling.q.val();
         self.kind.next = self
             .kept_place
             .q

@@ -2,7 +2,9 @@
 
 pub mod accumulator;
 pub mod beam;
+pub mod beam_core;
 pub mod beam_display;
+pub mod beam_stream;
 pub mod card_decider;
 pub mod coefficient_hold;
 pub mod coefficient_store;
@@ -12,6 +14,7 @@ pub mod csg_node;
 pub mod csg_product;
 pub mod decider;
 pub mod frame_loader;
+pub mod frame_scan;
 pub mod frame_store;
 pub mod object_array;
 pub mod overlay;

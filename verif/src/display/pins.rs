@@ -1,11 +1,11 @@
 //! A machine with its screen against golden pictures: the pins on every clock.
 
+use super::host::Host;
 use super::request::request;
-use super::stalls::Stalls;
-use super::zone_core::offer;
+use super::stream;
 use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
-use imogene_models::machine::description::{MachineDescription, MachineKind};
+use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
 use imogene_models::machine::display::Image;
 use imogene_models::machine::video_timing::{Shown, VideoTiming};
 use std::collections::VecDeque;
@@ -41,7 +41,8 @@ pub struct PinsOutcome {
     pub clocks_per_frame: u64,
 }
 
-/// Shows images one after the other and compares every pin on every clock. A frame is that of the image that came on last, or black.
+/// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A frame is that of the image that came on
+/// last, or black.
 ///
 /// # Errors
 ///
@@ -52,6 +53,9 @@ pub fn run(
     options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> Result<PinsOutcome, DisplayError> {
+    if machine.output == Output::Stream {
+        return stream::run(machine, images, options, frame_done);
+    }
     let request = request(machine, "");
     let behind = request.clocks()?.output;
     let mode = machine
@@ -106,79 +110,6 @@ pub fn run(
     Ok(run.outcome)
 }
 
-/// The host: the words of the images, one beat after the other.
-struct Host<'a> {
-    images: &'a [Image],
-    image: usize,
-    beat: usize,
-    wait: u64,
-    began: Vec<u64>,
-    stalls: Stalls,
-    late: u64,
-}
-
-impl<'a> Host<'a> {
-    fn new(images: &'a [Image], options: &PinsRun) -> Self {
-        Host {
-            images,
-            image: 0,
-            beat: 0,
-            wait: options.late,
-            began: vec![],
-            stalls: Stalls::new(options.stalls),
-            late: options.late,
-        }
-    }
-
-    /// Clocks after which a machine that shows nothing is given up.
-    fn limit(&self, frame: u64) -> u64 {
-        let beats: usize = self.images.iter().map(|image| image.beats.len()).sum();
-        let pixels: u64 = self
-            .images
-            .iter()
-            .filter_map(|i| i.plan.as_ref())
-            .map(|plan| {
-                let passes = |zone: &imogene_models::machine::zone::plan::Zone| {
-                    plan.passes(zone, false).count() as u64
-                };
-                let each = u64::from(plan.machine.zone_width * plan.machine.zone_height) + 600;
-                plan.zones
-                    .iter()
-                    .map(|zone| passes(zone) * each)
-                    .sum::<u64>()
-            })
-            .sum();
-        8 * (beats as u64 + pixels + self.late * self.images.len() as u64) + 16 * frame
-    }
-
-    /// Sets the stream for the next clock.
-    fn offer(&mut self, hardware: &mut Machine, is_beam: bool, outcome: &mut PinsOutcome) {
-        self.wait = self.wait.saturating_sub(1);
-        let image = self.images.get(self.image).filter(|_| self.wait == 0);
-        let beat = image.and_then(|image| image.beats.get(self.beat));
-        let beat = beat.filter(|_| !self.stalls.stall());
-        let is_ready = hardware.is_set("s_tready");
-        offer(hardware, beat);
-        if is_beam {
-            hardware.set("s_tlast", i64::from(beat.is_some_and(|beat| beat.last)));
-        }
-        if self.beat == 0 && beat.is_some() && self.began.len() == self.image {
-            self.began.push(hardware.clocks);
-        }
-        if let Some(beat) = beat.filter(|_| is_ready) {
-            self.beat += 1;
-            if beat.last {
-                outcome
-                    .taking
-                    .push(hardware.clocks - self.began[self.image]);
-                self.image += 1;
-                self.beat = 0;
-                self.wait = self.late;
-            }
-        }
-    }
-}
-
 struct Run<'a> {
     golden: VideoTiming,
     late: VecDeque<Option<(Shown, bool, bool)>>,
@@ -195,7 +126,7 @@ impl Run<'_> {
         if hardware.is_set("swapped") {
             let next = self.on.map_or(0, |on| on + 1);
             self.on = Some(next);
-            if let Some(began) = host.began.get(next) {
+            if let Some(began) = host.began(next) {
                 self.outcome.loading.push(hardware.clocks - began);
             }
         }

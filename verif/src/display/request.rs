@@ -1,16 +1,16 @@
 //! The hardware of a machine description.
 
 use super::zone_core::shape;
-use imogene_models::machine::description::{MachineDescription, MachineKind, Smoothing};
+use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
 use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::EmitError;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
-use imogene_rtl::machine::beam_display::BeamShape;
+use imogene_rtl::machine::beam_core::BeamShape;
 use imogene_rtl::machine::video_mode::{Span, VideoMode};
 use imogene_rtl::machine::video_output::OutputShape;
 
-/// The request for the machine of a description with its screen; `command` is stated in the header of its Verilog.
+/// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///
 /// # Panics
 ///
@@ -29,7 +29,10 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
     let kind = match machine.machine {
         MachineKind::Zone => {
             let shape = shape(&machine.zone_machine(), rows_per_stage);
-            DisplayKind::ZoneDisplay(shape, machine.lights, output)
+            match machine.output {
+                Output::Pins => DisplayKind::ZoneDisplay(shape, machine.lights, output),
+                Output::Stream => DisplayKind::ZoneMachine(shape, machine.lights),
+            }
         }
         MachineKind::Beam => {
             let shape = BeamShape {
@@ -40,7 +43,12 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
                 rows_per_stage,
                 loader_bits: machine.loader_words().next_power_of_two().trailing_zeros() as usize,
             };
-            DisplayKind::BeamDisplay(shape, machine.lights, output)
+            match machine.output {
+                Output::Pins => DisplayKind::BeamDisplay(shape, machine.lights, output),
+                Output::Stream => {
+                    DisplayKind::BeamStream(shape, machine.lights, output.width(), output.height())
+                }
+            }
         }
     };
     DisplayRequest {
@@ -48,15 +56,6 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
         depth_word: machine.depth_word as usize,
         prefix: String::new(),
         command: command.to_owned(),
-    }
-}
-
-/// The zone machine of a description without its screen: pixels over AXI4-Stream.
-pub fn stream_request(machine: &MachineDescription, command: &str) -> DisplayRequest {
-    let shape = shape(&machine.zone_machine(), machine.rows_per_stage as usize);
-    DisplayRequest {
-        kind: DisplayKind::ZoneMachine(shape, machine.lights),
-        ..request(machine, command)
     }
 }
 

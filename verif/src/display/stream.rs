@@ -1,79 +1,83 @@
-//! A zone machine without a screen: its pixels over AXI4-Stream against the golden picture, with a receiver that stalls.
+//! A machine without a screen: its pixels over AXI4-Stream against golden pictures, with a receiver that may stall.
 
-use super::request::stream_request;
+use super::host::Host;
+use super::pins::{PinsOutcome, PinsRun};
+use super::request::request;
 use super::stalls::Stalls;
-use super::zone_core::offer;
-use super::{DisplayEngine, DisplayError, Machine};
-use crate::report::{Mismatch, Report};
-use imogene_models::machine::description::MachineDescription;
+use super::{DisplayError, Machine};
+use crate::report::Mismatch;
+use imogene_models::machine::description::{MachineDescription, MachineKind};
 use imogene_models::machine::display::Image;
 use std::time::Instant;
 
-/// Sends the stream of an image and takes its pixels; both sides stall at random if there is a seed. Every pixel has to come exactly once, its word has
-/// to stay while the receiver stalls, and the last one has to say so.
+/// Clocks without a pixel after which a machine is given up.
+const PATIENCE: u64 = 1 << 22;
+
+/// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has to come exactly once, its word has to
+/// stay while the receiver stalls, and the first and last have to say so.
 ///
 /// # Errors
 ///
 /// When the hardware cannot be built or run.
 pub fn run(
     machine: &MachineDescription,
-    image: &Image,
-    engine: DisplayEngine,
-    stalls: Option<u64>,
-) -> Result<Report, DisplayError> {
-    let mut hardware = Machine::start(&stream_request(machine, ""), engine)?;
+    images: &[Image],
+    options: &PinsRun,
+    mut frame_done: impl FnMut(),
+) -> Result<PinsOutcome, DisplayError> {
+    let mut hardware = Machine::start(&request(machine, ""), options.engine)?;
     let started = Instant::now();
-    let mut report = Report {
-        subject: hardware.name.clone(),
-        engine: engine.name().into(),
-        seed: stalls,
-        ..Report::default()
-    };
-    let mut sender = Stalls::new(stalls);
-    let mut receiver = Stalls::new(stalls.map(|seed| seed + 1));
-    let pixels = image.frame.width * image.frame.height;
-    let mut seen = vec![false; pixels];
-    let (mut sent, mut idle, mut stalled) = (0, 0u64, None);
+    let mut host = Host::new(images, options);
+    let mut receiver = Stalls::new(options.stalls.map(|seed| seed + 1));
+    let mut taker = Taker::new(machine, images);
+    let is_beam = machine.machine == MachineKind::Beam;
+    // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is there.
+    let wanted = if is_beam { options.frames } else { 1 };
+    let (mut seen_last, mut idle, mut stalled) = (0, 0, None);
     hardware.set("m_tready", 0);
     hardware.clock();
-    while report.pixels < pixels as u64 && idle < 1 << 20 {
-        let is_ready = hardware.is_set("s_tready");
-        let beat = image.beats.get(sent).filter(|_| !sender.stall());
-        offer(&mut hardware, beat);
-        sent += usize::from(beat.is_some() && is_ready);
+    while seen_last < wanted && idle < PATIENCE {
+        host.offer(&mut hardware, is_beam, &mut taker.outcome);
         let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
         let now = hardware.is_set("m_tvalid").then(|| Pixel::of(&hardware));
-        check(
-            &mut report,
-            &hardware,
+        taker.check(
             "m_tdata while the receiver stalls",
+            hardware.clocks,
             stalled.is_none() || stalled == now,
         );
         stalled = now.filter(|_| !takes);
         idle += 1;
         if let Some(pixel) = now.filter(|_| takes) {
             idle = 0;
-            pixel.compare(&hardware, image, &mut seen, &mut report);
+            if taker.take(&pixel, hardware.clocks) {
+                let is_last = taker.outcome.shown.last() == Some(&images.len().checked_sub(1));
+                seen_last += usize::from(is_last);
+                frame_done();
+            }
         }
         hardware.clock();
+        taker.see_swap(&hardware, is_beam, &host);
     }
-    check(
-        &mut report,
-        &hardware,
-        "all pixels",
-        seen.iter().all(|&seen| seen),
+    taker.check(
+        "frames of the last image",
+        hardware.clocks,
+        seen_last == wanted,
     );
-    report.cycles = hardware.clocks;
-    report.timed(started.elapsed().as_secs_f64());
-    Ok(report)
+    let mut outcome = taker.outcome;
+    outcome.report.subject = hardware.name.clone();
+    outcome.report.engine = options.engine.name().into();
+    outcome.report.seed = options.stalls;
+    outcome.report.cycles = hardware.clocks;
+    outcome.report.timed(started.elapsed().as_secs_f64());
+    Ok(outcome)
 }
 
 /// A pixel on the stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Pixel {
     colour: i64,
-    place: i64,
+    user: i64,
     is_last: bool,
 }
 
@@ -81,49 +85,131 @@ impl Pixel {
     fn of(hardware: &Machine) -> Pixel {
         Pixel {
             colour: hardware.get("m_tdata").unwrap_or(-1),
-            place: hardware.get("m_tuser").unwrap_or(-1),
+            user: hardware.get("m_tuser").unwrap_or(-1),
             is_last: hardware.is_set("m_tlast"),
         }
     }
+}
 
-    fn compare(&self, hardware: &Machine, image: &Image, seen: &mut [bool], report: &mut Report) {
-        let (x, y) = (self.place & 0xfff, self.place >> 12);
-        let at = y as usize * image.frame.width + x as usize;
-        let is_new = x < image.frame.width as i64
-            && at < seen.len()
-            && !std::mem::replace(&mut seen[at], true);
-        check(report, hardware, "a pixel once", is_new);
-        report.pixels += 1;
-        check(
-            report,
-            hardware,
-            "m_tlast",
-            self.is_last == (report.pixels == seen.len() as u64),
-        );
-        let Some(wanted) = image.picture.get(3 * at..3 * at + 3) else {
+/// The receiver: puts the pixels of a frame together.
+struct Taker<'a> {
+    images: &'a [Image],
+    is_beam: bool,
+    width: usize,
+    frame: Vec<u8>,
+    seen: Vec<bool>,
+    count: usize,
+    /// Image of this frame, and of the next.
+    on: Option<usize>,
+    next: Option<usize>,
+    outcome: PinsOutcome,
+}
+
+impl<'a> Taker<'a> {
+    fn new(machine: &MachineDescription, images: &'a [Image]) -> Self {
+        let size = machine
+            .video_mode()
+            .map_or((1, 1), |mode| (mode.line.active, mode.frame.active));
+        let pixels = (size.0 * size.1) as usize;
+        let is_beam = machine.machine == MachineKind::Beam;
+        let first = (!is_beam).then_some(0);
+        Taker {
+            images,
+            is_beam,
+            width: size.0 as usize,
+            frame: vec![0; 3 * pixels],
+            seen: vec![false; pixels],
+            count: 0,
+            on: first,
+            next: first.map(|_| 1),
+            outcome: PinsOutcome::default(),
+        }
+    }
+
+    /// A swap comes while the last pixels of the old frame may still wait in the queue: it is for the frame after this one.
+    fn see_swap(&mut self, hardware: &Machine, is_beam: bool, host: &Host) {
+        if !is_beam || !hardware.is_set("swapped") {
             return;
+        }
+        let image = self.next.or(self.on).map_or(0, |image| image + 1);
+        self.next = Some(image);
+        if self.count == 0 {
+            self.on = self.next;
+        }
+        if let Some(began) = host.began(image) {
+            self.outcome.loading.push(hardware.clocks - began);
+        }
+    }
+
+    /// Takes a pixel; true if the frame is complete.
+    fn take(&mut self, pixel: &Pixel, clock: u64) -> bool {
+        let at = match self.is_beam {
+            true => self.count,
+            false => (pixel.user >> 12) as usize * self.width + (pixel.user & 0xfff) as usize,
         };
+        let pixels = self.seen.len();
+        let is_new = at < pixels && !std::mem::replace(&mut self.seen[at.min(pixels - 1)], true);
+        self.check("a pixel once", clock, is_new);
+        let ends = match self.is_beam {
+            true => at % self.width == self.width - 1,
+            false => self.count == pixels - 1,
+        };
+        self.check("m_tlast", clock, pixel.is_last == ends);
+        if self.is_beam {
+            self.check("m_tuser", clock, (pixel.user == 1) == (at == 0));
+        }
+        self.compare(pixel, at.min(pixels - 1), clock);
+        self.outcome.report.pixels += 1;
+        self.count += 1;
+        if self.count < pixels {
+            return false;
+        }
+        self.finish();
+        true
+    }
+
+    fn compare(&mut self, pixel: &Pixel, at: usize, clock: u64) {
+        let image = self.on.and_then(|on| self.images.get(on));
+        let wanted = image.map_or([0; 3], |image| [0, 1, 2].map(|k| image.picture[3 * at + k]));
         let golden = wanted
             .iter()
             .fold(0, |word, byte| word << 8 | i64::from(*byte));
+        for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
+            self.frame[3 * at + channel] = (pixel.colour >> shift) as u8;
+        }
         let mismatch = || Mismatch {
-            cycle: hardware.clocks,
-            pixel: Some((x, y)),
+            cycle: clock,
+            pixel: Some(((at % self.width) as i64, (at / self.width) as i64)),
             signal: "m_tdata".into(),
-            hardware: Some(self.colour),
+            hardware: Some(pixel.colour),
             golden,
         };
-        report.compare(mismatch, self.colour == golden);
+        self.outcome
+            .report
+            .compare(mismatch, pixel.colour == golden);
     }
-}
 
-fn check(report: &mut Report, hardware: &Machine, what: &str, holds: bool) {
-    let mismatch = || Mismatch {
-        cycle: hardware.clocks,
-        pixel: None,
-        signal: what.into(),
-        hardware: Some(0),
-        golden: 1,
-    };
-    report.compare(mismatch, holds);
+    fn finish(&mut self) {
+        self.outcome.shown.push(self.on);
+        self.outcome.picture.clone_from(&self.frame);
+        self.seen.fill(false);
+        self.count = 0;
+        if let Some(next) = self.next {
+            self.on = Some(next);
+            if !self.is_beam {
+                self.next = Some(next + 1);
+            }
+        }
+    }
+
+    fn check(&mut self, what: &str, clock: u64, holds: bool) {
+        let mismatch = || Mismatch {
+            cycle: clock,
+            pixel: None,
+            signal: what.into(),
+            hardware: Some(0),
+            golden: 1,
+        };
+        self.outcome.report.compare(mismatch, holds);
+    }
 }
