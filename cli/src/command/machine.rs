@@ -4,7 +4,7 @@ use super::{describe, frame_scene, verdict};
 use crate::arguments::Machine;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::machine::description::MachineDescription;
+use imogene_models::machine::description::{MachineDescription, Output};
 use imogene_models::machine::display::{Image, image};
 use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
 use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
@@ -27,8 +27,8 @@ struct MachineReport<'a> {
     machine: &'a MachineDescription,
     top: String,
     scenes: Vec<String>,
-    /// Clocks of a frame on the pins, and pixels of it: one pixel per clock within a line.
-    clocks_per_frame: u64,
+    /// Clocks of a frame on the pins, none of a stream; and pixels of it, one per clock within a line.
+    clocks_per_frame: Option<u64>,
     pixels_per_frame: u64,
     /// Words of each scene's frame.
     words: Vec<usize>,
@@ -86,7 +86,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
             .iter()
             .map(|path| path.display().to_string())
             .collect(),
-        clocks_per_frame: mode.0,
+        clocks_per_frame: (machine.output == Output::Pins).then_some(mode.0),
         pixels_per_frame: mode.1,
         words: images.iter().map(|image| image.beats.len()).collect(),
         zone_clocks: plans
@@ -247,9 +247,13 @@ fn tell(summary: &MachineReport, json: bool) {
         output::json(summary);
         return;
     }
+    let pace = match summary.clocks_per_frame {
+        Some(clocks) => format!("in {clocks} clocks of a frame on the pins"),
+        None => "of a frame over AXI4-Stream".to_owned(),
+    };
     output::text(format!(
-        "{}: {} pixels in {} clocks of a frame on the pins",
-        summary.top, summary.pixels_per_frame, summary.clocks_per_frame
+        "{}: {} pixels {pace}",
+        summary.top, summary.pixels_per_frame
     ));
     for (place, clocks) in summary.zone_clocks.iter().enumerate() {
         output::text(format!(
