@@ -10,8 +10,8 @@ use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
 use imogene_verif::display::DisplayEngine;
-use imogene_verif::display::request::zone_timing;
-use imogene_verif::display::zone_core::{CoreRun, run, shape};
+use imogene_verif::display::request::{shape, zone_timing};
+use imogene_verif::display::zone_core::{CoreRun, run};
 use imogene_verif::engine::design::Simulator;
 use std::path::Path;
 

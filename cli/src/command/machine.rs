@@ -55,7 +55,8 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let command = command_of(options);
     let request = request(&machine, &command);
-    let mut files = write_verilog(&request, &options.out)?;
+    let (top, verilog) = write_verilog(&request, &options.out)?;
+    let mut files = vec![verilog];
     let images: Vec<Image> = scenes.iter().map(|(_, image)| image.clone()).collect();
     let timing = zone_timing_of(&request, &machine)?;
     let mut growths = vec![];
@@ -80,7 +81,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let last = images.last();
     let mut summary = MachineReport {
         machine: &machine,
-        top: top_of(&request)?,
+        top,
         scenes: options
             .scenes
             .iter()
@@ -144,15 +145,12 @@ fn command_of(options: &Machine) -> String {
     )
 }
 
-fn top_of(request: &DisplayRequest) -> Result<String, Failure> {
-    Ok(emit_display(request).map_err(Failure::input)?.top)
-}
-
-fn write_verilog(request: &DisplayRequest, out: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// Name of the top module, and the file of its Verilog.
+fn write_verilog(request: &DisplayRequest, out: &Path) -> Result<(String, PathBuf), Failure> {
     let emitted = emit_display(request).map_err(Failure::input)?;
     let path = out.join(format!("{}.v", emitted.top));
     write_text(&path, &emitted.bundle())?;
-    Ok(vec![path])
+    Ok((emitted.top, path))
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {

@@ -60,7 +60,7 @@ pub fn run(
     let behind = request.clocks()?.output;
     let mode = machine
         .video_mode()
-        .unwrap_or(imogene_models::machine::video_timing::MODES[0]);
+        .expect("a description that was checked");
     let mut hardware = Machine::start(&request, options.engine)?;
     let started = Instant::now();
     let mut run = Run {

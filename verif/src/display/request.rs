@@ -1,14 +1,15 @@
 //! The hardware of a machine description.
 
-use super::zone_core::shape;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
 use imogene_models::machine::video_timing;
+use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::EmitError;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
 use imogene_rtl::machine::beam_core::BeamShape;
 use imogene_rtl::machine::video_mode::{Span, VideoMode};
 use imogene_rtl::machine::video_output::OutputShape;
+use imogene_rtl::machine::zone_core::ZoneShape;
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///
@@ -56,6 +57,19 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
         depth_word: machine.depth_word as usize,
         prefix: String::new(),
         command: command.to_owned(),
+    }
+}
+
+/// The hardware of a zone machine.
+pub fn shape(machine: &ZoneMachine, rows_per_stage: usize) -> ZoneShape {
+    let pixels = machine.zone_width * machine.zone_height;
+    ZoneShape {
+        objects: machine.object_processors,
+        planes: machine.planes,
+        volumes: machine.volume_processors,
+        volume_planes: machine.volume_planes,
+        rows_per_stage,
+        zone_bits: pixels.next_power_of_two().trailing_zeros().max(1) as usize,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel compared.
 
+use super::request::shape;
 use super::stalls::Stalls;
 use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
@@ -8,21 +9,7 @@ use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
 use imogene_models::machine::zone::stream::Beat;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
-use imogene_rtl::machine::zone_core::ZoneShape;
 use std::time::Instant;
-
-/// The hardware of a zone machine.
-pub fn shape(machine: &ZoneMachine, rows_per_stage: usize) -> ZoneShape {
-    let pixels = machine.zone_width * machine.zone_height;
-    ZoneShape {
-        objects: machine.object_processors,
-        planes: machine.planes,
-        volumes: machine.volume_processors,
-        volume_planes: machine.volume_planes,
-        rows_per_stage,
-        zone_bits: pixels.next_power_of_two().trailing_zeros().max(1) as usize,
-    }
-}
 
 /// Puts a beat on the command stream of a machine, or none.
 pub fn offer(hardware: &mut Machine, beat: Option<&Beat>) {
