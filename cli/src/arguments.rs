@@ -1,5 +1,6 @@
 //! Arguments of every command.
 
+mod import;
 mod machine;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -13,6 +14,7 @@ use imogene_rtl::catalogue::Unit;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
+pub use import::{Import, ImportKind};
 pub use machine::Machine;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -54,6 +56,8 @@ pub enum Command {
     Prepare(Prepare),
     /// Compare hardware and golden model clock by clock, for a scene or a unit.
     Cosim(Cosim),
+    /// Read a molecule, CAD faces or terrain and write them as a scene.
+    Import(Import),
     /// Show scenes on the pins of a whole machine: Verilog from a machine description, co-simulation of every clock, and the picture from the pins.
     Machine(Machine),
     /// Measure how fast the engines run a unit: clocks per second alone, with the scoreboard, with waveforms.

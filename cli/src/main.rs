@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Command::Render(options) => command::render::run(options, json),
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
+        Command::Import(options) => command::import::run(options, json),
         Command::Machine(options) => command::machine::run(options, json),
         Command::Speed(options) => command::speed::run(options, json),
         Command::Check(options) => command::check::run(options, json),

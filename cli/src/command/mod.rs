@@ -10,6 +10,7 @@ pub mod emit;
 pub mod extremes;
 pub mod fit;
 pub mod fitted;
+pub mod import;
 pub mod machine;
 pub mod mutate;
 pub mod package;

@@ -1,0 +1,44 @@
+//! Arguments of `import`.
+
+mod faces;
+mod molecule;
+mod terrain;
+
+use clap::{Args, ValueEnum};
+pub use faces::FaceOptions;
+pub use molecule::MoleculeOptions;
+use std::path::PathBuf;
+pub use terrain::TerrainOptions;
+
+/// Arguments of `import`.
+#[derive(Debug, Args)]
+pub struct Import {
+    /// File to read: a molecule, a face list or a grid of heights.
+    pub file: PathBuf,
+    /// Scene file to write.
+    #[arg(short, long, value_name = "SCENE.toml")]
+    pub output: PathBuf,
+    /// What the file is, if its extension does not say so.
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub kind: Option<ImportKind>,
+    /// Options of molecules.
+    #[command(flatten, next_help_heading = "Molecules")]
+    pub molecule: MoleculeOptions,
+    /// Options of face lists.
+    #[command(flatten, next_help_heading = "CAD faces")]
+    pub faces: FaceOptions,
+    /// Options of terrain.
+    #[command(flatten, next_help_heading = "Terrain")]
+    pub terrain: TerrainOptions,
+}
+
+/// Kinds of files that are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ImportKind {
+    /// A structure of the Protein Data Bank (.pdb, .ent).
+    Pdb,
+    /// A list of CAD faces (.faces.toml).
+    Faces,
+    /// A grid of heights (.heights, .asc).
+    Heights,
+}

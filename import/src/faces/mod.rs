@@ -1,0 +1,1 @@
+//! CAD faces: a face list compiled to quadrics and cut planes.

@@ -1,0 +1,21 @@
+//! Readers of real data: each turns one kind of file into a [`SceneFile`](imogene_models::scene::SceneFile) and says what it left out, what is exact and what is not.
+
+mod error;
+pub mod faces;
+pub mod pdb;
+pub mod terrain;
+
+pub use error::{ImportError, Place};
+
+use imogene_models::scene::SceneFile;
+
+/// What a reader made of a file.
+#[derive(Debug)]
+pub struct Imported {
+    /// The scene.
+    pub scene: SceneFile,
+    /// Counts and verdicts, one JSON object.
+    pub report: serde_json::Value,
+    /// What a person should know, one line each: what was left out, approximated or rejected.
+    pub notes: Vec<String>,
+}

@@ -1,0 +1,1 @@
+//! Molecules: atoms of a structure file as spheres and cylinders.

@@ -1,0 +1,1 @@
+//! Terrain: a grid of heights as quadric cells.
