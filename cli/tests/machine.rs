@@ -3,6 +3,7 @@
 mod common;
 
 use common::imogene;
+use imogene_models::picture::write_png;
 use serde_json::Value;
 use std::path::Path;
 
@@ -14,7 +15,7 @@ const SMALL: [(&str, &str); 2] = [
     ),
     (
         "machine = \"zone\"\nobjects = 3\n",
-        "zone = { width = 16, height = 16 }\n",
+        "zone = { width = 16, height = 16 }\nsupersampling = 2\noverlay = true\n",
     ),
 ];
 const COMMON: &str = "planes = 3\nrows_per_stage = 6\nlights = 2\nmode = { columns = [40, 4, 4, 4], lines = [30, 2, 2, 40] }\n";
@@ -22,6 +23,11 @@ const COMMON: &str = "planes = 3\nrows_per_stage = 6\nlights = 2\nmode = { colum
 #[test]
 fn the_pins_show_the_golden_picture() {
     let folder = tempfile::tempdir().expect("a folder");
+    let mask = folder.path().join("mask.png");
+    let stripes: Vec<u8> = (0..3 * 40 * 30)
+        .map(|byte| u8::from(byte / 3 % 11 == 4))
+        .collect();
+    write_png(&mask, 40, 30, &stripes).expect("a picture");
     for (index, (head, tail)) in SMALL.iter().enumerate() {
         let description = folder.path().join(format!("{index}.toml"));
         std::fs::write(&description, format!("{head}{COMMON}{tail}")).expect("a file");
@@ -39,6 +45,9 @@ fn the_pins_show_the_golden_picture() {
             out.to_str().expect("a plain path"),
             "--json",
         ]);
+        if tail.contains("overlay") {
+            command.arg("--overlay").arg(&mask);
+        }
         let output = command.output().expect("the program runs");
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{said}");
@@ -61,7 +70,7 @@ fn the_pins_show_the_golden_picture() {
 fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
-    let refused = |scene: &str, machine: &str, says: &str| {
+    let refused_with = |scene: &str, machine: &str, more: &[&str], says: &str| {
         let mut command = imogene();
         command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
         command.args([
@@ -72,16 +81,31 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
             "--out",
             out.to_str().expect("a plain path"),
         ]);
-        let output = command.output().expect("the program runs");
+        let output = command.args(more).output().expect("the program runs");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.contains(says), "{said}");
         assert!(!out.exists(), "{says}");
     };
+    let refused = |scene, machine, says| refused_with(scene, machine, &[], says);
     refused("scenes/teapot.toml", "no/machine.toml", "give the path");
     let beam = "machines/beam-160x120.toml";
     refused("scenes/shadows/robot.toml", beam, "objects = 39 would do");
     refused("scenes/shadows/sphere-surface.toml", beam, "objects");
     let zone = "machines/zone-160x120.toml";
     refused("scenes/processors/mesh.toml", zone, "guard bits");
+    let mask = ["--overlay", "docs/images/trace.png"];
+    refused_with("scenes/teapot.toml", zone, &mask, "overlay = true");
+    let description = folder.path().join("overlaid.toml");
+    let text = format!("machine = \"beam\"\nobjects = 10\n{COMMON}overlay = true\n");
+    std::fs::write(&description, text).expect("a file");
+    let overlaid = description.to_str().expect("a plain path");
+    refused_with(
+        "scenes/teapot.toml",
+        overlaid,
+        &mask,
+        "the screen has 40 x 30",
+    );
+    let mask = ["--overlay", "README.md"];
+    refused_with("scenes/teapot.toml", overlaid, &mask, "a PNG picture");
 }

@@ -55,6 +55,57 @@ fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
+/// A picture that could not be read.
+#[derive(Debug, Error)]
+#[error("cannot read '{}': {problem}; accepted is a PNG picture", path.display())]
+pub struct ReadError {
+    /// The file.
+    pub path: PathBuf,
+    /// Why.
+    pub problem: String,
+}
+
+/// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are less than half opaque count as black.
+pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
+    let fail = |problem: String| ReadError {
+        path: path.to_path_buf(),
+        problem,
+    };
+    let file = std::fs::File::open(path).map_err(|e| fail(e.to_string()))?;
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|e| fail(e.to_string()))?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    if width.max(height) > MAX_MASK_SIDE {
+        return Err(fail(format!(
+            "{width} x {height} pixels are more than {MAX_MASK_SIDE} each way"
+        )));
+    }
+    let size = reader.output_buffer_size();
+    let mut buffer = vec![0; size.ok_or_else(|| fail("it is too large".into()))?];
+    let info = reader
+        .next_frame(&mut buffer)
+        .map_err(|e| fail(e.to_string()))?;
+    let samples = info.color_type.samples();
+    let has_alpha = matches!(
+        info.color_type,
+        png::ColorType::GrayscaleAlpha | png::ColorType::Rgba
+    );
+    let is_set = |pixel: &[u8]| {
+        let (colour, alpha) = pixel.split_at(samples - usize::from(has_alpha));
+        colour.iter().any(|&c| c > 0) && alpha.iter().all(|&a| a >= 128)
+    };
+    let pixels = buffer[..info.buffer_size()].chunks_exact(samples);
+    Ok((
+        width as usize,
+        height as usize,
+        pixels.map(is_set).collect(),
+    ))
+}
+
+/// Longest side of a mask that is read.
+const MAX_MASK_SIDE: u32 = 4096;
+
 /// An 8-bit RGB picture.
 pub fn write_png(path: &Path, width: usize, height: usize, rgb: &[u8]) -> Result<(), WriteError> {
     write_whole(path, |out| {

@@ -1,8 +1,9 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
 use imogene_models::format::Format;
-use imogene_models::machine::description::{MachineDescription, Output, Smoothing};
+use imogene_models::machine::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_models::machine::display::{Image, image};
+use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
 use imogene_verif::display::DisplayEngine;
@@ -33,8 +34,8 @@ fn drawn(scene: &str, machine: &MachineDescription) -> Image {
 
 fn drawn_text(text: &str, machine: &MachineDescription) -> Image {
     let file = SceneFile::parse(text, "a scene").expect("a valid scene");
-    let mode = machine.video_mode().expect("a mode");
-    let framed = file.frame(mode.line.active as u32, mode.frame.active as u32);
+    let size = machine.drawn_size().expect("a mode");
+    let framed = file.frame(size.0, size.1);
     let framed = framed.expect("a valid size");
     let format = Format::new(machine.depth_word).expect("a format");
     let prepared = prepare(&framed, format).expect("fits the format");
@@ -46,7 +47,11 @@ fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> Pin
     let report = &outcome.report;
     assert_eq!(report.mismatches, 0, "{}", report.first_mismatches[0]);
     let last = images.last().expect("an image");
-    assert!(outcome.picture == last.picture, "the picture of the pins");
+    let golden = match options.overlay {
+        Some(plane) => plane.over(&last.picture),
+        None => last.picture.clone(),
+    };
+    assert!(outcome.picture == golden, "the picture of the pins");
     println!(
         "{} {}: {} clocks, {:.0} per second, taken in {:?}, shown {:?}",
         report.subject,
@@ -59,8 +64,9 @@ fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> Pin
     outcome
 }
 
-fn quiet(engine: DisplayEngine) -> PinsRun {
+fn quiet(engine: DisplayEngine) -> PinsRun<'static> {
     PinsRun {
+        overlay: None,
         engine,
         stalls: None,
         late: 0,
@@ -85,8 +91,11 @@ fn the_beam_machine_smooths_and_never_tears() {
         let teapot = drawn("teapot.toml", &machine);
         let cylinders = drawn("crossing-cylinders.toml", &machine);
         let images = [teapot.clone(), cylinders.clone(), teapot, cylinders];
+        let checks: Vec<bool> = (0..48 * 36).map(|place| place % 7 < 2).collect();
+        let plane = OverlayPlane::new(&checks, [255, 200, 3]);
         // A host that stalls, and that is late by more than a frame before each image.
         let options = PinsRun {
+            overlay: machine.overlay.then_some(&plane),
             engine: VERILATOR,
             stalls: Some(5),
             late: 7000,
@@ -130,12 +139,46 @@ fn the_zone_machine_shows_whole_frames() {
     let images = [robot.clone(), teapot.clone(), robot, teapot];
     for (stalls, late) in [(None, 0), (Some(9), 5000)] {
         let options = PinsRun {
+            overlay: None,
             engine: VERILATOR,
             stalls,
             late,
             frames: 1,
         };
         run(&machine, &images, &options);
+    }
+}
+
+#[test]
+fn the_zone_machine_shows_the_mean_of_samples() {
+    for (samples, side, output) in [(2, 32, Output::Pins), (4, 9, Output::Stream)] {
+        let mut machine = small("zone-160x120.toml", 48, 36, 12);
+        machine.supersampling = samples;
+        machine.zone = Some(ZoneSize {
+            width: side,
+            height: side,
+        });
+        machine.output = output;
+        let teapot = drawn("teapot.toml", &machine);
+        let other = match samples {
+            2 => "shadows/robot.toml",
+            _ => "crossing-cylinders.toml",
+        };
+        let other = drawn(other, &machine);
+        let mut sharp = machine.clone();
+        sharp.supersampling = 1;
+        assert_ne!(drawn("teapot.toml", &sharp).picture, teapot.picture);
+        let images = [other.clone(), teapot.clone(), other, teapot];
+        for (stalls, late) in [(None, 0), (Some(4), 3000)] {
+            let options = PinsRun {
+                overlay: None,
+                engine: VERILATOR,
+                stalls,
+                late,
+                frames: 1,
+            };
+            run(&machine, &images, &options);
+        }
     }
 }
 
@@ -149,6 +192,7 @@ fn a_receiver_that_stalls_gets_every_pixel_once() {
         let images = [cylinders.clone(), teapot.clone(), cylinders, teapot];
         for (stalls, late) in [(None, 0), (Some(1), 0), (Some(2), 6000)] {
             let options = PinsRun {
+                overlay: None,
                 engine: VERILATOR,
                 stalls,
                 late,

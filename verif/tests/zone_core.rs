@@ -33,6 +33,7 @@ fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
         volume_planes: 10,
         zone_width: side,
         zone_height: side,
+        samples: 1,
     }
 }
 

@@ -28,6 +28,9 @@ pub struct Machine {
     /// The host stalls at random, one clock in three, from this seed.
     #[arg(long, value_name = "SEED")]
     pub stalls: Option<u64>,
+    /// Picture of the size of the screen whose pixels that are not black the host puts over every frame, in white; the machine has `overlay = true`.
+    #[arg(long, value_name = "MASK.png")]
+    pub overlay: Option<PathBuf>,
     /// Write the Verilog and the clocks, and run nothing.
     #[arg(long)]
     pub emit_only: bool,

@@ -6,10 +6,11 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::description::{MachineDescription, Output};
 use imogene_models::machine::display::{Image, image};
+use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
 use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_models::machine::zone::plot::plot;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture::{read_mask, write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
@@ -51,6 +52,7 @@ struct MachineReport<'a> {
 /// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let machine = MachineDescription::read(&options.machine).map_err(Failure::input)?;
+    let overlay = overlay_of(&machine, options)?;
     let scenes = options.scenes.iter().map(|path| drawn(path, &machine));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let command = command_of(options);
@@ -65,11 +67,15 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     }
     let outcome = match options.emit_only {
         true => None,
-        false => Some(show(&machine, &images, options)?),
+        false => Some(show(&machine, &images, overlay.as_ref(), options)?),
     };
+    let golden = images.last().map(|image| match &overlay {
+        Some(plane) => plane.over(&image.picture),
+        None => image.picture.clone(),
+    });
     write_pictures(
         &machine,
-        &images,
+        golden.as_deref(),
         outcome.as_ref(),
         &options.out,
         &mut files,
@@ -78,7 +84,6 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         (mode.clocks(), mode.line.active * mode.frame.active)
     });
     let plans = images.iter().filter_map(|image| image.plan.as_ref());
-    let last = images.last();
     let mut summary = MachineReport {
         machine: &machine,
         top,
@@ -98,7 +103,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         shown: outcome.as_ref().map_or(vec![], |o| o.shown.clone()),
         equal: outcome
             .as_ref()
-            .map(|o| last.is_some_and(|image| image.picture == o.picture)),
+            .map(|o| golden.as_ref() == Some(&o.picture)),
         growth: growths,
         report: outcome.map(|o| Report {
             reproduce: command,
@@ -119,17 +124,42 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
 
 fn drawn(path: &Path, machine: &MachineDescription) -> Result<(PreparedScene, Image), Failure> {
     let file = SceneFile::read(path).map_err(Failure::input)?;
-    let mode = machine
-        .video_mode()
+    let (width, height) = machine
+        .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
-    let size = crate::arguments::Size {
-        width: mode.line.active as u32,
-        height: mode.frame.active as u32,
-    };
+    let size = crate::arguments::Size { width, height };
     let (framed, prepared) = frame_scene(&file, Some(size), machine.depth_word)?;
     let image = image(&framed, &prepared, machine);
     let image = image.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     Ok((prepared, image))
+}
+
+/// The plane of `--overlay`.
+fn overlay_of(
+    machine: &MachineDescription,
+    options: &Machine,
+) -> Result<Option<OverlayPlane>, Failure> {
+    let Some(path) = &options.overlay else {
+        return Ok(None);
+    };
+    if !machine.overlay {
+        return Err(Failure::Input(format!(
+            "{}: the machine has no overlay plane; --overlay wants a description with overlay = true",
+            options.machine.display()
+        )));
+    }
+    let (width, height, pixels) = read_mask(path).map_err(Failure::input)?;
+    let screen = machine
+        .video_mode()
+        .map(|mode| (mode.line.active as usize, mode.frame.active as usize));
+    if screen != Some((width, height)) {
+        let (columns, lines) = screen.unwrap_or_default();
+        return Err(Failure::Input(format!(
+            "{}: {width} x {height} pixels; the screen has {columns} x {lines}, and so many are accepted",
+            path.display()
+        )));
+    }
+    Ok(Some(OverlayPlane::new(&pixels, [255; 3])))
 }
 
 fn command_of(options: &Machine) -> String {
@@ -182,7 +212,8 @@ fn grow(
     let rows = rows.map_err(Failure::input)?;
     let title = format!(
         "clocks of a frame of {} x {} pixels",
-        scene.width, scene.height
+        scene.width / machine.supersampling,
+        scene.height / machine.supersampling
     );
     let path = out.join("growth.svg");
     write_text(&path, &plot(&title, &rows).map_err(Failure::input)?)?;
@@ -193,6 +224,7 @@ fn grow(
 fn show(
     machine: &MachineDescription,
     images: &[Image],
+    overlay: Option<&OverlayPlane>,
     options: &Machine,
 ) -> Result<PinsOutcome, Failure> {
     let engine = match options.engine.simulator() {
@@ -200,6 +232,7 @@ fn show(
         Some(simulator) => DisplayEngine::Verilog(simulator),
     };
     let run = PinsRun {
+        overlay,
         engine,
         stalls: options.stalls,
         late: options.late,
@@ -216,12 +249,12 @@ fn show(
 
 fn write_pictures(
     machine: &MachineDescription,
-    images: &[Image],
+    golden: Option<&[u8]>,
     outcome: Option<&PinsOutcome>,
     out: &Path,
     files: &mut Vec<PathBuf>,
 ) -> Result<(), Failure> {
-    let Some((mode, image)) = machine.video_mode().zip(images.last()) else {
+    let Some((mode, golden)) = machine.video_mode().zip(golden) else {
         return Ok(());
     };
     let size = (mode.line.active as usize, mode.frame.active as usize);
@@ -231,9 +264,9 @@ fn write_pictures(
         files.push(path);
         Ok::<(), Failure>(())
     };
-    write("golden.png", &image.picture)?;
+    write("golden.png", golden)?;
     match outcome {
-        Some(outcome) if outcome.picture.len() == image.picture.len() => {
+        Some(outcome) if outcome.picture.len() == golden.len() => {
             write("pins.png", &outcome.picture)
         }
         _ => Ok(()),

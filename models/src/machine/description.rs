@@ -2,7 +2,7 @@
 
 use super::post_filter::Kernel;
 use super::video_timing::{MODES, Span, VideoMode};
-use super::zone::ZoneMachine;
+use super::zone::{MAX_PICTURE, SAMPLES, ZoneMachine};
 use crate::object::quadric::MAX_PLANES;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
@@ -133,6 +133,9 @@ pub struct MachineDescription {
     /// Where the pixels go.
     #[serde(default)]
     pub output: Output,
+    /// Samples of a pixel along each side, in a zone machine: the mean of 1, 2 x 2 or 4 x 4 is shown.
+    #[serde(default = "one")]
+    pub supersampling: u32,
     /// Smoothing.
     #[serde(default)]
     pub smoothing: Smoothing,
@@ -267,6 +270,7 @@ impl MachineDescription {
             let accepted = format!("screens of up to {MAX_SCREEN_PIXELS} pixels");
             return Err(value("mode", format!("{pixels} pixels"), accepted));
         }
+        self.check_samples(&mode, &value)?;
         if mode.line.active > 2048 && self.smoothing != Smoothing::None {
             let accepted = "lines of up to 2048 pixels".into();
             return Err(value(
@@ -310,6 +314,38 @@ impl MachineDescription {
             )),
             (MachineKind::Beam, None, _) => range("loader_words", self.loader_words(), 2..=65_536),
         }
+    }
+
+    fn check_samples(
+        &self,
+        mode: &VideoMode,
+        value: &impl Fn(&'static str, String, String) -> DescriptionError,
+    ) -> Result<(), DescriptionError> {
+        let refuse = |accepted: String| {
+            Err(value(
+                "supersampling",
+                self.supersampling.to_string(),
+                accepted,
+            ))
+        };
+        if !SAMPLES.contains(&self.supersampling) {
+            return refuse("1, 2 or 4".into());
+        }
+        if self.machine == MachineKind::Beam && self.supersampling != 1 {
+            return refuse("1 in a beam machine; a zone machine has the memory for more".into());
+        }
+        let most = u64::from(MAX_PICTURE / self.supersampling);
+        if mode.line.active.max(mode.frame.active) > most {
+            return refuse(format!("on a screen of up to {most} x {most} pixels"));
+        }
+        Ok(())
+    }
+
+    /// Columns and lines of the samples that it draws; none if its mode is not one.
+    pub fn drawn_size(&self) -> Option<(u32, u32)> {
+        let mode = self.video_mode()?;
+        let size = |pixels: u64| pixels as u32 * self.supersampling;
+        Some((size(mode.line.active), size(mode.frame.active)))
     }
 
     /// The numbers of the video mode; none if it is not a mode.
@@ -363,6 +399,7 @@ impl MachineDescription {
             volume_planes: self.volume_planes,
             zone_width: zone.width,
             zone_height: zone.height,
+            samples: self.supersampling,
         }
     }
 }
@@ -414,5 +451,10 @@ mod tests {
                 .contains("zone machine alone")
         );
         assert!(refusal(&format!("{BEAM}loader_words = 1\n")).contains("2 to 65536"));
+        assert!(refusal(&format!("{BEAM}supersampling = 2\n")).contains("1 in a beam machine"));
+        let zone = BEAM.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
+        assert!(refusal(&format!("{zone}supersampling = 3\n")).contains("1, 2 or 4"));
+        let wide = zone.replace("640x480", "1280x720");
+        assert!(refusal(&format!("{wide}supersampling = 4\n")).contains("up to 1024 x 1024"));
     }
 }

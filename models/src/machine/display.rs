@@ -1,5 +1,6 @@
 //! What a machine with a screen shows of a scene, and the words that it is given.
 
+use super::accumulator::{Accumulator, PassPixel};
 use super::beam;
 use super::description::{MachineDescription, MachineKind, Output, Smoothing};
 use super::frame::Frame;
@@ -61,8 +62,8 @@ pub enum DisplayError {
     Size {
         /// Of the picture.
         picture: (u32, u32),
-        /// Of the screen.
-        screen: (u64, u64),
+        /// Of the screen, in samples.
+        screen: (u32, u32),
     },
     /// More words than the loader of a beam machine keeps, or copies in the vertical blanking.
     #[error("a frame has {needed} words; {limit} of them {why}")]
@@ -81,7 +82,7 @@ pub enum DisplayError {
 pub struct Image {
     /// The command stream of a zone machine, or the words of a beam machine.
     pub beats: Vec<Beat>,
-    /// Visible surfaces.
+    /// Visible surfaces, at every sample.
     pub frame: Frame,
     /// Sources that reach them.
     pub lighting: Lighting,
@@ -119,7 +120,7 @@ pub fn image(
             let (frame, lighting) = golden
                 .frame(beats.iter().copied(), size.0, size.1)
                 .unwrap_or_else(|error: StreamError| unreachable!("the stream of a plan: {error}"));
-            let picture = finished(&frame, &lighting, &numbers, &shader, machine.smoothing);
+            let picture = finished(&frame, &lighting, &numbers, &shader, machine);
             Ok(Image {
                 beats,
                 frame,
@@ -141,7 +142,7 @@ pub fn image(
             let (width, height) = (prepared.width as usize, prepared.height as usize);
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = Lighting::of(&frame, prepared, || ());
-            let picture = finished(&frame, &lighting, &numbers, &shader, machine.smoothing);
+            let picture = finished(&frame, &lighting, &numbers, &shader, machine);
             let beats = beam_beats(&parts, &volumes, &shading, &numbers, prepared, machine);
             check_words(beats.len(), machine)?;
             Ok(Image {
@@ -163,14 +164,9 @@ fn check(scene: &FramedScene, machine: &MachineDescription) -> Result<(), Displa
             given: machine.lights,
         });
     }
-    let screen = machine
-        .video_mode()
-        .map(|m| (m.line.active, m.frame.active));
     let picture = (scene.width, scene.height);
-    match screen {
-        Some(screen) if screen != (u64::from(picture.0), u64::from(picture.1)) => {
-            Err(DisplayError::Size { picture, screen })
-        }
+    match machine.drawn_size() {
+        Some(screen) if screen != picture => Err(DisplayError::Size { picture, screen }),
         _ => Ok(()),
     }
 }
@@ -187,18 +183,49 @@ fn finished(
     lighting: &Lighting,
     materials: &[u8],
     shader: &ShaderWords,
-    smoothing: Smoothing,
+    machine: &MachineDescription,
 ) -> Vec<u8> {
     let picture = shade_picture(frame, lighting, materials, shader);
-    if smoothing == Smoothing::None {
+    let picture = mean_of_samples(&picture, frame.width, machine.supersampling as usize);
+    if machine.smoothing == Smoothing::None {
         return picture;
     }
     let pixels: Vec<[u8; 3]> = picture
         .chunks_exact(3)
         .map(|p| [p[0], p[1], p[2]])
         .collect();
-    let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(frame.width).map(<[_]>::to_vec).collect();
-    smoothing.kernel().picture(&lines).concat().concat()
+    let width = frame.width / machine.supersampling as usize;
+    let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(width).map(<[_]>::to_vec).collect();
+    let kernel = machine.smoothing.kernel();
+    kernel.picture(&lines).concat().concat()
+}
+
+/// The picture whose pixels are the means of `samples x samples` of the given one.
+fn mean_of_samples(picture: &[u8], width: usize, samples: usize) -> Vec<u8> {
+    if samples == 1 {
+        return picture.to_vec();
+    }
+    let columns = width / samples;
+    let lines = picture.len() / 3 / width / samples;
+    let mut sums = Accumulator::new(1);
+    let mut mean = |x: usize, y: usize| {
+        let mut mean = [0; 3];
+        for pass in 0..samples * samples {
+            let (column, line) = (samples * x + pass % samples, samples * y + pass / samples);
+            let at = 3 * (line * width + column);
+            let pixel = PassPixel {
+                address: 0,
+                first: pass == 0,
+                last: pass + 1 == samples * samples,
+                colour: [picture[at], picture[at + 1], picture[at + 2]],
+            };
+            mean = sums.add(&pixel, (samples * samples) as u32).unwrap_or(mean);
+        }
+        mean
+    };
+    let line = |y| (0..columns).map(move |x| (x, y));
+    let places: Vec<(usize, usize)> = (0..lines).flat_map(line).collect();
+    places.into_iter().flat_map(|(x, y)| mean(x, y)).collect()
 }
 
 fn parts(

@@ -2,6 +2,45 @@
 
 use std::collections::VecDeque;
 
+/// What the host puts over pictures.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OverlayPlane {
+    /// Bits of 32 pixels each, line by line, the first pixel in bit 0.
+    pub words: Vec<u32>,
+    /// Colour of the set pixels.
+    pub colour: [u8; 3],
+}
+
+impl OverlayPlane {
+    /// The plane of pixels that are set or not, line by line.
+    pub fn new(pixels: &[bool], colour: [u8; 3]) -> OverlayPlane {
+        let word = |bits: &[bool]| {
+            let places = bits.iter().enumerate();
+            places.fold(0, |word, (place, &bit)| word | u32::from(bit) << place)
+        };
+        OverlayPlane {
+            words: pixels.chunks(32).map(word).collect(),
+            colour,
+        }
+    }
+
+    /// The colour over a pixel, counted line by line; none where it is not set.
+    pub fn colour_at(&self, place: usize) -> Option<[u8; 3]> {
+        let word = self.words.get(place / 32)?;
+        (word >> (place % 32) & 1 == 1).then_some(self.colour)
+    }
+
+    /// A picture with the plane over it; red, green, blue of every pixel, line by line.
+    pub fn over(&self, picture: &[u8]) -> Vec<u8> {
+        let pixels = picture.chunks_exact(3).enumerate();
+        let shown = |(place, pixel): (usize, &[u8])| {
+            self.colour_at(place)
+                .unwrap_or([pixel[0], pixel[1], pixel[2]])
+        };
+        pixels.flat_map(shown).collect()
+    }
+}
+
 /// A pixel that comes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Covered {

@@ -77,6 +77,17 @@ impl ScreenBox {
         part.or_empty()
     }
 
+    /// The part of the box at the columns `column, column + step, ..` and lines `line, line + step, ..`, which are counted 0, 1, 2, ..
+    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> ScreenBox {
+        let part = ScreenBox {
+            x0: (self.x0 - column + step - 1).div_euclid(step),
+            x1: (self.x1 - column).div_euclid(step),
+            y0: (self.y0 - line + step - 1).div_euclid(step),
+            y1: (self.y1 - line).div_euclid(step),
+        };
+        part.or_empty()
+    }
+
     fn or_empty(self) -> ScreenBox {
         if self.is_empty() {
             ScreenBox::EMPTY
@@ -150,6 +161,20 @@ impl QuadricWords {
         words.normal.g = self.normal.g.map(|g| g.wrapped(format.normal_linear));
         for plane in &mut words.planes {
             plane.depth = plane.depth.wrapped(format.plane);
+        }
+        words
+    }
+
+    /// The words of the same object at one sample of each pixel: columns `column, column + step, ..` and lines `line, line + step, ..` (Nyiri, 3.2.2).
+    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> QuadricWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_sample(step, column, line);
+        words.f1 = self.f1.every_sample(step, column, line);
+        words.f2 = self.f2.every_sample(step, column, line);
+        let g = self.normal.g;
+        words.normal.g = g.map(|g| g.every_sample(step, column, line));
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.every_sample(step, column, line);
         }
         words
     }

@@ -128,6 +128,20 @@ impl VolumeWords {
         }
     }
 
+    /// The words at one sample of each pixel: columns `column, column + step, ..` and lines `line, line + step, ..`.
+    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> VolumeWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_sample(step, column, line);
+        if let Some(q) = &mut words.quadric {
+            q.f1 = q.f1.every_sample(step, column, line);
+            q.f2 = q.f2.every_sample(step, column, line);
+        }
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.every_sample(step, column, line);
+        }
+        words
+    }
+
     /// The same words as the registers of a format hold them; every accumulator takes the same values.
     pub fn wrapped(&self, format: &Format) -> VolumeWords {
         let mut words = self.clone();

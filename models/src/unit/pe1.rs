@@ -52,6 +52,16 @@ impl Linear {
         }
     }
 
+    /// The same expression at the columns `column, column + step, ..` and lines `line, line + step, ..` alone.
+    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> Linear {
+        let moved = self.from_zone(column, line);
+        Linear {
+            a: moved.a * step as i128,
+            b: moved.b * step as i128,
+            ..moved
+        }
+    }
+
     /// The coefficient words as a register of `width` bits holds them.
     pub fn wrapped(&self, width: u32) -> Linear {
         Linear {

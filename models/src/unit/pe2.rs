@@ -79,6 +79,20 @@ impl Quadratic {
         }
     }
 
+    /// The same expression at the columns `column, column + step, ..` and lines `line, line + step, ..` alone.
+    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> Quadratic {
+        let moved = self.from_zone(column, line);
+        let n = step as i128;
+        Quadratic {
+            a: moved.a * n * n,
+            b: moved.b * n * n,
+            c: moved.c * n * n,
+            d: moved.d * n,
+            e: moved.e * n,
+            f: moved.f,
+        }
+    }
+
     /// The coefficients as registers of `width` bits hold them.
     pub fn wrapped(&self, width: u32) -> Quadratic {
         let Quadratic { a, b, c, d, e, f } = *self;

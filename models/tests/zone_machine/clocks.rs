@@ -100,6 +100,7 @@ fn one_zone_of_one_object() {
         volume_planes: 0,
         zone_width: 40,
         zone_height: 30,
+        samples: 1,
     };
     let plan = ZonePlan::of(&prepared, machine).expect("fits the machine");
     assert_eq!((plan.zones.len(), plan.parts.len()), (1, 1));

@@ -29,6 +29,7 @@ const MACHINE: ZoneMachine = ZoneMachine {
     volume_planes: 10,
     zone_width: 32,
     zone_height: 32,
+    samples: 1,
 };
 
 /// The base format with the guard bits that the depth of a facet needs.
@@ -131,6 +132,25 @@ fn scenes_without_shadows_are_drawn() {
     ] {
         let truth = assert_same_on_every_machine(&scene(path, (83, 61), Format::BASE));
         assert!(truth.frame.covered() > 300, "{path}");
+    }
+}
+
+/// S x S passes over every zone draw what one draws on a grid that is S times finer, bit for bit.
+#[test]
+fn samples_are_the_pixels_of_a_finer_picture() {
+    for path in ["../scenes/teapot.toml", "../scenes/shadows/robot.toml"] {
+        let prepared = scene(path, (88, 68), Format::BASE);
+        let truth = Truth::of(&prepared, &prepared.slots());
+        assert!(truth.frame.covered() > 300, "{path}");
+        for (samples, side) in [(2, 16), (2, 7), (4, 64), (4, 5)] {
+            let machine = ZoneMachine {
+                zone_width: side,
+                zone_height: side + 1,
+                samples,
+                ..MACHINE
+            };
+            truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
+        }
     }
 }
 

@@ -78,7 +78,11 @@ impl DisplayRequest {
                 s.volume_planes,
                 s.rows_per_stage,
             )?;
-            range("zone bits", s.zone_bits, 1, ZONE_BITS)
+            range("zone bits", s.zone_bits, 1, ZONE_BITS)?;
+            if [1, 2, 4].contains(&s.samples) {
+                return Ok(());
+            }
+            range("samples", s.samples, 1, 2)
         };
         match &self.kind {
             DisplayKind::ZoneCore(shape) => zone(shape),
@@ -296,6 +300,9 @@ impl DisplayRequest {
                     s.rows_per_stage,
                 );
                 lines.push(format!("zones of up to {} pixels", 1usize << s.zone_bits));
+                if s.samples > 1 {
+                    lines.push(format!("{0} x {0} samples of a pixel", s.samples));
+                }
             }
             DisplayKind::BeamDisplay(s, ..) | DisplayKind::BeamStream(s, ..) => {
                 processors(
@@ -344,6 +351,7 @@ mod tests {
         volume_planes: 4,
         rows_per_stage: 4,
         zone_bits: 8,
+        samples: 1,
     };
     const BEAM: BeamShape = BeamShape {
         objects: 2,
@@ -373,6 +381,10 @@ mod tests {
         let kinds = [
             (DisplayKind::ZoneCore(ZONE), "zone_core"),
             (DisplayKind::ZoneMachine(ZONE, 2), "zone_machine"),
+            (
+                DisplayKind::ZoneMachine(ZoneShape { samples: 4, ..ZONE }, 1),
+                "zone_machine",
+            ),
             (
                 DisplayKind::ZoneDisplay(ZONE, 1, screen(0, false)),
                 "zone_display",
@@ -405,6 +417,7 @@ mod tests {
         assert!(zone(|s| s.planes = 13));
         assert!(zone(|s| s.zone_bits = 15));
         assert!(zone(|s| s.rows_per_stage = 25));
+        assert!(zone(|s| s.samples = 3));
         assert!(emit_display(&request(DisplayKind::ZoneMachine(ZONE, 5))).is_err());
     }
 }

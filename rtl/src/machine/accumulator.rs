@@ -16,7 +16,7 @@ use crate::unit::block_memory::BlockMemory;
 /// | `out_valid`, `out_address` | out | a pixel of the last pass leaves |
 /// | `out_r`, `out_g`, `out_b` | out | 8 bits, the mean, rounded to the nearest, halves up |
 ///
-/// Latency 2. A pixel comes once in a pass, in any order; its address does not come in two clocks in a row. `fine` is read with the pixels of the last pass.
+/// Latency 3. A pixel comes once in a pass, in any order; its address comes again after 3 clocks at the earliest. `fine` is read with the pixels of the last pass.
 pub struct Accumulator<const A: usize> {
     /// Rising edge.
     pub clock: Signal<In, Clock>,
@@ -55,6 +55,15 @@ pub struct Accumulator<const A: usize> {
     kept_r: DFF<Word<8>>,
     kept_g: DFF<Word<8>>,
     kept_b: DFF<Word<8>>,
+    earlier: DFF<Word<36>>,
+    held_fine: DFF<Bit>,
+    held_valid: DFF<Bit>,
+    held_first: DFF<Bit>,
+    held_last: DFF<Bit>,
+    held_address: DFF<Word<A>>,
+    held_r: DFF<Word<8>>,
+    held_g: DFF<Word<8>>,
+    held_b: DFF<Word<8>>,
     red: PassSum,
     green: PassSum,
     blue: PassSum,
@@ -77,7 +86,7 @@ block! {
     [const A: usize] Accumulator [A]
     inputs { clock, fine, valid, address, first_pass, last_pass, r, g, b }
     parts { out_valid, out_address, out_r, out_g, out_b, store, kept_fine, kept_valid, kept_first,
-        kept_last, kept_address, kept_r, kept_g, kept_b, red, green, blue, wide_red, wide_green,
+        kept_last, kept_address, kept_r, kept_g, kept_b, earlier, held_fine, held_valid, held_first, held_last, held_address, held_r, held_g, held_b, red, green, blue, wide_red, wide_green,
         wide_blue, high_red, high_green, mean_r, mean_g, mean_b, late_valid, late_address,
         green_place, red_place }
     data { }
@@ -86,12 +95,21 @@ block! {
 impl<const A: usize> Accumulator<A> {
     /// An accumulator for `2^A` pixels.
     pub fn new() -> Self {
+        Self::of_address_bits(A)
+    }
+
+    /// An accumulator for `2^bits` pixels; the other bits of an address are ignored.
+    ///
+    /// # Panics
+    ///
+    /// When `bits` is 0 or more than `A`.
+    pub fn of_address_bits(bits: usize) -> Self {
         fields! {
             [clock, fine, valid, address, first_pass, last_pass, r, g, b, out_valid, out_address,
                 out_r, out_g, out_b, kept_fine, kept_valid, kept_first, kept_last, kept_address,
-                kept_r, kept_g, kept_b, wide_red, wide_green, wide_blue, high_red, high_green,
+                kept_r, kept_g, kept_b, earlier, held_fine, held_valid, held_first, held_last, held_address, held_r, held_g, held_b, wide_red, wide_green, wide_blue, high_red, high_green,
                 mean_r, mean_g, mean_b, late_valid, late_address]
-            store: BlockMemory::new(),
+            store: BlockMemory::of_address_bits(bits),
             red: PassSum::new(),
             green: PassSum::new(),
             blue: PassSum::new(),
@@ -102,7 +120,7 @@ impl<const A: usize> Accumulator<A> {
 
     /// Clocks from a pixel of the last pass to its mean.
     pub const fn latency() -> usize {
-        2
+        3
     }
 }
 
@@ -127,6 +145,15 @@ impl<const A: usize> Logic for Accumulator<A> {
             kept_r,
             kept_g,
             kept_b,
+            earlier,
+            held_fine,
+            held_valid,
+            held_first,
+            held_last,
+            held_address,
+            held_r,
+            held_g,
+            held_b,
             mean_r,
             mean_g,
             mean_b,
@@ -141,34 +168,43 @@ impl<const A: usize> Logic for Accumulator<A> {
         self.kept_r.d.next = self.r.val();
         self.kept_g.d.next = self.g.val();
         self.kept_b.d.next = self.b.val();
-        self.red.value.next = self.kept_r.q.val();
-        self.red.earlier.next = self.store.read_data.val().get_bits::<12>(24);
-        self.red.first.next = self.kept_first.q.val();
-        self.red.fine.next = self.kept_fine.q.val();
+        self.earlier.d.next = self.store.read_data.val();
+        self.held_fine.d.next = self.kept_fine.q.val();
+        self.held_valid.d.next = self.kept_valid.q.val();
+        self.held_first.d.next = self.kept_first.q.val();
+        self.held_last.d.next = self.kept_last.q.val();
+        self.held_address.d.next = self.kept_address.q.val();
+        self.held_r.d.next = self.kept_r.q.val();
+        self.held_g.d.next = self.kept_g.q.val();
+        self.held_b.d.next = self.kept_b.q.val();
+        self.red.value.next = self.held_r.q.val();
+        self.red.earlier.next = self.earlier.q.val().get_bits::<12>(24);
+        self.red.first.next = self.held_first.q.val();
+        self.red.fine.next = self.held_fine.q.val();
         self.wide_red.next = bit_cast::<36, 12>(self.red.sum.val());
         self.mean_r.d.next = self.red.mean.val();
-        self.green.value.next = self.kept_g.q.val();
-        self.green.earlier.next = self.store.read_data.val().get_bits::<12>(12);
-        self.green.first.next = self.kept_first.q.val();
-        self.green.fine.next = self.kept_fine.q.val();
+        self.green.value.next = self.held_g.q.val();
+        self.green.earlier.next = self.earlier.q.val().get_bits::<12>(12);
+        self.green.first.next = self.held_first.q.val();
+        self.green.fine.next = self.held_fine.q.val();
         self.wide_green.next = bit_cast::<36, 12>(self.green.sum.val());
         self.mean_g.d.next = self.green.mean.val();
-        self.blue.value.next = self.kept_b.q.val();
-        self.blue.earlier.next = self.store.read_data.val().get_bits::<12>(0);
-        self.blue.first.next = self.kept_first.q.val();
-        self.blue.fine.next = self.kept_fine.q.val();
+        self.blue.value.next = self.held_b.q.val();
+        self.blue.earlier.next = self.earlier.q.val().get_bits::<12>(0);
+        self.blue.first.next = self.held_first.q.val();
+        self.blue.fine.next = self.held_fine.q.val();
         self.wide_blue.next = bit_cast::<36, 12>(self.blue.sum.val());
         self.mean_b.d.next = self.blue.mean.val();
         self.high_red.next = self.wide_red.val() << self.red_place.val();
         self.high_green.next = self.wide_green.val() << self.green_place.val();
         self.store.clock.next = self.clock.val();
         self.store.read_address.next = self.address.val();
-        self.store.write.next = self.kept_valid.q.val();
-        self.store.write_address.next = self.kept_address.q.val();
+        self.store.write.next = self.held_valid.q.val();
+        self.store.write_address.next = self.held_address.q.val();
         self.store.write_data.next =
             self.high_red.val() | self.high_green.val() | self.wide_blue.val();
-        self.late_valid.d.next = self.kept_valid.q.val() & self.kept_last.q.val();
-        self.late_address.d.next = self.kept_address.q.val();
+        self.late_valid.d.next = self.held_valid.q.val() & self.held_last.q.val();
+        self.late_address.d.next = self.held_address.q.val();
         self.out_valid.next = self.late_valid.q.val();
         self.out_address.next = self.late_address.q.val();
         self.out_r.next = self.mean_r.q.val();

@@ -23,6 +23,7 @@ pub mod pixel_fifo;
 pub mod pixel_place;
 pub mod post_filter;
 pub mod raster_control;
+pub mod sample_mean;
 pub mod shading;
 pub mod shading_processor;
 pub mod shadow_stage;

@@ -32,10 +32,11 @@ pub const COMMAND: u64 = 4;
 /// | `is_drawing`, `is_lighting`, `is_showing` | out | during a pass |
 /// | `is_first` | out | of a drawing or lighting pass: what the buffer held is forgotten |
 /// | `was_drawn`, `was_lit`, `is_last_zone` | out | of a showing pass: what the buffer holds; the frame ends with this zone |
+/// | `sample` | out | 6 bits, of a showing pass: first in bit 0, last in 1, column of the sample in 3..2, line in 5..4 |
 /// | `x0`, `y0`, `width`, `height` | out | 12 bits, the zone |
 ///
 /// Commands by address: 0 origin (`x0` in bits 11..0, `y0` in 23..12), 1 size (width, height likewise), 2 draw (bit 0: first pass of the zone), 3 light (bit 0:
-/// first pass of the zone), 4 show (bit 0: the zone was lit, bit 1: drawn, bit 2: last zone of the frame). A command waits for the end of the pass before it;
+/// first pass of the zone), 4 show (bit 0: the zone was lit, bit 1: drawn, bit 2: last zone of the frame, bits 8..3: the sample). A command waits for the end of the pass before it;
 /// words of processors are taken during a pass, once the processors have started (`settle` clocks after the command); words of tables wait until the
 /// pixels of the last showing pass are through the shading processor as well (`drain` clocks after its end). Other addresses and kinds are ignored.
 pub struct ZoneControl<const F: usize> {
@@ -91,6 +92,8 @@ pub struct ZoneControl<const F: usize> {
     pub was_lit: Signal<Out, Bit>,
     /// The frame ends.
     pub is_last_zone: Signal<Out, Bit>,
+    /// The sample.
+    pub sample: Signal<Out, Word<6>>,
     /// First column.
     pub x0: Signal<Out, Word<12>>,
     /// First line.
@@ -124,6 +127,7 @@ pub struct ZoneControl<const F: usize> {
     drawn: DFF<Bit>,
     lit: DFF<Bit>,
     last_zone: DFF<Bit>,
+    kept_sample: DFF<Word<6>>,
     kept_x0: DFF<Word<12>>,
     kept_y0: DFF<Word<12>>,
     kept_width: DFF<Word<12>>,
@@ -145,6 +149,7 @@ pub struct ZoneControl<const F: usize> {
     at_light: Constant<Word<16>>,
     at_show: Constant<Word<16>>,
     second: Constant<Word<8>>,
+    sample_bit: Constant<Word<8>>,
     unit_bit: Constant<Word<8>>,
     _asleep: bool,
 }
@@ -153,11 +158,11 @@ block! {
     [const F: usize] ZoneControl [F]
     inputs { clock, s_tvalid, s_tdest, s_tuser, s_tdata, pass_ends }
     parts { s_tready, load_object, load_volume, load_shading, load_material, load_unit, load_address, load_data, begin_pass, take_objects,
-        take_volumes, go, show_go, is_drawing, is_lighting, is_showing, is_first, was_drawn, was_lit, is_last_zone, x0, y0, width, height,
+        take_volumes, go, show_go, is_drawing, is_lighting, is_showing, is_first, was_drawn, was_lit, is_last_zone, sample, x0, y0, width, height,
         address, is_command, is_coefficient, is_idle, is_settled, is_drained, is_ready, taken, kept_load_object, kept_load_volume,
         kept_load_shading, kept_load_material, kept_unit, kept_address, kept_data, kept_begin, kept_go, kept_show_go, drawing, lighting, showing,
-        first, drawn, lit, last_zone, kept_x0, kept_y0, kept_width, kept_height, settling, draining, settle, drain, none, one, kind_object,
-        kind_volume, kind_shading, kind_material, kind_command, at_origin, at_size, at_draw, at_light, at_show, second, unit_bit }
+        first, drawn, lit, last_zone, kept_sample, kept_x0, kept_y0, kept_width, kept_height, settling, draining, settle, drain, none, one, kind_object,
+        kind_volume, kind_shading, kind_material, kind_command, at_origin, at_size, at_draw, at_light, at_show, second, sample_bit, unit_bit }
     data { }
 }
 
@@ -176,9 +181,9 @@ impl<const F: usize> ZoneControl<F> {
         fields! {
             [clock, s_tvalid, s_tdest, s_tuser, s_tdata, pass_ends, s_tready, load_object, load_volume, load_shading, load_material,
                 load_unit, load_address, load_data, begin_pass, take_objects, take_volumes, go, show_go, is_drawing, is_lighting, is_showing,
-                is_first, was_drawn, was_lit, is_last_zone, x0, y0, width, height, address, is_command, is_coefficient, is_idle, is_settled,
+                is_first, was_drawn, was_lit, is_last_zone, sample, x0, y0, width, height, address, is_command, is_coefficient, is_idle, is_settled,
                 is_drained, is_ready, taken, kept_load_object, kept_load_volume, kept_load_shading, kept_load_material, kept_unit, kept_address,
-                kept_data, kept_begin, kept_go, kept_show_go, drawing, lighting, showing, first, drawn, lit, last_zone, kept_x0, kept_y0,
+                kept_data, kept_begin, kept_go, kept_show_go, drawing, lighting, showing, first, drawn, lit, last_zone, kept_sample, kept_x0, kept_y0,
                 kept_width, kept_height, settling, draining]
             settle: constant(settle as u64),
             drain: constant(drain as u64),
@@ -195,6 +200,7 @@ impl<const F: usize> ZoneControl<F> {
             at_light: constant(3),
             at_show: constant(4),
             second: constant(12),
+            sample_bit: constant(3),
             unit_bit: constant(16),
         }
     }
@@ -224,6 +230,7 @@ impl<const F: usize> Logic for ZoneControl<F> {
             drawn,
             lit,
             last_zone,
+            kept_sample,
             kept_x0,
             kept_y0,
             kept_width,
@@ -303,6 +310,10 @@ impl<const F: usize> Logic for ZoneControl<F> {
                 self.lit.d.next = self.s_tdata.val().get_bit(0);
                 self.drawn.d.next = self.s_tdata.val().get_bit(1);
                 self.last_zone.d.next = self.s_tdata.val().get_bit(2);
+                self.kept_sample.d.next = self
+                    .s_tdata
+                    .val()
+                    .get_bits::<6>(self.sample_bit.val().index());
             }
         }
         self.s_tready.next = self.is_ready.val();
@@ -325,6 +336,7 @@ impl<const F: usize> Logic for ZoneControl<F> {
         self.was_drawn.next = self.drawn.q.val();
         self.was_lit.next = self.lit.q.val();
         self.is_last_zone.next = self.last_zone.q.val();
+        self.sample.next = self.kept_sample.q.val();
         self.x0.next = self.kept_x0.q.val();
         self.y0.next = self.kept_y0.q.val();
         self.width.next = self.kept_width.q.val();

@@ -29,6 +29,8 @@ pub struct ZoneShape {
     pub rows_per_stage: usize,
     /// Bits of the address of a pixel in a zone.
     pub zone_bits: usize,
+    /// Samples of a pixel along each side: 1, 2 or 4.
+    pub samples: usize,
 }
 
 /// Time-shares its processors over the objects and volumes of one zone after another, and hands on what is visible in a finished zone.
@@ -45,6 +47,8 @@ pub struct ZoneShape {
 /// | `x`, `y` | out | 12 bits, its place on the screen |
 /// | `depth`, `id`, `nx`, `ny`, `nz` | out | its surface; `ZMAX` is background |
 /// | `source_flags` | out | 16 bits, the sources that reach it |
+/// | `sample` | out | 6 bits: which sample of the pixel it is, as for the zone control; also of one that is started |
+/// | `pass_ends` | out | it is the last pixel of the pass |
 /// | `frame_ends` | out | it is the last pixel of the frame |
 /// | `load_shading`, `load_material`, `load_address`, `load_data` | out | words of the tables behind the core |
 ///
@@ -86,6 +90,10 @@ pub struct ZoneCore<const W: usize, const W1: usize, const S: usize, const F: us
     pub nz: Signal<Out, Int<16>>,
     /// The sources that reach it.
     pub source_flags: Signal<Out, Word<16>>,
+    /// Which sample it is.
+    pub sample: Signal<Out, Word<6>>,
+    /// It is the last of the pass.
+    pub pass_ends: Signal<Out, Bit>,
     /// It is the last of the frame.
     pub frame_ends: Signal<Out, Bit>,
     /// A word for the shading processor.
@@ -122,7 +130,7 @@ pub struct ZoneCore<const W: usize, const W1: usize, const S: usize, const F: us
 block! {
     [const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize] ZoneCore [W, W1, S, F, P]
     inputs { clock, s_tvalid, s_tdest, s_tuser, s_tdata, room }
-    parts { s_tready, started, valid, x, y, depth, id, nx, ny, nz, source_flags, frame_ends, load_shading, load_material, load_address, load_data,
+    parts { s_tready, started, valid, x, y, depth, id, nx, ny, nz, source_flags, sample, pass_ends, frame_ends, load_shading, load_material, load_address, load_data,
         slice, control, raster, objects, volumes, zone_buffer, show, draw_valid, light_valid, soon, depth_soon, flags_soon, draw_end, light_end, light_ends,
         word_address, background, all_sources }
     data { _lit, _dark }
@@ -145,7 +153,7 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         let drawn = ObjectArray::<W, W1, S, F, P>::latency(shape.objects, shape.planes, rows);
         let flags = VolumeArray::<W, W1, S, F, P>::latency(shape.volumes.max(1), rows);
         fields! {
-            [clock, s_tvalid, s_tdest, s_tuser, s_tdata, room, s_tready, started, valid, x, y, depth, id, nx, ny, nz, source_flags, frame_ends,
+            [clock, s_tvalid, s_tdest, s_tuser, s_tdata, room, s_tready, started, valid, x, y, depth, id, nx, ny, nz, source_flags, sample, pass_ends, frame_ends,
                 load_shading, load_material, load_address, load_data, slice, raster, show, draw_valid, light_valid, light_ends, word_address]
             control: ZoneControl::new(Self::settle_clocks(shape), drain),
             objects: ObjectArray::new(shape.objects, shape.planes, rows, true),
@@ -310,6 +318,8 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         } else {
             self.source_flags.next = self.all_sources.val();
         }
+        self.sample.next = self.control.sample.val();
+        self.pass_ends.next = self.show.is_last.val();
         self.frame_ends.next = self.show.is_last.val() & self.control.is_last_zone.val();
         self.control.pass_ends.next =
             self.draw_end.late.val() | self.light_ends.val() | self.show.ends.val();

@@ -1,6 +1,7 @@
 //! Zone machine: from the command stream to shaded pixels.
 
 use super::pixel_fifo::PixelFifo;
+use super::sample_mean::SampleMean;
 use super::shading_processor::ShadingProcessor;
 use super::zone_core::{ZoneCore, ZoneShape};
 use crate::kernel::*;
@@ -23,7 +24,7 @@ const QUEUE_BITS: usize = 6;
 /// | `m_tuser` | out | 24 bits: line in 23..12, column in 11..0 |
 /// | `m_tlast` | out | last pixel of the frame |
 ///
-/// Pixels leave in the order of the zones, line by line in each. While the receiver stalls, the showing pass waits; drawing goes on.
+/// With `samples` of 2 or 4 the means of 2 x 2 or 4 x 4 samples leave, after the last pass over a zone. Pixels leave in the order of the zones, line by line in each. While the receiver stalls, the showing pass waits; drawing goes on.
 pub struct ZoneMachine<
     const W: usize,
     const W1: usize,
@@ -67,12 +68,27 @@ pub struct ZoneMachine<
     late_y: WordDelay<Word<12>>,
     place_delay: WordDelay<Word<24>>,
     last_delay: WordDelay<Bit>,
+    means: Vec<SampleMean>,
+    late_sample: Vec<WordDelay<Word<6>>>,
+    first_pass_delay: Vec<WordDelay<Bit>>,
+    last_pass_delay: Vec<WordDelay<Bit>>,
+    pass_ends_delay: Vec<WordDelay<Bit>>,
+    column_in_pixel: Signal<Local, Word<2>>,
+    line_in_pixel: Signal<Local, Word<2>>,
+    red: Signal<Local, Word<8>>,
+    green: Signal<Local, Word<8>>,
+    blue: Signal<Local, Word<8>>,
+    shown_place: Signal<Local, Word<24>>,
+    sample_scale: Constant<Word<4>>,
+    no_sample: Constant<Word<2>>,
     place: Signal<Local, Word<24>>,
     colour: Signal<Local, Word<24>>,
     line_bit: Constant<Word<8>>,
     green_bit: Constant<Word<8>>,
     red_bit: Constant<Word<8>>,
     place_bit: Constant<Word<8>>,
+    _plain: usize,
+    _sampled: usize,
     _asleep: bool,
 }
 
@@ -80,8 +96,9 @@ block! {
     [const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize] ZoneMachine [W, W1, S, F, P]
     inputs { clock, s_tvalid, s_tdest, s_tuser, s_tdata, m_tready }
     parts { s_tready, m_tvalid, m_tdata, m_tuser, m_tlast, core, materials, shading, queue, late_valid, late_depth, late_nx, late_ny, late_nz,
-        late_flags, late_x, late_y, place_delay, last_delay, place, colour, line_bit, green_bit, red_bit, place_bit }
-    data { }
+        late_flags, late_x, late_y, place_delay, last_delay, means, late_sample, first_pass_delay, last_pass_delay, pass_ends_delay,
+        column_in_pixel, line_in_pixel, red, green, blue, shown_place, sample_scale, no_sample, place, colour, line_bit, green_bit, red_bit, place_bit }
+    data { _plain, _sampled }
 }
 
 impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: usize>
@@ -94,12 +111,14 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
     /// When the widths do not fit each other or a number is out of range.
     pub fn new(shape: &ZoneShape, lights: usize) -> Self {
         let shading = ShadingProcessor::<W>::latency();
+        let sampled = usize::from(shape.samples > 1);
+        let mean = sampled * SampleMean::latency();
         fields! {
-            [clock, s_tvalid, s_tdest, s_tuser, s_tdata, m_tready, s_tready, m_tvalid, m_tdata, m_tuser, m_tlast, place, colour]
-            core: ZoneCore::new(shape, shading + 2),
+            [clock, s_tvalid, s_tdest, s_tuser, s_tdata, m_tready, s_tready, m_tvalid, m_tdata, m_tuser, m_tlast, place, colour, column_in_pixel, line_in_pixel, red, green, blue, shown_place]
+            core: ZoneCore::new(shape, shading + 2 + mean),
             materials: BlockMemory::new(),
             shading: ShadingProcessor::new(lights),
-            queue: PixelFifo::new(shading + 2),
+            queue: PixelFifo::new(shading + 2 + mean),
             late_valid: WordDelay::new(1),
             late_depth: WordDelay::new(1),
             late_nx: WordDelay::new(1),
@@ -110,10 +129,19 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
             late_y: WordDelay::new(1),
             place_delay: WordDelay::new(shading + 1),
             last_delay: WordDelay::new(shading + 1),
+            means: repeat(sampled, || SampleMean::new(shape.samples, shape.zone_bits)),
+            late_sample: repeat(sampled, || WordDelay::new(1)),
+            first_pass_delay: repeat(sampled, || WordDelay::new(shading + 1)),
+            last_pass_delay: repeat(sampled, || WordDelay::new(shading + 1)),
+            pass_ends_delay: repeat(sampled, || WordDelay::new(shading + 1)),
+            sample_scale: constant(u64::from(shape.samples.trailing_zeros())),
+            no_sample: constant(0),
             line_bit: constant(12),
             green_bit: constant(8),
             red_bit: constant(16),
             place_bit: constant(24),
+            _plain: 1 - sampled,
+            _sampled: sampled,
         }
     }
 }
@@ -147,7 +175,6 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         self.core.s_tuser.next = self.s_tuser.val();
         self.core.s_tdata.next = self.s_tdata.val();
         self.s_tready.next = self.core.s_tready.val();
-        self.core.room.next = self.queue.room.val();
         // The material of the object is a clock later than the object.
         self.materials.write.next = self.core.load_material.val();
         self.materials.write_address.next = self.core.load_address.val().get_bits::<12>(0);
@@ -165,8 +192,6 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
         self.shading.load_address.next = self.core.load_address.val();
         self.shading.load_data.next = self.core.load_data.val().get_bits::<32>(0);
         self.shading.valid.next = self.late_valid.late.val();
-        self.shading.x.next = self.late_x.late.val();
-        self.shading.y.next = self.late_y.late.val();
         self.shading.depth.next = self.late_depth.late.val();
         self.shading.material.next = self.materials.read_data.val();
         self.shading.nx.next = self.late_nx.late.val();
@@ -177,14 +202,59 @@ impl<const W: usize, const W1: usize, const S: usize, const F: usize, const P: u
             | (bit_cast::<24, 12>(self.core.y.val()) << self.line_bit.val());
         self.place_delay.word.next = self.place.val();
         self.last_delay.word.next = self.core.frame_ends.val();
-        self.colour.next = bit_cast::<24, 8>(self.shading.blue.val())
-            | (bit_cast::<24, 8>(self.shading.green.val()) << self.green_bit.val())
-            | (bit_cast::<24, 8>(self.shading.red.val()) << self.red_bit.val());
-        self.queue.started.next = self.core.started.val();
-        self.queue.push.next = self.shading.out_valid.val();
+        for _i in 0..self._plain {
+            self.column_in_pixel.next = self.no_sample.val();
+            self.line_in_pixel.next = self.no_sample.val();
+            self.core.room.next = self.queue.room.val();
+            self.queue.started.next = self.core.started.val();
+            self.queue.push.next = self.shading.out_valid.val();
+            self.queue.last.next = self.last_delay.late.val();
+            self.red.next = self.shading.red.val();
+            self.green.next = self.shading.green.val();
+            self.blue.next = self.shading.blue.val();
+            self.shown_place.next = self.place_delay.late.val();
+        }
+        for i in 0..self._sampled {
+            self.late_sample[i].clock.next = self.clock.val();
+            self.first_pass_delay[i].clock.next = self.clock.val();
+            self.last_pass_delay[i].clock.next = self.clock.val();
+            self.pass_ends_delay[i].clock.next = self.clock.val();
+            self.means[i].clock.next = self.clock.val();
+            self.late_sample[i].word.next = self.core.sample.val();
+            self.column_in_pixel.next = self.late_sample[i].late.val().get_bits::<2>(2);
+            self.line_in_pixel.next = self.late_sample[i].late.val().get_bits::<2>(4);
+            // Samples before the last pass stay here and want no room.
+            self.core.room.next = self.queue.room.val() | !self.core.sample.val().get_bit(1);
+            self.queue.started.next = self.core.started.val() & self.core.sample.val().get_bit(1);
+            self.first_pass_delay[i].word.next = self.core.sample.val().get_bit(0);
+            self.last_pass_delay[i].word.next = self.core.sample.val().get_bit(1);
+            self.pass_ends_delay[i].word.next = self.core.pass_ends.val();
+            self.means[i].valid.next = self.shading.out_valid.val();
+            self.means[i].first_pass.next = self.first_pass_delay[i].late.val();
+            self.means[i].last_pass.next = self.last_pass_delay[i].late.val();
+            self.means[i].pass_ends.next = self.pass_ends_delay[i].late.val();
+            self.means[i].r.next = self.shading.red.val();
+            self.means[i].g.next = self.shading.green.val();
+            self.means[i].b.next = self.shading.blue.val();
+            self.means[i].place.next = self.place_delay.late.val();
+            self.means[i].last.next = self.last_delay.late.val();
+            self.queue.push.next = self.means[i].out_valid.val();
+            self.queue.last.next = self.means[i].out_last.val();
+            self.red.next = self.means[i].out_r.val();
+            self.green.next = self.means[i].out_g.val();
+            self.blue.next = self.means[i].out_b.val();
+            self.shown_place.next = self.means[i].out_place.val();
+        }
+        // The processors count pixels, the shading processor samples.
+        self.shading.x.next = (self.late_x.late.val() << self.sample_scale.val())
+            | bit_cast::<12, 2>(self.column_in_pixel.val());
+        self.shading.y.next = (self.late_y.late.val() << self.sample_scale.val())
+            | bit_cast::<12, 2>(self.line_in_pixel.val());
+        self.colour.next = bit_cast::<24, 8>(self.blue.val())
+            | (bit_cast::<24, 8>(self.green.val()) << self.green_bit.val())
+            | (bit_cast::<24, 8>(self.red.val()) << self.red_bit.val());
         self.queue.data.next = bit_cast::<48, 24>(self.colour.val())
-            | (bit_cast::<48, 24>(self.place_delay.late.val()) << self.place_bit.val());
-        self.queue.last.next = self.last_delay.late.val();
+            | (bit_cast::<48, 24>(self.shown_place.val()) << self.place_bit.val());
         self.queue.m_tready.next = self.m_tready.val();
         self.m_tvalid.next = self.queue.m_tvalid.val();
         self.m_tdata.next = self.queue.m_tdata.val().get_bits::<24>(0);

@@ -7,13 +7,16 @@ use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
 use imogene_models::machine::display::Image;
+use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::machine::video_timing::{Shown, VideoTiming};
 use std::collections::VecDeque;
 use std::time::Instant;
 
 /// How to run.
 #[derive(Clone, Copy, Debug)]
-pub struct PinsRun {
+pub struct PinsRun<'a> {
+    /// Plane that is put over the pictures, by a host that writes it while the first frame is shown; the machine has an overlay and a screen.
+    pub overlay: Option<&'a OverlayPlane>,
     /// Engine.
     pub engine: DisplayEngine,
     /// Seed of random stalls of the host; none if it never stalls.
@@ -69,7 +72,10 @@ pub fn run(
         width: mode.line.active as usize,
         black: vec![0; 3 * (mode.line.active * mode.frame.active) as usize],
         images,
+        overlay: options.overlay,
+        is_overlaid: false,
         on: None,
+        next: None,
         outcome: PinsOutcome {
             clocks_per_frame: mode.clocks(),
             ..PinsOutcome::default()
@@ -77,9 +83,11 @@ pub fn run(
         frame: vec![],
     };
     let mut host = Host::new(images, options);
+    let mut plane = options.overlay.map_or(&[][..], |plane| &plane.words);
     let mut seen_last = 0;
     let limit = host.limit(mode.clocks());
     while seen_last < options.frames && hardware.clocks < limit {
+        plane = write_plane(&mut hardware, plane, options.overlay);
         host.offer(
             &mut hardware,
             machine.machine == MachineKind::Beam,
@@ -88,6 +96,9 @@ pub fn run(
         hardware.clock();
         run.see_swap(&hardware, &host);
         if run.see_pins(&hardware) {
+            // A frame is complete: what the pins show next comes after the blanking.
+            run.is_overlaid = options.overlay.is_some() && plane.is_empty();
+            hardware.set("overlay_enable", run.is_overlaid.into());
             let is_last = run.outcome.shown.last() == Some(&images.len().checked_sub(1));
             seen_last += usize::from(is_last);
             frame_done();
@@ -110,13 +121,34 @@ pub fn run(
     Ok(run.outcome)
 }
 
+/// Puts the next word of the plane on the bus of the overlay; the words that are left.
+fn write_plane<'a>(
+    hardware: &mut Machine,
+    left: &'a [u32],
+    plane: Option<&OverlayPlane>,
+) -> &'a [u32] {
+    hardware.set("overlay_write", i64::from(!left.is_empty()));
+    let Some((plane, (&word, rest))) = plane.zip(left.split_first()) else {
+        return left;
+    };
+    let [red, green, blue] = plane.colour.map(i64::from);
+    hardware.set("overlay_colour", red << 16 | green << 8 | blue);
+    hardware.set("overlay_address", (plane.words.len() - left.len()) as i64);
+    hardware.set("overlay_data", word.into());
+    rest
+}
+
 struct Run<'a> {
     golden: VideoTiming,
     late: VecDeque<Option<(Shown, bool, bool)>>,
     width: usize,
     black: Vec<u8>,
     images: &'a [Image],
+    overlay: Option<&'a OverlayPlane>,
+    is_overlaid: bool,
+    /// Image of this frame, and of the next.
     on: Option<usize>,
+    next: Option<usize>,
     outcome: PinsOutcome,
     frame: Vec<u8>,
 }
@@ -124,8 +156,8 @@ struct Run<'a> {
 impl Run<'_> {
     fn see_swap(&mut self, hardware: &Machine, host: &Host) {
         if hardware.is_set("swapped") {
-            let next = self.on.map_or(0, |on| on + 1);
-            self.on = Some(next);
+            let next = self.next.map_or(0, |image| image + 1);
+            self.next = Some(next);
             if let Some(began) = host.began(next) {
                 self.outcome.loading.push(hardware.clocks - began);
             }
@@ -134,6 +166,10 @@ impl Run<'_> {
 
     /// Compares the pins; true if a frame is complete.
     fn see_pins(&mut self, hardware: &Machine) -> bool {
+        // The frames change places in the blanking of the scan; the pins are some clocks behind it and still show the last pixels.
+        if self.frame.is_empty() {
+            self.on = self.next;
+        }
         let timing = self.golden.clock(true);
         self.late
             .push_back(Some((timing.now, timing.hsync, timing.vsync)));
@@ -148,9 +184,12 @@ impl Run<'_> {
             None => &self.black,
         };
         let at = 3 * (usize::from(shown.y) * self.width + usize::from(shown.x));
-        let colour = |channel: usize| match shown.active {
-            true => i64::from(expected[at + channel]),
-            false => 0,
+        let plane = self.overlay.filter(|_| self.is_overlaid);
+        let over = plane.and_then(|plane| plane.colour_at(at / 3));
+        let colour = |channel: usize| match (shown.active, over) {
+            (true, Some(over)) => over[channel].into(),
+            (true, None) => i64::from(expected[at + channel]),
+            (false, _) => 0,
         };
         let pins = [
             ("hsync", hsync.into()),

@@ -70,6 +70,7 @@ pub fn shape(machine: &ZoneMachine, rows_per_stage: usize) -> ZoneShape {
         volume_planes: machine.volume_planes,
         rows_per_stage,
         zone_bits: pixels.next_power_of_two().trailing_zeros().max(1) as usize,
+        samples: machine.samples as usize,
     }
 }
 

@@ -114,6 +114,8 @@ fn compare(hardware: &Machine, wanted: &ShownPixel, format: &Format, report: &mu
         ("x", i64::from(wanted.x)),
         ("y", i64::from(wanted.y)),
         ("depth", wanted.depth),
+        ("sample", (wanted.sample.bits() >> 3) as i64),
+        ("pass_ends", wanted.pass_ends.into()),
         ("frame_ends", wanted.last.into()),
     ];
     if wanted.depth != format.z_max() {

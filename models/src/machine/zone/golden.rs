@@ -2,6 +2,7 @@
 
 use super::ZoneMachine;
 use super::decode::Registers;
+use super::sample::Sample;
 use super::stream::{Beat, command, kind};
 use crate::format::Format;
 use crate::machine::frame::Frame;
@@ -46,6 +47,8 @@ pub struct ShownPixel {
     pub x: u16,
     /// Line of the screen.
     pub y: u16,
+    /// Which sample of the pixel it is.
+    pub sample: Sample,
     /// Visible depth; the format's `z_max` where nothing is seen. There id and normal are 0 and all flags are set.
     pub depth: i64,
     /// Index of the object.
@@ -54,6 +57,8 @@ pub struct ShownPixel {
     pub normal: [i16; 3],
     /// Sources that reach the point.
     pub flags: u16,
+    /// The last pixel of the zone.
+    pub pass_ends: bool,
     /// The last pixel of the frame.
     pub last: bool,
 }
@@ -87,6 +92,7 @@ pub struct ZoneMachineModel {
     origin: [u16; 2],
     size: [u16; 2],
     progress: Progress,
+    samples: u32,
     buffer: Vec<Kept>,
 }
 
@@ -104,6 +110,7 @@ impl ZoneMachineModel {
             origin: [0; 2],
             size: [0; 2],
             progress: Progress::default(),
+            samples: machine.samples,
             buffer: vec![],
         }
     }
@@ -151,7 +158,7 @@ impl ZoneMachineModel {
         }
     }
 
-    /// A whole frame: the beats up to the one that says it is the last. Face numbers are not kept, so they are 0.
+    /// A whole frame of `width x height` samples: the beats up to the one that says it is the last. Face numbers are not kept, so they are 0.
     pub fn frame(
         &mut self,
         beats: impl IntoIterator<Item = Beat>,
@@ -165,7 +172,9 @@ impl ZoneMachineModel {
         for beat in beats {
             self.beat(&beat, |pixel| pixels.push(pixel))?;
             for pixel in pixels.drain(..) {
-                let (x, y) = (usize::from(pixel.x), usize::from(pixel.y));
+                let Sample { of, column, line } = pixel.sample;
+                let place = |pixel: u16, sample| usize::from(pixel) * of as usize + sample as usize;
+                let (x, y) = (place(pixel.x, column), place(pixel.y, line));
                 if x >= width || y >= height {
                     return Err(StreamError::Outside(pixel.x, pixel.y));
                 }
@@ -306,6 +315,9 @@ impl ZoneMachineModel {
                 "a show pass whose bits are not the passes that there were",
             ));
         }
+        let sample = Sample::of_bits(data, self.samples).ok_or(StreamError::Order(
+            "a show pass of a sample that the machine's pixels have not",
+        ))?;
         let pixels = self.pixels();
         let width = usize::from(self.size[0]);
         for index in 0..pixels {
@@ -322,6 +334,8 @@ impl ZoneMachineModel {
                 id: kept.id,
                 normal: kept.normal,
                 flags: if lit { kept.flags } else { ALL_SOURCES },
+                sample,
+                pass_ends: index + 1 == pixels,
                 last: last && index + 1 == pixels,
             });
         }
@@ -369,6 +383,7 @@ mod tests {
             volume_planes: 1,
             zone_width: 4,
             zone_height: 4,
+            samples: 1,
         }
     }
 

@@ -10,6 +10,7 @@ pub mod golden;
 pub mod growth;
 pub mod plan;
 pub mod plot;
+pub mod sample;
 pub mod stream;
 
 use crate::object::quadric::MAX_PLANES;
@@ -24,6 +25,9 @@ pub const MAX_PROCESSORS: usize = 256;
 pub const MAX_PICTURE: u32 = 4096;
 /// Most pixels along a side of a zone: its width and height have 12 bits.
 pub const MAX_ZONE: u32 = 4095;
+
+/// Samples of a pixel along each side that there are machines for.
+pub const SAMPLES: [u32; 3] = [1, 2, 4];
 
 /// What a zone machine is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,6 +44,8 @@ pub struct ZoneMachine {
     pub zone_width: u32,
     /// Lines of a zone; zones at the lower edge can be lower.
     pub zone_height: u32,
+    /// Samples of a pixel along each side: 1, or 2 or 4 in a machine that supersamples.
+    pub samples: u32,
 }
 
 impl ZoneMachine {
@@ -73,6 +79,11 @@ impl ZoneMachine {
         )?;
         range("planes of a volume", self.volume_planes, 0, MAX_PLANES)?;
         range("zone width", self.zone_width as usize, 1, side)?;
-        range("zone height", self.zone_height as usize, 1, side)
+        range("zone height", self.zone_height as usize, 1, side)?;
+        if SAMPLES.contains(&self.samples) {
+            Ok(())
+        } else {
+            Err(PlanError::Samples(self.samples))
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The host's plan of a frame: zones, their objects and volumes, and the passes that draw, light and show them.
 
+use super::sample::Sample;
 use super::{ID_BITS, MAX_PICTURE, ZoneMachine};
 use crate::format::Format;
 use crate::object::as_quadric::AsQuadricError;
@@ -23,6 +24,12 @@ pub enum PlanError {
         /// Most.
         most: usize,
     },
+    /// No machine has so many samples.
+    #[error("{0} x {0} samples of a pixel: accepted are 1, 2 or 4 along each side")]
+    Samples(u32),
+    /// A picture that is not whole pixels.
+    #[error("a picture of {0} x {1} samples for pixels of {2} x {2}: both have to be a multiple")]
+    PartOfPixel(u32, u32, u32),
     /// An object that its processors cannot draw.
     #[error("object '{object}': {why}")]
     Object {
@@ -69,7 +76,7 @@ pub struct Part {
     pub words: QuadricWords,
 }
 
-/// A rectangle of the screen, and what can be seen in it.
+/// A rectangle of the screen, and what can be seen in it at one sample of its pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Zone {
     /// First column.
@@ -80,6 +87,8 @@ pub struct Zone {
     pub width: u32,
     /// Lines.
     pub height: u32,
+    /// The sample; a zone is there once for each.
+    pub sample: Sample,
     /// Indices of the parts whose box touches the zone, ascending.
     pub parts: Vec<u32>,
     /// Indices of the volumes that matter here, ascending; none if there is no part.
@@ -121,15 +130,15 @@ pub struct ZonePlan {
     pub format: Format,
     /// The machine.
     pub machine: ZoneMachine,
-    /// Pixels per line.
+    /// Samples per line.
     pub width: u32,
-    /// Lines.
+    /// Lines of samples.
     pub height: u32,
     /// What there is to draw, by ascending object.
     pub parts: Vec<Part>,
     /// Shadow and light volumes, for the whole screen.
     pub volumes: Vec<VolumeWords>,
-    /// The zones, line of zones by line of zones.
+    /// The zones, line of zones by line of zones, each once for every sample.
     pub zones: Vec<Zone>,
     /// Words of the shading processor, address and data.
     pub shading: Vec<(u16, u32)>,
@@ -139,12 +148,19 @@ pub struct ZonePlan {
 }
 
 impl ZonePlan {
-    /// The plan of a prepared scene.
+    /// The plan of a prepared scene, whose pixels are the samples of the machine.
     pub fn of(scene: &PreparedScene, machine: ZoneMachine) -> Result<ZonePlan, PlanError> {
         machine.check()?;
         let side = 1..=MAX_PICTURE;
         if !side.contains(&scene.width) || !side.contains(&scene.height) {
             return Err(PlanError::Picture(scene.width, scene.height));
+        }
+        if scene.width % machine.samples + scene.height % machine.samples > 0 {
+            return Err(PlanError::PartOfPixel(
+                scene.width,
+                scene.height,
+                machine.samples,
+            ));
         }
         if scene.objects.len() > 1 << ID_BITS {
             return Err(PlanError::Objects(scene.objects.len()));
@@ -213,21 +229,17 @@ impl ZonePlan {
 
     /// Parts and volumes to the zones that they matter in.
     fn assign(&mut self) {
-        let columns = self.width.div_ceil(self.machine.zone_width);
-        let zones_of = |window: &ScreenBox| {
-            let span = |first: i64, last: i64, size: u32| {
-                let size = i64::from(size);
-                (first / size) as u32..=(last / size) as u32
-            };
-            let lines = span(window.y0, window.y1, self.machine.zone_height);
-            let along = span(window.x0, window.x1, self.machine.zone_width);
-            lines.flat_map(move |v| along.clone().map(move |u| (v * columns + u) as usize))
+        let zones_of = {
+            let (machine, width) = (self.machine, self.width);
+            move |window: &ScreenBox| zones_of(window, width, &machine)
         };
         let seen = |window: &ScreenBox| !window.is_empty();
         for (index, part) in self.parts.iter().enumerate() {
             let window = &part.words.screen_box;
             if seen(window) {
-                zones_of(window).for_each(|zone| self.zones[zone].parts.push(index as u32));
+                for zone in zones_of(window) {
+                    self.zones[zone].parts.push(index as u32);
+                }
             }
         }
         for (index, volume) in self.volumes.iter().enumerate() {
@@ -240,12 +252,38 @@ impl ZonePlan {
                 // Outside of it is dark, also outside its box.
                 VolumeKind::Light => self.zones.iter_mut().for_each(add),
                 VolumeKind::Shadow if seen(&volume.screen_box) => {
-                    zones_of(&volume.screen_box).for_each(|zone| add(&mut self.zones[zone]));
+                    for zone in zones_of(&volume.screen_box) {
+                        add(&mut self.zones[zone]);
+                    }
                 }
                 VolumeKind::Shadow => {}
             }
         }
     }
+}
+
+/// Indices of the zones that a box of samples touches, on a screen of `width` samples per line.
+fn zones_of(window: &ScreenBox, width: u32, machine: &ZoneMachine) -> Vec<usize> {
+    let of = machine.samples;
+    let columns = (width / of).div_ceil(machine.zone_width);
+    let span = |first: i64, last: i64, size: u32| {
+        let size = i64::from(size);
+        (first / size) as u32..=(last / size) as u32
+    };
+    let mut zones = vec![];
+    for (place, sample) in Sample::all(of).enumerate() {
+        let [step, column, line] = [of, sample.column, sample.line].map(i64::from);
+        let window = window.every_sample(step, column, line);
+        if window.is_empty() {
+            continue;
+        }
+        for v in span(window.y0, window.y1, machine.zone_height) {
+            for u in span(window.x0, window.x1, machine.zone_width) {
+                zones.push(((v * columns + u) * of * of) as usize + place);
+            }
+        }
+    }
+    zones
 }
 
 fn parts(scene: &PreparedScene, planes: usize) -> Result<Vec<Part>, PlanError> {
@@ -277,19 +315,21 @@ fn volumes(scene: &PreparedScene, machine: &ZoneMachine) -> Result<Vec<VolumeWor
     volumes.collect()
 }
 
-/// The screen cut into zones, without anything in them.
+/// The screen cut into zones, once for every sample, without anything in them.
 fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
+    let (width, height) = (width / machine.samples, height / machine.samples);
     let mut zones = vec![];
     for y0 in (0..height).step_by(machine.zone_height as usize) {
         for x0 in (0..width).step_by(machine.zone_width as usize) {
-            zones.push(Zone {
+            zones.extend(Sample::all(machine.samples).map(|sample| Zone {
                 x0,
                 y0,
                 width: machine.zone_width.min(width - x0),
                 height: machine.zone_height.min(height - y0),
+                sample,
                 parts: vec![],
                 volumes: vec![],
-            });
+            }));
         }
     }
     zones

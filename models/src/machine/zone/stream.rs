@@ -42,7 +42,7 @@ pub mod command {
     pub const LIT: u64 = 1;
     /// Bit of show: the zone had a draw pass.
     pub const DRAWN: u64 = 2;
-    /// Bit of show: the last zone of the frame.
+    /// Bit of show: the last zone of the frame. Bits 8..3 are the sample ([`Sample`](super::super::sample::Sample)).
     pub const LAST_ZONE: u64 = 4;
 }
 
@@ -116,7 +116,7 @@ impl ZonePlan {
                 beats.push(Beat::command(command::ORIGIN, pair(zone.x0, zone.y0)));
                 beats.push(Beat::command(command::SIZE, pair(zone.width, zone.height)));
             }
-            beats.push(command_of(&pass));
+            beats.push(command_of(&pass, zone));
         }
         if let Some(beat) = beats.last_mut() {
             beat.last = last;
@@ -126,10 +126,13 @@ impl ZonePlan {
 
     fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
         let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
+        let sample = zone.sample;
+        let [of, column, line] = [sample.of, sample.column, sample.line].map(i64::from);
         match pass {
             Pass::Draw { parts, .. } => {
                 for (unit, &index) in parts.iter().enumerate() {
                     let Part { object, words } = &self.parts[index as usize];
+                    let words = words.every_sample(of, column, line);
                     let words = words.for_zone(x0, y0, width, height);
                     let list = load_words(&words, &self.format, words.planes.len());
                     let kinds = none_planes(OBJECT_PLANES, words.planes.len(), self.machine.planes);
@@ -140,7 +143,8 @@ impl ZonePlan {
             }
             Pass::Light { volumes, .. } => {
                 for (unit, &index) in volumes.iter().enumerate() {
-                    let words = self.volumes[index as usize].for_zone(x0, y0, width, height);
+                    let words = self.volumes[index as usize].every_sample(of, column, line);
+                    let words = words.for_zone(x0, y0, width, height);
                     let list = load_volume(&words, &self.format, words.planes.len());
                     let kinds = none_planes(
                         VOLUME_PLANES,
@@ -173,14 +177,17 @@ fn push(
     beats.extend(unused.map(|address| beat(address, 0)));
 }
 
-fn command_of(pass: &Pass) -> Beat {
+fn command_of(pass: &Pass, zone: &Zone) -> Beat {
     let bit = |set: bool, mask: u64| if set { mask } else { 0 };
     match *pass {
         Pass::Draw { first, .. } => Beat::command(command::DRAW, bit(first, command::FIRST)),
         Pass::Light { first, .. } => Beat::command(command::LIGHT, bit(first, command::FIRST)),
         Pass::Show { lit, drawn, last } => Beat::command(
             command::SHOW,
-            bit(lit, command::LIT) | bit(drawn, command::DRAWN) | bit(last, command::LAST_ZONE),
+            bit(lit, command::LIT)
+                | bit(drawn, command::DRAWN)
+                | bit(last, command::LAST_ZONE)
+                | zone.sample.bits(),
         ),
     }
 }
