@@ -1,9 +1,11 @@
 //! Arguments of every command.
 
+mod evaluate;
 mod import;
 mod machine;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+pub use evaluate::Evaluate;
 use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_models::format::FittedWidths;
 use imogene_models::machine::fitted::FittedSlot;
@@ -76,6 +78,8 @@ pub enum Command {
     Shading(Shading),
     /// Take one number of a scene to its extreme, step by step: proven bound, observed error and refusals, with plots.
     Sweep(Sweep),
+    /// Count the cost tables of the sources again, beside what they print: operations, words, zones, parts, cells, rates.
+    Evaluate(Evaluate),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.

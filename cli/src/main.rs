@@ -33,6 +33,7 @@ fn main() -> ExitCode {
         Command::Bounds(options) => command::bounds::run(options, json),
         Command::Shading(options) => command::shading::run(options, json),
         Command::Sweep(options) => command::sweep::run(options, json),
+        Command::Evaluate(options) => command::evaluate::run(options, json),
         Command::Synth(options) => command::synth::run(options, json),
         Command::Peers(options) => command::peers::run(options, json),
         Command::Prove(options) => command::prove::run(options, json),

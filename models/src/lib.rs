@@ -7,6 +7,7 @@
 
 pub mod check;
 pub mod compare;
+pub mod evaluate;
 pub mod exact;
 pub mod fit;
 pub mod format;

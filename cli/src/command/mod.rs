@@ -7,6 +7,7 @@ pub mod contract;
 pub mod cosim;
 pub mod demo;
 pub mod emit;
+pub mod evaluate;
 pub mod extremes;
 pub mod fit;
 pub mod fitted;

@@ -1,0 +1,102 @@
+//! `imogene evaluate`.
+
+use crate::arguments::Evaluate;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::evaluate::{
+    Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
+    markdown, operations_plot, page,
+};
+use imogene_models::picture::write_whole;
+use imogene_package::processors::processors;
+use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
+use imogene_rtl::machine::zone_core::{ZONE_BITS, ZoneShape};
+use imogene_verif::display::request::zone_timing;
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// All that is counted; the keys are stable.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    evaluation: Evaluation,
+    files: Vec<PathBuf>,
+}
+
+/// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder for them.
+pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
+    let defect = |error: &dyn std::fmt::Display| Failure::Check(error.to_string());
+    let evaluation = evaluate(&hardware()?).map_err(|error| defect(&error))?;
+    let files = match &options.out {
+        Some(folder) => write(folder, &evaluation)?,
+        None => vec![],
+    };
+    if json {
+        output::json(&Report { evaluation, files });
+        return Ok(());
+    }
+    output::text(markdown(&evaluation).trim_end());
+    for file in &files {
+        output::text(format!("wrote {}", file.display()));
+    }
+    Ok(())
+}
+
+/// Parts of the processors as they are emitted, and the clocks of the zone machine.
+fn hardware() -> Result<Hardware, Failure> {
+    let list = processors().map_err(Failure::input)?;
+    let parts = list.into_iter().map(|p| Parts {
+        unit: p.unit.into(),
+        parameters: p.parameters,
+        pe1: p.pe1,
+        pe2: p.pe2,
+        roots: p.roots,
+        multipliers: p.multipliers,
+    });
+    let shape = ZoneShape {
+        objects: MACHINE_PROCESSORS,
+        planes: MACHINE_PLANES,
+        volumes: 0,
+        volume_planes: 0,
+        rows_per_stage: 1,
+        zone_bits: ZONE_BITS,
+    };
+    let request = DisplayRequest {
+        kind: DisplayKind::ZoneCore(shape),
+        depth_word: 24,
+        prefix: String::new(),
+        command: String::new(),
+    };
+    Ok(Hardware {
+        processors: parts.collect(),
+        zone_timing: zone_timing(&request).map_err(Failure::input)?,
+    })
+}
+
+fn write(folder: &Path, evaluation: &Evaluation) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |error: imogene_models::evaluate::EvaluateError| Failure::Check(error.to_string());
+    let figures =
+        serde_json::to_string_pretty(evaluation).expect("rows have no unserialisable keys");
+    let files = [
+        (
+            "index.html",
+            page(evaluation, env!("CARGO_PKG_VERSION")).map_err(failed)?,
+        ),
+        ("evaluation.json", figures + "\n"),
+        ("evaluation.md", markdown(evaluation)),
+        (
+            "images/duplication.svg",
+            duplication_plot().map_err(failed)?,
+        ),
+        (
+            "images/operations.svg",
+            operations_plot(evaluation).map_err(failed)?,
+        ),
+    ];
+    let files = files.map(|(name, text)| (folder.join(name), text));
+    for (path, text) in &files {
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    }
+    Ok(files.map(|(path, _)| path).to_vec())
+}

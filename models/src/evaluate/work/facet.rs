@@ -1,0 +1,250 @@
+//! A facet of three corners on its way to the display: set-up of both conversions, quantities over it, whole numbers (source: Tables 5.1, 5.4, 5.5).
+
+use crate::evaluate::count::{Counted, dot};
+
+/// Corners: column, line, depth.
+pub type Corners<'c> = [[Counted<'c>; 3]; 3];
+
+/// `a x + b y + c`.
+pub type Line<'c> = [Counted<'c>; 3];
+
+/// What stays of the set-up for the quantities.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape<'c> {
+    /// Second and third corner less the first, column and line.
+    pub sides: [[Counted<'c>; 2]; 2],
+    /// One over the doubled area.
+    pub over_area: Counted<'c>,
+}
+
+/// A facet ready to be drawn by following its contour.
+#[derive(Clone, Debug)]
+pub struct Contour<'c> {
+    /// Corners by ascending line.
+    pub corners: Corners<'c>,
+    /// Columns per line of the sides 0-1, 0-2 and 1-2; none along a line.
+    pub slopes: [Option<Counted<'c>>; 3],
+    /// The middle corner is right of the long side.
+    pub middle_is_right: bool,
+    /// Depth per column and per line.
+    pub depth: [Counted<'c>; 2],
+    /// Depth per line along each side that can be the left one.
+    pub depth_steps: Vec<Counted<'c>>,
+    /// For the quantities.
+    pub shape: Shape<'c>,
+}
+
+/// The set-up of contour following; nothing for a facet without area.
+pub fn contour<'c>(mut corners: Corners<'c>) -> Option<Contour<'c>> {
+    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+        if corners[j][1].is_below(corners[i][1]) {
+            corners.swap(i, j);
+        }
+    }
+    let difference = |i: usize, j: usize| -> [Counted<'c>; 2] {
+        [0, 1].map(|axis| corners[j][axis] - corners[i][axis])
+    };
+    let sides = [difference(0, 1), difference(0, 2)];
+    let third = difference(1, 2);
+    let slope = |[dx, dy]: [Counted<'c>; 2]| (!dy.is_zero()).then(|| dx / dy);
+    let slopes = [slope(sides[0]), slope(sides[1]), slope(third)];
+    let area = sides[0][0] * sides[1][1] - sides[1][0] * sides[0][1];
+    if area.is_zero() {
+        return None;
+    }
+    let middle_is_right = !area.is_negative();
+    let shape = Shape {
+        sides,
+        over_area: area.reciprocal(),
+    };
+    let depth = gradient(&shape, corners.map(|corner| corner[2]));
+    let depth_steps = steps(depth, middle_is_right, &slopes);
+    Some(Contour {
+        corners,
+        slopes,
+        middle_is_right,
+        depth,
+        depth_steps,
+        shape,
+    })
+}
+
+/// Change per column and per line of a quantity given at the corners.
+fn gradient<'c>(shape: &Shape<'c>, w: [Counted<'c>; 3]) -> [Counted<'c>; 2] {
+    let (dw1, dw2) = (w[1] - w[0], w[2] - w[0]);
+    let [[x1, y1], [x2, y2]] = shape.sides;
+    [
+        (dw1 * y2 - dw2 * y1) * shape.over_area,
+        (x1 * dw2 - x2 * dw1) * shape.over_area,
+    ]
+}
+
+/// Change per line along the sides on the left.
+fn steps<'c>(
+    [across, down]: [Counted<'c>; 2],
+    middle_is_right: bool,
+    slopes: &[Option<Counted<'c>>; 3],
+) -> Vec<Counted<'c>> {
+    let left = if middle_is_right {
+        vec![slopes[1]]
+    } else {
+        vec![slopes[0], slopes[2]]
+    };
+    let sides = left.into_iter().flatten();
+    sides.map(|slope| down + slope * across).collect()
+}
+
+/// A quantity for contour following: change per column, and per line along the left.
+pub fn followed<'c>(contour: &Contour<'c>, w: [Counted<'c>; 3]) -> Vec<Counted<'c>> {
+    let slope = gradient(&contour.shape, w);
+    let mut all = vec![slope[0]];
+    all.extend(steps(slope, contour.middle_is_right, &contour.slopes));
+    all
+}
+
+/// A facet as expressions.
+#[derive(Clone, Debug)]
+pub struct Expressions<'c> {
+    /// Sides, not negative inside.
+    pub sides: [Line<'c>; 3],
+    /// Depth.
+    pub depth: Line<'c>,
+    /// For the quantities.
+    pub shape: Shape<'c>,
+}
+
+/// The set-up of the expressions. A facet of no area gives a division by zero: its sides leave no pixel.
+pub fn expressions<'c>(corners: Corners<'c>) -> Expressions<'c> {
+    let mut sides = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| {
+        let [p, q] = [corners[i], corners[j]];
+        [p[1] - q[1], q[0] - p[0], p[0] * q[1] - q[0] * p[1]]
+    });
+    // The three constants are twice the areas of the triangles with the origin.
+    let mut area = sides[0][2] + sides[1][2] + sides[2][2];
+    if area.is_negative() {
+        sides = sides.map(|side| side.map(|v| -v));
+        area = -area;
+    }
+    let shape = Shape {
+        sides: [[sides[0][1], -sides[0][0]], [-sides[2][1], sides[2][0]]],
+        over_area: area.reciprocal(),
+    };
+    let depth = expressed(&shape, corners, corners.map(|corner| corner[2]));
+    Expressions {
+        sides,
+        depth,
+        shape,
+    }
+}
+
+/// A quantity as an expression.
+pub fn expressed<'c>(shape: &Shape<'c>, corners: Corners<'c>, w: [Counted<'c>; 3]) -> Line<'c> {
+    let [a, b] = gradient(shape, w);
+    [a, b, w[0] - a * corners[0][0] - b * corners[0][1]]
+}
+
+/// The value of an expression.
+pub fn value<'c>(line: &Line<'c>, x: Counted<'c>, y: Counted<'c>) -> Counted<'c> {
+    dot(&line[..2], &[x, y]) + line[2]
+}
+
+/// Is a point inside the facet? All sides are asked.
+pub fn is_inside<'c>(sides: &[Line<'c>], x: Counted<'c>, y: Counted<'c>) -> bool {
+    let outside = sides.iter().filter(|side| value(side, x, y).is_negative());
+    outside.count() == 0
+}
+
+/// Words of the expressions: corners on a grid of 1/16 pixel, so that the sides are whole without a further conversion; depth and quantities scaled and rounded.
+pub fn expression_words<'c>(
+    corners: Corners<'c>,
+    quantities: [[Counted<'c>; 3]; 3],
+    depth_scale: Counted<'c>,
+    quantity_scale: Counted<'c>,
+) -> (Expressions<'c>, Vec<Counted<'c>>) {
+    let subpixels = depth_scale.constant(16.0);
+    let on_grid = corners.map(|[x, y, z]| [x.scaled(subpixels), y.scaled(subpixels), z]);
+    let facet = expressions(on_grid);
+    let mut words = facet.depth.map(|v| v.scaled(depth_scale)).to_vec();
+    for w in quantities {
+        let line = expressed(&facet.shape, on_grid, w);
+        words.extend(line.map(|v| v.scaled(quantity_scale)));
+    }
+    (facet, words)
+}
+
+/// Words of contour following: the slopes, the column and the line of the first corner, depth and quantities with their first value and their changes.
+pub fn contour_words<'c>(
+    contour: &Contour<'c>,
+    quantities: [[Counted<'c>; 3]; 3],
+    depth_scale: Counted<'c>,
+    quantity_scale: Counted<'c>,
+) -> Vec<Counted<'c>> {
+    let subpixels = depth_scale.constant(16.0);
+    let first = contour.corners[0];
+    let ends = contour.slopes.iter().flatten().chain(&first[..2]);
+    let mut words: Vec<Counted<'c>> = ends.map(|v| v.scaled(subpixels)).collect();
+    let depth = [first[2], contour.depth[0]].into_iter();
+    let depth = depth.chain(contour.depth_steps.iter().copied());
+    words.extend(depth.map(|v| v.scaled(depth_scale)));
+    for w in quantities {
+        let changes = followed(contour, w);
+        words.extend(
+            [w[0]]
+                .into_iter()
+                .chain(changes)
+                .map(|v| v.scaled(quantity_scale)),
+        );
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluate::count::Counter;
+
+    /// Doubled area 16, a power of two: every quotient is exact.
+    const CORNERS: [[f64; 3]; 3] = [[1.0, 2.0, 7.0], [5.0, 4.0, -3.0], [3.0, 7.0, 11.0]];
+
+    fn corners(counter: &Counter) -> Corners<'_> {
+        CORNERS.map(|corner| counter.numbers(corner))
+    }
+
+    #[test]
+    fn expressions_hold_at_the_corners_whichever_way_round() {
+        let counter = Counter::default();
+        let mut corners = corners(&counter);
+        for _ in 0..2 {
+            let facet = expressions(corners);
+            for (index, [x, y, z]) in corners.into_iter().enumerate() {
+                assert_eq!(value(&facet.depth, x, y).value, z.value);
+                let sides = facet.sides.map(|side| value(&side, x, y).value);
+                assert_eq!(sides.iter().filter(|&&v| v == 0.0).count(), 2, "{index}");
+                assert_eq!(sides.iter().sum::<f64>(), 16.0);
+            }
+            let at = |x: f64, y: f64| is_inside(&facet.sides, counter.number(x), counter.number(y));
+            assert!(at(3.0, 4.0) && !at(1.0, 4.0) && !at(3.0, 2.0) && !at(5.0, 6.0));
+            corners.swap(1, 2);
+        }
+    }
+
+    #[test]
+    fn the_contour_has_the_gradient_of_the_expressions() {
+        let counter = Counter::default();
+        let corners = corners(&counter);
+        let plane = expressions(corners).depth.map(|v| v.value);
+        for order in [[0, 1, 2], [2, 1, 0], [1, 2, 0]] {
+            let contour = contour(order.map(|index| corners[index])).expect("it has an area");
+            assert_eq!(contour.depth.map(|v| v.value), plane[..2]);
+            assert!(contour.middle_is_right);
+            let slopes = contour
+                .slopes
+                .map(|slope| slope.expect("no side is level").value);
+            assert_eq!(slopes, [2.0, 2.0 / 5.0, -2.0 / 3.0]);
+            let along: Vec<f64> = contour.depth_steps.iter().map(|v| v.value).collect();
+            assert_eq!(along, [plane[1] + slopes[1] * plane[0]]);
+        }
+        let flat = corners.map(|[x, _, z]| [x, x, z]);
+        assert!(contour(flat).is_none());
+    }
+}

@@ -1,0 +1,119 @@
+//! The light at a corner, by Phong's formula (source: 1.2.4, Tables 5.2 and 5.3).
+
+use super::frame::normalised;
+use crate::evaluate::count::{Counted, dot};
+
+/// Where a source or the viewer is.
+#[derive(Clone, Copy, Debug)]
+pub enum Place<'c> {
+    /// So far away that its direction, of length 1, is the same everywhere.
+    Far([Counted<'c>; 3]),
+    /// At a point.
+    Near([Counted<'c>; 3]),
+}
+
+impl<'c> Place<'c> {
+    fn seen_from(&self, point: [Counted<'c>; 3]) -> [Counted<'c>; 3] {
+        match *self {
+            Place::Far(direction) => direction,
+            Place::Near(place) => normalised(std::array::from_fn(|axis| place[axis] - point[axis])),
+        }
+    }
+}
+
+/// Products of material and source, formed once for an object: red, green, blue of each.
+#[derive(Clone, Copy, Debug)]
+pub struct Colours<'c> {
+    /// Of the ambient light.
+    pub ambient: [Counted<'c>; 3],
+    /// Diffuse.
+    pub diffuse: [Counted<'c>; 3],
+    /// Specular.
+    pub specular: [Counted<'c>; 3],
+    /// Whole exponent, at least 1.
+    pub exponent: u32,
+}
+
+/// A power with a whole exponent, at least 1, by squaring.
+pub fn power(base: Counted<'_>, exponent: u32) -> Counted<'_> {
+    let mut result = base;
+    for bit in (0..exponent.ilog2()).rev() {
+        result = result * result;
+        if exponent >> bit & 1 == 1 {
+            result = result * base;
+        }
+    }
+    result
+}
+
+fn clamped(value: Counted<'_>) -> Counted<'_> {
+    if value.is_negative() {
+        value.constant(0.0)
+    } else {
+        value
+    }
+}
+
+/// `ka Ia + kd I (N.L) + ks I (O.R)^n` for red, green and blue, `R = 2 (N.L) N - L`; a negative cosine is 0.
+pub fn light<'c>(
+    point: [Counted<'c>; 3],
+    normal: [Counted<'c>; 3],
+    source: &Place<'c>,
+    viewer: &Place<'c>,
+    colours: &Colours<'c>,
+) -> [Counted<'c>; 3] {
+    let n = normalised(normal);
+    let l = source.seen_from(point);
+    let cosine = clamped(dot(&n, &l));
+    let twice = cosine.doubled();
+    let mirrored: [Counted<'c>; 3] = std::array::from_fn(|axis| twice * n[axis] - l[axis]);
+    let glance = clamped(dot(&viewer.seen_from(point), &mirrored));
+    let shine = power(glance, colours.exponent);
+    std::array::from_fn(|k| {
+        colours.ambient[k] + colours.diffuse[k] * cosine + colours.specular[k] * shine
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluate::count::{Counter, cost};
+
+    #[test]
+    fn powers() {
+        for exponent in 1..=128 {
+            let tally = cost(|counter| {
+                let found = power(counter.number(1.0625), exponent).value;
+                let expected = 1.0625f64.powi(exponent as i32);
+                // At most 12 products, each rounded at 2^-53.
+                assert!((found / expected - 1.0).abs() < 1e-13, "{exponent}");
+            });
+            assert!(tally.multiplications <= 12);
+        }
+    }
+
+    #[test]
+    fn a_mirror_shows_the_source() {
+        let counter = Counter::default();
+        let colours = Colours {
+            ambient: counter.numbers([0.5; 3]),
+            diffuse: counter.numbers([0.25, 0.5, 0.0]),
+            specular: counter.numbers([1.0, 0.0, 2.0]),
+            exponent: 9,
+        };
+        // Normal (0, 0, 2), source and viewer at 3-4-5 on both sides of it.
+        let point = counter.numbers([0.0, 0.0, 0.0]);
+        let normal = counter.numbers([0.0, 0.0, 2.0]);
+        let source = Place::Near(counter.numbers([3.0, 0.0, 4.0]));
+        let viewer = Place::Near(counter.numbers([-6.0, 0.0, 8.0]));
+        let found = light(point, normal, &source, &viewer, &colours).map(|v| v.value);
+        for (found, expected) in found.into_iter().zip([1.7, 0.9, 2.5]) {
+            // A dozen operations on numbers near 1.
+            assert!((found - expected).abs() < 1e-14);
+        }
+        // From below nothing is lit.
+        let below = Place::Far(counter.numbers([0.0, 0.0, -1.0]));
+        let dark = light(point, normal, &below, &viewer, &colours).map(|v| v.value);
+        assert_eq!(dark[1], 0.5);
+    }
+}
