@@ -3,6 +3,7 @@
 mod evaluate;
 mod import;
 mod machine;
+mod oracle;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub use evaluate::Evaluate;
@@ -18,6 +19,7 @@ use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
 pub use import::{Import, ImportKind};
 pub use machine::Machine;
+pub use oracle::{Cracks, Repair, Trace};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -62,6 +64,12 @@ pub enum Command {
     Import(Import),
     /// Show scenes on the pins of a whole machine: Verilog from a machine description, co-simulation of every clock, and the picture from the pins.
     Machine(Machine),
+    /// Compare golden pictures with those of an independent ray tracer in interval and exact arithmetic.
+    Trace(Trace),
+    /// Search a golden picture for cracks, or make cracks and see how many are found.
+    Cracks(Cracks),
+    /// Draw in short words and solve exactly the pixels that they leave open.
+    Repair(Repair),
     /// Measure how fast the engines run a unit: clocks per second alone, with the scoreboard, with waveforms.
     Speed(Speed),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.

@@ -61,12 +61,34 @@ pub fn render(
     format: &Format,
     line_done: impl Fn() + Sync,
 ) -> Vec<Option<ExactPixel>> {
+    render_some(scene, format, |_| true, line_done)
+}
+
+/// The same for the pixels that are wanted, row-major, alone; the others are `None`.
+pub fn render_where(
+    scene: &FramedScene,
+    format: &Format,
+    wanted: &[bool],
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
+    render_some(scene, format, |index| wanted[index], line_done)
+}
+
+fn render_some(
+    scene: &FramedScene,
+    format: &Format,
+    wanted: impl Fn(usize) -> bool + Sync,
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
     let objects: Vec<Rays> = scene.objects.iter().map(|o| Rays::new(o, scene)).collect();
     let full = BigInt::from(format.z_max());
     let width = i64::from(scene.width);
     let line = |y: i64| {
         let pixels: Vec<_> = (0..width)
             .map(|x| {
+                if !wanted((y * width + x) as usize) {
+                    return None;
+                }
                 let (id, hit) = visible(&objects, x, y)?;
                 let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
                 Some(ExactPixel {

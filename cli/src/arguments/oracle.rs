@@ -1,0 +1,75 @@
+//! Arguments of `trace`, `cracks` and `repair`.
+
+use super::{Scene, Size};
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `trace`.
+#[derive(Debug, Args)]
+pub struct Trace {
+    /// Scene files; of several, those that the preparation refuses are listed as such.
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Picture size in pixels; each scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
+    /// Picture (PNG) of one scene's comparison: the band blue, allowed differences orange, others red.
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Folder for such a picture of every scene.
+    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    pub out: Option<PathBuf>,
+    /// Write the table of all scenes (Markdown) to this file.
+    #[arg(long, value_name = "FILE.md")]
+    pub table: Option<PathBuf>,
+}
+
+/// Arguments of `cracks`.
+#[derive(Debug, Args)]
+pub struct Cracks {
+    /// The scene.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Least distance, in scene units along the view, by which both sides of a crack are nearer [default: two pixels].
+    #[arg(long, value_name = "D", value_parser = positive)]
+    pub min_distance: Option<f64>,
+    /// Greatest width of a crack in pixels, 1 to 8; 1 is the rule as printed.
+    #[arg(long, default_value_t = 1, value_name = "PIXELS", value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub width: u8,
+    /// Picture (PNG) with the flagged pixels in red.
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Make about N cracks of each sort instead and show how many are found, from the minimum distance down and up in powers of two.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub inject: Option<u32>,
+    /// Where those are made.
+    #[arg(long, default_value_t = 1, value_name = "SEED", requires = "inject")]
+    pub seed: u64,
+}
+
+/// Arguments of `repair`.
+#[derive(Debug, Args)]
+pub struct Repair {
+    /// The scene, and the words of the first pass.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Repaired picture (PNG) to write, shaded.
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Picture (PNG) of the pixels that were solved exactly, in orange.
+    #[arg(long, value_name = "FILE.png")]
+    pub map: Option<PathBuf>,
+    /// Do not draw the whole exact picture to compare with.
+    #[arg(long)]
+    pub unchecked: bool,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    value
+        .filter(|v| v.is_finite() && *v > 0.0)
+        .ok_or_else(|| "expected a distance above 0 in scene units, such as 0.01".to_owned())
+}

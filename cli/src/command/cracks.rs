@@ -1,0 +1,170 @@
+//! `imogene cracks`.
+
+use super::{format_of, frame_in, render::golden_frame};
+use crate::arguments::Cracks;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::picture::write_png;
+use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::{Camera, SceneFile};
+use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, two_pixels};
+use imogene_oracle::inject::{Breakable, Score, Sort};
+use imogene_oracle::paint;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Flagged pixels that are told to a person.
+const TOLD: usize = 20;
+/// Minimum distances that are tried with cracks made on purpose, as powers of two of the one asked for.
+const POWERS: std::ops::RangeInclusive<i32> = -2..=6;
+
+/// What was found; the keys are stable.
+#[derive(Serialize)]
+struct CrackReport {
+    width: u32,
+    height: u32,
+    min_distance: f64,
+    crack_width: usize,
+    cracks: Vec<Crack>,
+    scores: Vec<ScoreRow>,
+    files: Vec<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct ScoreRow {
+    #[serde(flatten)]
+    score: Score,
+    recall: f64,
+    precision: f64,
+}
+
+/// Searches the golden picture for cracks.
+pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
+    let file = SceneFile::read(&options.scene.scene).map_err(Failure::input)?;
+    let (_, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
+    let least = options.min_distance;
+    let rule = Rule {
+        min_distance: least.unwrap_or_else(|| two_pixels(&file.camera, prepared.height as usize)),
+        width: usize::from(options.width),
+    };
+    let frame = golden_frame(&prepared);
+    let z_max = prepared.format.z_max();
+    let found = cracks(&Buffers::new(&frame, &file.camera, z_max), &rule);
+    let mut files = vec![];
+    if let Some(path) = &options.output {
+        let flagged = found.iter().map(|c| c.y * frame.width + c.x);
+        let rgb = paint::pixels(&frame, z_max, flagged, paint::FORBIDDEN, true);
+        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+        files.push(path.clone());
+    }
+    let scores = options.inject.map_or(vec![], |count| {
+        scores(options, count, &prepared, &file.camera, rule)
+    });
+    let report = CrackReport {
+        width: prepared.width,
+        height: prepared.height,
+        min_distance: rule.min_distance,
+        crack_width: rule.width,
+        cracks: found,
+        scores,
+        files,
+    };
+    if json {
+        output::json(&report);
+    } else {
+        tell(&report);
+    }
+    match report.cracks.len() {
+        _ if options.inject.is_some() => missed(&report),
+        0 => Ok(()),
+        n => Err(Failure::Check(format!("{n} pixels are flagged as cracks"))),
+    }
+}
+
+/// With cracks made on purpose the check is that every deep one is found.
+fn missed(report: &CrackReport) -> Result<(), Failure> {
+    let missed = |s: &ScoreRow| s.score.deep - s.score.deep_found;
+    match report.scores.iter().map(missed).sum() {
+        0 => Ok(()),
+        n => Err(Failure::Check(format!("{n} deep cracks were not found"))),
+    }
+}
+
+fn scores(
+    options: &Cracks,
+    count: u32,
+    prepared: &PreparedScene,
+    camera: &Camera,
+    rule: Rule,
+) -> Vec<ScoreRow> {
+    let breakable = Breakable::new(prepared);
+    let sorts = [Sort::Points, Sort::Lines, Sort::Joints];
+    let all = sorts
+        .into_iter()
+        .flat_map(|sort| POWERS.map(move |power| (sort, power)));
+    all.map(|(sort, power)| {
+        let rule = Rule {
+            min_distance: rule.min_distance * 2f64.powi(power),
+            ..rule
+        };
+        let score = breakable.score(camera, sort, count as usize, options.seed, &rule);
+        ScoreRow {
+            recall: score.recall(),
+            precision: score.precision(),
+            score,
+        }
+    })
+    .collect()
+}
+
+fn tell(report: &CrackReport) {
+    output::text(format!(
+        "{} x {} pixels, both sides nearer by {:.4} or more, cracks up to {} wide: {} flagged",
+        report.width,
+        report.height,
+        report.min_distance,
+        report.crack_width,
+        report.cracks.len()
+    ));
+    for c in report.cracks.iter().take(TOLD) {
+        let behind = match c.object {
+            -1 => "the background".to_owned(),
+            id => format!("object {id}"),
+        };
+        output::text(format!(
+            "  column {}, line {}: {behind} between objects {} and {}",
+            c.x, c.y, c.sides[0], c.sides[1]
+        ));
+    }
+    if report.cracks.len() > TOLD {
+        output::text(format!("  and {} more", report.cracks.len() - TOLD));
+    }
+    if !report.scores.is_empty() {
+        output::text(
+            "| cracks | minimum distance | made | found | recall | deep | found | flagged besides | precision |",
+        );
+        output::text("|---|---|---|---|---|---|---|---|---|");
+    }
+    for row in &report.scores {
+        let s = &row.score;
+        let sort = match s.sort {
+            Sort::Points => "points",
+            Sort::Lines => "lines",
+            Sort::Joints => "joints",
+        };
+        output::text(format!(
+            "| {sort} | {:.4} | {} | {} | {:.1} % | {} | {} | {} | {:.1} % |",
+            s.min_distance,
+            s.made,
+            s.found,
+            100.0 * row.recall,
+            s.deep,
+            s.deep_found,
+            s.others,
+            100.0 * row.precision
+        ));
+    }
+    for file in &report.files {
+        output::text(format!("wrote {}", file.display()));
+    }
+}

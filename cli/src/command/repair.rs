@@ -1,0 +1,136 @@
+//! `imogene repair`.
+
+use super::{load_scene, render::golden_lighting};
+use crate::arguments::Repair;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::exact::render::{render, to_frame};
+use imogene_models::machine::shading;
+use imogene_models::picture::write_png;
+use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::FramedScene;
+use imogene_oracle::paint;
+use imogene_oracle::repair::{RepairReport, Repaired, differing_faces, repair};
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What was repaired; the keys are stable.
+#[derive(Serialize)]
+struct Report {
+    width: u32,
+    height: u32,
+    #[serde(flatten)]
+    repair: RepairReport,
+    /// Open pixels of all.
+    share: f64,
+    /// Every other pixel is as the first pass drew it, bit for bit.
+    leaves_the_rest: bool,
+    /// The comparison with the whole exact picture.
+    exact: Option<Exact>,
+    files: Vec<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Exact {
+    seconds: f64,
+    /// Pixels whose object or face differs from the exact one, before and after.
+    differing_before: usize,
+    differing_after: usize,
+}
+
+/// Draws in short words and repairs exactly what they leave open.
+pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
+    let (framed, prepared) = load_scene(&options.scene)?;
+    let bar = output::progress(u64::from(prepared.height), "exact repair");
+    let repaired = repair(&framed, &prepared, || bar.inc(1));
+    bar.finish_and_clear();
+    let exact = (!options.unchecked).then(|| compare(&framed, &prepared, &repaired));
+    let report = Report {
+        width: prepared.width,
+        height: prepared.height,
+        share: repaired.report.open as f64 / repaired.report.pixels as f64,
+        leaves_the_rest: repaired.leaves_the_rest(),
+        repair: repaired.report.clone(),
+        exact,
+        files: write(options, &framed, &prepared, &repaired)?,
+    };
+    if json {
+        output::json(&report);
+    } else {
+        tell(&report);
+    }
+    let differing = report.exact.as_ref().map_or(0, |e| e.differing_after);
+    if differing > 0 || !report.leaves_the_rest {
+        return Err(Failure::Check(format!(
+            "{differing} pixels of the repaired picture are not the exact ones"
+        )));
+    }
+    Ok(())
+}
+
+fn compare(framed: &FramedScene, prepared: &PreparedScene, repaired: &Repaired) -> Exact {
+    let bar = output::progress(u64::from(prepared.height), "exact reference");
+    let started = Instant::now();
+    let pixels = render(framed, &prepared.format, || bar.inc(1));
+    let exact = to_frame(&pixels, framed, &prepared.format);
+    let seconds = started.elapsed().as_secs_f64();
+    bar.finish_and_clear();
+    Exact {
+        seconds,
+        differing_before: differing_faces(&repaired.first, &exact),
+        differing_after: differing_faces(&repaired.frame, &exact),
+    }
+}
+
+fn write(
+    options: &Repair,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+    repaired: &Repaired,
+) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = vec![];
+    let frame = &repaired.frame;
+    if let Some(path) = &options.output {
+        let lighting = golden_lighting(frame, prepared);
+        let rgb = shading::shade(frame, &lighting, framed, &prepared.format);
+        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+        files.push(path.clone());
+    }
+    if let Some(path) = &options.map {
+        let open = (0..repaired.open.len()).filter(|&i| repaired.open[i]);
+        let rgb = paint::pixels(frame, prepared.format.z_max(), open, paint::ALLOWED, false);
+        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+        files.push(path.clone());
+    }
+    Ok(files)
+}
+
+fn tell(report: &Report) {
+    let r = &report.repair;
+    let seconds = r.first_seconds + r.find_seconds + r.solve_seconds;
+    output::text(format!(
+        "{} x {} pixels: {} open ({:.3} %), {} of them mended; {:.3} s (first pass {:.3}, open pixels found {:.3}, solved {:.3})",
+        report.width,
+        report.height,
+        r.open,
+        100.0 * report.share,
+        r.mended,
+        seconds,
+        r.first_seconds,
+        r.find_seconds,
+        r.solve_seconds
+    ));
+    if let Some(exact) = &report.exact {
+        output::text(format!(
+            "exact picture in {:.3} s, {:.1} times as long; other object or face at {} pixels before the repair, at {} after",
+            exact.seconds,
+            exact.seconds / seconds.max(1e-9),
+            exact.differing_before,
+            exact.differing_after
+        ));
+    }
+    for file in &report.files {
+        output::text(format!("wrote {}", file.display()));
+    }
+}

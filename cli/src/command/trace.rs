@@ -1,0 +1,148 @@
+//! `imogene trace`.
+
+use super::size_of;
+use crate::arguments::Trace;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::format::Format;
+use imogene_models::machine::frame::Frame;
+use imogene_models::picture::{write_png, write_whole};
+use imogene_models::scene::SceneFile;
+use imogene_oracle::compare::{Comparison, Mark};
+use imogene_oracle::paint;
+use imogene_oracle::run::{Outcome, run as trace};
+use imogene_oracle::table::{Row, table};
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// What was compared; the keys are stable.
+#[derive(Serialize)]
+struct TraceReport {
+    format: u32,
+    holds: bool,
+    scenes: Vec<Row>,
+    files: Vec<PathBuf>,
+}
+
+/// Compares the golden pictures of scenes with traced ones.
+pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
+    if options.output.is_some() && options.scenes.len() > 1 {
+        return Err(Failure::Input(
+            "one picture for several scenes; give --out DIR for one of each, or one scene".into(),
+        ));
+    }
+    let format = Format::new(options.format).map_err(Failure::input)?;
+    let (mut rows, mut files) = (vec![], vec![]);
+    for path in &options.scenes {
+        let (row, picture) = one(path, options, &format)?;
+        if let Some((frame, marks)) = picture
+            && let Some(file) = picture_of(path, options)
+        {
+            let rgb = paint::comparison(&frame, format.z_max(), &marks);
+            write_png(&file, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+            files.push(file);
+        }
+        if !json {
+            tell(&row);
+        }
+        rows.push(row);
+    }
+    if let Some(path) = &options.table {
+        let text = table(&rows);
+        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        files.push(path.clone());
+    }
+    let failed = rows.iter().filter(|row| !row.holds()).count();
+    if json {
+        output::json(&TraceReport {
+            format: options.format,
+            holds: failed == 0,
+            scenes: rows,
+            files,
+        });
+    } else {
+        for file in &files {
+            output::text(format!("wrote {}", file.display()));
+        }
+    }
+    match failed {
+        0 => Ok(()),
+        n => Err(Failure::Check(format!(
+            "{n} of {} scenes differ from the traced picture where they must not",
+            options.scenes.len()
+        ))),
+    }
+}
+
+type Drawn = Option<(Frame, Vec<Mark>)>;
+
+fn one(path: &Path, options: &Trace, format: &Format) -> Result<(Row, Drawn), Failure> {
+    let scene = SceneFile::read(path).map_err(Failure::input)?;
+    let (width, height) = size_of(&scene, options.size);
+    let bar = output::progress(1, "tracing");
+    let outcome = trace(&scene, width, height, *format, &|steps| {
+        bar.set_length(steps);
+        bar.inc(1);
+    })
+    .map_err(Failure::input)?;
+    bar.finish_and_clear();
+    let named = path.display().to_string();
+    Ok(match outcome {
+        Outcome::Refused(reason) if options.scenes.len() == 1 => {
+            return Err(Failure::Input(reason));
+        }
+        Outcome::Refused(reason) => (Row::refused(named, width, height, reason), None),
+        Outcome::Compared(found) => (
+            Row::compared(named, width, height, &found),
+            Some((found.golden, found.marks)),
+        ),
+    })
+}
+
+fn picture_of(scene: &Path, options: &Trace) -> Option<PathBuf> {
+    let folder = options.out.as_ref().map(|folder| {
+        let name = scene.file_stem().unwrap_or(scene.as_os_str());
+        folder.join(name).with_extension("png")
+    });
+    options.output.clone().or(folder)
+}
+
+fn tell(row: &Row) {
+    let (size, scene) = (format!("{} x {}", row.width, row.height), &row.scene);
+    let Some(c) = &row.comparison else {
+        let reason = row.refused.as_deref().unwrap_or_default();
+        return output::text(format!("{scene}: refused: {reason}"));
+    };
+    let verdict = if c.holds() { "holds" } else { "DIFFERS" };
+    output::text(format!(
+        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside; depths off by \
+         at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it",
+        c.covered,
+        row.trace_seconds,
+        c.solved_exactly,
+        c.band,
+        c.differences_inside,
+        c.differences_outside,
+        c.depth_error,
+        100.0 * c.depth_ratio,
+        c.depths_beyond_bound
+    ));
+    first(c);
+}
+
+fn first(c: &Comparison) {
+    for d in &c.first {
+        let side = |s: &imogene_oracle::compare::Seen| match s.object {
+            -1 => "the background".to_owned(),
+            id => format!("object {id}, face {}, depth {:.3}", s.number, s.depth),
+        };
+        output::text(format!(
+            "  column {}, line {}: golden {}, traced {}",
+            d.x,
+            d.y,
+            side(&d.golden),
+            side(&d.traced)
+        ));
+    }
+}

@@ -1,0 +1,264 @@
+//! Objects as a line of sight meets them: in a frame of their own, in which their quadric is a canonical one with small whole coefficients.
+//!
+//! The parameter of a line is the same in every frame, so hits of different objects compare. A tetrahedral patch has the barycentric coordinates of its
+//! corners for a frame: its weights are its matrix, and its faces are where a coordinate is zero.
+
+use crate::camera::{Affine, Sight};
+use crate::facet::{Triangle, triangles};
+use crate::frame::{Matrix, Vector, apply, diagonal, inverse, placement, times};
+use crate::interval::{Interval, about_all};
+use imogene_models::rational::{from_decimal, integer};
+use imogene_models::scene::{Object, Processor, Shape, Surface};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+/// A homogeneous vector in whole numbers.
+pub type Whole = [BigInt; 4];
+
+/// An object along the lines of sight of a picture, or a facet of one.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// A quadric bounded by planes, or planes alone.
+    Cut(Box<CutBody>),
+    /// A flat facet of a mesh.
+    Facet(Box<Triangle>),
+}
+
+/// A quadric bounded by planes.
+#[derive(Clone, Debug)]
+pub struct CutBody {
+    /// Volume or surface.
+    pub surface: Surface,
+    /// Whether lines of sight meet in the eye.
+    pub perspective: bool,
+    /// Exactly.
+    pub exact: Lines<BigInt>,
+    /// In intervals.
+    pub quick: Lines<Interval>,
+    /// Number of the face of each plane; those of the quadric are 0 and 1, the near end is 15.
+    pub numbers: Vec<u8>,
+}
+
+/// Lines of sight in the frame of an object, and the object; inside where nothing is positive.
+#[derive(Clone, Debug)]
+pub struct Lines<T> {
+    /// Factors of X, Y and 1 of the beginning of a line.
+    pub from: [[T; 4]; 3],
+    /// The same of its direction.
+    pub along: [[T; 4]; 3],
+    /// The matrix of the quadric; nothing for planes alone.
+    pub form: Option<[[T; 4]; 4]>,
+    /// The planes.
+    pub planes: Vec<[T; 4]>,
+}
+
+impl Body {
+    /// The bodies of an object of a scene that was read and checked: one, or the facets of a mesh.
+    pub fn of(object: &Object, sight: &Sight) -> Vec<Body> {
+        let facet = |one| Body::Facet(Box::new(one));
+        match &object.shape {
+            Shape::Mesh(mesh) => triangles(mesh, &placement(&object.place), sight)
+                .into_iter()
+                .map(facet)
+                .collect(),
+            _ => vec![Body::Cut(Box::new(CutBody::new(object, sight)))],
+        }
+    }
+}
+
+impl CutBody {
+    fn new(object: &Object, sight: &Sight) -> CutBody {
+        let Canonical {
+            frame,
+            form,
+            planes,
+        } = canonical(object);
+        let to_own = times(
+            &frame,
+            &inverse(&placement(&object.place)).expect("checked: no scale is zero"),
+        );
+        let own = |affine: &Affine| affine.each_ref().map(|v| apply(&to_own, v));
+        let (from, along) = (own(&sight.from), own(&sight.along));
+        let quick = Lines {
+            from: from.each_ref().map(about_all),
+            along: along.each_ref().map(about_all),
+            form: form.as_ref().map(|m| m.each_ref().map(about_all)),
+            planes: planes.iter().map(about_all).collect(),
+        };
+        let [from, along] = whole_lines(from, along);
+        let exact = Lines {
+            from,
+            along,
+            form: form.map(whole_form),
+            planes: planes.into_iter().map(whole_vector).collect(),
+        };
+        CutBody {
+            surface: object.mode,
+            perspective: sight.perspective,
+            numbers: numbers(object, exact.planes.len()),
+            exact,
+            quick,
+        }
+    }
+}
+
+/// Face numbers of planes: 2 for the first. Of the cylinder processor's two discs only the front one is seen, and it has the number 2.
+fn numbers(object: &Object, planes: usize) -> Vec<u8> {
+    let discs = matches!(object.drawn_by(), Some(Processor::Paraboloid));
+    (0..planes as u8)
+        .map(|k| if discs { 2 } else { 2 + k })
+        .collect()
+}
+
+/// An object in its own frame.
+struct Canonical {
+    /// From local coordinates.
+    frame: Matrix,
+    form: Option<Matrix>,
+    planes: Vec<Vector>,
+}
+
+/// Twice the canonical quadric: squares of x, y, z, the linear term of y or of z, and the constant.
+struct Family {
+    squares: [i64; 3],
+    linear: [i64; 3],
+    constant: i64,
+}
+
+fn canonical(object: &Object) -> Canonical {
+    if let Shape::TetrahedronPatch { corners, weights } = &object.shape {
+        return tetrahedron(corners, weights);
+    }
+    let (radii, form) = match unit_form(&object.shape) {
+        Some((radii, family)) => (radii, Some(matrix_of(&family))),
+        None => ([1.0; 3], general_form(&object.shape)),
+    };
+    let radii = radii.map(from_decimal);
+    let plane = |cut: &imogene_models::scene::Cut| {
+        let normal = cut.normal.map(from_decimal);
+        let point = cut.point.map(from_decimal);
+        let constant: BigRational = (0..3).map(|k| -&normal[k] * &point[k]).sum();
+        let [x, y, z] = [0, 1, 2].map(|k| &normal[k] * &radii[k]);
+        [x, y, z, constant]
+    };
+    Canonical {
+        planes: object.cuts.iter().map(plane).collect(),
+        frame: diagonal(radii.each_ref().map(BigRational::recip)),
+        form,
+    }
+}
+
+/// The radii that make a family's quadric a canonical one.
+fn unit_form(shape: &Shape) -> Option<([f64; 3], Family)> {
+    let of = |squares, linear, constant| Family {
+        squares,
+        linear,
+        constant,
+    };
+    let none = [0, 0, 0];
+    Some(match *shape {
+        Shape::Ellipsoid { radii } => (radii, of([1, 1, 1], none, -1)),
+        Shape::Sphere { radius } => ([radius; 3], of([1, 1, 1], none, -1)),
+        Shape::EllipticCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, 1], none, -1)),
+        Shape::HyperbolicCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, -1], none, -1)),
+        Shape::ParabolicCylinder { radii: [a, c] } => ([a, 1.0, c], of([1, 0, 0], [0, 0, -1], 0)),
+        Shape::Cone { radii } => (radii, of([1, -1, 1], none, 0)),
+        Shape::HyperboloidOneSheet { radii } => (radii, of([1, -1, 1], none, -1)),
+        Shape::HyperboloidTwoSheets { radii } => (radii, of([1, -1, 1], none, 1)),
+        Shape::EllipticParaboloid { radii } => (radii, of([1, 0, 1], [0, -1, 0], 0)),
+        Shape::HyperbolicParaboloid { radii } => (radii, of([1, 0, -1], [0, -1, 0], 0)),
+        Shape::Quadric { .. }
+        | Shape::Polyhedron
+        | Shape::Mesh(_)
+        | Shape::TetrahedronPatch { .. } => return None,
+    })
+}
+
+fn matrix_of(family: &Family) -> Matrix {
+    let mut rows: Matrix = Default::default();
+    for k in 0..3 {
+        rows[k][k] = integer(2 * family.squares[k]);
+        rows[k][3] = integer(family.linear[k]);
+        rows[3][k] = integer(family.linear[k]);
+    }
+    rows[3][3] = integer(2 * family.constant);
+    rows
+}
+
+/// The matrix of written coefficients; nothing for a polyhedron.
+fn general_form(shape: &Shape) -> Option<Matrix> {
+    let Shape::Quadric { coefficients } = shape else {
+        return None;
+    };
+    let [a, b, c, d, e, f, g, h, i, j] = coefficients.map(from_decimal);
+    let rows = [
+        [&a, &d, &e, &g],
+        [&d, &b, &f, &h],
+        [&e, &f, &c, &i],
+        [&g, &h, &i, &j],
+    ];
+    Some(rows.map(|row| row.map(BigRational::clone)))
+}
+
+/// The barycentric frame: the corners are the unit vectors.
+fn tetrahedron(corners: &[[f64; 3]; 4], weights: &[f64; 10]) -> Canonical {
+    let rows: Matrix = std::array::from_fn(|row| {
+        std::array::from_fn(|corner| match row {
+            3 => BigRational::one(),
+            _ => from_decimal(corners[corner][row]),
+        })
+    });
+    let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+    let mut form: Matrix = Default::default();
+    for (k, weight) in weights[..4].iter().enumerate() {
+        form[k][k] = from_decimal(*weight);
+    }
+    for ((i, j), weight) in pairs.into_iter().zip(&weights[4..]) {
+        form[i][j] = from_decimal(*weight);
+        form[j][i] = from_decimal(*weight);
+    }
+    // Coordinate i is not negative on the inner side of the face opposite corner i.
+    let face = |i: usize| std::array::from_fn(|k| integer(-i64::from(k == i)));
+    Canonical {
+        frame: inverse(&rows).expect("checked: the corners are not in a plane"),
+        form: Some(form),
+        planes: (0..4).map(face).collect(),
+    }
+}
+
+/// Numbers times the least common multiple of their denominators.
+fn whole<'a>(values: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigInt> {
+    let unit = values
+        .clone()
+        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
+    let divisor = values.clone().fold(BigInt::zero(), |gcd, v| {
+        gcd.gcd(&(v.numer() * (&unit / v.denom())))
+    });
+    let divisor = if divisor.is_zero() {
+        BigInt::one()
+    } else {
+        divisor
+    };
+    values
+        .map(|v| v.numer() * (&unit / v.denom()) / &divisor)
+        .collect()
+}
+
+/// Beginning and direction with one common factor, which leaves the parameter as it is.
+pub(crate) fn whole_lines(from: Affine, along: Affine) -> [[Whole; 3]; 2] {
+    let all = whole(from.iter().chain(&along).flatten());
+    let vector = |start: usize| -> Whole { std::array::from_fn(|k| all[start + k].clone()) };
+    [0, 12].map(|start| [0, 4, 8].map(|offset| vector(start + offset)))
+}
+
+fn whole_form(form: Matrix) -> [Whole; 4] {
+    let all = whole(form.iter().flatten());
+    std::array::from_fn(|row| std::array::from_fn(|k| all[4 * row + k].clone()))
+}
+
+pub(crate) fn whole_vector(vector: Vector) -> Whole {
+    let all = whole(vector.iter());
+    std::array::from_fn(|k| all[k].clone())
+}

@@ -1,0 +1,131 @@
+//! How far a golden depth may be from the true one at a pixel where both see the same face, by the kind of processor.
+//!
+//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_models::check::depth_bound`]), and so has the first generation, which
+//! has the depth words of the quadric processor. The others follow from what their words are rounded from.
+
+use crate::body::Body;
+use imogene_models::check::depth_bound;
+use imogene_models::format::Format;
+use imogene_models::prepare::error::PrepareError;
+use imogene_models::prepare::rounding::Anchor;
+use imogene_models::prepare::{PreparedQuadric, PreparedScene, prepare};
+use imogene_models::rational::to_f64;
+use imogene_models::scene::{FramedObject, FramedScene};
+
+/// Greatest distance of a sphere from its paraboloid, in radii.
+const PARABOLOID: f64 = 0.2946;
+/// A floor, and the rounding of coefficients that have guard bits.
+const GUARDED: f64 = 2.0;
+
+/// The bounds of a prepared scene.
+pub struct Bounds {
+    objects: Vec<Bound>,
+    format: Format,
+}
+
+enum Bound {
+    /// Proven at each pixel from its f2.
+    Proven(Box<PreparedQuadric>),
+    /// The same at every pixel of a face: of number 0, and of any other.
+    Level([f64; 2]),
+    /// By the facet that is seen: a corner is up to a 32nd of a pixel off in column and line, which the facet's slope turns into depth.
+    Facets(Vec<(u32, f64)>),
+}
+
+impl Bounds {
+    /// The bounds of `prepared`, which must come from `scene`; `bodies` are those of the tracer.
+    pub fn new(
+        scene: &FramedScene,
+        prepared: &PreparedScene,
+        bodies: &[(u32, Body)],
+    ) -> Result<Bounds, PrepareError> {
+        let quadrics = as_quadrics(scene, prepared)?;
+        let scale = to_f64(&prepared.depth_scale);
+        let of = |(id, object): (usize, &FramedObject)| -> Bound {
+            if let Some(quadric) = quadrics[id].clone() {
+                return Bound::Proven(Box::new(quadric));
+            }
+            let round = |radius| PARABOLOID * to_f64(radius) * scale + GUARDED;
+            match object {
+                FramedObject::Sphere(s) | FramedObject::CurvedSphere(s) => {
+                    Bound::Level([round(&s.radius); 2])
+                }
+                FramedObject::Cylinder(c) => {
+                    Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
+                }
+                FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
+                FramedObject::Polyhedron(_) => {
+                    let window = prepared.objects[id].screen_box();
+                    Bound::Level([Anchor::middle_of(window).linear_bound(window); 2])
+                }
+                _ => Bound::Level([GUARDED; 2]),
+            }
+        };
+        Ok(Bounds {
+            objects: scene.objects.iter().enumerate().map(of).collect(),
+            format: prepared.format,
+        })
+    }
+
+    /// Whether an object is drawn by facet processors.
+    pub fn is_of_facets(&self, object: u32) -> bool {
+        matches!(self.objects[object as usize], Bound::Facets(_))
+    }
+
+    /// The bound at a pixel, in depth words.
+    pub fn at(&self, object: u32, number: u8, part: u32, (x, y): (i64, i64)) -> f64 {
+        match &self.objects[object as usize] {
+            Bound::Proven(quadric) => {
+                let f2 = quadric.words.f2_at(x, y, &self.format);
+                depth_bound(quadric, number, f2)
+            }
+            Bound::Level([of_quadric, of_planes]) => {
+                if number == 0 {
+                    *of_quadric
+                } else {
+                    *of_planes
+                }
+            }
+            Bound::Facets(facets) => {
+                let of = |index: usize| facets[index].1;
+                let found = facets.binary_search_by_key(&part, |facet| facet.0);
+                found.map_or(f64::INFINITY, of)
+            }
+        }
+    }
+}
+
+/// Objects of the first generation are prepared once more for the quadric processor, which has the same depth words and states their bounds.
+fn as_quadrics(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<Vec<Option<PreparedQuadric>>, PrepareError> {
+    let of_first = |o: &FramedObject| matches!(o, FramedObject::FirstGeneration(_));
+    let own = |prepared: &PreparedScene| -> Vec<Option<PreparedQuadric>> {
+        let objects = prepared.objects.iter();
+        objects.map(|o| o.quadric().cloned()).collect()
+    };
+    if !scene.objects.iter().any(of_first) {
+        return Ok(own(prepared));
+    }
+    let mut other = scene.clone();
+    for object in &mut other.objects {
+        if let FramedObject::FirstGeneration(quadric) = object {
+            *object = FramedObject::Quadric(quadric.clone());
+        }
+    }
+    Ok(own(&prepare(&other, prepared.format)?))
+}
+
+fn facets(id: usize, bodies: &[(u32, Body)], format: &Format) -> Vec<(u32, f64)> {
+    let z_max = format.z_max() as f64;
+    let mut bounds: Vec<(u32, f64)> = vec![];
+    for (_, body) in bodies.iter().filter(|(object, _)| *object as usize == id) {
+        let Body::Facet(facet) = body else { continue };
+        if bounds.last().is_none_or(|(part, _)| *part != facet.part()) {
+            let slope: f64 = facet.depth_slope().iter().sum();
+            bounds.push((facet.part(), slope * z_max / 32.0 + GUARDED));
+        }
+    }
+    bounds
+}

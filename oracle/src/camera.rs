@@ -1,0 +1,154 @@
+//! Lines of sight in scene coordinates.
+//!
+//! The point at parameter t of the pixel (X, Y) is `from + t along`, both of first degree in X and Y. In perspective t is 1 on the screen plane and the depth
+//! of a point, as a share of the depth word's greatest value, is `1 - 1/t`; in parallel projection it is t itself.
+//!
+//! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the exact scene with these numbers, so that a
+//! line of sight follows the dual axes: the cross products of the others over the determinant.
+
+use crate::frame::{Vector, unit};
+use crate::interval::Interval;
+use imogene_models::rational::{from_decimal, from_f64_exact, integer};
+use imogene_models::scene::Camera;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+/// Coefficients of X, of Y, and a constant. X and Y are in half pixels from the middle of the picture.
+pub type Affine = [Vector; 3];
+
+/// The lines of sight of a picture.
+#[derive(Clone, Debug)]
+pub struct Sight {
+    /// Columns.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Where lines of sight begin.
+    pub from: Affine,
+    /// Where they go.
+    pub along: Affine,
+    /// Whether they meet in the eye.
+    pub perspective: bool,
+}
+
+impl Sight {
+    /// The lines of sight of a camera, for a picture of `width` x `height` pixels.
+    pub fn new(camera: &Camera, width: u32, height: u32) -> Sight {
+        let lines = integer(i64::from(height));
+        match camera {
+            Camera::Perspective {
+                eye,
+                target,
+                up,
+                viewer_distance,
+                view_height,
+            } => {
+                let [right, down, forward] = screen_axes(*eye, *target, *up);
+                let half_pixel = from_decimal(*view_height) / (lines * integer(2));
+                let distance = from_decimal(*viewer_distance);
+                Sight {
+                    width,
+                    height,
+                    from: [zero(), zero(), point(eye)],
+                    along: [
+                        scaled(right, &half_pixel),
+                        scaled(down, &half_pixel),
+                        scaled(forward, &distance),
+                    ],
+                    perspective: true,
+                }
+            }
+            Camera::Orthographic {
+                eye,
+                target,
+                up,
+                view_height,
+                half_depth,
+            } => {
+                let [right, down, forward] = screen_axes(*eye, *target, *up);
+                let half_pixel = from_decimal(*view_height) / (lines * integer(2));
+                Sight {
+                    width,
+                    height,
+                    from: [
+                        scaled(right, &half_pixel),
+                        scaled(down, &half_pixel),
+                        point(target),
+                    ],
+                    along: [zero(), zero(), scaled(forward, &from_decimal(*half_depth))],
+                    perspective: false,
+                }
+            }
+        }
+    }
+
+    /// Least parameter that is drawn: the near end of the depth.
+    pub fn first(&self) -> BigRational {
+        if self.perspective {
+            BigRational::new(1.into(), 2.into())
+        } else {
+            integer(-1)
+        }
+    }
+
+    /// The parameter before which everything drawn lies; nothing if that is infinity.
+    pub fn last(&self) -> Option<BigRational> {
+        (!self.perspective).then(|| integer(1))
+    }
+
+    /// Coordinates of a pixel's centre in half pixels.
+    pub fn place(&self, column: u32, line: u32) -> (i64, i64) {
+        let half = |at: u32, size: u32| 2 * i64::from(at) - i64::from(size);
+        (half(column, self.width), half(line, self.height))
+    }
+
+    /// Depth at a parameter, as a share of the greatest depth word.
+    pub fn depth(&self, t: Interval) -> Interval {
+        let one = Interval::point(1.0);
+        if self.perspective { one - one / t } else { t }
+    }
+
+    /// The same, exactly.
+    pub fn exact_depth(&self, t: &BigRational) -> BigRational {
+        if self.perspective {
+            BigRational::one() - t.recip()
+        } else {
+            t.clone()
+        }
+    }
+}
+
+fn zero() -> Vector {
+    std::array::from_fn(|_| BigRational::zero())
+}
+
+fn point(at: &[f64; 3]) -> Vector {
+    let [x, y, z] = at.map(from_decimal);
+    [x, y, z, BigRational::one()]
+}
+
+fn scaled(axis: [BigRational; 3], factor: &BigRational) -> Vector {
+    let [x, y, z] = axis.map(|v| v * factor);
+    [x, y, z, BigRational::zero()]
+}
+
+/// The dual of the axes right, down and forward.
+fn screen_axes(eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> [[BigRational; 3]; 3] {
+    let forward = unit([0, 1, 2].map(|k| target[k] - eye[k]));
+    let right = unit(cross_f64(forward, unit(up)));
+    let down = cross_f64(forward, right);
+    let [r, d, f] = [right, down, forward].map(|axis| axis.map(from_f64_exact));
+    let duals = [cross(&d, &f), cross(&f, &r), cross(&r, &d)];
+    let volume: BigRational = (0..3).map(|k| &duals[0][k] * &r[k]).sum();
+    duals.map(|dual| dual.map(|v| v / &volume))
+}
+
+fn cross_f64(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    let part = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+fn cross(u: &[BigRational; 3], v: &[BigRational; 3]) -> [BigRational; 3] {
+    let part = |i: usize, j: usize| &u[i] * &v[j] - &u[j] * &v[i];
+    [part(1, 2), part(2, 0), part(0, 1)]
+}

@@ -1,0 +1,213 @@
+//! A golden picture held against the traced one.
+//!
+//! The *band* is where an edge is met within a pixel: a pixel is in it if one of the eight about it, or it, sees in the traced picture another object, another
+//! face, another facet or the background. Outside it golden and traced picture must show the same face of the same object; inside it they may differ.
+//! Wherever they show the same face, their depths may differ by the proven bound of that face at that pixel and no more.
+
+use crate::bounds::Bounds;
+use crate::trace::{Traced, TracedPixel};
+use imogene_models::format::Format;
+use imogene_models::machine::frame::Frame;
+use serde::Serialize;
+
+/// Differences that are listed.
+const LISTED: usize = 16;
+
+/// What a pixel is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Alike, outside the band.
+    Alike,
+    /// Alike, in the band.
+    Band,
+    /// Different, in the band.
+    Inside,
+    /// Different, outside the band.
+    Outside,
+    /// The same face at a depth beyond its bound.
+    Depth,
+}
+
+/// One side of a difference.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Seen {
+    /// Index of the object, -1 for the background.
+    pub object: i64,
+    /// Number of the face.
+    pub number: u8,
+    /// Depth in depth words.
+    pub depth: f64,
+}
+
+/// A pixel that must not differ and does.
+#[derive(Clone, Debug, Serialize)]
+pub struct Difference {
+    /// Column.
+    pub x: usize,
+    /// Line.
+    pub y: usize,
+    /// What the golden picture shows.
+    pub golden: Seen,
+    /// What the tracer sees.
+    pub traced: Seen,
+    /// The depth bound, if both show the same face.
+    pub bound: Option<f64>,
+}
+
+/// What was found.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Comparison {
+    /// Pixels of the picture.
+    pub pixels: usize,
+    /// Pixels at which the tracer sees an object.
+    pub covered: usize,
+    /// Pixels that needed exact arithmetic.
+    pub solved_exactly: usize,
+    /// Pixels in the band.
+    pub band: usize,
+    /// Pixels in the band that differ.
+    pub differences_inside: usize,
+    /// Of these, pixels where one picture shows the background.
+    pub mask_differences_inside: usize,
+    /// Pixels outside the band that differ: none is allowed.
+    pub differences_outside: usize,
+    /// Pixels at which depths were compared.
+    pub depths: usize,
+    /// Pixels whose depth is beyond its bound: none is allowed.
+    pub depths_beyond_bound: usize,
+    /// Greatest difference of depths outside the band, in depth words.
+    pub depth_error: f64,
+    /// Greatest bound outside the band.
+    pub depth_bound: f64,
+    /// Greatest ratio of a difference of depths to its bound.
+    pub depth_ratio: f64,
+    /// The first differences that are not allowed.
+    pub first: Vec<Difference>,
+}
+
+impl Comparison {
+    /// True if nothing differs that must not.
+    pub fn holds(&self) -> bool {
+        self.differences_outside == 0 && self.depths_beyond_bound == 0
+    }
+}
+
+/// Compares; the marks are those of the pixels, row-major.
+pub fn compare(
+    traced: &Traced,
+    golden: &Frame,
+    bounds: &Bounds,
+    format: &Format,
+) -> (Comparison, Vec<Mark>) {
+    let mut found = Comparison {
+        pixels: traced.pixels.len(),
+        covered: traced.pixels.iter().flatten().count(),
+        solved_exactly: traced.solved,
+        ..Comparison::default()
+    };
+    let mut marks = Vec::with_capacity(traced.pixels.len());
+    for y in 0..traced.height {
+        for x in 0..traced.width {
+            marks.push(pixel(&mut found, traced, golden, bounds, format, (x, y)));
+        }
+    }
+    (found, marks)
+}
+
+fn pixel(
+    found: &mut Comparison,
+    traced: &Traced,
+    golden: &Frame,
+    bounds: &Bounds,
+    format: &Format,
+    (x, y): (usize, usize),
+) -> Mark {
+    let index = y * traced.width + x;
+    let in_band = is_in_band(traced, x, y);
+    found.band += usize::from(in_band);
+    let seen = traced.pixels[index];
+    let mut difference = Difference {
+        x,
+        y,
+        golden: Seen {
+            object: i64::from(golden.id[index]),
+            number: golden.number[index],
+            depth: golden.depth[index] as f64,
+        },
+        traced: of_tracer(seen, format),
+        bound: None,
+    };
+    let (one, other) = (difference.golden, difference.traced);
+    if (one.object, one.number) != (other.object, other.number) {
+        if in_band {
+            found.differences_inside += 1;
+            let mask = (one.object < 0) != (other.object < 0);
+            found.mask_differences_inside += usize::from(mask);
+            return Mark::Inside;
+        }
+        found.differences_outside += 1;
+        found.list(difference);
+        return Mark::Outside;
+    }
+    let alike = if in_band { Mark::Band } else { Mark::Alike };
+    let Some(pixel) = seen else { return alike };
+    if in_band && bounds.is_of_facets(pixel.object) {
+        // A golden pixel does not say of which facet it is, and the one beside may be seen.
+        return alike;
+    }
+    let bound = bounds.at(pixel.object, pixel.number, pixel.part, (x as i64, y as i64));
+    let error = (one.depth - other.depth).abs();
+    found.depths += 1;
+    if !in_band {
+        found.depth_error = found.depth_error.max(error);
+        found.depth_bound = found.depth_bound.max(bound);
+    }
+    // How closely the tracer knows the depth, and how closely words and their difference are told in floating point.
+    let slack = 0.5 * pixel.depth.width() * format.z_max() as f64
+        + 4.0 * f64::EPSILON * other.depth.abs().max(1.0);
+    if bound > 0.0 {
+        found.depth_ratio = found.depth_ratio.max((error - slack) / bound);
+    }
+    if error <= bound + slack {
+        return alike;
+    }
+    found.depths_beyond_bound += 1;
+    difference.bound = Some(bound);
+    found.list(difference);
+    Mark::Depth
+}
+
+impl Comparison {
+    fn list(&mut self, difference: Difference) {
+        if self.first.len() < LISTED {
+            self.first.push(difference);
+        }
+    }
+}
+
+fn of_tracer(seen: Option<TracedPixel>, format: &Format) -> Seen {
+    let z_max = format.z_max() as f64;
+    match seen {
+        Some(pixel) => Seen {
+            object: i64::from(pixel.object),
+            number: pixel.number,
+            depth: pixel.depth.middle() * z_max,
+        },
+        None => Seen {
+            object: -1,
+            number: 0,
+            depth: z_max,
+        },
+    }
+}
+
+/// Whether one of the pixels about a pixel sees something else than it does.
+pub fn is_in_band(traced: &Traced, x: usize, y: usize) -> bool {
+    let face = |x: usize, y: usize| {
+        traced.pixels[y * traced.width + x].map(|p| (p.object, p.number, p.part))
+    };
+    let own = face(x, y);
+    let columns = x.saturating_sub(1)..=(x + 1).min(traced.width - 1);
+    let mut lines = y.saturating_sub(1)..=(y + 1).min(traced.height - 1);
+    lines.any(|v| columns.clone().any(|u| face(u, v) != own))
+}

@@ -1,0 +1,217 @@
+//! Cracks of a picture, from its depths and faces alone; no reference is needed (Claux, section IV.2.2).
+//!
+//! The printed rule: a pixel is flagged if two opposite neighbours of the eight about it are both nearer to the camera by at least a minimum distance, and
+//! neither shows its face. Both sides, because beside an outline one side only is nearer; another face, because a steep face is no crack.
+//!
+//! *Convex solids are never flagged.* In the space of column, line and depth word, in which a solid that is convex before perspective is convex too, the
+//! point between two points of the front is inside or behind it: the pixel between is covered, and not behind both.
+//!
+//! *Beyond the printed rule* (`width` above 1): a crack of w pixels is met by looking past it, at two pixels on a line through the pixel, one on each side, at most
+//! w + 1 apart. The proof for convex solids is the same. (The measure [`imogene_models::metrics`] calls by the same name compares with the true picture.)
+
+use imogene_models::machine::frame::Frame;
+use imogene_models::scene::Camera;
+use serde::Serialize;
+
+/// Directions to one of each two opposite neighbours.
+const DIRECTIONS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (1, -1)];
+
+/// What counts as a crack.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rule {
+    /// Least distance, in scene units along the view, by which both sides are nearer.
+    pub min_distance: f64,
+    /// Greatest width of a crack in pixels; 1 is the printed rule.
+    pub width: usize,
+}
+
+/// What is searched: a distance from the observer and a face for every pixel, row-major.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Buffers {
+    /// Columns.
+    pub width: usize,
+    /// Lines.
+    pub height: usize,
+    /// Distance along the view in scene units; infinite for the background.
+    pub distance: Vec<f64>,
+    /// Object and number of the face; object -1 for the background.
+    pub face: Vec<(i32, u8)>,
+}
+
+/// A flagged pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Crack {
+    /// Column.
+    pub x: usize,
+    /// Line.
+    pub y: usize,
+    /// What is seen through it, -1 for the background.
+    pub object: i32,
+    /// The objects on both sides.
+    pub sides: [i32; 2],
+}
+
+impl Buffers {
+    /// Those of a frame with depth words up to `z_max`.
+    pub fn new(frame: &Frame, camera: &Camera, z_max: i64) -> Buffers {
+        let distance = |(word, id): (&i64, &i32)| {
+            if *id < 0 {
+                return f64::INFINITY;
+            }
+            let share = *word as f64 / z_max as f64;
+            match camera {
+                Camera::Perspective {
+                    viewer_distance, ..
+                } => viewer_distance / (1.0 - share),
+                Camera::Orthographic { half_depth, .. } => half_depth * share,
+            }
+        };
+        Buffers {
+            width: frame.width,
+            height: frame.height,
+            distance: frame.depth.iter().zip(&frame.id).map(distance).collect(),
+            face: frame
+                .id
+                .iter()
+                .zip(&frame.number)
+                .map(|(id, number)| (*id, *number))
+                .collect(),
+        }
+    }
+}
+
+/// Two pixels of a picture, in scene units: what a distance is unless another is asked for.
+pub fn two_pixels(camera: &Camera, height: usize) -> f64 {
+    let view_height = match camera {
+        Camera::Perspective { view_height, .. } | Camera::Orthographic { view_height, .. } => {
+            view_height
+        }
+    };
+    2.0 * view_height / height as f64
+}
+
+/// The flagged pixels, line by line.
+pub fn cracks(buffers: &Buffers, rule: &Rule) -> Vec<Crack> {
+    let pixels = (0..buffers.height).flat_map(|y| (0..buffers.width).map(move |x| (x, y)));
+    pixels
+        .filter_map(|(x, y)| crack_at(buffers, rule, x, y))
+        .collect()
+}
+
+fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack> {
+    let own = y * buffers.width + x;
+    // The pixel on one side, so many steps away, if it is nearer and shows another face.
+    let side = |(u, v): (i64, i64), steps: i64| -> Option<i32> {
+        let column = usize::try_from(x as i64 + u * steps).ok()?;
+        let line = usize::try_from(y as i64 + v * steps).ok()?;
+        if column >= buffers.width || line >= buffers.height {
+            return None;
+        }
+        let index = line * buffers.width + column;
+        let nearer = buffers.distance[own] - buffers.distance[index] >= rule.min_distance;
+        (nearer && buffers.face[index] != buffers.face[own]).then_some(buffers.face[index].0)
+    };
+    let reach = rule.width as i64;
+    for direction in DIRECTIONS {
+        for before in 1..=reach {
+            let Some(one) = side(direction, -before) else {
+                continue;
+            };
+            let after = (1..=reach + 1 - before).find_map(|steps| side(direction, steps));
+            if let Some(other) = after {
+                return Some(Crack {
+                    x,
+                    y,
+                    object: buffers.face[own].0,
+                    sides: [one, other],
+                });
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RULE: Rule = Rule {
+        min_distance: 1.0,
+        width: 1,
+    };
+
+    /// A wall of one face at distance 10, with what `behind` says behind the marked pixels.
+    fn wall(width: usize, height: usize, marked: &[(usize, usize)], behind: (f64, i32)) -> Buffers {
+        let mut buffers = Buffers {
+            width,
+            height,
+            distance: vec![10.0; width * height],
+            face: vec![(0, 0); width * height],
+        };
+        for (x, y) in marked {
+            buffers.distance[y * width + x] = behind.0;
+            buffers.face[y * width + x] = (behind.1, 0);
+        }
+        buffers
+    }
+
+    fn found(buffers: &Buffers, rule: Rule) -> Vec<(usize, usize)> {
+        cracks(buffers, &rule).iter().map(|c| (c.x, c.y)).collect()
+    }
+
+    #[test]
+    fn every_crack_one_pixel_wide_is_found_and_nothing_else() {
+        // A point, a level line, an upright one, both diagonals, a staircase, and a block of four.
+        let line = |u: i64, v: i64| -> Vec<(usize, usize)> {
+            (0..5)
+                .map(|k| ((8 + u * k) as usize, (8 + v * k) as usize))
+                .collect()
+        };
+        let stairs = (0..8).map(|k| (4 + k / 2, 4 + k.div_ceil(2))).collect();
+        let block = vec![(7, 7), (8, 7), (7, 8), (8, 8)];
+        for marked in [
+            line(0, 0),
+            line(1, 0),
+            line(0, 1),
+            line(1, 1),
+            line(1, -1),
+            stairs,
+            block,
+        ] {
+            let mut marked = marked;
+            marked.sort_by_key(|(x, y)| (*y, *x));
+            marked.dedup();
+            for behind in [(f64::INFINITY, -1), (11.0, 1)] {
+                assert_eq!(found(&wall(20, 20, &marked, behind), RULE), marked);
+            }
+            // Too little behind, or the same face.
+            assert_eq!(found(&wall(20, 20, &marked, (10.9, 1)), RULE), []);
+            assert_eq!(found(&wall(20, 20, &marked, (20.0, 0)), RULE), []);
+        }
+    }
+
+    #[test]
+    fn wider_cracks_need_the_wider_rule() {
+        let band: Vec<(usize, usize)> = (0..20).flat_map(|y| [9, 10].map(|x| (x, y))).collect();
+        let buffers = wall(20, 20, &band, (f64::INFINITY, -1));
+        assert_eq!(found(&buffers, RULE), []);
+        let wide = Rule { width: 2, ..RULE };
+        assert_eq!(found(&buffers, wide), band);
+        let three: Vec<(usize, usize)> =
+            (0..20).flat_map(|y| [9, 10, 11].map(|x| (x, y))).collect();
+        let buffers = wall(20, 20, &three, (f64::INFINITY, -1));
+        assert_eq!(found(&buffers, wide), []);
+        assert_eq!(found(&buffers, Rule { width: 3, ..RULE }), three);
+    }
+
+    #[test]
+    fn outlines_are_no_cracks() {
+        let half: Vec<(usize, usize)> = (0..20)
+            .flat_map(|y| (10..20).map(move |x| (x, y)))
+            .collect();
+        for width in 1..4 {
+            let rule = Rule { width, ..RULE };
+            assert_eq!(found(&wall(20, 20, &half, (f64::INFINITY, -1)), rule), []);
+        }
+    }
+}

@@ -1,0 +1,414 @@
+//! What a cell of pixels shows of one object, as far as intervals can tell.
+//!
+//! On the line of sight `from + t along` the quadric is `R t^2 + 2 S t + T`. A cell is one pixel, or a rectangle of pixels at once: then what is said holds at
+//! every one of them, which is how objects are found that are nowhere near (there is no other structure of space).
+
+use crate::body::{Body, CutBody};
+use crate::interval::Interval;
+use imogene_models::scene::Surface;
+use imogene_models::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Column of its middle, in half pixels from the middle of the picture.
+    pub x: f64,
+    /// Line of its middle.
+    pub y: f64,
+    /// Half its width in half pixels; 0 for one column.
+    pub reach_x: f64,
+    /// Half its height.
+    pub reach_y: f64,
+    /// Least parameter that is drawn.
+    pub first: f64,
+    /// Parameter before which everything drawn lies; infinite in perspective.
+    pub last: f64,
+}
+
+/// What is known of an object on a cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// It is nowhere on the cell.
+    Absent,
+    /// It is everywhere on the cell.
+    Hit {
+        /// The parameter lies here.
+        t: Interval,
+        /// Number of the face.
+        number: u8,
+        /// Facet of a mesh; 0 else.
+        part: u32,
+    },
+    /// Not known; if it is there, not before this parameter.
+    Open {
+        /// The parameter.
+        from: f64,
+    },
+}
+
+impl Body {
+    /// What a cell shows of it.
+    pub fn decide(&self, cell: &Cell) -> Verdict {
+        match self {
+            Body::Cut(body) => body.decide(cell),
+            Body::Facet(facet) => facet.decide(cell),
+        }
+    }
+}
+
+/// A line of sight, or all of a cell.
+struct Line {
+    from: [Interval; 4],
+    along: [Interval; 4],
+    /// R, S, T and `S^2 - R T`.
+    r: Interval,
+    s: Interval,
+    t: Interval,
+    discriminant: Interval,
+}
+
+/// `a + b u + c v + d u^2 + e u v + f v^2` about the middle of a cell.
+type Polynomial = [Interval; 6];
+
+impl CutBody {
+    fn decide(&self, cell: &Cell) -> Verdict {
+        let line = self.line(cell);
+        let nowhere_inside = line.r.lo > 0.0 || line.t.lo > 0.0;
+        if line.discriminant.hi < 0.0 && nowhere_inside {
+            return Verdict::Absent;
+        }
+        match self.surface {
+            Surface::Solid => self.solid(cell, &line),
+            Surface::Patch => self.patch(cell, &line),
+        }
+    }
+
+    fn line(&self, cell: &Cell) -> Line {
+        let lines = &self.quick;
+        let (x, y) = (Interval::point(cell.x), Interval::point(cell.y));
+        let at = |[a, b, c]: &[[Interval; 4]; 3]| -> [Interval; 4] {
+            std::array::from_fn(|k| a[k] * x + b[k] * y + c[k])
+        };
+        let (from, along) = (at(&lines.from), at(&lines.along));
+        let reach = (
+            Interval::within(cell.reach_x),
+            Interval::within(cell.reach_y),
+        );
+        let spread = |middle: &[Interval; 4], [a, b, _]: &[[Interval; 4]; 3]| -> [Interval; 4] {
+            std::array::from_fn(|k| middle[k] + a[k] * reach.0 + b[k] * reach.1)
+        };
+        let Some(form) = &lines.form else {
+            return Line {
+                from: spread(&from, &lines.from),
+                along: spread(&along, &lines.along),
+                r: Interval::ZERO,
+                s: Interval::ZERO,
+                t: Interval::ZERO,
+                discriminant: Interval::ZERO,
+            };
+        };
+        if cell.reach_x == 0.0 && cell.reach_y == 0.0 {
+            let (to_along, to_from) = (product(form, &along), product(form, &from));
+            let r = dot(&along, &to_along);
+            let s = dot(&from, &to_along);
+            let t = dot(&from, &to_from);
+            return Line {
+                from,
+                along,
+                r,
+                s,
+                t,
+                discriminant: s.square() - r * t,
+            };
+        }
+        let ([ux, uy, _], [vx, vy, _]) = (&lines.from, &lines.along);
+        let r = squares(form, &along, vx, vy);
+        let t = squares(form, &from, ux, uy);
+        let s = mixed(form, (&from, ux, uy), (&along, vx, vy));
+        // In perspective T is the same for all lines, in parallel projection R.
+        let (constant, other) = if self.perspective {
+            (t[0], &r)
+        } else {
+            (r[0], &t)
+        };
+        let square = square_of(&s);
+        let discriminant: Polynomial = std::array::from_fn(|k| square[k] - constant * other[k]);
+        Line {
+            from: spread(&from, &lines.from),
+            along: spread(&along, &lines.along),
+            r: range(&r, reach),
+            s: range(&s, reach),
+            t: range(&t, reach),
+            discriminant: range(&discriminant, reach),
+        }
+    }
+
+    /// Where each plane bounds the line; nothing if a plane removes all of it.
+    fn bounds(&self, cell: &Cell, line: &Line) -> Option<Bounds> {
+        let mut bounds = Bounds {
+            start: Interval::point(cell.first),
+            number: Some(FACE_NEAR_END),
+            end: Interval::point(f64::INFINITY),
+            open: false,
+        };
+        for (plane, &number) in self.quick.planes.iter().zip(&self.numbers) {
+            let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
+            if slope.is_zero() {
+                if at.lo > 0.0 {
+                    return None;
+                }
+                bounds.open |= at.hi > 0.0;
+            } else if slope.hi < 0.0 {
+                bounds.enter(-at / slope, number);
+            } else if slope.lo > 0.0 {
+                bounds.end = bounds.end.min(-at / slope);
+            } else {
+                bounds.open = true;
+            }
+        }
+        Some(bounds)
+    }
+
+    /// The first point of the volume.
+    fn solid(&self, cell: &Cell, line: &Line) -> Verdict {
+        let Some(bounds) = self.bounds(cell, line) else {
+            return Verdict::Absent;
+        };
+        let (start, end) = (bounds.start, bounds.end);
+        if end.below(start) || start.lo >= cell.last {
+            return Verdict::Absent;
+        }
+        let open = Verdict::Open { from: start.lo };
+        let there = !bounds.open && start.not_above(end) && start.hi < cell.last;
+        let Line { r, s, t, .. } = *line;
+        let two = Interval::point(2.0);
+        let at_start = (r * start + two * s) * start + t;
+        if at_start.hi <= 0.0 {
+            return match bounds.number {
+                Some(number) if there => Verdict::Hit {
+                    t: start,
+                    number,
+                    part: 0,
+                },
+                _ => open,
+            };
+        }
+        if at_start.lo <= 0.0 {
+            return open;
+        }
+        // Outside at the start: the line enters later, or never.
+        if line.discriminant.hi < 0.0 {
+            return Verdict::Absent;
+        }
+        let slope = r * start + s;
+        if slope.lo > 0.0 && r.lo >= 0.0 {
+            return Verdict::Absent;
+        }
+        let enters = line.discriminant.lo >= 0.0 && (slope.hi < 0.0 || r.hi < 0.0);
+        let root = line.discriminant.sqrt();
+        // (-S - sqrt) / R = T / (sqrt - S): the one without cancellation.
+        let hit = if s.hi < 0.0 {
+            t / (root - s)
+        } else {
+            (-s - root) / r
+        };
+        if enters && (end.below(hit) || hit.lo >= cell.last) {
+            return Verdict::Absent;
+        }
+        let kept = hit.not_above(end) && hit.hi < cell.last;
+        match self.solid_number(line) {
+            Some(number) if there && enters && kept => Verdict::Hit {
+                t: hit.max(Interval {
+                    lo: start.lo,
+                    hi: f64::NEG_INFINITY,
+                }),
+                number,
+                part: 0,
+            },
+            _ if enters => Verdict::Open {
+                from: start.lo.max(hit.lo),
+            },
+            _ => open,
+        }
+    }
+
+    /// The face through which a line enters the volume: the far one if the other comes before it. In perspective the order is that of the depth, in which
+    /// points behind the eye come after infinity.
+    fn solid_number(&self, line: &Line) -> Option<u8> {
+        let (r, t) = (line.r, line.t);
+        let far = r.hi < 0.0 && (!self.perspective || t.hi < 0.0);
+        let near = r.lo >= 0.0 || (self.perspective && t.lo > 0.0);
+        match (near, far) {
+            (true, _) => Some(FACE_NEAR),
+            (_, true) => Some(FACE_FAR),
+            _ => None,
+        }
+    }
+
+    /// The first point of the surface that the planes keep.
+    fn patch(&self, cell: &Cell, line: &Line) -> Verdict {
+        if line.discriminant.hi < 0.0 {
+            return Verdict::Absent;
+        }
+        let open = Verdict::Open { from: cell.first };
+        let Line { r, s, t, .. } = *line;
+        if r.is_zero() && !s.holds_zero() {
+            let only = -t / (Interval::point(2.0) * s);
+            return match self.keeps(cell, line, only) {
+                Some(false) => Verdict::Absent,
+                Some(true) => hit(only, FACE_NEAR),
+                None => open,
+            };
+        }
+        if r.holds_zero() || line.discriminant.lo < 0.0 {
+            return open;
+        }
+        let [low, high] = roots(line);
+        // Behind the eye comes after infinity.
+        let number = if !self.perspective || low.lo > 0.0 {
+            Some(FACE_FAR)
+        } else if low.hi <= 0.0 {
+            Some(FACE_NEAR)
+        } else {
+            None
+        };
+        match (
+            self.keeps(cell, line, low),
+            self.keeps(cell, line, high),
+            number,
+        ) {
+            (Some(false), Some(false), _) => Verdict::Absent,
+            (Some(true), _, _) => hit(low, FACE_NEAR),
+            (Some(false), Some(true), Some(number)) => hit(high, number),
+            (Some(false), _, _) => Verdict::Open {
+                from: high.lo.max(cell.first),
+            },
+            _ => Verdict::Open {
+                from: low.lo.max(cell.first),
+            },
+        }
+    }
+
+    /// Whether the planes and the ends of the depth keep a point.
+    fn keeps(&self, cell: &Cell, line: &Line, t: Interval) -> Option<bool> {
+        if t.hi < cell.first || t.lo >= cell.last {
+            return Some(false);
+        }
+        let mut all = (t.lo >= cell.first && t.hi < cell.last).then_some(true);
+        for plane in &self.quick.planes {
+            let value = dot(plane, &line.from) + t * dot(plane, &line.along);
+            if value.lo > 0.0 {
+                return Some(false);
+            }
+            if value.hi > 0.0 {
+                all = None;
+            }
+        }
+        all
+    }
+}
+
+fn hit(t: Interval, number: u8) -> Verdict {
+    Verdict::Hit { t, number, part: 0 }
+}
+
+/// The part of a line that planes and near end leave.
+struct Bounds {
+    start: Interval,
+    /// The face at the start; nothing if two come too close to tell.
+    number: Option<u8>,
+    end: Interval,
+    /// Some plane could not be placed.
+    open: bool,
+}
+
+impl Bounds {
+    fn enter(&mut self, at: Interval, number: u8) {
+        if at.not_above(self.start) {
+            return;
+        }
+        self.number = self.start.below(at).then_some(number);
+        self.start = self.start.max(at);
+    }
+}
+
+/// Both roots in ascending order, where R is not zero and the discriminant not negative.
+fn roots(line: &Line) -> [Interval; 2] {
+    let (r, s, t) = (line.r, line.s, line.t);
+    let root = line.discriminant.sqrt();
+    let (one, other) = if s.lo >= 0.0 {
+        let q = -(s + root);
+        (q / r, t / q)
+    } else if s.hi <= 0.0 {
+        let q = root - s;
+        (t / q, q / r)
+    } else {
+        ((-s - root) / r, (-s + root) / r)
+    };
+    if r.lo > 0.0 {
+        [one, other]
+    } else {
+        [other, one]
+    }
+}
+
+fn dot(u: &[Interval; 4], v: &[Interval; 4]) -> Interval {
+    u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]
+}
+
+fn product(form: &[[Interval; 4]; 4], v: &[Interval; 4]) -> [Interval; 4] {
+    form.each_ref().map(|row| dot(row, v))
+}
+
+/// The quadric of `m + u a + v b`.
+fn squares(
+    form: &[[Interval; 4]; 4],
+    m: &[Interval; 4],
+    a: &[Interval; 4],
+    b: &[Interval; 4],
+) -> Polynomial {
+    let two = Interval::point(2.0);
+    let (to_m, to_a, to_b) = (product(form, m), product(form, a), product(form, b));
+    [
+        dot(m, &to_m),
+        two * dot(a, &to_m),
+        two * dot(b, &to_m),
+        dot(a, &to_a),
+        two * dot(a, &to_b),
+        dot(b, &to_b),
+    ]
+}
+
+/// The bilinear form of two points of first degree, of which one is constant.
+fn mixed(
+    form: &[[Interval; 4]; 4],
+    (m, ma, mb): (&[Interval; 4], &[Interval; 4], &[Interval; 4]),
+    (n, na, nb): (&[Interval; 4], &[Interval; 4], &[Interval; 4]),
+) -> Polynomial {
+    let (to_m, to_n) = (product(form, m), product(form, n));
+    [
+        dot(m, &to_n),
+        dot(ma, &to_n) + dot(na, &to_m),
+        dot(mb, &to_n) + dot(nb, &to_m),
+        Interval::ZERO,
+        Interval::ZERO,
+        Interval::ZERO,
+    ]
+}
+
+/// The square of a polynomial of first degree.
+fn square_of([a, b, c, ..]: &Polynomial) -> Polynomial {
+    let two = Interval::point(2.0);
+    [
+        a.square(),
+        two * *a * *b,
+        two * *a * *c,
+        b.square(),
+        two * *b * *c,
+        c.square(),
+    ]
+}
+
+fn range([a, b, c, d, e, f]: &Polynomial, (u, v): (Interval, Interval)) -> Interval {
+    *a + *b * u + *c * v + *d * u.square() + *e * (u * v) + *f * v.square()
+}

@@ -1,0 +1,257 @@
+//! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one sign.
+
+use crate::camera::Sight;
+use crate::decide::{Cell, Verdict};
+use crate::frame::{Matrix, Vector, apply};
+use crate::interval::Interval;
+use crate::root::Real;
+use crate::solve::Solved;
+use imogene_models::object::facet::FACE_FACET;
+use imogene_models::rational::from_decimal;
+use imogene_models::scene::Mesh;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use std::cmp::Ordering;
+
+/// A form of first degree in X and Y: factors of X, Y and 1.
+type Form = [BigRational; 3];
+
+/// The facets of a mesh that was checked, at its place.
+pub fn triangles(mesh: &Mesh, place: &Matrix, sight: &Sight) -> Vec<Triangle> {
+    let local: Vec<Vector> = mesh
+        .vertices
+        .iter()
+        .map(|&v| {
+            let [x, y, z] = v.map(from_decimal);
+            [x, y, z, BigRational::one()]
+        })
+        .collect();
+    let placed: Vec<Vector> = local.iter().map(|v| apply(place, v)).collect();
+    let mut triangles = vec![];
+    let mut part = 0;
+    for corners in &mesh.faces {
+        for (new_part, triangle) in split(&local, corners) {
+            part += u32::from(new_part);
+            let corners = triangle.map(|k| &placed[k]);
+            triangles.push(Triangle::new(corners, part - 1, sight));
+        }
+    }
+    triangles
+}
+
+/// A flat facet of a mesh, or a half of it.
+#[derive(Clone, Debug)]
+pub struct Triangle {
+    /// The facet it is a part of, as its processor counts.
+    part: u32,
+    /// Volume of the line with each side.
+    sides: [Both; 3],
+    /// The plane at the beginning of the line, and along it.
+    start: Both,
+    slope: Both,
+    perspective: bool,
+}
+
+#[derive(Clone, Debug)]
+struct Both {
+    exact: Form,
+    quick: [Interval; 3],
+}
+
+impl Both {
+    fn new(exact: Form) -> Both {
+        Both {
+            quick: crate::interval::about_all(&exact),
+            exact,
+        }
+    }
+
+    fn at(&self, x: i64, y: i64) -> BigRational {
+        let [a, b, c] = &self.exact;
+        a * BigRational::from_integer(x.into()) + b * BigRational::from_integer(y.into()) + c
+    }
+
+    fn on(&self, cell: &Cell) -> Interval {
+        let [a, b, c] = self.quick;
+        a * Interval::point(cell.x)
+            + b * Interval::point(cell.y)
+            + c
+            + a * Interval::within(cell.reach_x)
+            + b * Interval::within(cell.reach_y)
+    }
+}
+
+impl Triangle {
+    fn new([a, b, c]: [&Vector; 3], part: u32, sight: &Sight) -> Triangle {
+        let side = |p: &Vector, q: &Vector| Both::new(volume(p, q, sight));
+        let plane = plane_through(a, b, c);
+        let along = |affine: &[Vector; 3]| -> Form {
+            affine
+                .each_ref()
+                .map(|v| v.iter().zip(&plane).map(|(x, p)| x * p).sum())
+        };
+        Triangle {
+            part,
+            sides: [side(a, b), side(b, c), side(c, a)],
+            start: Both::new(along(&sight.from)),
+            slope: Both::new(along(&sight.along)),
+            perspective: sight.perspective,
+        }
+    }
+
+    /// The facet it is a part of, counted through the mesh.
+    pub fn part(&self) -> u32 {
+        self.part
+    }
+
+    /// Change of the depth from a pixel to the next column and to the next line, in shares of the greatest depth word.
+    ///
+    /// In perspective the depth is `1 - 1/t`, and 1/t is of first degree in X and Y, as t is in parallel projection.
+    pub fn depth_slope(&self) -> [f64; 2] {
+        let (start, slope) = (&self.start.exact, &self.slope.exact);
+        // t = - start / slope, one of which is the same for all lines.
+        let (of, constant) = if self.perspective {
+            (slope, &start[2])
+        } else {
+            (start, &slope[2])
+        };
+        if constant.is_zero() {
+            return [f64::INFINITY; 2];
+        }
+        // X and Y are in half pixels.
+        [0, 1].map(|k| 2.0 * Interval::about(&(&of[k] / constant)).middle().abs())
+    }
+
+    /// The hit at a pixel, in half pixels from the middle of the picture.
+    pub fn solve(
+        &self,
+        x: i64,
+        y: i64,
+        first: &BigRational,
+        last: Option<&BigRational>,
+    ) -> Option<Solved> {
+        let t = self.met(x, y)?;
+        let drawn = t >= *first && last.is_none_or(|last| t < *last);
+        drawn.then_some(Solved {
+            t: Real::Fraction(t),
+            number: FACE_FACET,
+            part: self.part,
+        })
+    }
+
+    /// The parameter at which the line meets the triangle; sides belong to it.
+    fn met(&self, x: i64, y: i64) -> Option<BigRational> {
+        let signs = self
+            .sides
+            .each_ref()
+            .map(|s| s.at(x, y).cmp(&BigRational::zero()));
+        let (above, below) = (
+            signs.contains(&Ordering::Greater),
+            signs.contains(&Ordering::Less),
+        );
+        let slope = self.slope.at(x, y);
+        // Seen edge-on it shows nothing.
+        if above == below || slope.is_zero() {
+            return None;
+        }
+        Some(-self.start.at(x, y) / slope)
+    }
+
+    /// What a cell shows of it.
+    pub fn decide(&self, cell: &Cell) -> Verdict {
+        let sides = self.sides.each_ref().map(|s| s.on(cell));
+        let above = sides.iter().any(|s| s.lo > 0.0);
+        let below = sides.iter().any(|s| s.hi < 0.0);
+        if above && below {
+            return Verdict::Absent;
+        }
+        let inside = sides.iter().all(|s| s.lo > 0.0) || sides.iter().all(|s| s.hi < 0.0);
+        let t = -self.start.on(cell) / self.slope.on(cell);
+        let before = t.hi < cell.first;
+        if before || t.lo >= cell.last {
+            return Verdict::Absent;
+        }
+        let drawn = t.lo >= cell.first && t.hi < cell.last;
+        if inside && drawn {
+            Verdict::Hit {
+                t,
+                number: FACE_FACET,
+                part: self.part,
+            }
+        } else {
+            Verdict::Open {
+                from: t.lo.max(cell.first),
+            }
+        }
+    }
+}
+
+/// The determinant of the beginning of a line, its direction and two points; of first degree, since beginning or direction is the same for all lines.
+fn volume(p: &Vector, q: &Vector, sight: &Sight) -> Form {
+    let det = |from: &Vector, along: &Vector| determinant([from, along, p, q]);
+    let (from, along) = (&sight.from, &sight.along);
+    if sight.perspective {
+        along.each_ref().map(|v| det(&from[2], v))
+    } else {
+        from.each_ref().map(|v| det(v, &along[2]))
+    }
+}
+
+fn determinant([a, b, c, d]: [&Vector; 4]) -> BigRational {
+    let two = |i: usize, j: usize, u: &Vector, v: &Vector| &u[i] * &v[j] - &u[j] * &v[i];
+    // Laplace's expansion by pairs of rows.
+    two(0, 1, a, b) * two(2, 3, c, d) - two(0, 2, a, b) * two(1, 3, c, d)
+        + two(0, 3, a, b) * two(1, 2, c, d)
+        + two(1, 2, a, b) * two(0, 3, c, d)
+        - two(1, 3, a, b) * two(0, 2, c, d)
+        + two(2, 3, a, b) * two(0, 1, c, d)
+}
+
+/// The plane through three points with homogeneous coordinate 1.
+fn plane_through(a: &Vector, b: &Vector, c: &Vector) -> Vector {
+    let edge = |k: usize| [&b[k] - &a[k], &c[k] - &a[k]];
+    let part = |i: usize, j: usize| {
+        let ([u, v], [w, z]) = (edge(i), edge(j));
+        &u * &z - &w * &v
+    };
+    let normal = [part(1, 2), part(2, 0), part(0, 1)];
+    let constant: BigRational = normal.iter().zip(a).map(|(n, x)| -(n * x)).sum();
+    let [x, y, z] = normal;
+    [x, y, z, constant]
+}
+
+/// The triangles of a face, and whether each begins a facet of its own.
+///
+/// A flat convex quadrangle is one facet; any other is two triangles that meet in the diagonal from the first corner if that is inside, else from the second.
+fn split(vertices: &[Vector], corners: &[usize]) -> Vec<(bool, [usize; 3])> {
+    let &[a, b, c, d] = corners else {
+        return vec![(true, [corners[0], corners[1], corners[2]])];
+    };
+    let normal = |triangle: [usize; 3]| {
+        let [x, y, z, _] = plane_through_indices(vertices, triangle);
+        [x, y, z]
+    };
+    let whole = {
+        let (one, two) = (normal([a, b, c]), normal([a, c, d]));
+        [0, 1, 2].map(|k| &one[k] + &two[k])
+    };
+    let turns_with = |triangle: [usize; 3]| {
+        let own = normal(triangle);
+        let along: BigRational = own.iter().zip(&whole).map(|(u, v)| u * v).sum();
+        along.is_positive()
+    };
+    let from_first = turns_with([a, b, c]) && turns_with([a, c, d]);
+    let from_second = turns_with([b, c, d]) && turns_with([b, d, a]);
+    let plane = plane_through_indices(vertices, [a, b, c]);
+    let off: BigRational = plane.iter().zip(&vertices[d]).map(|(p, x)| p * x).sum();
+    let flat = off.is_zero() && from_first && from_second;
+    if from_first {
+        vec![(true, [a, b, c]), (!flat, [a, c, d])]
+    } else {
+        vec![(true, [b, c, d]), (true, [b, d, a])]
+    }
+}
+
+fn plane_through_indices(vertices: &[Vector], [a, b, c]: [usize; 3]) -> Vector {
+    plane_through(&vertices[a], &vertices[b], &vertices[c])
+}

@@ -1,0 +1,288 @@
+//! Numbers known to lie between two `f64`, rounded outwards.
+//!
+//! An operation of `f64` is off by at most half a unit of the last place, so one step down and one step up enclose the true result. Where that is
+//! meaningless, at infinities and in a division by an interval that holds zero, the result is the whole line.
+
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, ToPrimitive, Zero};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All numbers from `lo` to `hi`, ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The least of them.
+    pub lo: f64,
+    /// The greatest of them.
+    pub hi: f64,
+}
+
+impl Interval {
+    /// Zero alone.
+    pub const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
+    /// Any number.
+    pub const WHOLE: Interval = Interval {
+        lo: f64::NEG_INFINITY,
+        hi: f64::INFINITY,
+    };
+
+    /// One number.
+    pub const fn point(value: f64) -> Interval {
+        Interval {
+            lo: value,
+            hi: value,
+        }
+    }
+
+    /// The numbers of magnitude up to `reach`.
+    pub const fn within(reach: f64) -> Interval {
+        Interval {
+            lo: -reach,
+            hi: reach,
+        }
+    }
+
+    /// The narrowest interval about an exact value, at most two steps wide.
+    pub fn about(value: &BigRational) -> Interval {
+        let nearest = value.to_f64().unwrap_or(f64::NAN);
+        let Some(back) = BigRational::from_f64(nearest) else {
+            return Interval::WHOLE;
+        };
+        match back.cmp(value) {
+            std::cmp::Ordering::Equal => Interval::point(nearest),
+            std::cmp::Ordering::Less => Interval {
+                lo: nearest,
+                hi: nearest.next_up(),
+            },
+            std::cmp::Ordering::Greater => Interval {
+                lo: nearest.next_down(),
+                hi: nearest,
+            },
+        }
+    }
+
+    /// One step out at each end; the whole line if the ends are no numbers.
+    fn outwards(lo: f64, hi: f64) -> Interval {
+        if lo.is_nan() || hi.is_nan() {
+            return Interval::WHOLE;
+        }
+        Interval {
+            lo: lo.next_down(),
+            hi: hi.next_up(),
+        }
+    }
+
+    /// True if it is the number zero.
+    pub fn is_zero(self) -> bool {
+        self.lo == 0.0 && self.hi == 0.0
+    }
+
+    /// True if zero is one of its numbers.
+    pub fn holds_zero(self) -> bool {
+        self.lo <= 0.0 && self.hi >= 0.0
+    }
+
+    /// Width.
+    pub fn width(self) -> f64 {
+        self.hi - self.lo
+    }
+
+    /// Middle.
+    pub fn middle(self) -> f64 {
+        self.lo + 0.5 * (self.hi - self.lo)
+    }
+
+    /// Certainly smaller than any number of the other.
+    pub fn below(self, other: Interval) -> bool {
+        self.hi < other.lo
+    }
+
+    /// Certainly smaller than, or equal to, any number of the other.
+    pub fn not_above(self, other: Interval) -> bool {
+        self.hi <= other.lo
+    }
+
+    /// The greater of a number of each.
+    pub fn max(self, other: Interval) -> Interval {
+        Interval {
+            lo: self.lo.max(other.lo),
+            hi: self.hi.max(other.hi),
+        }
+    }
+
+    /// The smaller of a number of each.
+    pub fn min(self, other: Interval) -> Interval {
+        Interval {
+            lo: self.lo.min(other.lo),
+            hi: self.hi.min(other.hi),
+        }
+    }
+
+    /// Square roots; numbers below zero are left out.
+    pub fn sqrt(self) -> Interval {
+        let lo = self.lo.max(0.0).sqrt();
+        Interval {
+            lo: if lo > 0.0 { lo.next_down() } else { 0.0 },
+            hi: self.hi.max(0.0).sqrt().next_up(),
+        }
+    }
+
+    /// Squares.
+    pub fn square(self) -> Interval {
+        let (a, b) = (self.lo * self.lo, self.hi * self.hi);
+        let found = Interval::outwards(a.min(b), a.max(b));
+        Interval {
+            lo: if self.holds_zero() {
+                0.0
+            } else {
+                found.lo.max(0.0)
+            },
+            hi: found.hi,
+        }
+    }
+}
+
+impl Add for Interval {
+    type Output = Interval;
+    fn add(self, other: Interval) -> Interval {
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        Interval::outwards(self.lo + other.lo, self.hi + other.hi)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Interval;
+    fn sub(self, other: Interval) -> Interval {
+        self + -other
+    }
+}
+
+impl Neg for Interval {
+    type Output = Interval;
+    fn neg(self) -> Interval {
+        Interval {
+            lo: -self.hi,
+            hi: -self.lo,
+        }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Interval;
+    fn mul(self, other: Interval) -> Interval {
+        if self.is_zero() || other.is_zero() {
+            return Interval::ZERO;
+        }
+        let all = [
+            self.lo * other.lo,
+            self.lo * other.hi,
+            self.hi * other.lo,
+            self.hi * other.hi,
+        ];
+        // `min` and `max` would skip a number that is none.
+        if all.iter().any(|v| v.is_nan()) {
+            return Interval::WHOLE;
+        }
+        let least = all[0].min(all[1]).min(all[2]).min(all[3]);
+        let greatest = all[0].max(all[1]).max(all[2]).max(all[3]);
+        Interval::outwards(least, greatest)
+    }
+}
+
+impl Div for Interval {
+    type Output = Interval;
+    fn div(self, other: Interval) -> Interval {
+        if other.holds_zero() {
+            return Interval::WHOLE;
+        }
+        if self.is_zero() {
+            return Interval::ZERO;
+        }
+        let all = [
+            self.lo / other.lo,
+            self.lo / other.hi,
+            self.hi / other.lo,
+            self.hi / other.hi,
+        ];
+        if all.iter().any(|v| v.is_nan()) {
+            return Interval::WHOLE;
+        }
+        let least = all[0].min(all[1]).min(all[2]).min(all[3]);
+        let greatest = all[0].max(all[1]).max(all[2]).max(all[3]);
+        Interval::outwards(least, greatest)
+    }
+}
+
+/// The interval of zero for a rational zero, which keeps exact zeros exact.
+pub fn about_all<const N: usize>(values: &[BigRational; N]) -> [Interval; N] {
+    values.each_ref().map(|v| {
+        if v.is_zero() {
+            Interval::ZERO
+        } else {
+            Interval::about(v)
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+    use proptest::prelude::*;
+
+    fn exact(value: f64) -> BigRational {
+        BigRational::from_f64(value).expect("finite")
+    }
+
+    fn holds(interval: Interval, value: &BigRational) -> bool {
+        exact(interval.lo) <= *value && *value <= exact(interval.hi)
+    }
+
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![-1e6f64..1e6, -1e-6f64..1e-6, Just(0.0), Just(1.0)]
+    }
+
+    #[test]
+    fn what_has_no_meaning_is_the_whole_line() {
+        let one = Interval::point(1.0);
+        assert_eq!(one / Interval::within(1.0), Interval::WHOLE);
+        assert_eq!(Interval::WHOLE * Interval::WHOLE, Interval::WHOLE);
+        assert_eq!(Interval::WHOLE * Interval::ZERO, Interval::ZERO);
+        let huge = Interval::point(f64::MAX);
+        assert_eq!((huge * huge).hi, f64::INFINITY);
+        assert_eq!((huge * huge - huge * huge), Interval::WHOLE);
+    }
+
+    #[test]
+    fn exact_values_are_enclosed_as_narrowly_as_can_be() {
+        let third = BigRational::new(BigInt::from(1), BigInt::from(3));
+        let found = Interval::about(&third);
+        assert!(holds(found, &third) && found.lo.next_up() == found.hi);
+        assert_eq!(Interval::about(&exact(0.1)), Interval::point(0.1));
+    }
+
+    proptest! {
+        #[test]
+        fn operations_enclose_the_exact_result(a in number(), b in number(), c in number(), d in number()) {
+            let (x, y) = (Interval { lo: a.min(b), hi: a.max(b) }, Interval { lo: c.min(d), hi: c.max(d) });
+            for (p, q) in [(a, c), (a, d), (b, c), (b, d)] {
+                let (u, v) = (exact(p), exact(q));
+                prop_assert!(holds(x + y, &(&u + &v)));
+                prop_assert!(holds(x - y, &(&u - &v)));
+                prop_assert!(holds(x * y, &(&u * &v)));
+                prop_assert!(holds(x.square(), &(&u * &u)));
+                if !y.holds_zero() {
+                    prop_assert!(holds(x / y, &(&u / &v)));
+                }
+                let root = x.sqrt();
+                if p >= 0.0 {
+                    prop_assert!(exact(root.lo).pow(2) <= u && u <= exact(root.hi).pow(2));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4 and IV.2.5).
+//!
+//! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding ([`undecided_pixels`]), or if an object of
+//! a processor without such bounds can be on it. Open pixels are solved exactly and replace those of the first pass; all others keep its words bit for bit.
+//! Then object and face are the true ones at every pixel: by proof where the words decided, by computation where they did not.
+
+use imogene_models::check::undecided_pixels;
+use imogene_models::exact::render::{render_where, to_frame};
+use imogene_models::machine::beam;
+use imogene_models::machine::frame::Frame;
+use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::FramedScene;
+use serde::Serialize;
+use std::time::Instant;
+
+/// A repaired picture.
+pub struct Repaired {
+    /// What the words alone drew.
+    pub first: Frame,
+    /// The repaired picture: depth words of the format, exact ones rounded down.
+    pub frame: Frame,
+    /// The pixels that were solved exactly.
+    pub open: Vec<bool>,
+    /// What was done.
+    pub report: RepairReport,
+}
+
+/// What a repair did.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RepairReport {
+    /// Pixels of the picture.
+    pub pixels: usize,
+    /// Pixels solved exactly.
+    pub open: usize,
+    /// Of these, pixels at which the first pass showed another object or face.
+    pub mended: usize,
+    /// Seconds of the first pass.
+    pub first_seconds: f64,
+    /// Seconds of finding the open pixels.
+    pub find_seconds: f64,
+    /// Seconds of solving them.
+    pub solve_seconds: f64,
+}
+
+/// Draws and repairs; `prepared` must come from `scene`. `done` is called once a line of the repair, from any thread.
+pub fn repair(scene: &FramedScene, prepared: &PreparedScene, done: impl Fn() + Sync) -> Repaired {
+    let format = &prepared.format;
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let started = Instant::now();
+    let first = beam::render(&prepared.slots(), format, width, height, || ());
+    let first_seconds = started.elapsed().as_secs_f64();
+    let started = Instant::now();
+    let open = open_pixels(prepared);
+    let find_seconds = started.elapsed().as_secs_f64();
+    let started = Instant::now();
+    let exact = to_frame(&render_where(scene, format, &open, done), scene, format);
+    let mut frame = first.clone();
+    let mut mended = 0;
+    for index in (0..open.len()).filter(|&i| open[i]) {
+        let (was, is) = (face(&first, index), face(&exact, index));
+        mended += usize::from(was != is);
+        frame.depth[index] = exact.depth[index];
+        frame.id[index] = exact.id[index];
+        frame.number[index] = exact.number[index];
+        frame.normal[index] = exact.normal[index];
+    }
+    let solve_seconds = started.elapsed().as_secs_f64();
+    Repaired {
+        report: RepairReport {
+            pixels: open.len(),
+            open: open.iter().filter(|open| **open).count(),
+            mended,
+            first_seconds,
+            find_seconds,
+            solve_seconds,
+        },
+        first,
+        frame,
+        open,
+    }
+}
+
+/// The pixels that the words do not decide.
+pub fn open_pixels(prepared: &PreparedScene) -> Vec<bool> {
+    let mut open = undecided_pixels(prepared);
+    for object in prepared.objects.iter().filter(|o| o.quadric().is_none()) {
+        let window = object.screen_box();
+        if window.is_empty() {
+            continue;
+        }
+        for y in window.y0..=window.y1 {
+            let line = y as usize * prepared.width as usize;
+            open[line + window.x0 as usize..=line + window.x1 as usize].fill(true);
+        }
+    }
+    open
+}
+
+/// Object and face at a pixel.
+pub fn face(frame: &Frame, index: usize) -> (i32, u8) {
+    (frame.id[index], frame.number[index])
+}
+
+/// Pixels at which two pictures show another object or face.
+pub fn differing_faces(one: &Frame, other: &Frame) -> usize {
+    let all = 0..one.id.len();
+    all.filter(|&i| face(one, i) != face(other, i)).count()
+}
+
+impl Repaired {
+    /// True if every pixel that was not open is as the first pass left it, bit for bit.
+    pub fn leaves_the_rest(&self) -> bool {
+        (0..self.open.len()).filter(|&i| !self.open[i]).all(|i| {
+            let words = |f: &Frame| (f.depth[i], f.id[i], f.number[i], f.normal[i]);
+            words(&self.first) == words(&self.frame)
+        })
+    }
+}

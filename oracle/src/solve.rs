@@ -1,0 +1,192 @@
+//! What a pixel shows of one object, exactly: whole numbers, and roots of quadratic polynomials with whole coefficients.
+
+use crate::body::{Body, CutBody, Whole};
+use crate::root::{Quadratic, Real};
+use imogene_models::scene::Surface;
+use imogene_models::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
+/// The first point of an object.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// Its parameter.
+    pub t: Real,
+    /// Number of the face.
+    pub number: u8,
+    /// Facet of a mesh; 0 else.
+    pub part: u32,
+}
+
+impl Body {
+    /// The first point at a pixel, in half pixels from the middle of the picture; `first` and `last` as in [`crate::camera::Sight`].
+    pub fn solve(
+        &self,
+        x: i64,
+        y: i64,
+        first: &BigRational,
+        last: Option<&BigRational>,
+    ) -> Option<Solved> {
+        match self {
+            Body::Cut(body) => body.solve(x, y, first, last),
+            Body::Facet(facet) => facet.solve(x, y, first, last),
+        }
+    }
+}
+
+/// One line of sight.
+struct Line<'a> {
+    from: Whole,
+    along: Whole,
+    /// The quadric along it.
+    q: Quadratic,
+    first: &'a BigRational,
+    last: Option<&'a BigRational>,
+}
+
+impl CutBody {
+    fn solve(
+        &self,
+        x: i64,
+        y: i64,
+        first: &BigRational,
+        last: Option<&BigRational>,
+    ) -> Option<Solved> {
+        let at = |[a, b, c]: &[Whole; 3]| -> Whole {
+            std::array::from_fn(|k| &a[k] * x + &b[k] * y + &c[k])
+        };
+        let (from, along) = (at(&self.exact.from), at(&self.exact.along));
+        let q = match &self.exact.form {
+            Some(form) => Quadratic {
+                a: bilinear(form, &along, &along),
+                b: bilinear(form, &from, &along),
+                c: bilinear(form, &from, &from),
+            },
+            None => Quadratic {
+                a: BigInt::zero(),
+                b: BigInt::zero(),
+                c: BigInt::zero(),
+            },
+        };
+        let line = Line {
+            from,
+            along,
+            q,
+            first,
+            last,
+        };
+        let found = match self.surface {
+            Surface::Solid => self.solve_solid(&line),
+            Surface::Patch => self.solve_patch(&line),
+        };
+        found.map(|(t, number)| Solved { t, number, part: 0 })
+    }
+
+    /// The part of the line that near end and planes leave: start, its face, and end; nothing if that is nothing.
+    fn kept(&self, line: &Line) -> Option<(BigRational, u8, Option<BigRational>)> {
+        let (mut start, mut number, mut end) = (line.first.clone(), FACE_NEAR_END, None);
+        for (plane, &own) in self.exact.planes.iter().zip(&self.numbers) {
+            let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
+            if slope.is_zero() {
+                if at.is_positive() {
+                    return None;
+                }
+                continue;
+            }
+            let bound = BigRational::new(-at, slope.clone());
+            if slope.is_positive() {
+                if end.as_ref().is_none_or(|end| bound < *end) {
+                    end = Some(bound);
+                }
+            } else if bound > start {
+                (start, number) = (bound, own);
+            }
+        }
+        let nothing = end.as_ref().is_some_and(|end| *end < start)
+            || line.last.is_some_and(|last| start >= *last);
+        (!nothing).then_some((start, number, end))
+    }
+
+    fn solve_solid(&self, line: &Line) -> Option<(Real, u8)> {
+        let (start, number, end) = self.kept(line)?;
+        let q = &line.q;
+        if q.sign_at(&start) != Ordering::Greater {
+            return Some((Real::Fraction(start), number));
+        }
+        // Outside at the start; it is entered where the quadric falls through zero.
+        let entered = if q.a.is_zero() {
+            q.b.is_negative()
+                .then(|| Real::Fraction(BigRational::new(-&q.c, &q.b * 2)))?
+        } else {
+            let later = q.a.is_negative() || q.slope_at(&start) == Ordering::Less;
+            if q.discriminant().is_negative() || !later {
+                return None;
+            }
+            Real::root(q, q.a.is_negative())
+        };
+        let within = end.is_none_or(|end| entered.cmp_fraction(&end) != Ordering::Greater);
+        let drawn = line
+            .last
+            .is_none_or(|last| entered.cmp_fraction(last) == Ordering::Less);
+        let far = q.a.is_negative() && (!self.perspective || q.c.is_negative());
+        (within && drawn).then_some((entered, if far { FACE_FAR } else { FACE_NEAR }))
+    }
+
+    fn solve_patch(&self, line: &Line) -> Option<(Real, u8)> {
+        let q = &line.q;
+        if q.a.is_zero() {
+            if q.b.is_zero() {
+                // A line within the surface is seen from its beginning.
+                let inside = q.c.is_zero().then(|| self.kept(line))??;
+                return Some((Real::Fraction(inside.0), FACE_NEAR));
+            }
+            let only = Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
+            return self.surely_keeps(line, &only).then_some((only, FACE_NEAR));
+        }
+        if q.discriminant().is_negative() {
+            return None;
+        }
+        let [low, high] = [false, true].map(|greater| Real::root(q, greater));
+        if self.surely_keeps(line, &low) {
+            return Some((low, FACE_NEAR));
+        }
+        // Behind the eye comes after infinity.
+        let zero = BigRational::zero();
+        let far = !self.perspective || low.cmp_fraction(&zero) == Ordering::Greater;
+        self.surely_keeps(line, &high)
+            .then_some((high, if far { FACE_FAR } else { FACE_NEAR }))
+    }
+
+    fn surely_keeps(&self, line: &Line, t: &Real) -> bool {
+        t.cmp_fraction(line.first) != Ordering::Less
+            && line
+                .last
+                .is_none_or(|last| t.cmp_fraction(last) == Ordering::Less)
+            && self.exact.planes.iter().all(|plane| {
+                let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
+                if slope.is_zero() {
+                    return !at.is_positive();
+                }
+                let removed = if slope.is_positive() {
+                    Ordering::Greater
+                } else {
+                    Ordering::Less
+                };
+                t.cmp_fraction(&BigRational::new(-at, slope)) != removed
+            })
+    }
+}
+
+fn dot(u: &Whole, v: &Whole) -> BigInt {
+    u.iter().zip(v).map(|(a, b)| a * b).sum()
+}
+
+fn bilinear(form: &[Whole; 4], u: &Whole, v: &Whole) -> BigInt {
+    form.iter()
+        .zip(u)
+        .filter(|(_, a)| !a.is_zero())
+        .map(|(row, a)| a * dot(row, v))
+        .sum()
+}

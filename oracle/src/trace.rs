@@ -1,0 +1,285 @@
+//! A picture by rays: cells of pixels that are quartered until few objects are left, then every pixel by intervals, then exactly where they cannot tell.
+//!
+//! An object leaves the list of a cell when intervals prove that it is nowhere on it, or behind another that is everywhere on it. Nothing is left open:
+//! exact arithmetic always decides, so no pixel of the result is uncertain.
+
+use crate::body::Body;
+use crate::camera::Sight;
+use crate::decide::{Cell, Verdict};
+use crate::interval::Interval;
+use crate::solve::Solved;
+use imogene_models::scene::SceneFile;
+use num_rational::BigRational;
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// Side of the cells that are drawn side by side, in pixels.
+const LARGEST: u32 = 64;
+/// Side of cells that are not quartered further.
+const SMALLEST: u32 = 4;
+/// A depth that is known less closely, as a share of the greatest depth word, is taken from the exact root: 2^-13 words of 24 bits, 2^-5 of 32.
+const CLOSE: f64 = 1.0 / (1u64 << 36) as f64;
+
+/// What is seen at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TracedPixel {
+    /// Index of the object in the scene.
+    pub object: u32,
+    /// Number of its face: 0 and 1 the near and far side of a quadric, 2 + i its cut i, 15 the near end of the depth.
+    pub number: u8,
+    /// Facet of a mesh; 0 else.
+    pub part: u32,
+    /// Depth as a share of the greatest depth word, -1 to 1.
+    pub depth: Interval,
+}
+
+/// A picture.
+#[derive(Clone, Debug)]
+pub struct Traced {
+    /// Columns.
+    pub width: usize,
+    /// Lines.
+    pub height: usize,
+    /// Pixels, row-major; nothing where the background is seen.
+    pub pixels: Vec<Option<TracedPixel>>,
+    /// Pixels at which exact arithmetic was needed.
+    pub solved: usize,
+}
+
+/// A scene, ready to be traced.
+#[derive(Debug)]
+pub struct Tracer {
+    sight: Sight,
+    bodies: Vec<(u32, Body)>,
+    first: BigRational,
+    last: Option<BigRational>,
+}
+
+/// A pixel, and whether it was solved exactly.
+type Drawn = (Option<TracedPixel>, bool);
+
+impl Tracer {
+    /// A scene that was read and checked, for a picture of `width` x `height` pixels.
+    pub fn new(scene: &SceneFile, width: u32, height: u32) -> Tracer {
+        let sight = Sight::new(&scene.camera, width, height);
+        let bodies: Vec<Vec<(u32, Body)>> = scene
+            .objects
+            .par_iter()
+            .enumerate()
+            .map(|(id, object)| {
+                let bodies = Body::of(object, &sight).into_iter();
+                bodies.map(|body| (id as u32, body)).collect()
+            })
+            .collect();
+        Tracer {
+            first: sight.first(),
+            last: sight.last(),
+            bodies: bodies.into_iter().flatten().collect(),
+            sight,
+        }
+    }
+
+    /// Bodies: objects, and facets of meshes.
+    pub fn bodies(&self) -> &[(u32, Body)] {
+        &self.bodies
+    }
+
+    /// Draws the picture; `done` is called once for each of [`Tracer::steps`], from any thread.
+    pub fn draw(&self, done: impl Fn() + Sync) -> Traced {
+        let (width, height) = (self.sight.width, self.sight.height);
+        let cells: Vec<(u32, u32)> = (0..height)
+            .step_by(LARGEST as usize)
+            .flat_map(|y| (0..width).step_by(LARGEST as usize).map(move |x| (x, y)))
+            .collect();
+        let all: Vec<u32> = (0..self.bodies.len() as u32).collect();
+        let drawn: Vec<Vec<((u32, u32), Drawn)>> = cells
+            .par_iter()
+            .map(|&(x, y)| {
+                let area = Area {
+                    x0: x,
+                    y0: y,
+                    x1: (x + LARGEST).min(width),
+                    y1: (y + LARGEST).min(height),
+                };
+                let mut pixels = vec![];
+                self.area(area, &all, &mut pixels);
+                done();
+                pixels
+            })
+            .collect();
+        let mut picture = Traced {
+            width: width as usize,
+            height: height as usize,
+            pixels: vec![None; width as usize * height as usize],
+            solved: 0,
+        };
+        for ((x, y), (pixel, solved)) in drawn.into_iter().flatten() {
+            picture.pixels[(y * width + x) as usize] = pixel;
+            picture.solved += usize::from(solved);
+        }
+        picture
+    }
+
+    /// Steps of [`Tracer::draw`], for a bar of its progress.
+    pub fn steps(&self) -> u64 {
+        let cells = |pixels: u32| u64::from(pixels.div_ceil(LARGEST));
+        cells(self.sight.width) * cells(self.sight.height)
+    }
+
+    fn cell(&self, area: &Area) -> Cell {
+        let (left, top) = self.sight.place(area.x0, area.y0);
+        let (right, bottom) = self.sight.place(area.x1 - 1, area.y1 - 1);
+        Cell {
+            x: (left + right) as f64 / 2.0,
+            y: (top + bottom) as f64 / 2.0,
+            reach_x: (right - left) as f64 / 2.0,
+            reach_y: (bottom - top) as f64 / 2.0,
+            first: if self.sight.perspective { 0.5 } else { -1.0 },
+            last: if self.sight.perspective {
+                f64::INFINITY
+            } else {
+                1.0
+            },
+        }
+    }
+
+    /// The bodies of a list that intervals do not rule out, with what they say of them.
+    fn left(&self, list: &[u32], cell: &Cell) -> Vec<(u32, Verdict)> {
+        let mut limit = f64::INFINITY;
+        let mut left = vec![];
+        for &index in list {
+            let verdict = self.bodies[index as usize].1.decide(cell);
+            match verdict {
+                Verdict::Absent => continue,
+                Verdict::Hit { t, .. } => limit = limit.min(t.hi),
+                Verdict::Open { .. } => {}
+            }
+            left.push((index, verdict));
+        }
+        left.retain(|(_, verdict)| match verdict {
+            Verdict::Hit { t, .. } => t.lo <= limit,
+            Verdict::Open { from } => *from <= limit,
+            Verdict::Absent => false,
+        });
+        left
+    }
+
+    fn area(&self, area: Area, list: &[u32], pixels: &mut Vec<((u32, u32), Drawn)>) {
+        if list.is_empty() {
+            return;
+        }
+        let left = self.left(list, &self.cell(&area));
+        let list: Vec<u32> = left.iter().map(|(index, _)| *index).collect();
+        if area.is_small() {
+            for y in area.y0..area.y1 {
+                for x in area.x0..area.x1 {
+                    pixels.push(((x, y), self.pixel(x, y, &list)));
+                }
+            }
+        } else {
+            for quarter in area.quarters() {
+                self.area(quarter, &list, pixels);
+            }
+        }
+    }
+
+    fn pixel(&self, x: u32, y: u32, list: &[u32]) -> Drawn {
+        let area = Area {
+            x0: x,
+            y0: y,
+            x1: x + 1,
+            y1: y + 1,
+        };
+        let left = self.left(list, &self.cell(&area));
+        if left.is_empty() {
+            return (None, false);
+        }
+        if let [(index, Verdict::Hit { t, number, part })] = left[..] {
+            let depth = self.sight.depth(t);
+            if depth.width() <= CLOSE {
+                let pixel = TracedPixel {
+                    object: self.bodies[index as usize].0,
+                    number,
+                    part,
+                    depth,
+                };
+                return (Some(pixel), false);
+            }
+        }
+        let list: Vec<u32> = left.iter().map(|(index, _)| *index).collect();
+        (self.solve(x, y, &list), true)
+    }
+
+    /// A pixel in exact arithmetic.
+    fn solve(&self, x: u32, y: u32, list: &[u32]) -> Option<TracedPixel> {
+        let (x, y) = self.sight.place(x, y);
+        let mut nearest: Option<(u32, Solved)> = None;
+        for &index in list {
+            let (object, body) = &self.bodies[index as usize];
+            let Some(found) = body.solve(x, y, &self.first, self.last.as_ref()) else {
+                continue;
+            };
+            let nearer = |(_, best): &(u32, Solved)| found.t.compare(&best.t) == Ordering::Less;
+            // The lists are in the order of the scene: of two equal depths the first object is seen.
+            if nearest.as_ref().is_none_or(nearer) {
+                nearest = Some((*object, found));
+            }
+        }
+        let (object, found) = nearest?;
+        let depth = self.closely(&found);
+        Some(TracedPixel {
+            object,
+            number: found.number,
+            part: found.part,
+            depth,
+        })
+    }
+
+    /// The depth of an exact hit, to within [`CLOSE`].
+    fn closely(&self, found: &Solved) -> Interval {
+        let mut bits = 64;
+        loop {
+            let (low, high) = found.t.between(bits);
+            let positive = !self.sight.perspective || low > BigRational::from_integer(0.into());
+            if positive {
+                let ends = [low, high].map(|t| Interval::about(&self.sight.exact_depth(&t)));
+                let depth = Interval {
+                    lo: ends[0].lo,
+                    hi: ends[1].hi,
+                };
+                if depth.width() <= CLOSE {
+                    return depth;
+                }
+            }
+            bits *= 2;
+        }
+    }
+}
+
+/// Pixels from x0, y0 to before x1, y1.
+#[derive(Clone, Copy)]
+struct Area {
+    x0: u32,
+    y0: u32,
+    x1: u32,
+    y1: u32,
+}
+
+impl Area {
+    fn is_small(&self) -> bool {
+        self.x1 - self.x0 <= SMALLEST && self.y1 - self.y0 <= SMALLEST
+    }
+
+    fn quarters(&self) -> Vec<Area> {
+        let (x, y) = (
+            (self.x0 + self.x1).div_ceil(2),
+            (self.y0 + self.y1).div_ceil(2),
+        );
+        let columns = [(self.x0, x), (x, self.x1)];
+        let lines = [(self.y0, y), (y, self.y1)];
+        let all = lines
+            .into_iter()
+            .flat_map(|(y0, y1)| columns.map(|(x0, x1)| Area { x0, y0, x1, y1 }));
+        all.filter(|a| a.x0 < a.x1 && a.y0 < a.y1).collect()
+    }
+}
