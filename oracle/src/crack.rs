@@ -167,7 +167,9 @@ mod tests {
                 .map(|k| ((8 + u * k) as usize, (8 + v * k) as usize))
                 .collect()
         };
-        let stairs = (0..8).map(|k| (4 + k / 2, 4 + k.div_ceil(2))).collect();
+        let stairs = (0..8usize)
+            .map(|k| (4 + k / 2, 4 + k.div_ceil(2)))
+            .collect();
         let block = vec![(7, 7), (8, 7), (7, 8), (8, 8)];
         for marked in [
             line(0, 0),

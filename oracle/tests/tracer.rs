@@ -3,6 +3,7 @@
 mod common;
 
 use common::{PARALLEL, PERSPECTIVE, scene};
+use imogene_models::object::facet::FACE_FACET;
 use imogene_models::scene::SceneFile;
 use imogene_oracle::body::Body;
 use imogene_oracle::camera::Sight;
@@ -94,11 +95,11 @@ fn depths_are_those_of_closed_forms() {
         // A patch that is open in front shows its inner wall.
         (format!("kind = \"sphere\"\nradius = 2\nmode = \"patch\"\n{cut}"), fraction(12, 10), 1),
         ("kind = \"sphere\"\nradius = 6".to_owned(), fraction(1, 2), 15),
-        // A cone along the view: z^2 = x^2 + y^2 after the turn, moved away by one unit.
+        // A cone about an axis along the view, three units beside it: the line meets it one before and one behind the apex, of which the cut leaves the second.
         ("kind = \"cone\"\nradii = [1, 1, 1]\nplace = [{ rotate = { axis = \"x\", degrees = 90 } }, { translate = [0, 3, -1] }]\n\
-          cuts = [{ point = [0, 0, 0], normal = [0, 1, 0] }]".to_owned(), fraction(14, 10), 0),
+          cuts = [{ point = [0, 0, 0], normal = [0, 1, 0] }]".to_owned(), fraction(14, 10), 1),
         ("kind = \"polyhedron\"\ncuts = [{ point = [0, 0, 2], normal = [0, 0, 3] }]".to_owned(), fraction(8, 10), 2),
-        ("kind = \"mesh\"\nvertices = [[-1, -1, 1], [1, -1, 1], [0, 2, 1]]\nfaces = [[0, 2, 1]]".to_owned(), fraction(9, 10), 0),
+        ("kind = \"mesh\"\nvertices = [[-1, -1, 1], [1, -1, 1], [0, 2, 1]]\nfaces = [[0, 2, 1]]".to_owned(), fraction(9, 10), FACE_FACET),
     ];
     for (object, t, number) in cases {
         let found = Rays::new(&scene(PERSPECTIVE, &[&object])).solve(0, 32, 24);
@@ -159,7 +160,7 @@ fn the_picture_is_that_of_every_object_at_every_pixel() {
     let objects = [
         "kind = \"sphere\"\nradius = 1.5\nmode = \"patch\"".to_owned(),
         "kind = \"sphere\"\nradius = 1.5".to_owned(),
-        format!("kind = \"hyperboloid_one_sheet\"\nradii = [0.5, 1, 0.5]\n{cut}"),
+        format!("kind = \"hyperboloid_one_sheet\"\nradii = [0.5, 1, 0.5]\nplace = [{{ translate = [-2, 0, 0.5] }}]\n{cut}"),
         format!("kind = \"cone\"\nradii = [1, 1, 1]\nmode = \"patch\"\nplace = [{{ translate = [1, 0.5, 1] }}]\n{cut}"),
         "kind = \"mesh\"\nvertices = [[-3, -1, -1], [2, -2, 1.2], [3, 2, 1], [-1, 2, 2]]\nfaces = [[0, 1, 2, 3]]".to_owned(),
         "kind = \"tetrahedron_patch\"\ncorners = [[-2, -2, 0], [2, -2, 0], [0, 2, 0], [0, 0, 3]]\n\
