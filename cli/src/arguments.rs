@@ -4,6 +4,7 @@ mod evaluate;
 mod import;
 mod machine;
 mod oracle;
+mod split;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub use evaluate::Evaluate;
@@ -20,6 +21,7 @@ use imogene_verif::unit::Parameters;
 pub use import::{Import, ImportKind};
 pub use machine::Machine;
 pub use oracle::{Cracks, Repair, Trace};
+pub use split::Split;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -340,6 +342,9 @@ pub struct Render {
     /// Round the coefficients anew for each zone of so many columns and lines, 8 or more (model golden).
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(8..=4096))]
     pub zone: Option<u32>,
+    /// Workers of a divided screen.
+    #[command(flatten)]
+    pub split: Split,
     /// Which model draws.
     #[arg(long, value_enum, default_value_t = Model::Golden)]
     pub model: Model,

@@ -1,11 +1,14 @@
 //! `imogene render`.
 
+mod split;
+
 use super::{load_scene, threads, verdict};
 use crate::arguments::{Model, Render};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::frame::Frame;
 use imogene_models::machine::lighting::Lighting;
+use imogene_models::machine::split::Division;
 use imogene_models::machine::{beam, shading};
 use imogene_models::metrics::Drawing;
 use imogene_models::prepare::PreparedScene;
@@ -30,6 +33,8 @@ struct RenderReport {
     pixels_per_second: f64,
     covered_pixels: usize,
     volumes: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    split: Option<split::SplitReport>,
     files: Vec<PathBuf>,
 }
 
@@ -40,6 +45,9 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     let prepare_seconds = started.elapsed().as_secs_f64();
     if let Some(zone) = options.zone {
         return zoned(options, zone, &framed, &prepared, json);
+    }
+    if let Some(division) = options.split.split {
+        return divided(options, division, &framed, &prepared, prepare_seconds, json);
     }
     let started = Instant::now();
     let (model, frame) = match options.model {
@@ -64,6 +72,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
             pixels_per_second: per_second(&prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            split: None,
             files,
         },
         json,
@@ -102,6 +111,38 @@ fn zoned(
             pixels_per_second: per_second(prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            split: None,
+            files,
+        },
+        json,
+    );
+    Ok(())
+}
+
+/// The picture that workers draw piece by piece.
+fn divided(
+    options: &Render,
+    division: Division,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+    prepare_seconds: f64,
+    json: bool,
+) -> Result<(), Failure> {
+    let started = Instant::now();
+    let (divided, split) = split::draw(options, division, prepared)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let files = write(options, &divided.frame, &divided.lighting, framed, prepared)?;
+    report(
+        RenderReport {
+            model: "golden",
+            width: prepared.width,
+            height: prepared.height,
+            prepare_seconds,
+            seconds,
+            pixels_per_second: per_second(prepared, seconds),
+            covered_pixels: divided.frame.covered(),
+            volumes: prepared.volumes.len(),
+            split: Some(split),
             files,
         },
         json,
@@ -126,6 +167,9 @@ fn report(report: RenderReport, json: bool) {
                 "{} shadow and light volumes; prepared in {:.3} s",
                 report.volumes, report.prepare_seconds
             ));
+        }
+        if let Some(split) = &report.split {
+            split.tell();
         }
         for file in &report.files {
             output::text(format!("wrote {}", file.display()));

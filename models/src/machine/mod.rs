@@ -19,6 +19,7 @@ pub mod shader;
 pub mod shading;
 pub mod shadow;
 pub mod skew;
+pub mod split;
 pub mod transparency;
 pub mod video_timing;
 pub mod visibility_chain;

@@ -69,6 +69,18 @@ impl CurvedFacetWords {
         words.normal = self.normal.map(|n| n.from_zone(x0, y0));
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> CurvedFacetWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        for side in &mut words.sides {
+            *side = side.every_line(step, first);
+        }
+        words.depth = self.depth.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.

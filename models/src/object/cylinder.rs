@@ -236,6 +236,18 @@ impl CylinderWords {
         words.disc = self.disc.from_zone(x0, y0);
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> CylinderWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        words.sides = self.sides.map(|s| s.every_line(step, first));
+        words.discs = self.discs.map(|d| d.every_line(step, first));
+        words.body = self.body.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words.disc = self.disc.every_line(step, first);
+        words
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors, selection of the part, ends of the depth word.

@@ -176,6 +176,18 @@ impl FacetWords {
         words.normal = self.normal.map(|n| n.from_zone(x0, y0));
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> FacetWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        for edge in &mut words.edges {
+            *edge = edge.every_line(step, first);
+        }
+        words.depth = self.depth.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.

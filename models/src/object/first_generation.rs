@@ -101,6 +101,21 @@ impl FirstGenerationWords {
         }
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> FirstGenerationWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        words.f1 = self.f1.every_line(step, first);
+        words.f2 = self.f2.every_line(step, first);
+        words.normal.g = self.normal.g.map(|g| g.every_line(step, first));
+        for plane in [&mut words.front, &mut words.back] {
+            plane.depth = plane.depth.every_line(step, first);
+            plane.conic = plane.conic.every_line(step, first);
+            plane.polar = plane.polar.every_line(step, first);
+        }
+        words
+    }
 }
 
 /// Signs of the contour expressions at a pixel: what the control unit of the source decides on.

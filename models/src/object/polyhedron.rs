@@ -31,6 +31,16 @@ impl PolyhedronWords {
         }
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> PolyhedronWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.every_line(step, first);
+        }
+        words
+    }
 }
 
 /// What the processor hands on for one pixel.

@@ -1,14 +1,14 @@
 //! The words of any object processor, and the slots of a golden machine that has processors of every kind.
 
-use super::curved_facet::{CurvedFacetProcessor, CurvedFacetWords};
-use super::cylinder::{CylinderProcessor, CylinderWords};
-use super::facet::{FacetProcessor, FacetWords};
-use super::first_generation::{FirstGenerationProcessor, FirstGenerationWords};
+use super::curved_facet::CurvedFacetWords;
+use super::cylinder::CylinderWords;
+use super::facet::FacetWords;
+use super::first_generation::FirstGenerationWords;
 use super::line;
-use super::patch::PatchProcessor;
-use super::polyhedron::{PolyhedronProcessor, PolyhedronWords};
-use super::quadric::{ObjectPixel, QuadricProcessor, QuadricWords, ScreenBox};
-use super::sphere::{SphereProcessor, SphereWords};
+use super::polyhedron::PolyhedronWords;
+use super::quadric::{ObjectPixel, QuadricWords, ScreenBox};
+use super::running::RunningProcessor;
+use super::sphere::SphereWords;
 use crate::format::Format;
 use serde::Serialize;
 
@@ -75,6 +75,20 @@ impl ProcessorWords {
         }
     }
 
+    /// The words on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> ProcessorWords {
+        match self {
+            Self::Quadric(words) => Self::Quadric(words.every_line(step, first)),
+            Self::Patch(words) => Self::Patch(words.every_line(step, first)),
+            Self::FirstGeneration(words) => Self::FirstGeneration(words.every_line(step, first)),
+            Self::Polyhedron(words) => Self::Polyhedron(words.every_line(step, first)),
+            Self::Facet(words) => Self::Facet(words.every_line(step, first)),
+            Self::Sphere(words) => Self::Sphere(words.every_line(step, first)),
+            Self::Cylinder(words) => Self::Cylinder(words.every_line(step, first)),
+            Self::CurvedFacet(words) => Self::CurvedFacet(words.every_line(step, first)),
+        }
+    }
+
     /// Calls `sink(x, pixel)` for every pixel of line `y` at which the object is present, left to right.
     pub fn for_each_present(
         &self,
@@ -89,54 +103,13 @@ impl ProcessorWords {
         if window.is_empty() || !(window.y0..=window.y1).contains(&y) {
             return;
         }
-        let mut next = self.run(format, y);
+        // A zone of one line, which begins at the first column of the box.
+        let line = self.for_zone(window.x0, y, window.x1 - window.x0 + 1, 1);
+        let mut processor = RunningProcessor::zone_start(&line, format);
         for x in window.x0..=window.x1 {
-            let pixel = next();
+            let pixel = processor.pixel();
             if pixel.zf < format.z_max() {
                 sink(x, pixel);
-            }
-        }
-    }
-
-    /// The processor from the first column of the box on line `y`, a zone of one line; each call is a pixel.
-    fn run(&self, format: &Format, y: i64) -> Box<dyn FnMut() -> ObjectPixel> {
-        let window = self.screen_box();
-        let (x, width) = (window.x0, window.x1 - window.x0 + 1);
-        match self {
-            Self::Quadric(words) => {
-                let mut p = QuadricProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
-                Box::new(move || p.pixel())
-            }
-            Self::Patch(words) => {
-                let mut p = PatchProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
-                Box::new(move || p.pixel())
-            }
-            Self::FirstGeneration(words) => {
-                let zone = words.for_zone(x, y, width, 1);
-                let mut p = FirstGenerationProcessor::zone_start(&zone, format);
-                Box::new(move || p.pixel())
-            }
-            Self::Polyhedron(words) => {
-                let zone = words.for_zone(x, y, width, 1);
-                let mut p = PolyhedronProcessor::zone_start(&zone, format);
-                Box::new(move || p.pixel().front())
-            }
-            Self::Facet(words) => {
-                let mut p = FacetProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
-                Box::new(move || p.pixel())
-            }
-            Self::Sphere(words) => {
-                let mut p = SphereProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
-                Box::new(move || p.pixel())
-            }
-            Self::Cylinder(words) => {
-                let mut p = CylinderProcessor::zone_start(&words.for_zone(x, y, width, 1), format);
-                Box::new(move || p.pixel())
-            }
-            Self::CurvedFacet(words) => {
-                let zone = words.for_zone(x, y, width, 1);
-                let mut p = CurvedFacetProcessor::zone_start(&zone, format);
-                Box::new(move || p.pixel())
             }
         }
     }

@@ -120,6 +120,17 @@ impl SphereWords {
         words.normal_z = self.normal_z.from_zone(x0, y0);
         words
     }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> SphereWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        words.contour = self.contour.every_line(step, first);
+        words.front = self.front.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words.normal_z = self.normal_z.every_line(step, first);
+        words
+    }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors, back depth, depth interval, output.

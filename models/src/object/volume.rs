@@ -142,6 +142,27 @@ impl VolumeWords {
         words
     }
 
+    /// The words of the same volume on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> VolumeWords {
+        VolumeWords {
+            screen_box: self.screen_box.every_line(step, first),
+            quadric: self.quadric.map(|q| VolumeQuadric {
+                f1: q.f1.every_line(step, first),
+                f2: q.f2.every_line(step, first),
+                ..q
+            }),
+            planes: self
+                .planes
+                .iter()
+                .map(|p| VolumePlane {
+                    depth: p.depth.every_line(step, first),
+                    ..*p
+                })
+                .collect(),
+            ..self.clone()
+        }
+    }
+
     /// The same words as the registers of a format hold them; every accumulator takes the same values.
     pub fn wrapped(&self, format: &Format) -> VolumeWords {
         let mut words = self.clone();

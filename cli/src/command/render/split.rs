@@ -1,0 +1,94 @@
+//! `imogene render --split`: the picture that workers draw piece by piece.
+
+use super::super::threads;
+use crate::arguments::{Model, Render};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::machine::split::{Divided, Division, Duplication, Work, Worker};
+use imogene_models::prepare::PreparedScene;
+use serde::Serialize;
+
+/// How the work was divided; the keys are stable.
+#[derive(Serialize)]
+pub struct SplitReport {
+    split: Division,
+    pieces: usize,
+    work: Work,
+    /// Mean load of a worker over the greatest, in pixels visited: 1 is even.
+    balance: f64,
+    /// The same if the pieces were taken from a common queue.
+    balance_of_queue: f64,
+    /// Mean seconds of a worker over the greatest.
+    balance_of_seconds: f64,
+    duplication: Duplication,
+    workers: Vec<Worker>,
+}
+
+/// Draws a picture in pieces.
+pub fn draw(
+    options: &Render,
+    division: Division,
+    prepared: &PreparedScene,
+) -> Result<(Divided, SplitReport), Failure> {
+    if options.model != Model::Golden {
+        return Err(Failure::Input(
+            "a divided picture is drawn by the golden model; give --model golden, or leave --split out".into(),
+        ));
+    }
+    let workers = options.split.workers.map_or_else(threads, usize::from);
+    let pieces = division.pieces(prepared.width, prepared.height).len();
+    let bar = output::progress(pieces as u64, "pieces of the screen");
+    let divided = Divided::draw(prepared, division, workers, || bar.inc(1));
+    bar.finish_and_clear();
+    let report = SplitReport::of(&divided, division);
+    Ok((divided, report))
+}
+
+impl SplitReport {
+    fn of(divided: &Divided, division: Division) -> SplitReport {
+        let seconds = divided.workers.iter().map(|worker| worker.seconds);
+        let most = seconds.clone().fold(1e-9, f64::max);
+        SplitReport {
+            split: division,
+            pieces: divided.pieces.len(),
+            work: divided.work(),
+            balance: divided.balance(),
+            balance_of_queue: divided.balance_of_queue(),
+            balance_of_seconds: seconds.sum::<f64>() / divided.workers.len() as f64 / most,
+            duplication: divided.duplication,
+            workers: divided.workers.clone(),
+        }
+    }
+
+    /// Prints the report for a person.
+    pub fn tell(&self) {
+        output::text(format!(
+            "{} in {} pieces by {} workers: balance {:.3} (from a common queue {:.3}; in seconds {:.3})",
+            self.split,
+            self.pieces,
+            self.workers.len(),
+            self.balance,
+            self.balance_of_queue,
+            self.balance_of_seconds
+        ));
+        output::text(format!(
+            "{} loads of {} processors, {:.3} each; (l + L)(h + H) / LH = {:.3}, on whole pixels {:.3}",
+            self.duplication.loads,
+            self.duplication.boxes,
+            self.duplication.measured,
+            self.duplication.formula,
+            self.duplication.on_whole_pixels
+        ));
+        output::text("worker   pieces    loads  object pixels  volume pixels    seconds");
+        for (place, worker) in self.workers.iter().enumerate() {
+            output::text(format!(
+                "{place:6} {:8} {:8} {:14} {:14} {:10.3}",
+                worker.pieces,
+                worker.work.loads,
+                worker.work.object_pixels,
+                worker.work.volume_pixels,
+                worker.seconds
+            ));
+        }
+    }
+}
