@@ -1,6 +1,7 @@
 //! Arguments of every command.
 
 mod evaluate;
+mod detail;
 mod import;
 mod machine;
 mod oracle;
@@ -8,6 +9,7 @@ mod split;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub use evaluate::Evaluate;
+pub use detail::Detail;
 use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_models::format::FittedWidths;
 use imogene_models::machine::fitted::FittedSlot;
@@ -21,6 +23,7 @@ use imogene_verif::unit::Parameters;
 pub use import::{Import, ImportKind};
 pub use machine::Machine;
 pub use oracle::{Cracks, Repair, Trace};
+pub use machine::{Machine, Refine};
 pub use split::Split;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -76,6 +79,8 @@ pub enum Command {
     Speed(Speed),
     /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
     Check(Check),
+    /// Show what of a scene its picture requires: objects, planes, bits, and the zones that each object and volume reaches.
+    Detail(Detail),
     /// Draw round objects by facets, by paraboloids and as quadrics, and measure errors, hardware and clocks of each.
     Compare(Compare),
     /// Measure speed, area and accuracy of the machines that can draw a scene: figures, plots and a page.

@@ -30,6 +30,7 @@ fn main() -> ExitCode {
         Command::Repair(options) => command::repair::run(options, json),
         Command::Speed(options) => command::speed::run(options, json),
         Command::Check(options) => command::check::run(options, json),
+        Command::Detail(options) => command::detail::run(options, json),
         Command::Compare(options) => command::compare::run(options, json),
         Command::Trade(options) => command::trade::run(options, json),
         Command::Fit(options) => command::fit::run(options, json),

@@ -8,6 +8,7 @@
 pub mod check;
 pub mod compare;
 pub mod evaluate;
+pub mod detail;
 pub mod exact;
 pub mod fit;
 pub mod format;

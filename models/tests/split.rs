@@ -1,5 +1,8 @@
 //! A picture that workers draw piece by piece is the picture of the whole screen: every scene of the collection, every processor.
 
+mod common;
+
+use common::{collection, file_prepared};
 use imogene_models::format::Format;
 use imogene_models::machine::beam;
 use imogene_models::machine::frame::Frame;
@@ -9,37 +12,14 @@ use imogene_models::object::slot::ProcessorWords;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A screen that none of the divisions divides.
 const SIZE: (u32, u32) = (83, 61);
 
-fn scenes(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            scenes(&path, found);
-        } else if path.extension().is_some_and(|end| end == "toml") {
-            found.push(path);
-        }
-    }
-}
-
-fn collection() -> Vec<PathBuf> {
-    let mut found = vec![];
-    scenes(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes"),
-        &mut found,
-    );
-    found.sort();
-    found
-}
-
-/// The scene in the base format; none if the preparation refuses it, as it does some of the extremes.
-fn prepared(path: &Path, (width, height): (u32, u32)) -> Option<PreparedScene> {
-    let file = SceneFile::read(path).expect("a valid scene");
-    let framed = file.frame(width, height).expect("a valid size");
-    prepare(&framed, Format::BASE).ok()
+/// The scene in the base format; none if the preparation refuses it.
+fn prepared(path: &Path) -> Option<PreparedScene> {
+    file_prepared(path, SIZE, Format::BASE).map(|(_, prepared)| prepared)
 }
 
 fn whole(scene: &PreparedScene) -> (Frame, Lighting) {
@@ -83,7 +63,7 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
     let mut kinds = BTreeMap::new();
     let (mut drawn, mut lit) = (0, 0);
     for path in collection() {
-        let Some(scene) = prepared(&path, SIZE) else {
+        let Some(scene) = prepared(&path) else {
             continue;
         };
         let name = path.display();
@@ -148,7 +128,7 @@ fn lights_and_guard_bits_are_the_same_however_the_picture_is_divided() {
 #[test]
 fn balance_is_the_mean_over_the_most() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/cut-sphere.toml");
-    let scene = prepared(&path, SIZE).expect("fits");
+    let scene = prepared(&path).expect("fits");
     let alone = Divided::draw(
         &scene,
         Division::Zones {

@@ -1,7 +1,8 @@
 //! Arguments of `machine`.
 
 use super::EngineName;
-use clap::Args;
+use clap::{Args, ValueEnum};
+use imogene_models::machine::zone::refine::Refinement;
 use std::path::PathBuf;
 
 /// Arguments of `machine`.
@@ -31,10 +32,34 @@ pub struct Machine {
     /// Picture of the size of the screen whose pixels that are not black the host puts over every frame, in white; the machine has `overlay = true`.
     #[arg(long, value_name = "MASK.png")]
     pub overlay: Option<PathBuf>,
+    /// How the host of a zone machine decides what goes to a zone; the picture is the same.
+    #[arg(long, value_enum, default_value_t = Refine::Box)]
+    pub refine: Refine,
     /// Write the Verilog and the clocks, and run nothing.
     #[arg(long)]
     pub emit_only: bool,
     /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object processors as well, with a plot.
     #[arg(long)]
     pub growth: bool,
+}
+
+/// How the host decides what goes to a zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Refine {
+    /// By screen boxes.
+    Box,
+    /// By bounds of what the words say on the zone.
+    Bounds,
+    /// By drawing the zone in software: the least that can be sent.
+    Pixels,
+}
+
+impl From<Refine> for Refinement {
+    fn from(refine: Refine) -> Refinement {
+        match refine {
+            Refine::Box => Refinement::Box,
+            Refine::Bounds => Refinement::Bounds,
+            Refine::Pixels => Refinement::Pixels,
+        }
+    }
 }

@@ -1,15 +1,16 @@
 //! `imogene machine`.
 
 use super::{describe, frame_scene, verdict};
-use crate::arguments::Machine;
+use crate::arguments::{Machine, Refine};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::description::{MachineDescription, Output};
-use imogene_models::machine::display::{Image, image};
+use imogene_models::machine::display::{Image, refined_image};
 use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
 use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_models::machine::zone::plot::plot;
+use imogene_models::machine::zone::refine::Refinement;
 use imogene_models::picture::{read_mask, write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::SceneFile;
@@ -53,7 +54,10 @@ struct MachineReport<'a> {
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let machine = MachineDescription::read(&options.machine).map_err(Failure::input)?;
     let overlay = overlay_of(&machine, options)?;
-    let scenes = options.scenes.iter().map(|path| drawn(path, &machine));
+    let scenes = options
+        .scenes
+        .iter()
+        .map(|path| drawn(path, &machine, options.refine.into()));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let command = command_of(options);
     let request = request(&machine, &command);
@@ -122,14 +126,18 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     }
 }
 
-fn drawn(path: &Path, machine: &MachineDescription) -> Result<(PreparedScene, Image), Failure> {
+fn drawn(
+    path: &Path,
+    machine: &MachineDescription,
+    refinement: Refinement,
+) -> Result<(PreparedScene, Image), Failure> {
     let file = SceneFile::read(path).map_err(Failure::input)?;
     let (width, height) = machine
         .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
     let size = crate::arguments::Size { width, height };
     let (framed, prepared) = frame_scene(&file, Some(size), machine.depth_word)?;
-    let image = image(&framed, &prepared, machine);
+    let image = refined_image(&framed, &prepared, machine, refinement);
     let image = image.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     Ok((prepared, image))
 }
@@ -168,8 +176,13 @@ fn command_of(options: &Machine) -> String {
         .iter()
         .map(|path| path.display().to_string())
         .collect();
+    let refine = match options.refine {
+        Refine::Box => "",
+        Refine::Bounds => " --refine bounds",
+        Refine::Pixels => " --refine pixels",
+    };
     format!(
-        "imogene machine {} --machine {} --out DIR",
+        "imogene machine {} --machine {}{refine} --out DIR",
         scenes.join(" "),
         options.machine.display()
     )

@@ -7,6 +7,7 @@ pub mod contract;
 pub mod cosim;
 pub mod cracks;
 pub mod demo;
+pub mod detail;
 pub mod emit;
 pub mod evaluate;
 pub mod extremes;

@@ -75,6 +75,7 @@ fn planned(ball: &Moving) -> Result<f64, EvaluateError> {
         volume_planes: 0,
         zone_width: ZONE_SIDE,
         zone_height: ZONE_SIDE,
+        samples: 1,
     };
     let side = i64::from(ZONE_SIDE);
     let mut zones = 0;

@@ -70,6 +70,7 @@ fn machine() -> ZoneMachine {
         volume_planes: 0,
         zone_width: ZONE_SIDE,
         zone_height: ZONE_SIDE,
+        samples: 1,
     }
 }
 
@@ -98,7 +99,7 @@ pub fn group(
 ) -> Result<Group, EvaluateError> {
     let format = Format::BASE;
     let plan = ZonePlan::of(&patch.at(&[[0, 0]], [OBJECT_SIDE; 2]), machine())?;
-    let beats = beats_of_part(&plan.parts[0], 4) as f64;
+    let beats = beats_of_part(plan.parts[0].words.planes.len(), 4) as f64;
     let bits = patch_bits(&load_words(patch.words(), &format, 4));
     let ours = Ours {
         clock: 1e6 * resources.fmax("quadric_processor")?,

@@ -8,6 +8,7 @@ use super::lighting::Lighting;
 use super::shader::{ShaderWords, shade_picture};
 use super::zone::golden::{StreamError, ZoneMachineModel};
 use super::zone::plan::{PlanError, ZonePlan};
+use super::zone::refine::Refinement;
 use super::zone::stream::{Beat, kind};
 use crate::object::as_quadric::AsQuadricError;
 use crate::object::load::load_words;
@@ -102,6 +103,20 @@ pub fn image(
     prepared: &PreparedScene,
     machine: &MachineDescription,
 ) -> Result<Image, DisplayError> {
+    refined_image(scene, prepared, machine, Refinement::Box)
+}
+
+/// The same picture; the host of a zone machine leaves out of each zone what the refinement finds.
+///
+/// # Errors
+///
+/// As [`image`].
+pub fn refined_image(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+    refinement: Refinement,
+) -> Result<Image, DisplayError> {
     check(scene, machine)?;
     let shader = shader_words(scene, &prepared.format, None)?;
     let numbers = material_numbers(scene);
@@ -112,8 +127,9 @@ pub fn image(
     match machine.machine {
         MachineKind::Zone => {
             let materials = numbers.iter().map(|&number| number.into()).collect();
-            let plan =
-                ZonePlan::of(prepared, machine.zone_machine())?.shaded(shading, materials)?;
+            let plan = ZonePlan::of(prepared, machine.zone_machine())?
+                .refined(refinement)
+                .shaded(shading, materials)?;
             let beats: Vec<Beat> = plan.beats().collect();
             let mut golden = ZoneMachineModel::new(&prepared.format, &plan.machine);
             let size = (prepared.width as usize, prepared.height as usize);

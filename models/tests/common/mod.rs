@@ -10,9 +10,11 @@ use imogene_models::prepare::rounding::Anchor;
 use imogene_models::prepare::{Options, PreparedQuadric, PreparedScene, prepare_with};
 use imogene_models::rational::integer;
 use imogene_models::scene::{
-    FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric, Surface,
+    FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric, SceneFile,
+    Surface,
 };
 use num_rational::BigRational;
+use std::path::{Path, PathBuf};
 
 /// The screen of the source machine: its principal point is pixel (360, 270).
 pub const WIDTH: u32 = 720;
@@ -205,4 +207,38 @@ pub fn angle_deg(u: [f64; 3], v: [f64; 3]) -> f64 {
     let dot: f64 = u.iter().zip(v).map(|(a, b)| a * b).sum();
     let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
     sine.atan2(dot).to_degrees()
+}
+
+/// The scene files of the collection, in order.
+pub fn collection() -> Vec<PathBuf> {
+    let mut found = vec![];
+    scenes_below(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes"),
+        &mut found,
+    );
+    found.sort();
+    found
+}
+
+fn scenes_below(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            scenes_below(&path, found);
+        } else if path.extension().is_some_and(|end| end == "toml") {
+            found.push(path);
+        }
+    }
+}
+
+/// A scene file at a size, in a format; none if the preparation refuses it, as it does some of the extremes.
+pub fn file_prepared(
+    path: &Path,
+    (width, height): (u32, u32),
+    format: Format,
+) -> Option<(FramedScene, PreparedScene)> {
+    let file = SceneFile::read(path).expect("a valid scene");
+    let framed = file.frame(width, height).expect("a valid size");
+    let prepared = imogene_models::prepare::prepare(&framed, format).ok()?;
+    Some((framed, prepared))
 }

@@ -8,7 +8,7 @@ use imogene_models::machine::zone::growth::{OBJECT_PROCESSORS, ZONE_SIDES, growt
 use imogene_models::machine::zone::plan::ZonePlan;
 use imogene_models::machine::zone::stream::{Beat, command, kind};
 
-const TIMING: ZoneTiming = ZoneTiming {
+pub const TIMING: ZoneTiming = ZoneTiming {
     draw_drain: 41,
     light_drain: 23,
     show_drain: 60,
@@ -17,7 +17,7 @@ const TIMING: ZoneTiming = ZoneTiming {
 };
 
 /// Clocks of the stream: a word takes one, and waits until all processors have started; a command waits for the pass before it.
-fn by_beats(beats: impl Iterator<Item = Beat>, timing: &ZoneTiming) -> u64 {
+pub fn by_beats(beats: impl Iterator<Item = Beat>, timing: &ZoneTiming) -> u64 {
     let (mut now, mut pass_ends, mut pixels, mut settled) = (0, 0, 0, 0);
     for beat in beats {
         if beat.kind != kind::COMMAND {

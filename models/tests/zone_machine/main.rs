@@ -2,6 +2,7 @@
 
 mod clocks;
 mod conversion;
+mod refine;
 mod refusals;
 
 use imogene_models::format::Format;

@@ -70,7 +70,7 @@ pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
     let mut settling = 0;
     for zone in &plan.zones {
         for (index, pass) in plan.passes(zone, false).enumerate() {
-            let words = words_of(plan, &pass);
+            let words = words_of(plan, zone, &pass);
             if words > 0 {
                 clocks.waiting += (settling + words).saturating_sub(running);
             }
@@ -117,16 +117,20 @@ impl FrameClocks {
 }
 
 /// Words of a pass.
-fn words_of(plan: &ZonePlan, pass: &Pass) -> u64 {
+fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
     match pass {
         Pass::Draw { parts, .. } => {
-            let beats =
-                |&index: &u32| beats_of_part(&plan.parts[index as usize], plan.machine.planes);
+            let beats = |&index: &u32| {
+                let planes = plan.used_planes_of_part(zone, index);
+                beats_of_part(planes, plan.machine.planes)
+            };
             parts.iter().map(beats).sum()
         }
         Pass::Light { volumes, .. } => {
-            let volume = |&index: &u32| &plan.volumes[index as usize];
-            let beats = |index| beats_of_volume(volume(index), plan.machine.volume_planes);
+            let beats = |&index: &u32| {
+                let planes = plan.used_planes_of_volume(zone, index);
+                beats_of_volume(planes, plan.machine.volume_planes)
+            };
             volumes.iter().map(beats).sum()
         }
         Pass::Show { .. } => 0,

@@ -10,6 +10,7 @@ pub mod golden;
 pub mod growth;
 pub mod plan;
 pub mod plot;
+pub mod refine;
 pub mod sample;
 pub mod stream;
 

@@ -2,11 +2,13 @@
 
 use super::sample::Sample;
 use super::{ID_BITS, MAX_PICTURE, ZoneMachine};
+use crate::detail::Planes;
 use crate::format::Format;
 use crate::object::as_quadric::AsQuadricError;
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::volume::{VolumeKind, VolumeWords};
 use crate::prepare::PreparedScene;
+use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// Why a scene cannot be drawn by a zone machine.
@@ -93,6 +95,10 @@ pub struct Zone {
     pub parts: Vec<u32>,
     /// Indices of the volumes that matter here, ascending; none if there is no part.
     pub volumes: Vec<u32>,
+    /// Of each part of which not all planes are sent: those that are.
+    pub part_planes: BTreeMap<u32, Planes>,
+    /// The same of volumes.
+    pub volume_planes: BTreeMap<u32, Planes>,
 }
 
 /// One pass of the machine over a zone.
@@ -329,6 +335,8 @@ fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
                 sample,
                 parts: vec![],
                 volumes: vec![],
+                part_planes: BTreeMap::new(),
+                volume_planes: BTreeMap::new(),
             }));
         }
     }

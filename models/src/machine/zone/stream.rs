@@ -1,9 +1,8 @@
 //! The command stream: all that a zone machine is told, beat by beat.
 
-use super::plan::{Part, Pass, Zone, ZonePlan};
+use super::plan::{Pass, Zone, ZonePlan};
 use crate::object::load::{self, LoadWord, load_words};
 use crate::object::load_volume::{self, load_volume};
-use crate::object::volume::VolumeWords;
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a beat: 64 bits of data, 16 of address, 8 of unit, 4 of kind, and padding.
@@ -131,19 +130,21 @@ impl ZonePlan {
         match pass {
             Pass::Draw { parts, .. } => {
                 for (unit, &index) in parts.iter().enumerate() {
-                    let Part { object, words } = &self.parts[index as usize];
+                    let object = self.parts[index as usize].object;
+                    let words = self.part_words(zone, index);
                     let words = words.every_sample(of, column, line);
                     let words = words.for_zone(x0, y0, width, height);
                     let list = load_words(&words, &self.format, words.planes.len());
                     let kinds = none_planes(OBJECT_PLANES, words.planes.len(), self.machine.planes);
                     push(beats, kind::OBJECT, unit, &list, kinds);
-                    let id = u64::from(*object);
+                    let id = u64::from(object);
                     beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
                 }
             }
             Pass::Light { volumes, .. } => {
                 for (unit, &index) in volumes.iter().enumerate() {
-                    let words = self.volumes[index as usize].every_sample(of, column, line);
+                    let words = self.volume_words(zone, index);
+                    let words = words.every_sample(of, column, line);
                     let words = words.for_zone(x0, y0, width, height);
                     let list = load_volume(&words, &self.format, words.planes.len());
                     let kinds = none_planes(
@@ -192,16 +193,14 @@ fn command_of(pass: &Pass, zone: &Zone) -> Beat {
     }
 }
 
-/// Beats of the words of a part in a machine of `planes` planes: all but those of unused planes, which send their kind, and the id.
-pub fn beats_of_part(part: &Part, planes: usize) -> u64 {
-    let used = part.words.planes.len();
+/// Beats of the words of a part with `used` planes in a machine of `planes` planes: all but those of unused planes, which send their kind, and the id.
+pub fn beats_of_part(used: usize, planes: usize) -> u64 {
     let [first, each] = OBJECT_PLANES.map(usize::from);
     (first + each * used + (planes - used) + 1) as u64
 }
 
-/// Beats of the words of a volume in a machine of `planes` planes of a volume.
-pub fn beats_of_volume(volume: &VolumeWords, planes: usize) -> u64 {
-    let used = volume.planes.len();
+/// Beats of the words of a volume with `used` planes in a machine of `planes` planes of a volume.
+pub fn beats_of_volume(used: usize, planes: usize) -> u64 {
     let [first, each] = VOLUME_PLANES.map(usize::from);
     (first + each * used + (planes - used)) as u64
 }

@@ -1,0 +1,227 @@
+//! `imogene detail`.
+
+use super::load_scene;
+use crate::arguments::Detail;
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::detail::precision::guard_bits;
+use imogene_models::detail::reduce::{Fate, ReducedObject};
+use imogene_models::detail::report::{Changed, Report, WorkSaved, ZoneStream};
+use imogene_models::detail::zones::{Touches, beside, map};
+use imogene_models::picture::write_png;
+use imogene_models::prepare::PreparedScene;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Pixels of the bar between two maps.
+const GAP: usize = 8;
+
+/// What a scene requires; the keys are stable.
+#[derive(Serialize)]
+struct DetailReport<'a> {
+    scene: String,
+    width: u32,
+    height: u32,
+    zone: u32,
+    /// Pixels of an object that may change.
+    pixels: u64,
+    objects: Vec<Row<'a>>,
+    work: WorkSaved,
+    hidden: u64,
+    loads: Touches,
+    changed: Changed,
+    /// The stream of a zone machine with 8 object and 4 volume processors for the whole scene, by each refinement.
+    zone_streams: Vec<ZoneStream>,
+    /// Why there is none.
+    zone_refusal: Option<String>,
+    files: Vec<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    #[serde(flatten)]
+    object: &'a ReducedObject,
+    zones: Touches,
+    /// Guard bits of f1 and f2 with which rounding moves neither by more than half a count on its box.
+    guards: [u32; 2],
+}
+
+/// Shows what a scene requires.
+pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
+    let (framed, prepared) = load_scene(&options.scene)?;
+    let bar = output::progress(1, "what the scene requires");
+    let report = Report::of(&framed, &prepared, options.zone, options.pixels);
+    bar.finish_and_clear();
+    let files = match &options.out {
+        Some(out) => write_maps(&report, &prepared, out)?,
+        None => vec![],
+    };
+    let (streams, refusal) = match &report.streams {
+        Ok(streams) => (streams.to_vec(), None),
+        Err(why) => (vec![], Some(why.to_string())),
+    };
+    let summary = DetailReport {
+        scene: options.scene.scene.display().to_string(),
+        width: prepared.width,
+        height: prepared.height,
+        zone: options.zone,
+        pixels: options.pixels,
+        objects: rows(&report, &prepared),
+        work: report.work,
+        hidden: report.hidden,
+        loads: report.loads,
+        changed: report.changed,
+        zone_streams: streams,
+        zone_refusal: refusal,
+        files,
+    };
+    if json {
+        output::json(&summary);
+    } else {
+        tell(&summary);
+    }
+    match options.pixels == 0 && report.changed != Changed::default() {
+        true => Err(Failure::Check(format!(
+            "{}: {} pixels change although none may",
+            summary.scene, report.changed.pixels
+        ))),
+        false => Ok(()),
+    }
+}
+
+fn rows<'a>(report: &'a Report, prepared: &PreparedScene) -> Vec<Row<'a>> {
+    let objects = report.reduced.objects.iter().enumerate();
+    objects
+        .map(|(index, object)| {
+            let window = prepared.objects[index].screen_box();
+            let side = (window.x1 - window.x0).max(window.y1 - window.y0) + 1;
+            Row {
+                object,
+                zones: report.touches.objects[index],
+                guards: guard_bits(side.max(1) as u64),
+            }
+        })
+        .collect()
+}
+
+fn write_maps(
+    report: &Report,
+    prepared: &PreparedScene,
+    out: &Path,
+) -> Result<Vec<PathBuf>, Failure> {
+    let size = (prepared.width as usize, prepared.height as usize);
+    let mut files = vec![];
+    let mut write = |name: &str, width: usize, rgb: &[u8]| {
+        let path = out.join(name);
+        write_png(&path, width, size.1, rgb).map_err(Failure::input)?;
+        files.push(path);
+        Ok::<(), Failure>(())
+    };
+    write("picture.png", size.0, &report.picture)?;
+    let mut pair = |name: &str, before: Vec<u64>, after: Vec<u64>| {
+        let most = before.iter().copied().max().unwrap_or(0);
+        let one = |counts: &[u64]| {
+            let screen = (prepared.width, prepared.height);
+            map(&report.touches.pieces, counts, most, screen)
+        };
+        let (width, rgb) = beside(&one(&before), &one(&after), size, GAP);
+        write(name, width, &rgb)
+    };
+    let zones = &report.touches.zones;
+    pair(
+        "objects.png",
+        zones.iter().map(|zone| zone.boxes).collect(),
+        zones.iter().map(|zone| zone.bounds).collect(),
+    )?;
+    if !prepared.volumes.is_empty() && report.streams.is_ok() {
+        let volumes = &report.volumes_of_zones;
+        pair(
+            "volumes.png",
+            volumes.iter().map(|zone| zone[0]).collect(),
+            volumes.iter().map(|zone| zone[1]).collect(),
+        )?;
+    }
+    Ok(files)
+}
+
+fn fate(object: &ReducedObject) -> &'static str {
+    match object.fate {
+        Fate::Drawn if object.seen == 0 => "hidden",
+        Fate::Drawn => "drawn",
+        Fate::Nowhere => "nowhere",
+        Fate::TooSmall => "too small",
+    }
+}
+
+fn tell(summary: &DetailReport) {
+    output::text(format!(
+        "{}: {} x {} pixels, zones of {} x {}",
+        summary.scene, summary.width, summary.height, summary.zone, summary.zone
+    ));
+    output::text(format!(
+        "{:24} {:>9} {:>19} {:>7} {:>7} {:>15} {:>16}",
+        "object", "", "pixels visited", "seen", "planes", "bits S F K P", "zones b/bd/px"
+    ));
+    for row in &summary.objects {
+        let object = row.object;
+        let bits = object.bits.map_or_else(String::new, |bits| {
+            format!(
+                "{} {} {} {}",
+                bits.sum, bits.quadratic, bits.root, bits.plane
+            )
+        });
+        output::text(format!(
+            "{:24} {:>9} {:>19} {:>7} {:>7} {:>15} {:>16}",
+            object.name,
+            fate(object),
+            arrow(object.visited),
+            object.seen,
+            arrow(object.planes),
+            bits,
+            format!(
+                "{}/{}/{}",
+                row.zones.boxes, row.zones.bounds, row.zones.pixels
+            )
+        ));
+    }
+    let work = &summary.work;
+    output::text(format!(
+        "objects {}, pixels visited {}, planes {}, depths of planes {}; {} objects are hidden",
+        arrow(work.objects),
+        arrow(work.object_pixels),
+        arrow(work.planes),
+        arrow(work.plane_depths),
+        summary.hidden
+    ));
+    output::text(format!(
+        "loads for zones: {} by boxes, {} by bounds, {} in which a pixel is drawn",
+        summary.loads.boxes, summary.loads.bounds, summary.loads.pixels
+    ));
+    for stream in &summary.zone_streams {
+        output::text(format!(
+            "zone machine, {:?}: {} objects and {} volumes loaded, {} draw and {} light passes, {} pixels, {} beats",
+            stream.refinement,
+            stream.parts,
+            stream.volumes,
+            stream.draw_passes,
+            stream.light_passes,
+            stream.pass_pixels,
+            stream.beats
+        ));
+    }
+    if let Some(why) = &summary.zone_refusal {
+        output::text(format!("no zone machine draws the scene: {why}"));
+    }
+    let changed = &summary.changed;
+    output::text(format!(
+        "{} pixels change: {} in depth, {} in object, {} in colour by up to {} of 255",
+        changed.pixels, changed.depth, changed.object, changed.colour, changed.greatest_colour
+    ));
+    for file in &summary.files {
+        output::text(format!("wrote {}", file.display()));
+    }
+}
+
+fn arrow([before, after]: [u64; 2]) -> String {
+    format!("{before} > {after}")
+}
