@@ -2,6 +2,7 @@
 
 mod evaluate;
 mod detail;
+mod frames;
 mod import;
 mod machine;
 mod oracle;
@@ -10,6 +11,7 @@ mod split;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub use evaluate::Evaluate;
 pub use detail::Detail;
+pub use frames::FrameRange;
 use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_models::format::FittedWidths;
 use imogene_models::machine::fitted::FittedSlot;
@@ -324,6 +326,12 @@ pub struct Scene {
     /// is left out follows from the depth.
     #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
     pub widths: Option<Widths>,
+    /// Look through the camera of this name instead of the active one.
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// One frame of the scene's animation, counted from 1, instead of the scene as it is written.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub frame: Option<u32>,
 }
 
 /// Widths of a fitted machine as written on the command line.
@@ -353,9 +361,14 @@ pub struct Render {
     /// Which model draws.
     #[arg(long, value_enum, default_value_t = Model::Golden)]
     pub model: Model,
-    /// Picture file (PNG).
+    /// Picture file (PNG); with --frames the folder of the pictures.
     #[arg(short = 'o', long = "output", value_name = "FILE.png")]
     pub output: PathBuf,
+    /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
+    /// folder of --output.
+    #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "",
+          conflicts_with_all = ["zone", "depth", "ids", "normals", "frame"])]
+    pub frames: Option<FrameRange>,
     /// Depth words as a NumPy array (int64, background = 2^(W-1) - 1).
     #[arg(long, value_name = "FILE.npy")]
     pub depth: Option<PathBuf>,

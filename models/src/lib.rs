@@ -5,6 +5,7 @@
 //! route and is the truth that both are measured against. [`prepare`] turns a [`scene`] into the integer words that
 //! golden model and hardware are loaded with.
 
+pub mod animation;
 pub mod check;
 pub mod compare;
 pub mod evaluate;

@@ -45,7 +45,7 @@ pub fn write_whole(
 }
 
 /// A temporary file with the permissions of an ordinary one; temporary files are private by default.
-fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+pub(crate) fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {

@@ -6,6 +6,7 @@ use super::{fitted, threads};
 use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::animation::Playback;
 use imogene_models::fit::budget::{Budget, Item};
 use imogene_models::fit::frames::{Drawn, Frames};
 use imogene_models::fit::proof::{self, Bounds, Proven};
@@ -138,12 +139,17 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
 }
 
 fn frames(options: &Fit) -> Result<Frames, Failure> {
-    let read = |path: &PathBuf| {
+    let mut files: Vec<(String, SceneFile)> = vec![];
+    for path in &options.scenes {
         let file = SceneFile::read(path).map_err(Failure::input)?;
-        Ok((path.display().to_string(), file))
-    };
-    let files: Vec<(String, SceneFile)> =
-        options.scenes.iter().map(read).collect::<Result<_, _>>()?;
+        let name = path.display().to_string();
+        if file.images.is_empty() {
+            files.push((name, file));
+        } else {
+            let playback = Playback::new(&file).map_err(Failure::input)?;
+            files.extend(playback.scenes(&name).map_err(Failure::input)?);
+        }
+    }
     let size = options.size.map(|size| (size.width, size.height));
     let bar = output::progress(0, "lines of the truth");
     let frames = Frames::new(&files, size, || bar.inc(1));

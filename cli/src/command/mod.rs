@@ -35,6 +35,7 @@ pub mod units;
 use crate::arguments::{Guards, Scene, Shape, Size, Widths};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::animation::Playback;
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, PreparedScene, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, SceneFile};
@@ -44,8 +45,29 @@ use imogene_verif::report::Report;
 
 /// A scene file in the camera frame and prepared for a format.
 fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    let file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
-    frame_in(&file, scene.size, format_of(scene)?)
+    frame_in(&read_scene(scene)?, scene.size, format_of(scene)?)
+}
+
+/// A scene file with the camera and the frame that are asked for.
+fn read_scene(scene: &Scene) -> Result<SceneFile, Failure> {
+    let mut file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
+    let named = |problem: String| Failure::input(format!("{}: {problem}", scene.scene.display()));
+    if let Some(name) = &scene.camera {
+        let found = file.look_through(name);
+        found.map_err(|error| named(error.to_string()))?;
+    }
+    let Some(frame) = scene.frame else {
+        return Ok(file);
+    };
+    let playback = Playback::new(&file).map_err(|error| named(error.to_string()))?;
+    let count = playback.count();
+    if frame as usize > count {
+        return Err(named(format!(
+            "--frame {frame}: the animation has {count} frames; a number from 1 to {count} is possible"
+        )));
+    }
+    let found = playback.scene(frame as usize - 1);
+    found.map_err(|error| named(error.to_string()))
 }
 
 /// The format that is asked for.

@@ -1,5 +1,6 @@
 //! `imogene render`.
 
+mod frames;
 mod split;
 
 use super::{load_scene, threads, verdict};
@@ -40,6 +41,9 @@ struct RenderReport {
 
 /// Draws a scene.
 pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
+    if let Some(range) = options.frames {
+        return frames::run(options, range, json);
+    }
     let started = Instant::now();
     let (framed, prepared) = load_scene(&options.scene)?;
     let prepare_seconds = started.elapsed().as_secs_f64();

@@ -3,6 +3,7 @@
 //! Exact rationals all the way, rounded once ([`rounding`]); every accumulator is proven to hold its value on the object's screen box, or the
 //! object is refused by name ([`error`]).
 
+mod again;
 mod curved_facet;
 pub mod error;
 pub mod extent;
@@ -27,6 +28,8 @@ use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
 use crate::scene::{FramedObject, FramedScene, Projection};
 use crate::unit::root::fast_root;
+use again::Known;
+pub use again::{Kept, Reuse, prepare_again};
 use error::PrepareError;
 use forms::{LinearForm, QuadraticForm};
 use num_bigint::BigInt;
@@ -37,7 +40,7 @@ pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
 use serde::Serialize;
-use volume::{PreparedVolume, prepare_volumes};
+use volume::{PreparedVolume, Volumes, prepare_volumes};
 
 /// A scene as a machine of a format is loaded with it.
 #[derive(Clone, Debug)]
@@ -185,14 +188,14 @@ impl NeededWidths {
 }
 
 /// How to prepare; the default is what a machine uses.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Pixel about which coefficients are rounded; the middle of each object's box if not given.
     pub anchor: Option<Anchor>,
 }
 
 /// What all objects of a scene share.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 struct Context {
     format: Format,
     width: u32,
@@ -205,6 +208,20 @@ struct Context {
 }
 
 impl Context {
+    fn of(scene: &FramedScene, format: Format, options: Options) -> Context {
+        let full_depth = perspective::full_depth(&scene.projection);
+        Context {
+            format,
+            width: scene.width,
+            height: scene.height,
+            options,
+            inverse_distance: perspective::inverse_distance(&scene.projection),
+            depth_scale: integer(format.z_max()) / &full_depth,
+            full_depth,
+            perspective: matches!(scene.projection, Projection::Perspective { .. }),
+        }
+    }
+
     /// From screen coordinates with the principal point as origin to pixel columns and lines.
     fn to_pixels_linear(&self, form: &LinearForm) -> LinearForm {
         let (x, y) = self.first_pixel();
@@ -320,35 +337,48 @@ pub fn prepare_reporting(
     options: Options,
     done: &(impl Fn() + Sync),
 ) -> Result<PreparedScene, PrepareError> {
-    let full_depth = perspective::full_depth(&scene.projection);
-    let context = Context {
-        format,
-        width: scene.width,
-        height: scene.height,
-        options,
-        inverse_distance: perspective::inverse_distance(&scene.projection),
-        depth_scale: integer(format.z_max()) / &full_depth,
-        full_depth,
-        perspective: matches!(scene.projection, Projection::Perspective { .. }),
-    };
+    let context = Context::of(scene, format, options);
+    let known = Known::nothing(scene);
+    let mut objects = prepare_objects(scene, &context, &known, done)?;
+    let volumes = prepare_volumes(scene, &mut objects, &context, &known, done)?;
+    Ok(prepared_scene(context, objects, volumes))
+}
+
+/// The objects, those that are known taken over.
+fn prepare_objects(
+    scene: &FramedScene,
+    context: &Context,
+    known: &Known,
+    done: &(impl Fn() + Sync),
+) -> Result<Vec<PreparedObject>, PrepareError> {
     // Collected before the first error is taken, so that the same object is named in every run.
     let objects: Vec<Result<PreparedObject, PrepareError>> = scene
         .objects
         .par_iter()
-        .map(|object| {
-            let prepared = prepare_object(object, &context);
+        .enumerate()
+        .map(|(index, object)| {
+            let prepared = match known.object(index) {
+                Some(known) => Ok(known.clone()),
+                None => prepare_object(object, context),
+            };
             done();
             prepared
         })
         .collect();
-    let mut objects: Vec<PreparedObject> = objects.into_iter().collect::<Result<_, _>>()?;
-    let volumes = prepare_volumes(scene, &mut objects, &context, done)?;
-    Ok(PreparedScene {
-        format,
-        width: scene.width,
-        height: scene.height,
+    objects.into_iter().collect()
+}
+
+fn prepared_scene(
+    context: Context,
+    objects: Vec<PreparedObject>,
+    volumes: Volumes,
+) -> PreparedScene {
+    PreparedScene {
+        format: context.format,
+        width: context.width,
+        height: context.height,
         depth_scale: context.depth_scale,
         objects,
-        volumes,
-    })
+        volumes: volumes.into_list(),
+    }
 }

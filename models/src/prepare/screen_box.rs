@@ -46,7 +46,7 @@ pub struct Region {
 }
 
 /// An axis-parallel cell: centre and half extent along x, y, z.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Centre.
     pub centre: [f64; 3],

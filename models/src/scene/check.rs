@@ -7,6 +7,9 @@ use super::error::SceneError;
 use super::file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
 };
+use super::flat::Groups;
+use super::image_check::check_images;
+use super::names::{check_members, check_names};
 use super::transform::{cross, dot, normalised};
 
 /// Most cut planes of one object.
@@ -45,10 +48,16 @@ impl SceneFile {
         check_colour("background", self.background)?;
         check_colour("ambient", self.ambient)?;
         check_image_size(self.image.width, self.image.height)?;
-        check_camera(&self.camera)?;
+        for camera in self.all_cameras() {
+            check_camera(camera)?;
+        }
         self.check_lights()?;
         self.check_materials()?;
-        self.check_objects()
+        let names = check_names(self)?;
+        check_members(self)?;
+        self.check_groups()?;
+        self.check_objects()?;
+        check_images(self, &names)
     }
 
     fn check_lights(&self) -> Checked {
@@ -60,7 +69,9 @@ impl SceneFile {
             ));
         }
         for (index, light) in self.lights.iter().enumerate() {
-            check_light(&format!("lights[{index}]"), light)?;
+            let place = format!("lights[{index}]");
+            check_light(&place, light)?;
+            check_place(&place, &light.node().place)?;
         }
         Ok(())
     }
@@ -78,6 +89,11 @@ impl SceneFile {
         Ok(())
     }
 
+    fn check_groups(&self) -> Checked {
+        let mut groups = self.groups.iter();
+        groups.try_for_each(|group| check_place(&format!("group `{}`", group.name), &group.place))
+    }
+
     fn check_objects(&self) -> Checked {
         if self.objects.is_empty() {
             return Err(SceneError::value(
@@ -86,18 +102,27 @@ impl SceneFile {
                 "at least one `[[objects]]` is needed",
             ));
         }
-        let mut names = HashSet::new();
-        for (index, object) in self.objects.iter().enumerate() {
-            check_name(&format!("objects[{index}].name"), &object.name)?;
+        let groups = Groups::of(self);
+        for object in &self.objects {
             let place = format!("object `{}`", object.name);
-            if !names.insert(&object.name) {
-                return Err(duplicate(&place, "object"));
-            }
             self.check_material_name(&place, object)?;
             check_object(&place, object)?;
-            check_kind(&place, object, &self.camera)?;
+            if object.group.is_some() {
+                let mut placed = object.clone();
+                placed.place = groups.whole(&object.place, object.group.as_deref());
+                check_kind(&place, &placed, self.active())?;
+            } else {
+                check_kind(&place, object, self.active())?;
+            }
         }
         Ok(())
+    }
+
+    /// Refuses an object of a flat scene that cannot be had where it has been moved to; all else of it was checked before.
+    pub(crate) fn check_moved(&self, object: &Object) -> Checked {
+        let place = format!("object `{}`", object.name);
+        check_place(&place, &object.place)?;
+        check_kind(&place, object, &self.camera)
     }
 
     fn check_material_name(&self, place: &str, object: &Object) -> Checked {
@@ -137,6 +162,11 @@ pub(super) fn check_image_size(width: u32, height: u32) -> Checked {
 }
 
 fn check_camera(camera: &Camera) -> Checked {
+    let name = camera.node().name.as_ref();
+    let key = |key: &str| match name {
+        Some(name) => format!("camera `{name}`, {key}"),
+        None => format!("camera.{key}"),
+    };
     let (eye, target, up) = match camera {
         Camera::Perspective {
             eye,
@@ -144,9 +174,10 @@ fn check_camera(camera: &Camera) -> Checked {
             up,
             viewer_distance,
             view_height,
+            ..
         } => {
-            check_positive("camera.viewer_distance", *viewer_distance)?;
-            check_positive("camera.view_height", *view_height)?;
+            check_positive(&key("viewer_distance"), *viewer_distance)?;
+            check_positive(&key("view_height"), *view_height)?;
             (*eye, *target, *up)
         }
         Camera::Orthographic {
@@ -155,27 +186,35 @@ fn check_camera(camera: &Camera) -> Checked {
             up,
             view_height,
             half_depth,
+            ..
         } => {
-            check_positive("camera.view_height", *view_height)?;
-            check_positive("camera.half_depth", *half_depth)?;
+            check_positive(&key("view_height"), *view_height)?;
+            check_positive(&key("half_depth"), *half_depth)?;
             (*eye, *target, *up)
         }
     };
-    check_numbers("camera.eye", &eye)?;
-    check_numbers("camera.target", &target)?;
-    check_direction("camera.up", up)?;
+    check_numbers(&key("eye"), &eye)?;
+    check_numbers(&key("target"), &target)?;
+    check_direction(&key("up"), up)?;
     let view: [f64; 3] = std::array::from_fn(|axis| target[axis] - eye[axis]);
     if view == [0.0; 3] {
         return Err(SceneError::value(
-            "camera.target",
+            key("target"),
             format!("{target:?} is the eye itself, so there is no viewing direction"),
             "a point away from the eye is needed",
         ));
     }
+    check_up(&key("up"), view, up)?;
+    let place = name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
+    check_place(&place, &camera.node().place)
+}
+
+/// Refuses a direction upwards along the view.
+pub(super) fn check_up(key: &str, view: [f64; 3], up: [f64; 3]) -> Checked {
     let side = cross(normalised(view), normalised(up));
     if dot(side, side).sqrt() < PARALLEL {
         return Err(SceneError::value(
-            "camera.up",
+            key,
             format!("{up:?} is parallel to the viewing direction {view:?}"),
             "a direction seen upwards in the picture is needed",
         ));
@@ -270,9 +309,7 @@ fn check_material(place: &str, material: &Material) -> Checked {
 
 fn check_object(place: &str, object: &Object) -> Checked {
     check_shape(place, &object.shape)?;
-    for (index, step) in object.place.iter().enumerate() {
-        check_step(&format!("{place}, place[{index}]"), step)?;
-    }
+    check_place(place, &object.place)?;
     if object.cuts.len() > MAX_CUTS {
         return Err(SceneError::value(
             format!("{place}, cuts"),
@@ -326,7 +363,12 @@ fn check_coefficients(place: &str, coefficients: &[f64; 10]) -> Checked {
     Ok(())
 }
 
-fn check_step(place: &str, step: &Step) -> Checked {
+fn check_place(place: &str, steps: &[Step]) -> Checked {
+    let mut steps = steps.iter().enumerate();
+    steps.try_for_each(|(index, step)| check_step(&format!("{place}, place[{index}]"), step))
+}
+
+pub(super) fn check_step(place: &str, step: &Step) -> Checked {
     match step {
         Step::Translate(offset) => check_numbers(&format!("{place}.translate"), offset),
         Step::Rotate(rotation) => {
@@ -353,7 +395,7 @@ fn check_scale(place: &str, factors: &[f64]) -> Checked {
     Ok(())
 }
 
-fn check_name(place: &str, name: &str) -> Checked {
+pub(super) fn check_name(place: &str, name: &str) -> Checked {
     if name.trim().is_empty() {
         return Err(SceneError::value(
             place,
@@ -427,7 +469,7 @@ fn check_positive(place: &str, value: f64) -> Checked {
     Ok(())
 }
 
-fn check_range(place: &str, value: f64, largest: f64) -> Checked {
+pub(super) fn check_range(place: &str, value: f64, largest: f64) -> Checked {
     check_number(place, value)?;
     if !(0.0..=largest).contains(&value) {
         return Err(SceneError::value(

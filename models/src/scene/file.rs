@@ -6,39 +6,43 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::error::{SceneError, line_and_column};
-use super::keys::{CameraKeys, LightKeys, ObjectKeys, StepKeys, numbers};
+use super::group::{Group, Node};
+use super::image::KeyImage;
+use super::keys::{CameraKeys, LightKeys, ObjectKeys, SceneKeys, StepKeys, numbers};
 
 /// The version this code reads and writes.
 pub const FORMAT_VERSION: i64 = 1;
 
 /// A scene as its author wrote it: scene units, right-handed axes, y upwards by habit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "SceneKeys", into = "SceneKeys")]
 pub struct SceneFile {
     /// Version of the format, [`FORMAT_VERSION`].
     pub format: i64,
     /// Title of the picture.
     pub title: String,
     /// Colour of a pixel that no object covers, 0 to 1 for each of red, green, blue.
-    #[serde(default, deserialize_with = "numbers")]
     pub background: [f64; 3],
     /// Ambient light `I_a`, 0 to 1 for each of red, green, blue.
-    #[serde(default = "white", deserialize_with = "numbers")]
     pub ambient: [f64; 3],
     /// Size of the picture unless the user asks for another.
-    #[serde(default)]
     pub image: ImageSize,
-    /// The observer.
+    /// The first observer, who is looked through unless another is active.
     pub camera: Camera,
+    /// The other observers, each with a name.
+    pub cameras: Vec<Camera>,
+    /// Name of the observer who is looked through; the first if there is none.
+    pub active_camera: Option<String>,
     /// Light sources; without any, only the ambient light shows the objects.
-    #[serde(default)]
     pub lights: Vec<Light>,
     /// Materials, referred to by name.
-    #[serde(default)]
     pub materials: Vec<Material>,
+    /// Groups of objects, lights, cameras and groups.
+    pub groups: Vec<Group>,
     /// Objects, in the order that breaks ties of equal depth (the first wins).
-    #[serde(default)]
     pub objects: Vec<Object>,
+    /// Images of an animation, in the order in which they are shown.
+    pub images: Vec<KeyImage>,
 }
 
 /// Size of a picture in pixels.
@@ -77,6 +81,8 @@ pub enum Camera {
         viewer_distance: f64,
         /// Height, in scene units, of the window that the picture shows of the screen plane.
         view_height: f64,
+        /// Name, group and place.
+        node: Node,
     },
     /// Parallel projection on the screen plane through `target`.
     Orthographic {
@@ -90,6 +96,8 @@ pub enum Camera {
         view_height: f64,
         /// Depth, in scene units, covered in front of and behind the screen plane.
         half_depth: f64,
+        /// Name, group and place.
+        node: Node,
     },
 }
 
@@ -107,6 +115,8 @@ pub enum Light {
         intensity: f64,
         /// Whether objects in its way keep its light off others.
         shadows: bool,
+        /// Name, group and place.
+        node: Node,
     },
     /// Light from one point, without attenuation.
     Point {
@@ -118,6 +128,8 @@ pub enum Light {
         intensity: f64,
         /// Whether objects in its way keep its light off others.
         shadows: bool,
+        /// Name, group and place.
+        node: Node,
     },
     /// Light from one point into a cone, without attenuation.
     Spot {
@@ -133,6 +145,8 @@ pub enum Light {
         intensity: f64,
         /// Whether objects in its way keep its light off others.
         shadows: bool,
+        /// Name, group and place.
+        node: Node,
     },
 }
 
@@ -228,6 +242,10 @@ pub struct Object {
     pub cuts: Vec<Cut>,
     /// Whether it keeps the light of sources with shadows off others.
     pub casts_shadow: bool,
+    /// Name of the group it belongs to.
+    pub group: Option<String>,
+    /// Whether it is seen; an object that is not casts no shadow either.
+    pub visible: bool,
 }
 
 impl Object {
@@ -385,6 +403,25 @@ pub struct Cut {
 }
 
 impl SceneFile {
+    /// A scene with an observer and nothing else, to be filled.
+    pub fn new(title: &str, camera: Camera) -> Self {
+        Self {
+            format: FORMAT_VERSION,
+            title: title.to_owned(),
+            background: [0.0; 3],
+            ambient: white(),
+            image: ImageSize::default(),
+            camera,
+            cameras: vec![],
+            active_camera: None,
+            lights: vec![],
+            materials: vec![],
+            groups: vec![],
+            objects: vec![],
+            images: vec![],
+        }
+    }
+
     /// Reads and checks a scene file.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
         let file = path.display().to_string();

@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use rayon::prelude::*;
 
-use super::check::check_image_size;
+use super::check::{check_image_size, check_up};
 use super::error::SceneError;
 use super::file::{Camera, Light, Material, Object, Processor, SceneFile, Shape};
 use super::framed::{FramedObject, FramedQuadric};
@@ -87,14 +87,25 @@ impl SceneFile {
     /// The scene in the camera frame of a picture of `width` by `height` pixels.
     pub fn frame(&self, width: u32, height: u32) -> Result<FramedScene, SceneError> {
         self.validate()?;
+        self.flattened()
+            .frame_keeping(width, height, |_, _| Ok(None))
+    }
+
+    /// The same of a checked and flattened scene, taking over the objects that `kept` hands out for an object and its material.
+    pub(crate) fn frame_keeping(
+        &self,
+        width: u32,
+        height: u32,
+        kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    ) -> Result<FramedScene, SceneError> {
         check_image_size(width, height)?;
-        let (camera, projection) = camera_frame(&self.camera, height);
+        let (camera, projection) = camera_frame(&self.camera, height)?;
         Ok(FramedScene {
             title: self.title.clone(),
             width,
             height,
             projection,
-            objects: self.framed_objects(&camera)?,
+            objects: self.framed_objects(&camera, kept)?,
             materials: self.materials.clone(),
             lights: self
                 .lights
@@ -111,8 +122,14 @@ impl SceneFile {
         })
     }
 
-    fn framed_objects(&self, camera: &Transform) -> Result<Vec<FramedObject>, SceneError> {
-        self.objects
+    fn framed_objects(
+        &self,
+        camera: &Transform,
+        kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    ) -> Result<Vec<FramedObject>, SceneError> {
+        // Collected before the first error is taken, so that the same object is named in every run.
+        let framed: Vec<Result<FramedObject, SceneError>> = self
+            .objects
             .par_iter()
             .map(|object| {
                 let material = self
@@ -120,65 +137,97 @@ impl SceneFile {
                     .iter()
                     .position(|material| material.name == object.material)
                     .expect("validated: every material exists");
-                framed_object(object, material, camera)
+                match kept(object, material)? {
+                    Some(framed) => Ok(framed),
+                    None => framed_object(object, material, camera),
+                }
             })
-            .collect()
+            .collect();
+        framed.into_iter().collect()
     }
 }
 
 /// The change from scene to camera coordinates.
-fn camera_frame(camera: &Camera, height: u32) -> (Transform, Projection) {
+fn camera_frame(camera: &Camera, height: u32) -> Result<(Transform, Projection), SceneError> {
     let height = integer(i64::from(height));
+    let sight = Sight::of(camera)?;
     match camera {
         Camera::Perspective {
-            eye,
-            target,
-            up,
             viewer_distance,
             view_height,
+            ..
         } => {
             let pixels_per_unit = height / from_decimal(*view_height);
             let distance = from_decimal(*viewer_distance) * &pixels_per_unit;
             // The eye, not the screen plane, is the fixed point: it then stands exactly at (0, 0, -D).
             let behind = [integer(0), integer(0), -distance.clone()];
-            let frame = Transform::translation(behind).after(&looking(
-                *eye,
-                *target,
-                *up,
-                *eye,
-                &pixels_per_unit,
-            ));
-            (frame, Projection::Perspective { distance })
+            let looking = sight.frame(&sight.eye, &pixels_per_unit);
+            let frame = Transform::translation(behind).after(&looking);
+            Ok((frame, Projection::Perspective { distance }))
         }
         Camera::Orthographic {
-            eye,
-            target,
-            up,
             view_height,
             half_depth,
+            ..
         } => {
             let pixels_per_unit = height / from_decimal(*view_height);
             let half_depth = from_decimal(*half_depth) * &pixels_per_unit;
-            let frame = looking(*eye, *target, *up, *target, &pixels_per_unit);
-            (frame, Projection::Orthographic { half_depth })
+            let frame = sight.frame(&sight.target, &pixels_per_unit);
+            Ok((frame, Projection::Orthographic { half_depth }))
         }
     }
 }
 
-/// The frame with its origin at `origin`, z from `eye` to `target`, and `up` towards -y.
-fn looking(
-    eye: [f64; 3],
-    target: [f64; 3],
+/// Where an observer stands in the scene, and where it looks.
+struct Sight {
+    eye: [BigRational; 3],
+    target: [BigRational; 3],
+    view: [f64; 3],
     up: [f64; 3],
-    origin: [f64; 3],
-    pixels_per_unit: &BigRational,
-) -> Transform {
-    let forward = normalised(std::array::from_fn(|axis| target[axis] - eye[axis]));
-    let right = normalised(cross(forward, normalised(up)));
-    let down = cross(forward, right);
-    let to_origin = Transform::translation(origin.map(|value| -from_decimal(value)));
-    let turned = Transform::linear([right, down, forward]).after(&to_origin);
-    Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
+}
+
+impl Sight {
+    fn of(camera: &Camera) -> Result<Sight, SceneError> {
+        let (Camera::Perspective {
+            eye, target, up, ..
+        }
+        | Camera::Orthographic {
+            eye, target, up, ..
+        }) = camera;
+        let place = &camera.node().place;
+        let exact = [eye, target].map(|point| point.map(from_decimal));
+        if place.is_empty() {
+            let [exact_eye, exact_target] = exact;
+            return Ok(Sight {
+                eye: exact_eye,
+                target: exact_target,
+                view: std::array::from_fn(|axis| target[axis] - eye[axis]),
+                up: *up,
+            });
+        }
+        let placed = Transform::placement(place);
+        let [eye, target] = exact.map(|point| placed.point(&point));
+        let view = std::array::from_fn(|axis| to_f64(&(&target[axis] - &eye[axis])));
+        let up = placed.vector(&up.map(from_decimal)).map(|v| to_f64(&v));
+        let name = camera.node().name.as_deref().unwrap_or_default();
+        check_up(&format!("camera `{name}`, up"), view, up)?;
+        Ok(Sight {
+            eye,
+            target,
+            view,
+            up,
+        })
+    }
+
+    /// The frame with its origin at `origin`, z along the view, and `up` towards -y.
+    fn frame(&self, origin: &[BigRational; 3], pixels_per_unit: &BigRational) -> Transform {
+        let forward = normalised(self.view);
+        let right = normalised(cross(forward, normalised(self.up)));
+        let down = cross(forward, right);
+        let to_origin = Transform::translation(origin.each_ref().map(|value| -value));
+        let turned = Transform::linear([right, down, forward]).after(&to_origin);
+        Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
+    }
 }
 
 fn framed_object(
@@ -271,6 +320,7 @@ fn check_one_depth(facet: &FramedQuadric) -> Result<(), SceneError> {
 }
 
 fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
+    let to_camera = camera.after(&Transform::placement(&light.node().place));
     match light {
         Light::Directional {
             from,
@@ -279,7 +329,7 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             ..
         } => FramedLight::Directional {
             towards: normalised(
-                camera
+                to_camera
                     .vector(&from.map(from_decimal))
                     .map(|value| to_f64(&value)),
             ),
@@ -298,7 +348,7 @@ fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
             intensity,
             ..
         } => FramedLight::Point {
-            position: camera
+            position: to_camera
                 .point(&position.map(from_decimal))
                 .map(|value| to_f64(&value)),
             colour: colour.map(|value| value * intensity),

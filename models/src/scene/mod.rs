@@ -4,14 +4,20 @@
 //! same scene for one picture size: every quadric and cut plane in camera pixels, in exact rationals, ready for the
 //! preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
 
+mod camera;
 mod check;
 mod check_kind;
 mod error;
 mod file;
+mod flat;
 mod frame;
 mod framed;
+mod group;
+mod image;
+mod image_check;
 mod keys;
 mod mesh;
+mod names;
 mod plane;
 mod quadric;
 mod round;
@@ -19,6 +25,7 @@ mod source;
 mod tetrahedron;
 mod transform;
 
+pub use camera::{FILM_HEIGHT, LONGEST_FOCAL, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD};
 pub use check::{
     LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
     MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
@@ -30,7 +37,11 @@ pub use file::{
 };
 pub use frame::{FramedLight, FramedScene, Projection};
 pub use framed::{FramedObject, FramedQuadric};
+pub use group::{Group, Node};
+pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
+pub use image_check::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
 pub use mesh::{FramedFacet, FramedMesh};
+pub use names::MAX_NESTING;
 pub use plane::Plane;
 pub use quadric::Quadric;
 pub(crate) use round::root;

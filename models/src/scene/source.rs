@@ -29,9 +29,10 @@ pub struct SpotCone {
 
 impl FramedSource {
     pub(super) fn new(light: &Light, camera: &Transform) -> FramedSource {
+        let to_camera = camera.after(&Transform::placement(&light.node().place));
         let (point, shadows) = match light {
             Light::Directional { from, shadows, .. } => {
-                let [x, y, z] = camera.vector(&from.map(from_decimal));
+                let [x, y, z] = to_camera.vector(&from.map(from_decimal));
                 ([x, y, z, integer(0)], *shadows)
             }
             Light::Point {
@@ -40,7 +41,7 @@ impl FramedSource {
             | Light::Spot {
                 position, shadows, ..
             } => {
-                let [x, y, z] = camera.point(&position.map(from_decimal));
+                let [x, y, z] = to_camera.point(&position.map(from_decimal));
                 ([x, y, z, integer(1)], *shadows)
             }
         };
@@ -62,10 +63,15 @@ fn spot_cone(light: &Light, camera: &Transform) -> Option<SpotCone> {
     else {
         return None;
     };
-    let apex = position.map(from_decimal);
+    // The steps move the apex and the axis; about them the cone stays a right circular one, also under a scale.
+    let placed = Transform::placement(&light.node().place);
+    let apex = placed.point(&position.map(from_decimal));
     let axis: [BigRational; 3] = match aim {
-        Aim::Towards(direction) => direction.map(from_decimal),
-        Aim::Target(target) => std::array::from_fn(|k| from_decimal(target[k]) - &apex[k]),
+        Aim::Towards(direction) => placed.vector(&direction.map(from_decimal)),
+        Aim::Target(target) => {
+            let target = placed.point(&target.map(from_decimal));
+            std::array::from_fn(|k| &target[k] - &apex[k])
+        }
     };
     let cone = SpotCone {
         quadric: cone_about(&apex, &axis, *half_angle),

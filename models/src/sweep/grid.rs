@@ -6,9 +6,7 @@
 use super::Step;
 use crate::format::Format;
 use crate::rational::{from_decimal, to_f64};
-use crate::scene::{
-    Camera, Cut, FORMAT_VERSION, ImageSize, Material, Object, SceneFile, Shape, Surface,
-};
+use crate::scene::{Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Surface};
 use num_rational::BigRational;
 
 /// The screen of a sweep unless it needs another. The picture is as high as it has lines, so that a scene unit is a pixel in the screen plane.
@@ -75,6 +73,7 @@ pub fn orthographic(half_depth: f64) -> Camera {
         up: [0.0, 1.0, 0.0],
         view_height: f64::from(SCREEN.1),
         half_depth,
+        node: Node::default(),
     }
 }
 
@@ -86,22 +85,17 @@ pub fn perspective(distance: f64) -> Camera {
         up: [0.0, 1.0, 0.0],
         viewer_distance: distance,
         view_height: f64::from(SCREEN.1),
+        node: Node::default(),
     }
 }
 
 /// A scene without lights on the usual screen.
 pub fn scene(title: &str, camera: Camera, objects: Vec<Object>) -> SceneFile {
     SceneFile {
-        format: FORMAT_VERSION,
-        title: title.into(),
-        background: [0.0; 3],
-        ambient: [1.0; 3],
         image: ImageSize {
             width: SCREEN.0,
             height: SCREEN.1,
         },
-        camera,
-        lights: vec![],
         materials: vec![Material {
             name: "plain".into(),
             colour: [0.5; 3],
@@ -111,6 +105,7 @@ pub fn scene(title: &str, camera: Camera, objects: Vec<Object>) -> SceneFile {
             exponent: 1,
         }],
         objects,
+        ..SceneFile::new(title, camera)
     }
 }
 
@@ -125,6 +120,8 @@ pub fn solid(name: &str, shape: Shape, cuts: Vec<Cut>) -> Object {
         place: vec![],
         cuts,
         casts_shadow: true,
+        group: None,
+        visible: true,
     }
 }
 

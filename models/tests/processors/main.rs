@@ -314,5 +314,6 @@ fn parallel_view(eye: [f64; 3]) -> imogene_models::scene::Camera {
         up: [0.0, 1.0, 0.0],
         view_height: 4.0,
         half_depth: 4.0,
+        node: imogene_models::scene::Node::default(),
     }
 }

@@ -7,6 +7,7 @@ mod words;
 
 pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
 
+use super::again::Known;
 use super::error::PrepareError;
 use super::extent::Extent;
 use super::perspective::{ScreenQuadric, project_plane};
@@ -49,26 +50,65 @@ pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
         .collect()
 }
 
+/// Least and greatest x, y and z of screen space at which an object is seen.
+pub(super) type Bounds = ([f64; 3], [f64; 3]);
+
+/// The shadow of one object from one source.
+#[derive(Clone, Debug)]
+pub(super) struct Shadow {
+    pub source: usize,
+    pub object: usize,
+    pub volumes: Vec<PreparedVolume>,
+    /// Taken over from the preparation before.
+    pub reused: bool,
+}
+
+/// The volumes of a scene, and what the next preparation asks of them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Volumes {
+    pub spots: Vec<PreparedVolume>,
+    pub shadows: Vec<Shadow>,
+    /// Where each object is seen; empty if no volume asks for it.
+    pub seen: Vec<Option<Bounds>>,
+    pub receivers: Option<Cell>,
+}
+
+impl Volumes {
+    /// In the order of sources and objects, spots first.
+    pub fn into_list(self) -> Vec<PreparedVolume> {
+        let shadows = self.shadows.into_iter().flat_map(|shadow| shadow.volumes);
+        self.spots.into_iter().chain(shadows).collect()
+    }
+}
+
 /// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for each of [`pairs`].
 pub(super) fn prepare_volumes(
     scene: &FramedScene,
     objects: &mut [PreparedObject],
     context: &Context,
+    known: &Known,
     done: &(impl Fn() + Sync),
-) -> Result<Vec<PreparedVolume>, PrepareError> {
+) -> Result<Volumes, PrepareError> {
     let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
     let pairs = pairs(scene);
     if pairs.is_empty() && !has_spot {
-        return Ok(vec![]);
+        return Ok(Volumes::default());
     }
-    let receivers = receivers(scene, objects, context);
-    let mut volumes = spots(scene, receivers.as_ref(), context)?;
+    let seen = seen(scene, objects, context, known);
+    let receivers = around(&seen);
+    let spots = spots(scene, receivers.as_ref(), context)?;
+    let mut volumes = Volumes {
+        spots,
+        shadows: vec![],
+        seen,
+        receivers,
+    };
     let Some(receivers) = receivers else {
         return Ok(volumes);
     };
     let prepared: &[PreparedObject] = objects;
     // Collected before the first error is taken, so that the same volume is named in every run.
-    let shadows: Vec<Result<Vec<PreparedVolume>, PrepareError>> = pairs
+    let shadows: Vec<Result<Shadow, PrepareError>> = pairs
         .par_iter()
         .filter_map(|&(source, object)| {
             let framed = scene.objects[object].caster()?;
@@ -78,13 +118,27 @@ pub(super) fn prepare_volumes(
                 prepared: &prepared[object],
             };
             let casts = why_no_shadow(framed, context).is_none();
-            let found = casts.then(|| shadow(scene, source, &caster, &receivers, context));
+            let found = casts.then(|| {
+                let point = &scene.sources[source].point;
+                let kept = known.shadow(source, object, point, &receivers);
+                let reused = kept.is_some();
+                let volumes = match kept {
+                    Some(volumes) => Ok(volumes),
+                    None => shadow(scene, source, &caster, &receivers, context),
+                };
+                volumes.map(|volumes| Shadow {
+                    source,
+                    object,
+                    volumes,
+                    reused,
+                })
+            });
             done();
             found
         })
         .collect();
     for shadow in shadows {
-        volumes.extend(shadow?);
+        volumes.shadows.push(shadow?);
     }
     for (object, prepared) in scene.objects.iter().zip(objects) {
         let caster = object.caster();
@@ -197,13 +251,24 @@ fn spots(
     Ok(volumes)
 }
 
-/// The cell of screen space that holds everything seen; nothing if nothing is.
-fn receivers(scene: &FramedScene, prepared: &[PreparedObject], context: &Context) -> Option<Cell> {
+/// Where each object is seen, those that are known taken over.
+fn seen(
+    scene: &FramedScene,
+    prepared: &[PreparedObject],
+    context: &Context,
+    known: &Known,
+) -> Vec<Option<Bounds>> {
     let full = to_f64(&context.full_depth);
     let domain = screen_domain(context.width, context.height, full);
-    let seen = scene.objects.par_iter().zip(prepared);
-    seen.filter(|(_, p)| !p.screen_box().is_empty())
-        .filter_map(|(object, p)| {
+    let objects = scene.objects.par_iter().zip(prepared).enumerate();
+    objects
+        .map(|(index, (object, p))| {
+            if let Some(known) = known.seen(index) {
+                return known;
+            }
+            if p.screen_box().is_empty() {
+                return None;
+            }
             let (near, far) = depths(object, domain, context)?;
             let b = p.screen_box();
             let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
@@ -211,13 +276,19 @@ fn receivers(scene: &FramedScene, prepared: &[PreparedObject], context: &Context
             let high = [at(b.x1, context.width), at(b.y1, context.height), far];
             Some((low, high))
         })
-        .reduce_with(|(low, high), (l, h)| {
-            (
-                std::array::from_fn(|k| f64::min(low[k], l[k])),
-                std::array::from_fn(|k| f64::max(high[k], h[k])),
-            )
-        })
-        .map(|(low, high)| Cell::between(low, high))
+        .collect()
+}
+
+/// The cell of screen space that holds everything seen; nothing if nothing is.
+fn around(seen: &[Option<Bounds>]) -> Option<Cell> {
+    let seen = seen.iter().flatten().copied();
+    seen.reduce(|(low, high), (l, h)| {
+        (
+            std::array::from_fn(|k| f64::min(low[k], l[k])),
+            std::array::from_fn(|k| f64::max(high[k], h[k])),
+        )
+    })
+    .map(|(low, high)| Cell::between(low, high))
 }
 
 /// The depths, in pixels, between which an object is seen, a pixel wider on both sides.

@@ -1,7 +1,11 @@
 //! `[camera]` as it stands in the file.
 
 use super::{numbers, refuse_key, require};
-use crate::scene::file::{Camera, upwards};
+use crate::scene::camera::{
+    LONGEST_FOCAL, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD, height_of_field, height_of_focal,
+};
+use crate::scene::file::{Camera, Step, upwards};
+use crate::scene::group::Node;
 use serde::{Deserialize, Serialize};
 
 /// The keys of `[camera]` as they stand in the file.
@@ -15,9 +19,22 @@ pub(in crate::scene) struct CameraKeys {
     target: [f64; 3],
     #[serde(default = "upwards", deserialize_with = "numbers")]
     up: [f64; 3],
+    #[serde(skip_serializing_if = "Option::is_none")]
     viewer_distance: Option<f64>,
-    view_height: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    view_height: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    focal: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field_of_view: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     half_depth: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    group: Option<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    place: Vec<Step>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -27,19 +44,88 @@ enum CameraKind {
     Orthographic,
 }
 
+/// The keys that say how much of the screen plane the picture shows.
+struct Window {
+    height: Option<f64>,
+    focal: Option<f64>,
+    field: Option<f64>,
+}
+
+impl Window {
+    /// Height in scene units of the window at a distance.
+    fn of_perspective(&self, distance: f64) -> Result<f64, String> {
+        match (self.height, self.focal, self.field) {
+            (Some(height), None, None) => Ok(height),
+            (None, Some(focal), None) => {
+                let what = ["focal length", "millimetres"];
+                within("focal", what, focal, [SHORTEST_FOCAL, LONGEST_FOCAL])?;
+                Ok(height_of_focal(distance, focal))
+            }
+            (None, None, Some(degrees)) => {
+                let what = ["vertical field of view", "degrees"];
+                within("field_of_view", what, degrees, [NARROWEST_FIELD, WIDEST_FIELD])?;
+                Ok(height_of_field(distance, degrees))
+            }
+            (None, None, None) => Err(
+                "missing field `view_height`: a perspective camera needs the height of its window in the screen plane, or `focal` or `field_of_view` instead"
+                    .into(),
+            ),
+            _ => Err(
+                "a perspective camera takes one of `view_height`, `focal`, `field_of_view`; found several"
+                    .into(),
+            ),
+        }
+    }
+
+    /// Height in scene units of a parallel view.
+    fn of_parallel_view(&self) -> Result<f64, String> {
+        let wanted = "`view_height`, the height of the picture in scene units";
+        for (key, value) in [("focal", self.focal), ("field_of_view", self.field)] {
+            refuse_key(value.is_some(), key, "an orthographic camera", wanted)?;
+        }
+        let missing = "missing field `view_height`: an orthographic camera";
+        require(self.height, missing, wanted)
+    }
+}
+
+fn within(
+    key: &str,
+    [what, unit]: [&str; 2],
+    value: f64,
+    [least, most]: [f64; 2],
+) -> Result<(), String> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(format!(
+        "{key}: {value} is out of range; a {what} from {least} to {most} {unit} is possible"
+    ))
+}
+
 impl TryFrom<CameraKeys> for Camera {
     type Error = String;
 
     fn try_from(keys: CameraKeys) -> Result<Self, String> {
+        let window = Window {
+            height: keys.view_height,
+            focal: keys.focal,
+            field: keys.field_of_view,
+        };
         let CameraKeys {
             kind,
             eye,
             target,
             up,
             viewer_distance,
-            view_height,
             half_depth,
+            ..
         } = keys;
+        let node = Node {
+            name: keys.name,
+            group: keys.group,
+            visible: true,
+            place: keys.place,
+        };
         match kind {
             CameraKind::Perspective => {
                 refuse_key(
@@ -48,16 +134,18 @@ impl TryFrom<CameraKeys> for Camera {
                     "a perspective camera",
                     "`viewer_distance`",
                 )?;
+                let viewer_distance = require(
+                    viewer_distance,
+                    "a perspective camera",
+                    "`viewer_distance`, from the eye to the screen plane",
+                )?;
                 Ok(Self::Perspective {
                     eye,
                     target,
                     up,
-                    viewer_distance: require(
-                        viewer_distance,
-                        "a perspective camera",
-                        "`viewer_distance`, from the eye to the screen plane",
-                    )?,
-                    view_height,
+                    viewer_distance,
+                    view_height: window.of_perspective(viewer_distance)?,
+                    node,
                 })
             }
             CameraKind::Orthographic => {
@@ -71,12 +159,13 @@ impl TryFrom<CameraKeys> for Camera {
                     eye,
                     target,
                     up,
-                    view_height,
+                    view_height: window.of_parallel_view()?,
                     half_depth: require(
                         half_depth,
                         "an orthographic camera",
                         "`half_depth`, the depth covered on each side of the screen plane",
                     )?,
+                    node,
                 })
             }
         }
@@ -92,14 +181,20 @@ impl From<Camera> for CameraKeys {
                 up,
                 viewer_distance,
                 view_height,
+                node,
             } => Self {
                 kind: CameraKind::Perspective,
                 eye,
                 target,
                 up,
                 viewer_distance: Some(viewer_distance),
-                view_height,
+                view_height: Some(view_height),
+                focal: None,
+                field_of_view: None,
                 half_depth: None,
+                name: node.name,
+                group: node.group,
+                place: node.place,
             },
             Camera::Orthographic {
                 eye,
@@ -107,14 +202,20 @@ impl From<Camera> for CameraKeys {
                 up,
                 view_height,
                 half_depth,
+                node,
             } => Self {
                 kind: CameraKind::Orthographic,
                 eye,
                 target,
                 up,
                 viewer_distance: None,
-                view_height,
+                view_height: Some(view_height),
+                focal: None,
+                field_of_view: None,
                 half_depth: Some(half_depth),
+                name: node.name,
+                group: node.group,
+                place: node.place,
             },
         }
     }

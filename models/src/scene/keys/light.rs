@@ -1,7 +1,8 @@
 //! `[[lights]]` as they stand in the file.
 
-use super::{is_no, numbers, optional_numbers, refuse_key, require};
-use crate::scene::file::{Aim, Light, full, white};
+use super::{is_no, is_yes, numbers, optional_numbers, refuse_key, require, yes};
+use crate::scene::file::{Aim, Light, Step, full, white};
+use crate::scene::group::Node;
 use serde::{Deserialize, Serialize};
 
 /// The keys of an entry of `[[lights]]` as they stand in the file.
@@ -41,6 +42,14 @@ pub(in crate::scene) struct LightKeys {
     intensity: f64,
     #[serde(default, skip_serializing_if = "is_no")]
     shadows: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    group: Option<String>,
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    visible: bool,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    place: Vec<Step>,
 }
 
 #[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -110,6 +119,12 @@ impl TryFrom<LightKeys> for Light {
         let owner = keys.kind.owner();
         let (colour, intensity, shadows) = (keys.colour, keys.intensity, keys.shadows);
         let position = || require(keys.position, owner, "`position`");
+        let node = Node {
+            name: keys.name.clone(),
+            group: keys.group.clone(),
+            visible: keys.visible,
+            place: keys.place.clone(),
+        };
         Ok(match keys.kind {
             LightKind::Directional => Self::Directional {
                 from: require(
@@ -120,12 +135,14 @@ impl TryFrom<LightKeys> for Light {
                 colour,
                 intensity,
                 shadows,
+                node,
             },
             LightKind::Point => Self::Point {
                 position: position()?,
                 colour,
                 intensity,
                 shadows,
+                node,
             },
             LightKind::Spot => Self::Spot {
                 position: position()?,
@@ -138,6 +155,7 @@ impl TryFrom<LightKeys> for Light {
                 colour,
                 intensity,
                 shadows,
+                node,
             },
         })
     }
@@ -145,7 +163,7 @@ impl TryFrom<LightKeys> for Light {
 
 impl From<Light> for LightKeys {
     fn from(light: Light) -> Self {
-        let keys = |kind, colour, intensity, shadows| LightKeys {
+        let keys = |kind, colour, intensity, shadows, node: Node| LightKeys {
             kind,
             from: None,
             position: None,
@@ -155,6 +173,10 @@ impl From<Light> for LightKeys {
             colour,
             intensity,
             shadows,
+            name: node.name,
+            group: node.group,
+            visible: node.visible,
+            place: node.place,
         };
         match light {
             Light::Directional {
@@ -162,18 +184,20 @@ impl From<Light> for LightKeys {
                 colour,
                 intensity,
                 shadows,
+                node,
             } => LightKeys {
                 from: Some(from),
-                ..keys(LightKind::Directional, colour, intensity, shadows)
+                ..keys(LightKind::Directional, colour, intensity, shadows, node)
             },
             Light::Point {
                 position,
                 colour,
                 intensity,
                 shadows,
+                node,
             } => LightKeys {
                 position: Some(position),
-                ..keys(LightKind::Point, colour, intensity, shadows)
+                ..keys(LightKind::Point, colour, intensity, shadows, node)
             },
             Light::Spot {
                 position,
@@ -182,6 +206,7 @@ impl From<Light> for LightKeys {
                 colour,
                 intensity,
                 shadows,
+                node,
             } => {
                 let (target, towards) = match aim {
                     Aim::Target(point) => (Some(point), None),
@@ -192,7 +217,7 @@ impl From<Light> for LightKeys {
                     target,
                     towards,
                     half_angle: Some(half_angle),
-                    ..keys(LightKind::Spot, colour, intensity, shadows)
+                    ..keys(LightKind::Spot, colour, intensity, shadows, node)
                 }
             }
         }

@@ -2,13 +2,17 @@
 //! [`file`](super::file) with a message that says what the kind takes.
 
 mod camera;
+mod image;
 mod light;
 mod object;
+mod scene;
 mod step;
 
 pub(super) use camera::CameraKeys;
+pub(super) use image::ActionKeys;
 pub(super) use light::LightKeys;
 pub(super) use object::ObjectKeys;
+pub(super) use scene::SceneKeys;
 pub(super) use step::StepKeys;
 
 use serde::Deserialize;

@@ -37,6 +37,10 @@ pub(in crate::scene) struct ObjectKeys {
     cuts: Vec<Cut>,
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     casts_shadow: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    group: Option<String>,
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    visible: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -192,6 +196,8 @@ impl TryFrom<ObjectKeys> for Object {
             place: keys.place,
             cuts: keys.cuts,
             casts_shadow: keys.casts_shadow,
+            group: keys.group,
+            visible: keys.visible,
         })
     }
 }
@@ -215,6 +221,8 @@ impl From<Object> for ObjectKeys {
             place: object.place,
             cuts: object.cuts,
             casts_shadow: object.casts_shadow,
+            group: object.group,
+            visible: object.visible,
         };
         keys.kind = match object.shape {
             Shape::Sphere { radius } => {

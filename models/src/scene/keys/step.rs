@@ -14,11 +14,11 @@ pub(in crate::scene) struct StepKeys {
         deserialize_with = "optional_numbers",
         skip_serializing_if = "Option::is_none"
     )]
-    translate: Option<[f64; 3]>,
+    pub(super) translate: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    rotate: Option<Rotation>,
+    pub(super) rotate: Option<Rotation>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    scale: Option<Scale>,
+    pub(super) scale: Option<Scale>,
 }
 
 impl TryFrom<StepKeys> for Step {

@@ -5,7 +5,7 @@
 
 use crate::format::Format;
 use crate::rational::{fraction, integer};
-use crate::scene::{Camera, SceneFile, Shape, Surface};
+use crate::scene::{Camera, Node, SceneFile, Shape, Surface};
 use crate::sweep::grid::{decades, decimal, scene, solid, steps};
 use crate::sweep::{Axis, Step, Sweep};
 use num_rational::BigRational;
@@ -65,6 +65,7 @@ fn ball(series: usize, distance: &BigRational) -> SceneFile {
         up: [0.0, 1.0, 0.0],
         viewer_distance: decimal(&screen),
         view_height: decimal(&(screen * fraction(3, 4))),
+        node: Node::default(),
     };
     let shape = Shape::Sphere {
         radius: RADIUS as f64,

@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::rational::{fraction, integer};
-use crate::scene::{Camera, SceneFile, Shape, Step as Place};
+use crate::scene::{Camera, Node, SceneFile, Shape, Step as Place};
 use crate::sweep::grid::{SCREEN, decades, decimal, scene, solid, steps};
 use crate::sweep::{Axis, Step, Sweep};
 use num_rational::BigRational;
@@ -43,6 +43,7 @@ fn ellipsoid(_series: usize, offset: &BigRational) -> SceneFile {
         up: [0.0, 1.0, 0.0],
         viewer_distance: 200.0,
         view_height: f64::from(SCREEN.1),
+        node: Node::default(),
     };
     let shape = Shape::Ellipsoid {
         radii: [30.0, 20.0, 25.0],

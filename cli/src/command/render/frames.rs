@@ -1,0 +1,197 @@
+//! `imogene render --frames`.
+
+use super::{exact_frame, exact_lighting};
+use crate::arguments::{FrameRange, Model, Render};
+use crate::command::{format_of, read_scene, size_of};
+use crate::failure::Failure;
+use crate::output;
+use imogene_models::animation::{Animator, PreparedFrame, Preview};
+use imogene_models::machine::lighting::Lighting;
+use imogene_models::machine::{beam, shading};
+use imogene_models::picture;
+use imogene_models::prepare::Reuse;
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// The frames that were drawn; the keys are stable.
+#[derive(Serialize)]
+struct FramesReport {
+    scene: PathBuf,
+    model: &'static str,
+    width: u32,
+    height: u32,
+    seconds: f64,
+    /// Animated PNG of the frames.
+    preview: PathBuf,
+    /// Sums over the frames.
+    #[serde(flatten)]
+    reuse: Reuse,
+    frames: Vec<FrameReport>,
+}
+
+/// One frame; the keys are stable.
+#[derive(Serialize)]
+struct FrameReport {
+    /// Number in the animation, from 1.
+    frame: usize,
+    image: String,
+    /// Frame of the image, from 1.
+    step: u32,
+    steps: u32,
+    /// Seconds that it is shown.
+    duration: f64,
+    prepare_seconds: f64,
+    draw_seconds: f64,
+    covered_pixels: usize,
+    #[serde(flatten)]
+    reuse: Reuse,
+    file: PathBuf,
+}
+
+/// Draws the frames of an animation, one after the other; objects, shadows and lines of each in parallel.
+pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failure> {
+    if options.model == Model::Rtl {
+        return Err(Failure::Input(
+            "--frames are drawn by the models; give --model golden or exact, or one --frame to --model rtl".into(),
+        ));
+    }
+    let started = Instant::now();
+    let path = options.scene.scene.display();
+    let named = |error: String| Failure::Input(format!("{path}: {error}"));
+    let file = read_scene(&options.scene)?;
+    let size = size_of(&file, options.scene.size);
+    let format = format_of(&options.scene)?;
+    let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
+    let range = range
+        .of(animator.playback().count())
+        .map_err(|e| named(e.to_string()))?;
+    let preview_path = options.output.join("animation.png");
+    let count = range.clone().count();
+    let mut preview = Preview::new(&preview_path, size, count as u32).map_err(Failure::input)?;
+    let frames = draw(options, animator, range, &mut preview)?;
+    preview.finish().map_err(Failure::input)?;
+    let report = FramesReport {
+        scene: options.scene.scene.clone(),
+        model: model_name(options),
+        width: size.0,
+        height: size.1,
+        seconds: started.elapsed().as_secs_f64(),
+        preview: preview_path,
+        reuse: total(&frames),
+        frames,
+    };
+    let text = serde_json::to_string_pretty(&report).expect("reports have no unserialisable keys");
+    let report_path = options.output.join("frames.json");
+    picture::write_whole(&report_path, |out| writeln!(out, "{text}")).map_err(Failure::input)?;
+    if json {
+        output::json(&report);
+    } else {
+        describe(&report);
+        output::text(format!("wrote {}", report_path.display()));
+    }
+    Ok(())
+}
+
+fn model_name(options: &Render) -> &'static str {
+    if options.model == Model::Exact {
+        "exact"
+    } else {
+        "golden"
+    }
+}
+
+fn draw(
+    options: &Render,
+    mut animator: Animator,
+    range: std::ops::RangeInclusive<usize>,
+    preview: &mut Preview,
+) -> Result<Vec<FrameReport>, Failure> {
+    let bar = output::progress(range.clone().count() as u64, "frames");
+    let mut reports = vec![];
+    for number in range {
+        let started = Instant::now();
+        let frame = animator.prepare(number - 1, &|| ());
+        let frame = frame.map_err(|error| {
+            bar.finish_and_clear();
+            let path = options.scene.scene.display();
+            Failure::Input(format!("{path}: frame {number}: {error}"))
+        })?;
+        let prepare_seconds = started.elapsed().as_secs_f64();
+        let file = options.output.join(format!("frame-{number:04}.png"));
+        let started = Instant::now();
+        let (rgb, covered_pixels) = picture_of(options, &frame);
+        let draw_seconds = started.elapsed().as_secs_f64();
+        let (width, height) = (frame.prepared.width, frame.prepared.height);
+        picture::write_png(&file, width as usize, height as usize, &rgb).map_err(Failure::input)?;
+        preview
+            .frame(&rgb, frame.frame.duration)
+            .map_err(Failure::input)?;
+        reports.push(FrameReport {
+            frame: number,
+            image: frame.frame.image,
+            step: frame.frame.step,
+            steps: frame.frame.steps,
+            duration: frame.frame.duration,
+            prepare_seconds,
+            draw_seconds,
+            covered_pixels,
+            reuse: frame.reuse,
+            file,
+        });
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Ok(reports)
+}
+
+/// Red, green and blue of every pixel, and how many pixels show an object.
+fn picture_of(options: &Render, frame: &PreparedFrame) -> (Vec<u8>, usize) {
+    let (framed, prepared) = (&frame.framed, &frame.prepared);
+    let (drawn, lighting) = if options.model == Model::Exact {
+        let drawn = exact_frame(framed, prepared);
+        let lighting = exact_lighting(framed, &drawn);
+        (drawn, lighting)
+    } else {
+        let (width, height) = (prepared.width as usize, prepared.height as usize);
+        let drawn = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+        let lighting = Lighting::of(&drawn, prepared, || ());
+        (drawn, lighting)
+    };
+    let rgb = shading::shade(&drawn, &lighting, framed, &prepared.format);
+    (rgb, drawn.covered())
+}
+
+fn total(frames: &[FrameReport]) -> Reuse {
+    let mut sum = Reuse::default();
+    for FrameReport { reuse, .. } in frames {
+        sum.objects_prepared += reuse.objects_prepared;
+        sum.objects_reused += reuse.objects_reused;
+        sum.volumes_prepared += reuse.volumes_prepared;
+        sum.volumes_reused += reuse.volumes_reused;
+    }
+    sum
+}
+
+fn describe(report: &FramesReport) {
+    let FramesReport { reuse, frames, .. } = report;
+    let shown: f64 = frames.iter().map(|frame| frame.duration).sum();
+    output::text(format!(
+        "{} frames of {} x {} pixels by the {} model in {:.3} s, to be shown in {shown:.3} s",
+        frames.len(),
+        report.width,
+        report.height,
+        report.model,
+        report.seconds
+    ));
+    output::text(format!(
+        "objects: {} prepared, {} as in the frame before; shadow and light volumes: {} prepared, {} as before",
+        reuse.objects_prepared, reuse.objects_reused, reuse.volumes_prepared, reuse.volumes_reused
+    ));
+    if let (Some(first), Some(last)) = (frames.first(), frames.last()) {
+        let (first, last) = (first.file.display(), last.file.display());
+        output::text(format!("wrote {first} to {last}"));
+    }
+    output::text(format!("wrote {}", report.preview.display()));
+}
