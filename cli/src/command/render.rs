@@ -4,7 +4,7 @@ mod frames;
 mod split;
 
 use super::{load_scene, threads, verdict};
-use crate::arguments::{Model, Render};
+use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::frame::Frame;
@@ -240,9 +240,31 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
         drawn.map_err(Failure::input)?
     };
     report.subject = options.scene.scene.display().to_string();
-    report.reproduce = format!("imogene cosim {}", report.subject);
+    report.reproduce = reproduce(options);
     verdict(&report)?;
     Ok(frame)
+}
+
+/// The command that shows the difference again.
+fn reproduce(options: &Render) -> String {
+    let Scene {
+        scene,
+        camera,
+        frame,
+        ..
+    } = &options.scene;
+    let scene = scene.display();
+    if camera.is_none() && frame.is_none() {
+        return format!("imogene cosim {scene}");
+    }
+    let mut command = format!("imogene render {scene} --model rtl");
+    if let Some(camera) = camera {
+        command += &format!(" --camera '{camera}'");
+    }
+    if let Some(frame) = frame {
+        command += &format!(" --frame {frame}");
+    }
+    format!("{command} -o {}", options.output.display())
 }
 
 /// The frame of a beam machine.

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// Most steps that the actions of a chain of images may add to one placement, those that are one step counted once.
 ///
 /// Every turn that is not a quarter lengthens the exact entries of a placement by the digits of a sine.
-pub const MAX_MOVES: usize = 256;
+pub const MAX_MOVES: usize = 64;
 
 /// The changes of a scene, by names: only what was touched.
 #[derive(Clone, Debug, Default)]

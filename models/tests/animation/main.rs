@@ -322,6 +322,30 @@ fn animated_scenes_are_written_and_read_back() {
 }
 
 #[test]
+fn the_example_of_the_page_is_an_animation() {
+    let page = include_str!("../../../docs/scene-format.md");
+    let section = page.split("\n## Animation\n").nth(1).expect("the section");
+    let example = section.split("```toml\n").nth(1).expect("an example");
+    let example = example.split("```").next().unwrap();
+    let file =
+        SceneFile::parse(example, "scene-format.md").unwrap_or_else(|error| panic!("{error}"));
+    let playback = Playback::new(&file).unwrap();
+    assert_eq!(playback.count(), 13);
+    let scenes = playback.scenes("lever.toml").unwrap();
+    assert_eq!(
+        scenes[12].0,
+        "lever.toml, image `from close by`, frame 1 of 1"
+    );
+    assert_eq!(scenes[12].1, playback.scene(12).unwrap());
+    for frame in 0..13 {
+        let scene = playback.scene(frame).unwrap();
+        scene
+            .frame(32, 24)
+            .unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
 fn scenes_without_groups_are_flat_already() {
     let file = parsed(CAMERA, &ball(""));
     assert!(matches!(file.flattened(), std::borrow::Cow::Borrowed(_)));

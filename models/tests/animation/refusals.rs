@@ -344,7 +344,7 @@ fn placements_do_not_grow_without_end() {
         .unwrap_err()
         .to_string();
     assert!(
-        refusal.contains("image `one`: the placement of `ball` has more than 256 steps"),
+        refusal.contains("image `one`: the placement of `ball` has more than 64 steps"),
         "{refusal}"
     );
 }
@@ -355,4 +355,22 @@ fn nothing_to_play() {
     let file = SceneFile::parse(&scene(CAMERA, &inactive), "test.toml").expect("valid");
     let refusal = Playback::new(&file).err().expect("a refusal").to_string();
     assert!(refusal.contains("no images to play"));
+}
+
+/// The messages shown on the page of the format are the real ones.
+#[test]
+fn documented_messages_are_real() {
+    let page = include_str!("../../../docs/scene-format.md");
+    let circle = with_group("a", Some("b")) + &with_group("b", Some("a")) + &ball("");
+    let camera = CAMERA.replace("name = \"eye\"\n", "");
+    let image = |keys: &str| with_image(keys).replace("\"one\"", "\"reach\"");
+    for rest in [
+        circle,
+        image("actions = [{ target = \"forarm\", scale = 2 }]"),
+        image("parent = \"rest\""),
+    ] {
+        let refusal = SceneFile::parse(&scene(&camera, &rest), "demo.toml").expect_err("a refusal");
+        let message = refusal.to_string();
+        assert!(page.contains(&message), "not on the page: {message}");
+    }
 }
