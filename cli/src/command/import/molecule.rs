@@ -1,13 +1,11 @@
-//! `imogene import` of molecule.
+//! `imogene import` of a molecule.
 
 use crate::arguments::Import;
 use crate::failure::Failure;
-use imogene_import::Imported;
+use imogene_import::{Imported, pdb};
 
 /// The scene of a file.
-pub fn import(_bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
-    Err(Failure::Input(format!(
-        "'{}': this kind is not read yet",
-        options.file.display()
-    )))
+pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
+    let file = options.file.display().to_string();
+    pdb::read(bytes, &file, &options.molecule.options()).map_err(Failure::input)
 }

@@ -1,0 +1,224 @@
+//! Which atoms are bonded: those near enough for their covalent radii, and those that the file says are.
+
+use super::structure::{Atom, unusable};
+use crate::error::ImportError;
+use std::collections::{HashMap, HashSet};
+
+/// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel and Jmol).
+pub const TOLERANCE: f64 = 0.45;
+/// Atoms nearer than this are two locations of one, in angstroms: the shortest bond, that of H2, has 0.74.
+pub const NEAREST: f64 = 0.4;
+/// Most bonds of an atom; a metal in a cluster has twelve.
+const MOST_BONDS: usize = 16;
+/// Most atoms in a cell of the grid, which is a few angstroms wide; a crystal has about one for each six cubic angstroms.
+const MOST_IN_A_CELL: usize = 256;
+
+/// The bonds of a model.
+#[derive(Debug, Default)]
+pub struct Bonds {
+    /// Pairs of places in the list of atoms, the lower first, in ascending order.
+    pub pairs: Vec<[usize; 2]>,
+    /// How many of them only the file's CONECT lines say.
+    pub connected: usize,
+    /// Pairs left out because an atom had more bonds than any has.
+    pub left_out: usize,
+}
+
+type Cell = [i64; 3];
+
+/// Finds the bonds of the atoms of one model; `connections` are pairs of serial numbers.
+pub fn find(atoms: &[Atom], connections: &[[String; 2]], file: &str) -> Result<Bonds, ImportError> {
+    let mut pairs = by_distance(atoms, file)?;
+    let known: HashSet<[usize; 2]> = pairs.iter().copied().collect();
+    let mut said: Vec<[usize; 2]> = said(atoms, connections);
+    said.retain(|pair| !known.contains(pair));
+    said.sort_unstable();
+    said.dedup();
+    let connected = said.len();
+    pairs.extend(said);
+    pairs.sort_unstable();
+    let mut bonds = Bonds {
+        connected,
+        ..Bonds::default()
+    };
+    let mut degrees = vec![0; atoms.len()];
+    for pair in pairs {
+        if pair.iter().any(|atom| degrees[*atom] >= MOST_BONDS) {
+            bonds.left_out += 1;
+            continue;
+        }
+        for atom in pair {
+            degrees[atom] += 1;
+        }
+        bonds.pairs.push(pair);
+    }
+    Ok(bonds)
+}
+
+/// Pairs by distance, found in a grid of cells that are as wide as the longest bond.
+fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>, ImportError> {
+    let widest = atoms
+        .iter()
+        .map(|a| a.element.covalent())
+        .fold(0.0, f64::max);
+    let width = 2.0 * widest + TOLERANCE;
+    let cell = |atom: &Atom| -> Cell { atom.place.map(|v| (v / width).floor() as i64) };
+    let mut grid: HashMap<Cell, Vec<usize>> = HashMap::new();
+    for (index, atom) in atoms.iter().enumerate() {
+        let members = grid.entry(cell(atom)).or_default();
+        members.push(index);
+        if members.len() > MOST_IN_A_CELL {
+            return Err(unusable(
+                file,
+                format!(
+                    "more than {MOST_IN_A_CELL} atoms within {width:.1} angstroms of one another, about {:.1?}: bonds cannot be told",
+                    atom.place
+                ),
+                "--style space-filling, or one model and one alternate location, would be accepted",
+            ));
+        }
+    }
+    let mut pairs = Vec::new();
+    for (index, atom) in atoms.iter().enumerate() {
+        for near in neighbours(cell(atom)) {
+            let members = grid.get(&near).map(Vec::as_slice).unwrap_or_default();
+            let later = members.iter().filter(|other| **other > index);
+            pairs.extend(
+                later
+                    .filter(|o| are_bonded(atom, &atoms[**o]))
+                    .map(|o| [index, *o]),
+            );
+        }
+    }
+    Ok(pairs)
+}
+
+fn neighbours([x, y, z]: Cell) -> impl Iterator<Item = Cell> {
+    (0..27).map(move |k| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1])
+}
+
+fn distance(a: &Atom, b: &Atom) -> f64 {
+    let squares = a.place.iter().zip(b.place).map(|(u, v)| (u - v) * (u - v));
+    squares.sum::<f64>().sqrt()
+}
+
+/// Near enough, not two hydrogens, and not of different alternates.
+fn are_bonded(a: &Atom, b: &Atom) -> bool {
+    let hydrogens = a.element.is_hydrogen() && b.element.is_hydrogen();
+    let apart = a.alternate != b' ' && b.alternate != b' ' && a.alternate != b.alternate;
+    let longest = a.element.covalent() + b.element.covalent() + TOLERANCE;
+    let distance = distance(a, b);
+    !hydrogens && !apart && distance >= NEAREST && distance <= longest
+}
+
+/// Pairs that CONECT lines name; a serial number that two atoms of the model have says nothing.
+fn said(atoms: &[Atom], connections: &[[String; 2]]) -> Vec<[usize; 2]> {
+    let mut serials: HashMap<&str, Option<usize>> = HashMap::new();
+    for (index, atom) in atoms.iter().enumerate() {
+        let only = |place: &mut Option<usize>| *place = None;
+        serials
+            .entry(&atom.serial)
+            .and_modify(only)
+            .or_insert(Some(index));
+    }
+    let place = |serial: &str| serials.get(serial).copied().flatten();
+    let pair = |[a, b]: &[String; 2]| {
+        let (a, b) = (place(a)?, place(b)?);
+        (distance(&atoms[a], &atoms[b]) >= NEAREST).then(|| [a.min(b), a.max(b)])
+    };
+    connections.iter().filter_map(pair).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pdb::element::of_symbol;
+    use proptest::prelude::*;
+
+    fn atom(symbol: &str, serial: &str, alternate: u8, place: [f64; 3]) -> Atom {
+        Atom {
+            serial: serial.into(),
+            name: symbol.into(),
+            alternate,
+            residue: "LIG".into(),
+            chain: b'A',
+            number: "1".into(),
+            place,
+            occupancy: 1.0,
+            element: of_symbol(symbol).expect("an element"),
+        }
+    }
+
+    #[test]
+    fn bonds_end_where_the_radii_and_the_tolerance_do() {
+        // C and N: 0.76 + 0.71 + 0.45 = 1.92.
+        let at = |x: f64| {
+            [
+                atom("C", "1", b' ', [0.0; 3]),
+                atom("N", "2", b' ', [x, 0.0, 0.0]),
+            ]
+        };
+        let count = |atoms: &[Atom]| find(atoms, &[], "x").unwrap().pairs.len();
+        assert_eq!(
+            [1.91, 1.93, 0.41, 0.39].map(|x| count(&at(x))),
+            [1, 0, 1, 0]
+        );
+        let two = |s: &str, a, b| [atom(s, "1", a, [0.0; 3]), atom(s, "2", b, [0.8, 0.0, 0.0])];
+        assert_eq!(count(&two("H", b' ', b' ')), 0);
+        assert_eq!(count(&two("C", b'A', b'B')), 0);
+        assert_eq!(count(&two("C", b'A', b'A')), 1);
+        assert_eq!(count(&two("C", b'A', b' ')), 1);
+    }
+
+    #[test]
+    fn connections_are_taken_when_their_numbers_are_unique() {
+        let far = [
+            atom("C", "1", b' ', [0.0; 3]),
+            atom("C", "A0000", b' ', [5.0, 0.0, 0.0]),
+            atom("C", "3", b' ', [10.0, 0.0, 0.0]),
+            atom("C", "3", b' ', [15.0, 0.0, 0.0]),
+        ];
+        let say = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
+        let said = [
+            say("1", "A0000"),
+            say("A0000", "1"),
+            say("1", "3"),
+            say("1", "9"),
+        ];
+        let bonds = find(&far, &said, "x").unwrap();
+        assert_eq!((bonds.pairs, bonds.connected), (vec![[0, 1]], 1));
+    }
+
+    #[test]
+    fn crowds_are_refused_and_stars_are_thinned() {
+        let crowd: Vec<Atom> = (0..1000)
+            .map(|k| atom("C", "1", b' ', [0.001 * f64::from(k), 0.0, 0.0]))
+            .collect();
+        let error = find(&crowd, &[], "f.pdb").unwrap_err().to_string();
+        assert!(
+            error.starts_with("f.pdb: more than 256 atoms within 2.0 angstroms"),
+            "{error}"
+        );
+        let star: Vec<Atom> = (0..20)
+            .map(|k| atom("C", &k.to_string(), b' ', [100.0 * f64::from(k), 0.0, 0.0]))
+            .collect();
+        let said: Vec<[String; 2]> = (1..20).map(|k| ["0".to_owned(), k.to_string()]).collect();
+        let bonds = find(&star, &said, "x").unwrap();
+        assert_eq!((bonds.pairs.len(), bonds.left_out), (16, 3));
+    }
+
+    proptest! {
+        /// The grid finds what trying all pairs finds.
+        #[test]
+        fn the_grid_misses_no_pair(places in proptest::collection::vec(([-9.0f64..9.0, -9.0..9.0, -9.0..9.0], 0usize..4), 2..60)) {
+            let atoms: Vec<Atom> = places.iter().map(|(p, k)| atom(["H", "C", "S", "Fe"][*k], "1", b' ', *p)).collect();
+            let mut expected = Vec::new();
+            for i in 0..atoms.len() {
+                expected.extend((i + 1..atoms.len()).filter(|j| are_bonded(&atoms[i], &atoms[*j])).map(|j| [i, j]));
+            }
+            let mut found = by_distance(&atoms, "x").unwrap();
+            found.sort_unstable();
+            prop_assert_eq!(found, expected);
+        }
+    }
+}

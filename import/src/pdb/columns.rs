@@ -1,0 +1,120 @@
+//! Lines of fixed columns.
+
+use crate::error::{ImportError, Place};
+use std::borrow::Cow;
+
+/// One line of a file: a character in each column, where anything that is not ASCII counts as one.
+pub struct Columns<'a> {
+    file: &'a str,
+    number: usize,
+    text: Cow<'a, [u8]>,
+}
+
+impl<'a> Columns<'a> {
+    /// The line of a number, counted from 1, without its end.
+    pub fn new(file: &'a str, number: usize, line: &'a [u8]) -> Columns<'a> {
+        let text = if line.is_ascii() {
+            Cow::Borrowed(line)
+        } else {
+            let plain = |c: char| if c.is_ascii() { c as u8 } else { b'?' };
+            Cow::Owned(String::from_utf8_lossy(line).chars().map(plain).collect())
+        };
+        Columns { file, number, text }
+    }
+
+    /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.
+    pub fn bytes(&self, first: usize, last: usize) -> &[u8] {
+        let end = last.min(self.text.len());
+        &self.text[(first - 1).min(end)..end]
+    }
+
+    /// The same as text, without the spaces around it; control characters are written as `?`.
+    pub fn field(&self, first: usize, last: usize) -> String {
+        let plain = |c: &u8| {
+            if c.is_ascii_control() {
+                '?'
+            } else {
+                *c as char
+            }
+        };
+        let text: String = self
+            .bytes(first, last)
+            .trim_ascii()
+            .iter()
+            .map(plain)
+            .collect();
+        text
+    }
+
+    /// The character of a column; a space behind the end of the line.
+    pub fn character(&self, column: usize) -> u8 {
+        match self.text.get(column - 1) {
+            Some(c) if c.is_ascii_control() => b'?',
+            Some(c) => *c,
+            None => b' ',
+        }
+    }
+
+    /// A number in decimal notation, if that is all there is in the columns.
+    pub fn number(&self, first: usize, last: usize) -> Option<f64> {
+        let text = self.bytes(first, last).trim_ascii();
+        let decimal = |c: &u8| c.is_ascii_digit() || matches!(c, b'+' | b'-' | b'.');
+        // Rust would also take "nan", "inf" and exponents.
+        if !text.iter().all(decimal) {
+            return None;
+        }
+        std::str::from_utf8(text).ok()?.parse().ok()
+    }
+
+    /// One coordinate of an atom.
+    pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64, ImportError> {
+        self.number(first, last).ok_or_else(|| {
+            let text = self.field(first, last);
+            let problem = if self.text.len() < first {
+                format!("the line ends before the {axis} coordinate of its atom")
+            } else if text.is_empty() {
+                format!("the atom has no {axis} coordinate")
+            } else {
+                format!("the {axis} coordinate `{text}` is not a number")
+            };
+            let bytes = self.bytes(first, last);
+            let blanks = bytes.iter().take_while(|c| c.is_ascii_whitespace()).count();
+            let at = if text.is_empty() { 0 } else { blanks };
+            ImportError::Malformed {
+                file: self.file.to_owned(),
+                place: Place {
+                    line: self.number,
+                    column: first + at,
+                },
+                problem,
+                accepted: format!("a decimal number such as -12.345 in columns {first} to {last} would be accepted"),
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_counted_in_characters() {
+        let line = "ab\u{e9}d  -1.5 nan 1e3".as_bytes();
+        let columns = Columns::new("x", 7, line);
+        assert_eq!(columns.field(1, 4), "ab?d");
+        assert_eq!(columns.number(5, 10), Some(-1.5));
+        assert_eq!(
+            (columns.number(11, 14), columns.number(15, 18)),
+            (None, None)
+        );
+        assert_eq!((columns.character(4), columns.character(99)), (b'd', b' '));
+        assert_eq!(columns.field(30, 40), "");
+        let error = columns.coordinate('x', 11, 18).unwrap_err().to_string();
+        assert!(
+            error.starts_with("x:7:12: the x coordinate `nan 1e3` is not a number"),
+            "{error}"
+        );
+        let error = columns.coordinate('z', 30, 38).unwrap_err().to_string();
+        assert!(error.starts_with("x:7:30: the line ends before"), "{error}");
+    }
+}

@@ -1,0 +1,140 @@
+//! What a person and a script are told of a molecule.
+
+use super::bonds::TOLERANCE;
+use super::choose::{Chosen, LeftOut};
+use super::scene::Drawn;
+use super::structure::{Remark, Structure};
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What the file holds.
+#[derive(Clone, Debug, Serialize)]
+pub struct Read {
+    /// Atoms of all models.
+    pub atoms: usize,
+    /// Numbers of the models.
+    pub models: Vec<i64>,
+}
+
+impl Read {
+    /// Counts of a structure.
+    pub fn of(structure: &Structure) -> Read {
+        Read {
+            atoms: structure.models.iter().map(|m| m.atoms.len()).sum(),
+            models: structure.models.iter().map(|m| m.number).collect(),
+        }
+    }
+}
+
+/// The report, and its notes.
+pub fn report(
+    structure: &Structure,
+    read: &Read,
+    chosen: &[Chosen],
+    left_out: &LeftOut,
+    drawn: &Drawn,
+) -> (Value, Vec<String>) {
+    let atoms = || chosen.iter().flat_map(|c| &c.atoms);
+    let mut elements: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut chains = BTreeSet::new();
+    for atom in atoms() {
+        *elements.entry(atom.element.symbol).or_default() += 1;
+        chains.insert(char::from(atom.chain).to_string());
+    }
+    let remark = |remark| structure.remarks.get(&remark).copied().unwrap_or(0);
+    let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
+    let (low, high) = drawn.extent;
+    let guessed: BTreeSet<&str> = atoms()
+        .filter(|a| a.element.is_guessed() && a.element.symbol != "?")
+        .map(|a| a.element.symbol)
+        .collect();
+    let value = json!({
+        "title": drawn.scene.title,
+        "atoms_read": read.atoms,
+        "atoms_drawn": drawn.spheres,
+        "left_out": left_out,
+        "models": read.models,
+        "models_drawn": shown,
+        "chains": chains,
+        "elements": elements,
+        "elements_from_names": remark(Remark::NamedElement),
+        "elements_unknown": remark(Remark::NoElement),
+        "bonds": drawn.bonds.pairs.len(),
+        "bonds_from_conect_alone": drawn.bonds.connected,
+        "spheres": drawn.spheres,
+        "cylinders": drawn.cylinders,
+        "box": { "low": low, "high": high },
+    });
+    let mut notes = vec![format!(
+        "{} of {} atoms drawn, {} of {} models{}",
+        drawn.spheres,
+        read.atoms,
+        shown.len(),
+        read.models.len(),
+        if drawn.bonds.pairs.is_empty() {
+            String::new()
+        } else {
+            format!(", {} bonds", drawn.bonds.pairs.len())
+        }
+    )];
+    let mut note = |count: usize, text: String| {
+        if count > 0 {
+            notes.push(text);
+        }
+    };
+    let other = left_out.other_models;
+    note(
+        other,
+        format!("{other} atoms of other models left out; --model N or --model all draws them"),
+    );
+    let other = left_out.alternate_locations;
+    note(
+        other,
+        format!("{other} alternate locations left out; --alternates all draws them"),
+    );
+    let other = left_out.hydrogens;
+    note(other, format!("{other} hydrogens left out"));
+    let other = left_out.water;
+    note(other, format!("{other} atoms of water left out"));
+    let other = remark(Remark::NamedElement);
+    note(
+        other,
+        format!(
+            "{other} atoms without a symbol in columns 77 and 78: element from the atom's name"
+        ),
+    );
+    let other = remark(Remark::NoElement);
+    note(
+        other,
+        format!(
+            "{other} atoms of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink"
+        ),
+    );
+    let other = remark(Remark::NoOccupancy);
+    note(
+        other,
+        format!("{other} occupancies are no numbers: taken as 1"),
+    );
+    let names: Vec<&str> = guessed.into_iter().collect();
+    note(
+        names.len(),
+        format!(
+            "no published radius of {}: 2.0 angstroms, or 1.5 covalent, instead",
+            names.join(", ")
+        ),
+    );
+    let other = drawn.bonds.connected;
+    note(
+        other,
+        format!(
+            "{other} bonds are those of CONECT lines alone: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
+        ),
+    );
+    let other = drawn.bonds.left_out;
+    note(
+        other,
+        format!("{other} bonds left out at atoms that have sixteen already"),
+    );
+    (value, notes)
+}

@@ -1,0 +1,277 @@
+//! The scene of a molecule.
+
+use super::bonds::{self, Bonds};
+use super::choose::Chosen;
+use super::framing::{self, Ball, Framing};
+use super::names::Names;
+use super::structure::{Atom, Structure};
+use super::{Colouring, Options, Style};
+use crate::error::ImportError;
+use imogene_models::scene::{
+    Axis, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, SceneFile, Shape,
+    Step, Surface,
+};
+use std::collections::HashMap;
+
+/// Radius of a ball in a ball-and-stick picture, as a share of the van der Waals radius.
+pub const BALL: f64 = 0.25;
+/// Radius of a stick in angstroms: less than that of the smallest ball.
+pub const STICK: f64 = 0.15;
+/// Colours of chains or models beyond which they repeat; the shading processor holds 256 materials.
+const MOST_COLOURS: usize = 240;
+
+/// What became of the chosen atoms.
+pub struct Drawn {
+    /// The scene.
+    pub scene: SceneFile,
+    /// Spheres.
+    pub spheres: usize,
+    /// Cylinders; a bond between two colours has two.
+    pub cylinders: usize,
+    /// Bonds of all models.
+    pub bonds: Bonds,
+    /// Least and greatest coordinates of the spheres.
+    pub extent: ([f64; 3], [f64; 3]),
+}
+
+/// Materials by what gives the colour.
+struct Materials {
+    colouring: Colouring,
+    list: Vec<Material>,
+    places: HashMap<String, usize>,
+}
+
+impl Materials {
+    /// The material of an atom.
+    fn of(&mut self, atom: &Atom, model: i64) -> String {
+        let key = match self.colouring {
+            Colouring::Element if atom.element.symbol == "?" => "unknown element".to_owned(),
+            Colouring::Element => atom.element.symbol.to_owned(),
+            Colouring::Chain if atom.chain == b' ' => "chain without name".to_owned(),
+            Colouring::Chain => format!("chain {}", char::from(atom.chain)),
+            Colouring::Model => format!("model {model}"),
+        };
+        let rank = self.places.len() % MOST_COLOURS;
+        let place = *self.places.entry(key.clone()).or_insert(rank);
+        if place == self.list.len() {
+            let colour = match self.colouring {
+                Colouring::Element => atom.element.colour(),
+                _ => colour_of_rank(place),
+            };
+            self.list.push(material(key, colour));
+        }
+        // Beyond the last colour the ranks begin anew, and the list does not grow.
+        self.list[place].name.clone()
+    }
+}
+
+fn material(name: String, colour: [f64; 3]) -> Material {
+    Material {
+        name,
+        colour,
+        ambient: 0.4,
+        diffuse: 0.7,
+        specular: 0.35,
+        exponent: 40,
+    }
+}
+
+/// Colours that stay apart however many there are: hues a golden section of the circle apart, in three shades.
+fn colour_of_rank(rank: usize) -> [f64; 3] {
+    let hue = (0.58 + rank as f64 * 0.618_033_988_75).fract() * 6.0;
+    let (saturation, value) = [(0.65, 0.95), (0.45, 0.85), (0.8, 0.7)][rank % 3];
+    // The usual change from hue, saturation and value to red, green and blue.
+    [5.0, 3.0, 1.0].map(|n| {
+        let k = (n + hue) % 6.0;
+        let level = value - value * saturation * k.min(4.0 - k).clamp(0.0, 1.0);
+        (level * 1e3_f64).round() / 1e3
+    })
+}
+
+/// Builds the scene of the chosen atoms.
+pub fn build(
+    structure: &Structure,
+    chosen: &[Chosen],
+    file: &str,
+    options: &Options,
+) -> Result<Drawn, ImportError> {
+    let mut names = Names::default();
+    let mut materials = Materials {
+        colouring: options.colouring,
+        list: vec![],
+        places: HashMap::new(),
+    };
+    let (mut objects, mut sticks, mut balls) = (vec![], vec![], vec![]);
+    let mut all = Bonds::default();
+    for model in chosen {
+        let number = (chosen.len() > 1).then_some(model.number);
+        let first = objects.len();
+        for atom in &model.atoms {
+            let radius = radius(atom, options.style);
+            let material = materials.of(atom, model.number);
+            balls.push((atom.place, radius));
+            objects.push(sphere(
+                names.of_atom(atom, number),
+                atom.place,
+                radius,
+                material,
+            ));
+        }
+        if options.style == Style::BallAndStick {
+            let found = bonds::find(&model.atoms, &structure.connections, file)?;
+            let ends = &objects[first..];
+            for pair in &found.pairs {
+                let atoms = pair.map(|k| (&model.atoms[k], &ends[k]));
+                sticks.extend(cylinders(atoms, &mut names));
+            }
+            all.pairs.extend(found.pairs);
+            all.connected += found.connected;
+            all.left_out += found.left_out;
+        }
+    }
+    let (spheres, cylinders) = (objects.len(), sticks.len());
+    objects.extend(sticks);
+    let extent = framing::bounding_box(&balls);
+    let scene = scene(title(structure, file), &balls, materials.list, objects);
+    Ok(Drawn {
+        scene,
+        spheres,
+        cylinders,
+        bonds: all,
+        extent,
+    })
+}
+
+fn radius(atom: &Atom, style: Style) -> f64 {
+    let radius = atom.element.van_der_waals();
+    match style {
+        Style::SpaceFilling => radius,
+        Style::BallAndStick => (radius * BALL * 1e4).round() / 1e4,
+    }
+}
+
+fn title(structure: &Structure, file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file).to_owned();
+    match (structure.entry.as_str(), structure.title.as_str()) {
+        ("", "") => name,
+        ("", title) => title.to_owned(),
+        (entry, "") => entry.to_owned(),
+        (entry, title) => format!("{entry}: {title}"),
+    }
+}
+
+fn object(
+    name: String,
+    shape: Shape,
+    material: String,
+    place: Vec<Step>,
+    cuts: Vec<Cut>,
+) -> Object {
+    Object {
+        name,
+        shape,
+        processor: None,
+        mode: Surface::Solid,
+        material,
+        place,
+        cuts,
+        casts_shadow: true,
+    }
+}
+
+fn sphere(name: String, place: [f64; 3], radius: f64, material: String) -> Object {
+    // The sum turns -0 into 0.
+    let steps = vec![Step::Translate(place.map(|v| v + 0.0))];
+    object(name, Shape::Sphere { radius }, material, steps, vec![])
+}
+
+/// The stick of a bond: one cylinder, or two halves that meet in one plane if its ends have different colours.
+fn cylinders(ends: [(&Atom, &Object); 2], names: &mut Names) -> Vec<Object> {
+    // The local y axis is turned towards the upper end, which keeps the half turn below well away from the axis itself.
+    let mut ends = ends;
+    if ends[1].0.place[1] < ends[0].0.place[1] {
+        ends.swap(0, 1);
+    }
+    let [(low, first), (high, second)] = ends;
+    let along: [f64; 3] = std::array::from_fn(|k| high.place[k] - low.place[k]);
+    let length = along.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let piece = |name: String, from: f64, to: f64, material: &str| {
+        let cut = |y: f64, normal: f64| Cut {
+            point: [0.0, y, 0.0],
+            normal: [0.0, normal, 0.0],
+        };
+        let cuts = vec![cut(from, -1.0), cut(to, 1.0)];
+        let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
+        object(
+            name,
+            shape,
+            material.to_owned(),
+            placed(along, length, low.place),
+            cuts,
+        )
+    };
+    // Ends lie in the middles of the balls, to a thousandth of the stick's radius.
+    let short = |v: f64| (v * 1e4).round() / 1e4;
+    let (half, whole) = (short(0.5 * length), short(length));
+    if first.material == second.material {
+        let name = names.unique(format!("{}-{}", first.name, second.name));
+        return vec![piece(name, 0.0, whole, &first.material)];
+    }
+    let mut half_name = |a: &Object, b: &Object| names.unique(format!("{}>{}", a.name, b.name));
+    let (lower, upper) = (half_name(first, second), half_name(second, first));
+    vec![
+        piece(lower, 0.0, half, &first.material),
+        piece(upper, half, whole, &second.material),
+    ]
+}
+
+/// From the y axis to a direction: half a turn about the line between the two, of which sine and cosine are exact. The line is written with six digits
+/// after the point: at the far end of a bond that is a millionth of its length.
+fn placed([x, y, z]: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
+    let digits = |v: f64| (v / length * 1e6).round() / 1e6 + 0.0;
+    let line = [digits(x), digits(y + length), digits(z)];
+    let translate = Step::Translate(origin.map(|v| v + 0.0));
+    if line[0] == 0.0 && line[2] == 0.0 {
+        return vec![translate];
+    }
+    let turn = Step::Rotate(Rotation {
+        axis: Axis::Vector(line),
+        degrees: 180.0,
+    });
+    vec![turn, translate]
+}
+
+fn scene(
+    title: String,
+    balls: &[Ball],
+    materials: Vec<Material>,
+    objects: Vec<Object>,
+) -> SceneFile {
+    let Framing { camera, axes } = framing::frame(balls);
+    let light =
+        |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| Light::Directional {
+            from: std::array::from_fn(|k| {
+                right * axes[0][k] + up * axes[1][k] + towards * axes[2][k] + 0.0
+            }),
+            colour,
+            intensity,
+            shadows: false,
+        };
+    SceneFile {
+        format: FORMAT_VERSION,
+        title,
+        background: [0.06, 0.08, 0.13],
+        ambient: [0.55, 0.55, 0.6],
+        image: ImageSize {
+            width: 960,
+            height: 720,
+        },
+        camera,
+        lights: vec![
+            light([-3.0, 5.0, 7.0], [1.0, 0.97, 0.9], 0.9),
+            light([6.0, 1.0, 4.0], [0.6, 0.75, 1.0], 0.35),
+        ],
+        materials,
+        objects,
+    }
+}
