@@ -1,1 +1,150 @@
-//! CAD faces: a face list compiled to quadrics and cut planes.
+//! Faces of CAD parts: a list of faces on planes, cylinders, cones and spheres becomes quadrics with cut planes.
+//!
+//! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason. `docs/cad-faces.md` is the user's page.
+
+mod arrangement;
+mod build;
+mod build_edge;
+mod build_surface;
+mod chart;
+mod compile;
+mod conics;
+mod courses;
+mod cover;
+mod curve;
+mod gap;
+mod generators;
+mod keys;
+pub mod model;
+mod plane_face;
+mod planes;
+mod polynomial;
+mod report;
+mod scene;
+mod surface;
+pub mod vector;
+mod volume;
+
+pub use compile::{Cell, Compiled, Verdict};
+pub use curve::Curve;
+pub use planes::{Planes, SharedPlane};
+pub use scene::Compilation;
+pub use surface::{Implicit, Surface};
+
+use crate::{ImportError, Imported, Place};
+use courses::Courses;
+use model::Model;
+
+/// What the user asks of the compiler.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FaceOptions {
+    /// Largest deviation of an approximated border, scene units; a thousandth of the part's size if there is none.
+    pub max_deviation: Option<f64>,
+    /// Each face by itself, also where a whole solid is one volume.
+    pub no_volumes: bool,
+}
+
+/// A part with all its solids compiled.
+pub struct Part {
+    /// The checked list.
+    pub model: Model,
+    /// The planes that cells refer to.
+    pub planes: Planes,
+    /// Each solid.
+    pub solids: Vec<Compilation>,
+    courses: Courses,
+}
+
+/// Share of the part's size that borders may be off by if the user does not say.
+pub const DEFAULT_DEVIATION: f64 = 1e-3;
+
+/// Reads a face list and compiles it to a scene.
+pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
+    let part = compile(bytes, file, options)?;
+    let (report, notes) = report::report(&part.model, &part.courses, &part.solids);
+    let scene = scene::scene(&part.model, &part.planes, &part.solids);
+    let unusable = |problem: String, accepted: &str| ImportError::Unusable {
+        file: file.to_owned(),
+        problem,
+        accepted: accepted.to_owned(),
+    };
+    let scene = scene.ok_or_else(|| {
+        unusable(
+            format!("no face can be drawn: {}", notes.join("; ")),
+            "at least one face on a plane, cylinder, cone or sphere is needed",
+        )
+    })?;
+    scene
+        .validate()
+        .map_err(|error| unusable(error.to_string(), "another face list is needed"))?;
+    Ok(Imported {
+        scene,
+        report: serde_json::to_value(report).expect("a report has plain keys"),
+        notes,
+    })
+}
+
+/// Reads a face list and compiles each of its solids.
+pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let before = &bytes[..error.valid_up_to()];
+        let line = before.iter().filter(|b| **b == b'\n').count() + 1;
+        let start = before
+            .iter()
+            .rposition(|b| *b == b'\n')
+            .map_or(0, |p| p + 1);
+        ImportError::Malformed {
+            file: file.to_owned(),
+            place: Place {
+                line,
+                column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
+            },
+            problem: "this byte is no UTF-8 text".into(),
+            accepted: "a face list is a TOML text in UTF-8".into(),
+        }
+    })?;
+    let model = build::build(&build::Source { file, text })?;
+    let asked = options
+        .max_deviation
+        .unwrap_or(DEFAULT_DEVIATION * model.size());
+    let mut planes = Planes::new(model::COINCIDENT * model.size());
+    // The planes of faces first: an edge that lies in one takes its numbers.
+    for face in &model.faces {
+        if let Surface::Plane { origin, normal } = face.surface {
+            planes.find_or_add(origin, normal);
+        }
+    }
+    let courses = Courses::new(&model, &mut planes, asked);
+    let solids = (0..model.solids.len())
+        .map(|solid| compile_solid(&model, solid, &courses, &mut planes, options))
+        .collect();
+    Ok(Part {
+        model,
+        planes,
+        solids,
+        courses,
+    })
+}
+
+fn compile_solid(
+    model: &Model,
+    solid: usize,
+    courses: &Courses,
+    planes: &mut Planes,
+    options: &FaceOptions,
+) -> Compilation {
+    if !options.no_volumes
+        && let Some(cell) = volume::volume(model, solid, courses, planes)
+    {
+        return Compilation::Volume(cell);
+    }
+    let faces = model.solids[solid]
+        .faces
+        .iter()
+        .map(|face| match &model.faces[*face].surface {
+            Surface::Plane { .. } => plane_face::plane_face(model, *face, courses, planes),
+            Surface::Other(name) => Compiled::rejected(format!("a {name} is no quadric")),
+            _ => compile::quadric_face(model, *face, courses, planes),
+        });
+    Compilation::Faces(faces.collect())
+}

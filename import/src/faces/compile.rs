@@ -1,0 +1,320 @@
+//! From a face to cells: parts of one quadric, or of one plane, each bounded by the AND of cut planes.
+
+use super::arrangement::{Boundary, Confusion, Division, MAX_SEPARATORS, Sample};
+use super::chart::Separator;
+use super::courses::Courses;
+use super::cover::{Conflict, Term, cover};
+use super::gap::gap;
+use super::model::{COINCIDENT, Face, Model};
+use super::planes::Planes;
+use super::surface::{Implicit, Surface};
+use super::vector::{Vector, along, cross, dot, minus, plus, times, unit};
+use imogene_models::scene::MAX_CUTS;
+
+/// Most rounds of splitting a face before it is given up: the depth limit of trim structures (thesis section III.4.2).
+pub const MAX_ROUNDS: usize = 13;
+
+/// What became of a face.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The cells are the face, up to the rounding of numbers to double precision.
+    Exact,
+    /// The border is off by at most this much, scene units.
+    Approximated(f64),
+    /// It is not drawn, for this reason.
+    Rejected(String),
+}
+
+/// A part of a face that is one object of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// The quadric; of a cell of a plane, what bounds it besides planes, kept where it is negative.
+    pub quadric: Option<Implicit>,
+    /// The plane of a cell that is flat.
+    pub flat: Option<usize>,
+    /// Planes by their index, and whether the side of their normal is kept.
+    pub cuts: Vec<(usize, bool)>,
+}
+
+/// A compiled face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compiled {
+    /// What became of it.
+    pub verdict: Verdict,
+    /// Its parts; none if it is rejected or its solid is one volume.
+    pub cells: Vec<Cell>,
+}
+
+impl Compiled {
+    /// A face that is not drawn.
+    pub fn rejected(reason: impl Into<String>) -> Compiled {
+        Compiled {
+            verdict: Verdict::Rejected(reason.into()),
+            cells: vec![],
+        }
+    }
+}
+
+/// How a face is divided: separators with what they are in the scene.
+#[derive(Debug, Default)]
+pub struct Parting {
+    /// What divides.
+    pub separators: Vec<Separator>,
+    /// For each: the plane, or nothing for a quadric.
+    pub planes: Vec<Option<usize>>,
+    /// For each: separators of the lower rank are dropped first.
+    pub ranks: Vec<u8>,
+    /// The edges.
+    pub boundaries: Vec<Boundary>,
+}
+
+/// Rank of a quadric that bounds a plane, of which a cell can have one alone.
+pub const CONIC: u8 = 0;
+/// Rank of a plane that is no edge.
+pub const AUXILIARY: u8 = 1;
+/// Rank of a plane that has an edge.
+pub const EDGE: u8 = 2;
+
+impl Parting {
+    /// Index of the separator of a plane.
+    pub fn plane(&mut self, planes: &Planes, plane: usize, rank: u8) -> usize {
+        match self.planes.iter().position(|p| *p == Some(plane)) {
+            Some(index) => {
+                self.ranks[index] = self.ranks[index].max(rank);
+                index
+            }
+            None => {
+                self.separators.push(planes.separator(plane));
+                self.planes.push(Some(plane));
+                self.ranks.push(rank);
+                self.separators.len() - 1
+            }
+        }
+    }
+
+    /// Index of the separator of a quadric.
+    pub fn quadric(&mut self, implicit: Implicit) -> usize {
+        let separator = Separator::Quadric(implicit);
+        match self.separators.iter().position(|s| *s == separator) {
+            Some(index) => index,
+            None => {
+                self.separators.push(separator);
+                self.planes.push(None);
+                self.ranks.push(CONIC);
+                self.separators.len() - 1
+            }
+        }
+    }
+
+    /// Adds planes that divide and are no edges; false if all are there already, or too many.
+    pub fn split(&mut self, planes: &mut Planes, new: &[(Vector, Vector)]) -> bool {
+        let before = self.separators.len();
+        for (point, normal) in new {
+            let index = planes.find_or_add(*point, *normal);
+            self.plane(planes, index, AUXILIARY);
+        }
+        self.separators.len() > before && self.separators.len() <= MAX_SEPARATORS
+    }
+}
+
+/// Terms of a parting, split until each is one object; `refine` proposes planes for terms that are not.
+pub fn terms(
+    model: &Model,
+    surface: &Surface,
+    parting: &mut Parting,
+    planes: &mut Planes,
+    refine: impl Fn(&Parting, &[Term], &[Sample]) -> Vec<(Vector, Vector)>,
+) -> Result<Vec<Term>, String> {
+    for _ in 0..MAX_ROUNDS {
+        let division = Division {
+            surface,
+            separators: &parting.separators,
+            boundaries: &parting.boundaries,
+            size: model.size(),
+        };
+        let samples = division.samples().map_err(reason)?;
+        if !samples.iter().any(|sample| sample.inside) {
+            return Err("its loops enclose nothing".into());
+        }
+        let new = match cover(&samples, &parting.ranks) {
+            Err(conflict) => vec![between(&conflict, surface)],
+            Ok(terms) => {
+                let new = refine(parting, &terms, &samples);
+                if new.is_empty() {
+                    return Ok(terms);
+                }
+                new
+            }
+        };
+        if !parting.split(planes, &new) {
+            break;
+        }
+    }
+    Err(format!(
+        "its border is not resolved into cells of at most {MAX_CUTS} cut planes in {MAX_ROUNDS} rounds of splitting and {MAX_SEPARATORS} planes"
+    ))
+}
+
+fn reason(confusion: Confusion) -> String {
+    match confusion {
+        Confusion::Open => "its loops are not closed on the surface",
+        Confusion::Orientation => {
+            "its loops contradict each other: the face has to be on the left of every edge"
+        }
+        Confusion::TooMany => "it has more than 128 different planes",
+    }
+    .to_owned()
+}
+
+/// A plane between two pieces that no separator tells apart.
+fn between(conflict: &Conflict, surface: &Surface) -> (Vector, Vector) {
+    let (p, q) = (conflict.inside.point, conflict.outside.point);
+    let middle = times(0.5, plus(p, q));
+    let mut normal = minus(q, p);
+    if let Surface::Plane { normal: flat, .. } = surface {
+        normal = along(normal, -dot(normal, *flat), *flat);
+    }
+    (middle, unit(normal))
+}
+
+/// A plane through the middle of a term's pieces across their greatest extent.
+pub fn halving(term: &Term, samples: &[Sample], surface: &Surface) -> (Vector, Vector) {
+    let own: Vec<Vector> = samples
+        .iter()
+        .filter(|s| term.takes(s.sides))
+        .map(|s| s.point)
+        .collect();
+    let share = 1.0 / own.len().max(1) as f64;
+    let middle = own.iter().fold([0.0; 3], |sum, p| along(sum, share, *p));
+    let farthest = own
+        .iter()
+        .map(|p| minus(*p, middle))
+        .max_by(|p, q| dot(*p, *p).total_cmp(&dot(*q, *q)))
+        .unwrap_or([1.0, 0.0, 0.0]);
+    let direction = match surface {
+        Surface::Plane { normal, .. } => along(farthest, -dot(farthest, *normal), *normal),
+        _ => farthest,
+    };
+    (middle, unit(direction))
+}
+
+/// Compiles a face that lies on a quadric.
+pub fn quadric_face(
+    model: &Model,
+    index: usize,
+    courses: &Courses,
+    planes: &mut Planes,
+) -> Compiled {
+    let face = &model.faces[index];
+    let Some(implicit) = face.surface.implicit() else {
+        return Compiled::rejected(format!("a {} is no quadric", face.surface.name()));
+    };
+    let deviation = match deviation(model, face, courses) {
+        Ok(deviation) => deviation,
+        Err(reason) => return Compiled::rejected(reason),
+    };
+    let mut parting = match parting(model, index, courses, planes) {
+        Ok(parting) => parting,
+        Err(reason) => return Compiled::rejected(reason),
+    };
+    let refine = |_: &Parting, terms: &[Term], samples: &[Sample]| {
+        terms
+            .iter()
+            .filter(|term| term.len() as usize > MAX_CUTS)
+            .map(|term| halving(term, samples, &face.surface))
+            .collect()
+    };
+    match terms(model, &face.surface, &mut parting, planes, refine) {
+        Err(reason) => Compiled::rejected(reason),
+        Ok(terms) => Compiled {
+            verdict: verdict(deviation),
+            cells: terms
+                .iter()
+                .map(|term| Cell {
+                    quadric: Some(implicit),
+                    flat: None,
+                    cuts: cuts(&parting, term),
+                })
+                .collect(),
+        },
+    }
+}
+
+/// What a deviation makes of a face.
+pub fn verdict(deviation: f64) -> Verdict {
+    if deviation > 0.0 {
+        Verdict::Approximated(deviation)
+    } else {
+        Verdict::Exact
+    }
+}
+
+/// The planes of a term.
+pub fn cuts(parting: &Parting, term: &Term) -> Vec<(usize, bool)> {
+    term.literals()
+        .filter_map(|(k, positive)| parting.planes[k].map(|plane| (plane, positive)))
+        .collect()
+}
+
+/// How far the border of a face is off: by its edges that are not planar, and where its edges leave the surface.
+pub fn deviation(model: &Model, face: &Face, courses: &Courses) -> Result<f64, String> {
+    let mut most: f64 = 0.0;
+    for edge_use in face.border() {
+        let edge = &model.edges[edge_use.edge];
+        let course = courses.of(edge_use.edge)?;
+        most = most.max(course.deviation);
+        let off = gap(&edge.curve, &face.surface);
+        if off > COINCIDENT * model.size() {
+            if off > courses.max_deviation {
+                return Err(format!(
+                    "edge `{}` leaves its surface by {off:.3e}, more than {:.3e}",
+                    edge.name, courses.max_deviation
+                ));
+            }
+            most = most.max(off);
+        }
+    }
+    Ok(most)
+}
+
+/// The separators of a face on a quadric: the planes of its edges, and of a cone the plane between its nappes.
+pub fn parting(
+    model: &Model,
+    index: usize,
+    courses: &Courses,
+    planes: &mut Planes,
+) -> Result<Parting, String> {
+    let face = &model.faces[index];
+    let mut parting = Parting::default();
+    for edge_use in face.border() {
+        let course = courses.of(edge_use.edge)?;
+        for curve in &course.pieces {
+            let plane = match curve.plane() {
+                Some((point, normal)) => planes.find_or_add(point, normal),
+                None => courses.generator(index, edge_use.edge).ok_or_else(|| {
+                    format!(
+                        "edge `{}` is straight and no line of a {}",
+                        model.edges[edge_use.edge].name,
+                        face.surface.name()
+                    )
+                })?,
+            };
+            let separator = parting.plane(planes, plane, EDGE);
+            parting.boundaries.push(Boundary {
+                separator,
+                curve: curve.clone(),
+                forward: edge_use.forward,
+            });
+        }
+    }
+    if let Surface::Cone { apex, axis, .. } = face.surface {
+        let nappes = planes.find_or_add(apex, axis);
+        parting.plane(planes, nappes, AUXILIARY);
+    }
+    Ok(parting)
+}
+
+/// The unit vector across a line within a plane.
+pub fn beside(direction: Vector, normal: Vector) -> Vector {
+    unit(cross(direction, normal))
+}

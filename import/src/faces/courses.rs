@@ -1,0 +1,335 @@
+//! What edges become: one planar piece each, or several for an edge that is in no plane.
+
+use super::curve::{Curve, common_plane};
+use super::generators::{Generators, pair_generators};
+use super::model::{COINCIDENT, Model};
+use super::planes::Planes;
+use super::surface::Surface;
+use super::vector::{
+    Vector, across, along, cross, distance, dot, length, minus, plus, times, unit,
+};
+
+/// Most planar pieces of one edge.
+pub const MAX_PIECES: usize = 48;
+/// Steps by which the points of an edge are refined before it is measured.
+const REFINED: usize = 4;
+/// What is added to a measured deviation for what lies between the measured places.
+const MARGIN: f64 = 1.05;
+
+/// An edge as all its faces see it.
+#[derive(Clone, Debug)]
+pub struct Course {
+    /// Straight or planar curves, one after the other.
+    pub pieces: Vec<Curve>,
+    /// Greatest distance between the edge and the curve in which a plane of a piece meets a surface of the edge, scene units; 0 if the edge is planar.
+    pub deviation: f64,
+}
+
+/// The courses of all edges, and the planes of straight ones on curved faces.
+#[derive(Debug)]
+pub struct Courses {
+    courses: Vec<Result<Course, String>>,
+    generators: Generators,
+    /// Largest deviation that is accepted, scene units.
+    pub max_deviation: f64,
+}
+
+impl Courses {
+    /// Of all edges of a model.
+    pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64) -> Courses {
+        let courses = (0..model.edges.len())
+            .map(|edge| course(model, edge, max_deviation))
+            .collect();
+        let mut generators = Generators::new();
+        for face in 0..model.faces.len() {
+            pair_generators(model, face, planes, &mut generators);
+        }
+        Courses {
+            courses,
+            generators,
+            max_deviation,
+        }
+    }
+
+    /// The course of an edge, or why it has none.
+    pub fn of(&self, edge: usize) -> Result<&Course, String> {
+        self.courses[edge].as_ref().map_err(Clone::clone)
+    }
+
+    /// The plane of a straight edge of a cylinder or cone.
+    pub fn generator(&self, face: usize, edge: usize) -> Option<usize> {
+        self.generators.get(&(face, edge)).copied()
+    }
+}
+
+fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, String> {
+    let edge = &model.edges[index];
+    let Curve::Points {
+        points,
+        closed,
+        plane: None,
+        ..
+    } = &edge.curve
+    else {
+        return Ok(Course {
+            pieces: vec![edge.curve.clone()],
+            deviation: 0.0,
+        });
+    };
+    let surfaces: Vec<&Surface> = model.users[index]
+        .iter()
+        .map(|face| &model.faces[*face].surface)
+        .filter(|surface| !matches!(surface, Surface::Other(_)))
+        .collect();
+    let straight = common_line(points, COINCIDENT * model.size());
+    if straight && !closed {
+        let [from, to] = edge.curve.ends();
+        return Ok(Course {
+            pieces: vec![Curve::Line { from, to }],
+            deviation: 0.0,
+        });
+    }
+    let mut refined = refine(points, *closed, &surfaces);
+    if *closed {
+        refined.push(refined[0]);
+    }
+    pieces(&refined, &surfaces, max_deviation).ok_or_else(|| {
+        format!(
+            "edge `{}` is in no plane and is not within {max_deviation:.3e} of {MAX_PIECES} planar pieces",
+            edge.name
+        )
+    })
+}
+
+fn common_line(points: &[Vector], tolerance: f64) -> bool {
+    let last = points[points.len() - 1];
+    let course = unit(minus(last, points[0]));
+    points
+        .iter()
+        .all(|p| length(across(minus(*p, points[0]), course)) <= tolerance)
+}
+
+/// The points with places between them, brought onto the surfaces.
+fn refine(points: &[Vector], closed: bool, surfaces: &[&Surface]) -> Vec<Vector> {
+    let mut all = vec![];
+    let segments = if closed {
+        points.len()
+    } else {
+        points.len() - 1
+    };
+    for k in 0..segments {
+        let (from, to) = (points[k], points[(k + 1) % points.len()]);
+        all.push(from);
+        for step in 1..REFINED {
+            let share = step as f64 / REFINED as f64;
+            let middle = along(from, share, minus(to, from));
+            all.push(onto_all(middle, surfaces));
+        }
+    }
+    if !closed {
+        all.push(points[points.len() - 1]);
+    }
+    all
+}
+
+/// A point on all surfaces near `p`, by alternate projection.
+fn onto_all(mut p: Vector, surfaces: &[&Surface]) -> Vector {
+    for _ in 0..100 {
+        let before = p;
+        for surface in surfaces {
+            p = surface.nearest(p).unwrap_or(p);
+        }
+        if distance(before, p) == 0.0 {
+            break;
+        }
+    }
+    p
+}
+
+/// The fewest pieces that a search from the start finds, each as long as the deviation lets it be.
+fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> Option<Course> {
+    let mut course = Course {
+        pieces: vec![],
+        deviation: 0.0,
+    };
+    let last = points.len() - 1;
+    let mut start = 0;
+    while start < last {
+        if course.pieces.len() == MAX_PIECES {
+            return None;
+        }
+        let fit = |end: usize| {
+            piece(&points[start..=end], surfaces).filter(|(_, off)| MARGIN * off <= max_deviation)
+        };
+        // The longest run, looked for between one that fits and one that does not.
+        let mut best = fit(start + 1).map(|found| (start + 1, found))?;
+        let mut too_long = last + 1;
+        let mut reach = 2;
+        while best.0 + 1 < too_long {
+            let end = if start + reach < too_long {
+                start + reach
+            } else {
+                usize::midpoint(best.0, too_long)
+            };
+            reach *= 2;
+            match fit(end) {
+                Some(found) if end > best.0 => best = (end, found),
+                Some(_) => {}
+                None => too_long = end,
+            }
+        }
+        let (end, (curve, off)) = best;
+        course.deviation = course.deviation.max(MARGIN * off);
+        course.pieces.push(curve);
+        start = end;
+    }
+    Some(course)
+}
+
+/// One planar piece through the ends of a run, and its deviation.
+fn piece(run: &[Vector], surfaces: &[&Surface]) -> Option<(Curve, f64)> {
+    let (first, last) = (run[0], run[run.len() - 1]);
+    let normal = if distance(first, last) > 0.0 {
+        through_chord(run, surfaces)?
+    } else {
+        common_plane(run, f64::INFINITY)?.1
+    };
+    let mut most: f64 = 0.0;
+    for q in run {
+        for surface in surfaces {
+            most = most.max(distance(*q, trace(*q, surface, first, normal)?));
+        }
+    }
+    let steps = run.windows(2).map(|pair| distance(pair[0], pair[1]));
+    let slack = steps.fold(4.0 * most, f64::max);
+    let closed = distance(first, last) == 0.0;
+    let mut points = run.to_vec();
+    if closed {
+        points.pop();
+    }
+    let curve = Curve::Points {
+        points,
+        closed,
+        plane: Some((first, normal)),
+        slack,
+    };
+    Some((curve, most))
+}
+
+/// The normal of the plane through the ends of a run that is nearest to its points; of an almost straight run, the plane that is upright on the surface.
+fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Option<Vector> {
+    let (first, last) = (run[0], run[run.len() - 1]);
+    let chord = unit(minus(last, first));
+    let [e, f] = super::vector::frame(chord, 0.0);
+    let (mut ee, mut ef, mut ff) = (0.0, 0.0, 0.0);
+    for p in run {
+        let (x, y) = (dot(minus(*p, first), e), dot(minus(*p, first), f));
+        ee += x * x;
+        ef += x * y;
+        ff += y * y;
+    }
+    let size = distance(first, last);
+    if (ee + ff).sqrt() <= 1e-7 * size {
+        let up = surfaces
+            .iter()
+            .find_map(|s| s.normal_at(run[run.len() / 2]))?;
+        return Some(unit(cross(chord, up)));
+    }
+    // The direction of the smaller eigenvalue of the scatter.
+    let angle = 0.5 * (2.0 * ef).atan2(ee - ff);
+    let (sine, cosine) = angle.sin_cos();
+    Some(unit(plus(times(-sine, e), times(cosine, f))))
+}
+
+/// The point in which the plane meets the surface, straight down the surface from `q`; nothing if there is none nearby.
+fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Option<Vector> {
+    let mut p = q;
+    for _ in 0..60 {
+        let off = dot(minus(p, origin), normal);
+        let on = surface.normal_at(p)?;
+        let slope = across(normal, on);
+        let square = dot(slope, slope);
+        if square < 1e-6 {
+            return None;
+        }
+        let next = surface.nearest(along(p, -off / square, slope))?;
+        if distance(next, p) <= 1e-15 * (1.0 + length(p)) {
+            return Some(next);
+        }
+        p = next;
+    }
+    let off = dot(minus(p, origin), normal).abs();
+    (off <= 1e-9 * (1.0 + length(p))).then_some(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Viviani's curve: the sphere of radius 2 and the cylinder of radius 1 through its centre; (1 + cos t, sin t, 2 sin t/2).
+    fn viviani(count: usize) -> (Vec<Vector>, [Surface; 2]) {
+        let points = (0..count)
+            .map(|k| {
+                let t = 0.3 + 2.0 * k as f64 / count as f64;
+                [1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin()]
+            })
+            .collect();
+        let sphere = Surface::Sphere {
+            centre: [0.0; 3],
+            radius: 2.0,
+        };
+        let cylinder = Surface::Cylinder {
+            origin: [1.0, 0.0, 0.0],
+            axis: [0.0, 0.0, 1.0],
+            radius: 1.0,
+        };
+        (points, [sphere, cylinder])
+    }
+
+    #[test]
+    fn pieces_keep_within_what_they_say_and_grow_as_the_cube_root() {
+        let (points, surfaces) = viviani(200);
+        let surfaces: Vec<&Surface> = surfaces.iter().collect();
+        let refined = refine(&points, false, &surfaces);
+        let mut counts = vec![];
+        for asked in [1e-2, 1e-3, 1e-4, 1e-5] {
+            let course = pieces(&refined, &surfaces, asked).unwrap();
+            assert!(course.deviation <= asked && course.deviation > 0.0);
+            counts.push(course.pieces.len());
+            // Against the formula of the curve, at ten places between any two of the points.
+            for k in 0..2000 {
+                let t = 0.3 + 1.989 * f64::from(k) / 2000.0;
+                let q = [1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin()];
+                for surface in &surfaces {
+                    let off = course.pieces.iter().filter_map(|piece| {
+                        let (origin, normal) = piece.plane().unwrap();
+                        let p = trace(q, surface, origin, normal)?;
+                        piece.direction_at(p, 0.0).map(|_| distance(p, q))
+                    });
+                    let off = off.fold(f64::INFINITY, f64::min);
+                    // Beside a joint the nearest piece may count as ended.
+                    let joint = course
+                        .pieces
+                        .iter()
+                        .any(|piece| piece.ends().iter().any(|e| distance(*e, q) < 1e-3));
+                    assert!(off <= course.deviation || joint, "{off} at {t} for {asked}");
+                }
+            }
+        }
+        // A plane through both ends of a piece with the best angle is off by the third power of its length (the torsion): 2.15 times the pieces for a tenth of the deviation.
+        let growth = (counts[3] as f64 / counts[0] as f64).powf(1.0 / 3.0);
+        assert!((1.7..=2.6).contains(&growth), "{counts:?}");
+    }
+
+    #[test]
+    fn a_straight_row_of_points_is_a_line() {
+        assert!(common_line(
+            &[[0.0; 3], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0]],
+            1e-12
+        ));
+        assert!(!common_line(
+            &[[0.0; 3], [1.0, 1.0, 0.1], [2.0, 2.0, 0.0]],
+            1e-12
+        ));
+    }
+}

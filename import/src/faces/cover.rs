@@ -1,0 +1,188 @@
+//! Terms: sets of sides that together say exactly which pieces a face has.
+//!
+//! A machine that draws a quadric with cut planes knows AND alone; a face is therefore a union of terms, each the AND of some sides. A
+//! term is shortened as long as it takes no piece that the face lacks, so that it has no side it does not need.
+
+use super::arrangement::Sample;
+use std::collections::BTreeSet;
+
+/// The AND of sides: those of `mask`, each as in `sides`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Term {
+    /// Bit k: separator k matters.
+    pub mask: u128,
+    /// Bit k: the positive side of it.
+    pub sides: u128,
+}
+
+impl Term {
+    /// Whether it takes a piece.
+    pub fn takes(&self, sides: u128) -> bool {
+        (sides ^ self.sides) & self.mask == 0
+    }
+
+    /// Number of sides.
+    pub fn len(&self) -> u32 {
+        self.mask.count_ones()
+    }
+
+    /// The separators it has, with their side.
+    pub fn literals(self) -> impl Iterator<Item = (usize, bool)> {
+        (0..128)
+            .filter(move |k| self.mask >> k & 1 == 1)
+            .map(move |k| (k, self.sides >> k & 1 == 1))
+    }
+}
+
+/// Two samples that have the same sides, one in the face and one not.
+#[derive(Clone, Copy, Debug)]
+pub struct Conflict {
+    /// In the face.
+    pub inside: Sample,
+    /// Not in it.
+    pub outside: Sample,
+}
+
+/// Most patterns from which a term is grown.
+const MAX_SEEDS: usize = 400;
+
+/// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower rank are dropped first.
+pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Conflict> {
+    let kept: BTreeSet<u128> = sides(samples, true);
+    let lost: Vec<u128> = sides(samples, false).into_iter().collect();
+    if let Some(both) = lost.iter().find(|side| kept.contains(side)) {
+        return Err(nearest_conflict(samples, *both));
+    }
+    let candidates = candidates(&kept, &lost, ranks);
+    let mut open = kept;
+    let mut terms = vec![];
+    while !open.is_empty() {
+        let taken = |term: &Term| open.iter().filter(|side| term.takes(**side)).count();
+        let best = candidates
+            .iter()
+            .copied()
+            .max_by_key(|term| (taken(term), std::cmp::Reverse(term.len())))
+            .filter(|term| taken(term) > 0);
+        let best = best.unwrap_or_else(|| {
+            let seed = *open.first().expect("not empty");
+            shortened(seed, &lost, ranks, false)
+        });
+        open.retain(|side| !best.takes(*side));
+        terms.push(best);
+    }
+    Ok(terms)
+}
+
+fn sides(samples: &[Sample], inside: bool) -> BTreeSet<u128> {
+    samples
+        .iter()
+        .filter(|sample| sample.inside == inside)
+        .map(|sample| sample.sides)
+        .collect()
+}
+
+fn candidates(kept: &BTreeSet<u128>, lost: &[u128], ranks: &[u8]) -> Vec<Term> {
+    let step = kept.len().div_ceil(MAX_SEEDS).max(1);
+    let mut all = BTreeSet::new();
+    for seed in kept.iter().step_by(step) {
+        for backwards in [false, true] {
+            all.insert(shortened(*seed, lost, ranks, backwards));
+        }
+    }
+    all.into_iter().collect()
+}
+
+/// The term of all sides of a piece, less those that are not needed.
+fn shortened(seed: u128, lost: &[u128], ranks: &[u8], backwards: bool) -> Term {
+    let separators = ranks.len();
+    let all = if separators >= 128 {
+        u128::MAX
+    } else {
+        (1 << separators) - 1
+    };
+    let mut term = Term {
+        mask: all,
+        sides: seed,
+    };
+    let mut order: Vec<usize> = (0..separators).collect();
+    if backwards {
+        order.reverse();
+    }
+    order.sort_by_key(|k| ranks[*k]);
+    for k in order {
+        let shorter = Term {
+            mask: term.mask & !(1 << k),
+            ..term
+        };
+        if !lost.iter().any(|side| shorter.takes(*side)) {
+            term = shorter;
+        }
+    }
+    term.sides &= term.mask;
+    term
+}
+
+fn nearest_conflict(samples: &[Sample], sides: u128) -> Conflict {
+    let of = |inside: bool| {
+        samples
+            .iter()
+            .filter(move |s| s.sides == sides && s.inside == inside)
+            .take(200)
+    };
+    let distance = |(a, b): &(&Sample, &Sample)| super::vector::distance(a.point, b.point);
+    let pair = of(true)
+        .flat_map(|a| of(false).map(move |b| (a, b)))
+        .min_by(|p, q| distance(p).total_cmp(&distance(q)));
+    let (inside, outside) = pair.expect("both have these sides");
+    Conflict {
+        inside: *inside,
+        outside: *outside,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn sample((sides, inside): (u128, bool)) -> Sample {
+        Sample {
+            sides,
+            inside,
+            point: [0.0; 3],
+        }
+    }
+
+    proptest! {
+        /// Whatever the set of pieces: the terms take these and no other, and no term can lose a side.
+        #[test]
+        fn terms_take_what_the_face_has(table in proptest::collection::vec(any::<bool>(), 64)) {
+            let samples: Vec<Sample> =
+                table.iter().enumerate().map(|(k, inside)| sample((k as u128, *inside))).collect();
+            let terms = cover(&samples, &[0; 6]).unwrap();
+            for s in &samples {
+                prop_assert_eq!(terms.iter().any(|t| t.takes(s.sides)), s.inside);
+            }
+            for term in &terms {
+                for (k, _) in term.literals() {
+                    let shorter = Term { mask: term.mask & !(1 << k), ..*term };
+                    prop_assert!(samples.iter().any(|s| !s.inside && shorter.takes(s.sides)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_piece_on_both_sides_is_a_conflict() {
+        let samples = [sample((5, true)), sample((5, false)), sample((1, true))];
+        let conflict = cover(&samples, &[0; 3]).unwrap_err();
+        assert!(conflict.inside.inside && !conflict.outside.inside && conflict.inside.sides == 5);
+    }
+
+    #[test]
+    fn a_whole_surface_needs_no_side() {
+        let terms = cover(&[sample((0, true)), sample((1, true))], &[0]).unwrap();
+        assert_eq!(terms.len(), 1);
+        assert_eq!(terms[0].len(), 0);
+    }
+}

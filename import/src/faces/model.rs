@@ -1,0 +1,115 @@
+//! A face list that has been checked: faces on surfaces, bounded by edges that they share.
+
+use super::curve::Curve;
+use super::surface::Surface;
+use super::vector::{Vector, plus, times};
+use imogene_models::scene::Material;
+
+/// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number of 15.
+pub const COINCIDENT: f64 = 1e-9;
+
+/// A face list.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Title.
+    pub title: String,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Edges.
+    pub edges: Vec<Edge>,
+    /// Faces, each of exactly one solid.
+    pub faces: Vec<Face>,
+    /// Solids.
+    pub solids: Vec<Solid>,
+    /// For each edge, the faces that have it.
+    pub users: Vec<Vec<usize>>,
+    /// Least and greatest coordinates of vertices, edges and spheres.
+    pub bounds: [Vector; 2],
+}
+
+/// One description of a common edge.
+#[derive(Clone, Debug)]
+pub struct Edge {
+    /// Name.
+    pub name: String,
+    /// Its kind in the list: `line`, `circle`, `ellipse` or `points`.
+    pub kind: &'static str,
+    /// Its course.
+    pub curve: Curve,
+    /// Indices of the vertices at its ends, twice the same if it is closed at a vertex; nothing without vertices.
+    pub vertices: Option<[usize; 2]>,
+}
+
+/// An edge in a loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EdgeUse {
+    /// Index of the edge.
+    pub edge: usize,
+    /// From its start to its end.
+    pub forward: bool,
+}
+
+/// A face.
+#[derive(Clone, Debug)]
+pub struct Face {
+    /// Name.
+    pub name: String,
+    /// What it lies on.
+    pub surface: Surface,
+    /// Its borders; the face is on their left for an observer on the side of the surface's own normal.
+    pub loops: Vec<Vec<EdgeUse>>,
+    /// The material is on the side of the surface's own normal.
+    pub reversed: bool,
+}
+
+/// Faces of one material.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    /// Name.
+    pub name: String,
+    /// Name of the material.
+    pub material: String,
+    /// Indices of its faces.
+    pub faces: Vec<usize>,
+}
+
+impl Face {
+    /// The edges that bound it: an edge that the face has on both sides, a seam, bounds nothing.
+    pub fn border(&self) -> Vec<EdgeUse> {
+        border(self.loops.iter().flatten().copied())
+    }
+}
+
+/// Edges that occur an odd number of times.
+pub fn border(uses: impl Iterator<Item = EdgeUse>) -> Vec<EdgeUse> {
+    let mut single: Vec<EdgeUse> = vec![];
+    for edge_use in uses {
+        match single.iter().position(|s| s.edge == edge_use.edge) {
+            Some(index) => {
+                single.remove(index);
+            }
+            None => single.push(edge_use),
+        }
+    }
+    single
+}
+
+impl Model {
+    /// Length of the diagonal of the box around everything, scene units, above 0.
+    pub fn size(&self) -> f64 {
+        super::vector::distance(self.bounds[0], self.bounds[1])
+    }
+
+    /// Middle of that box.
+    pub fn middle(&self) -> Vector {
+        times(0.5, plus(self.bounds[0], self.bounds[1]))
+    }
+
+    /// Faces other than `face` that have an edge.
+    pub fn neighbours(&self, face: usize, edge: usize) -> impl Iterator<Item = usize> + '_ {
+        self.users[edge]
+            .iter()
+            .copied()
+            .filter(move |other| *other != face)
+    }
+}

@@ -1,0 +1,88 @@
+//! The planes of a part, each with one description that all faces use.
+
+use super::chart::Separator;
+use super::vector::{Vector, cross, dot, length, minus};
+
+/// A plane as it stands in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SharedPlane {
+    /// A point of it.
+    pub point: Vector,
+    /// Its unit normal; a face on the other side has the opposite one.
+    pub normal: Vector,
+}
+
+/// All planes of a part.
+#[derive(Debug)]
+pub struct Planes {
+    all: Vec<SharedPlane>,
+    tolerance: f64,
+}
+
+impl Planes {
+    /// None yet; two planes within `tolerance` (a length) over a part of size 1 / 1e-9 of it are one.
+    pub fn new(tolerance: f64) -> Planes {
+        Planes {
+            all: vec![],
+            tolerance,
+        }
+    }
+
+    /// The index of the plane through a point; an earlier description of the same plane is used again.
+    pub fn find_or_add(&mut self, point: Vector, normal: Vector) -> usize {
+        let normal = clean(normal);
+        let same = |plane: &SharedPlane| {
+            length(cross(plane.normal, normal)) <= 1e-9
+                && dot(minus(point, plane.point), plane.normal).abs() <= self.tolerance
+        };
+        self.all.iter().position(same).unwrap_or_else(|| {
+            self.all.push(SharedPlane { point, normal });
+            self.all.len() - 1
+        })
+    }
+
+    /// A plane.
+    pub fn get(&self, index: usize) -> SharedPlane {
+        self.all[index]
+    }
+
+    /// A plane as a separator.
+    pub fn separator(&self, index: usize) -> Separator {
+        let SharedPlane { point, normal } = self.all[index];
+        Separator::Plane {
+            normal,
+            offset: dot(normal, point),
+        }
+    }
+}
+
+/// A direction without the dust that sines leave beside 0 and 1.
+fn clean(normal: Vector) -> Vector {
+    normal.map(|value| {
+        let nearest = value.round();
+        if (value - nearest).abs() <= 1e-15 {
+            // Without the sign of a zero.
+            nearest + 0.0
+        } else {
+            value
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_plane_has_one_description_whichever_way_it_faces() {
+        let mut planes = Planes::new(1e-9);
+        let first = planes.find_or_add([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
+        assert_eq!(
+            planes.find_or_add([5.0, 1.0, -3.0], [0.0, -1.0, 0.0]),
+            first
+        );
+        assert_ne!(planes.find_or_add([0.0, 1.1, 0.0], [0.0, 1.0, 0.0]), first);
+        assert_eq!(planes.get(first).normal, [0.0, 1.0, 0.0]);
+        assert_eq!(clean([1.0, 6e-17, -0.0]), [1.0, 0.0, 0.0]);
+    }
+}

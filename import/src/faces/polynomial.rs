@@ -1,0 +1,142 @@
+//! Real roots of small polynomials and of the trigonometric equations of a cut.
+
+use super::vector::positive_angle;
+
+/// Real roots of `a x^2 + b x + c`, ascending, a double root once; none if all are zero.
+pub fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+    let size = a.abs().max(b.abs()).max(c.abs());
+    if size == 0.0 {
+        return vec![];
+    }
+    if a.abs() <= 1e-14 * size {
+        return if b.abs() <= 1e-14 * size {
+            vec![]
+        } else {
+            vec![-c / b]
+        };
+    }
+    let discriminant = b * b - 4.0 * a * c;
+    let scale = (b * b).max((4.0 * a * c).abs());
+    if discriminant < -1e-14 * scale {
+        return vec![];
+    }
+    let root = discriminant.max(0.0).sqrt();
+    if root == 0.0 {
+        return vec![-b / (2.0 * a)];
+    }
+    // The root without cancellation first, the other from the product of both.
+    let q = -0.5 * (b + root.copysign(b));
+    let mut roots = vec![q / a, if q == 0.0 { 0.0 } else { c / q }];
+    roots.sort_by(f64::total_cmp);
+    roots
+}
+
+/// Angles from 0 to 2 pi with `a cos u + b sin u = c`.
+pub fn harmonic(a: f64, b: f64, c: f64) -> Vec<f64> {
+    let size = a.hypot(b);
+    if size == 0.0 {
+        return vec![];
+    }
+    let ratio = c / size;
+    if ratio.abs() > 1.0 + 1e-13 {
+        return vec![];
+    }
+    let (middle, half) = (b.atan2(a), ratio.clamp(-1.0, 1.0).acos());
+    [middle - half, middle + half].map(positive_angle).to_vec()
+}
+
+/// Value of a polynomial, lowest power first.
+fn value(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+/// Real roots of a polynomial, lowest power first, between `from` and `to`, and the places where it touches zero without passing.
+pub fn roots_between(coefficients: &[f64], from: f64, to: f64) -> Vec<f64> {
+    if coefficients.len() < 2 {
+        return vec![];
+    }
+    let derivative: Vec<f64> = coefficients
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(power, c)| power as f64 * c)
+        .collect();
+    let turns = roots_between(&derivative, from, to);
+    let mut ends = vec![from];
+    ends.extend(&turns);
+    ends.push(to);
+    let mut roots = vec![];
+    for pair in ends.windows(2) {
+        roots.extend(bisected(coefficients, pair[0], pair[1]));
+    }
+    let reach = from.abs().max(to.abs());
+    let size: f64 = coefficients
+        .iter()
+        .enumerate()
+        .map(|(power, c)| c.abs() * reach.powi(power as i32))
+        .sum();
+    roots.extend(
+        turns
+            .into_iter()
+            .filter(|x| value(coefficients, *x).abs() <= 1e-10 * size),
+    );
+    roots.sort_by(f64::total_cmp);
+    roots
+}
+
+/// The root between two ends of different signs, on a stretch without turn.
+fn bisected(coefficients: &[f64], mut low: f64, mut high: f64) -> Option<f64> {
+    let (at_low, at_high) = (value(coefficients, low), value(coefficients, high));
+    if at_low * at_high > 0.0 || !(at_low.is_finite() && at_high.is_finite()) {
+        return None;
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if (value(coefficients, middle) < 0.0) == (at_low < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quadratics_lose_no_root_to_cancellation() {
+        // (x - 1e-8)(x - 1e8)
+        let roots = quadratic(1.0, -(1e8 + 1e-8), 1.0);
+        assert!((roots[0] - 1e-8).abs() < 1e-22 && (roots[1] - 1e8).abs() < 1e-7);
+        assert_eq!(quadratic(1.0, 0.0, 1.0), Vec::<f64>::new());
+        assert_eq!(quadratic(0.0, 2.0, -4.0), [2.0]);
+        assert_eq!(quadratic(0.0, 0.0, 0.0), Vec::<f64>::new());
+    }
+
+    #[test]
+    fn quartics_give_simple_and_double_roots() {
+        // (x^2 - 1)(x - 2)^2 = x^4 - 4x^3 + 3x^2 + 4x - 4
+        let roots = roots_between(&[-4.0, 4.0, 3.0, -4.0, 1.0], -9.0, 9.0);
+        for expected in [-1.0, 1.0, 2.0] {
+            assert!(
+                roots.iter().any(|r| (r - expected).abs() < 1e-6),
+                "{roots:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn angles_solve_the_harmonic_equation() {
+        for k in 0..40 {
+            let (a, b, c) = (3.0 - 0.2 * f64::from(k), 0.7, 0.5);
+            for u in harmonic(a, b, c) {
+                assert!((a * u.cos() + b * u.sin() - c).abs() < 1e-12);
+            }
+        }
+    }
+}

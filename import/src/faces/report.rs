@@ -1,0 +1,193 @@
+//! Counts and verdicts of a compiled part.
+
+use super::compile::Verdict;
+use super::courses::Courses;
+use super::model::Model;
+use super::scene::Compilation;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The report of an import; its keys are stable.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    solids: usize,
+    max_deviation: f64,
+    faces: Vec<FaceReport>,
+    /// By kind of surface.
+    counts: BTreeMap<String, Counts>,
+    total: Counts,
+    /// Number of faces by the number of different planes that bound them; faces that are drawn one by one.
+    planes_per_face: BTreeMap<usize, usize>,
+    /// Number of objects by the number of their cuts, the two planes of a flat face among them.
+    cuts_per_object: BTreeMap<usize, usize>,
+    edges: EdgeCounts,
+}
+
+/// A face.
+#[derive(Debug, Serialize)]
+struct FaceReport {
+    name: String,
+    solid: String,
+    surface: String,
+    verdict: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    deviation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    /// `volume`: the whole solid is one object; `patch`; `flat`: a solid without thickness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    form: Option<&'static str>,
+    objects: usize,
+    planes: usize,
+    edges: usize,
+}
+
+/// Faces by verdict.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+struct Counts {
+    exact: usize,
+    approximated: usize,
+    rejected: usize,
+}
+
+/// Edges by what they are.
+#[derive(Debug, Default, Serialize)]
+struct EdgeCounts {
+    total: usize,
+    straight: usize,
+    planar: usize,
+    /// In no plane.
+    spatial: usize,
+    /// Planar pieces of those that were taken apart.
+    pieces: usize,
+}
+
+/// The report of a part and its lines for a person.
+pub fn report(model: &Model, courses: &Courses, solids: &[Compilation]) -> (Report, Vec<String>) {
+    let mut report = Report {
+        solids: model.solids.len(),
+        max_deviation: courses.max_deviation,
+        faces: vec![],
+        counts: BTreeMap::new(),
+        total: Counts::default(),
+        planes_per_face: BTreeMap::new(),
+        cuts_per_object: BTreeMap::new(),
+        edges: edges(model, courses),
+    };
+    for (index, compilation) in solids.iter().enumerate() {
+        report.solid(model, index, compilation);
+    }
+    let notes = notes(&report);
+    (report, notes)
+}
+
+impl Report {
+    fn solid(&mut self, model: &Model, index: usize, compilation: &Compilation) {
+        let solid = &model.solids[index];
+        if let Compilation::Volume(cell) = compilation {
+            *self.cuts_per_object.entry(cell.cuts.len()).or_default() += 1;
+        }
+        for (position, face) in solid.faces.iter().enumerate() {
+            let face = &model.faces[*face];
+            let mut line = FaceReport {
+                name: face.name.clone(),
+                solid: solid.name.clone(),
+                surface: face.surface.name().to_owned(),
+                verdict: "exact",
+                deviation: None,
+                reason: None,
+                form: Some("volume"),
+                objects: 0,
+                planes: 0,
+                edges: face.loops.iter().flatten().count(),
+            };
+            if let Compilation::Faces(faces) = compilation {
+                let compiled = &faces[position];
+                let planes: BTreeSet<usize> = compiled
+                    .cells
+                    .iter()
+                    .flat_map(|cell| cell.cuts.iter().map(|(plane, _)| *plane))
+                    .collect();
+                line.objects = compiled.cells.len();
+                line.planes = planes.len();
+                line.form = Some(if face.surface.is_plane() {
+                    "flat"
+                } else {
+                    "patch"
+                });
+                match &compiled.verdict {
+                    Verdict::Exact => {}
+                    Verdict::Approximated(off) => {
+                        line.verdict = "approximated";
+                        line.deviation = Some(*off);
+                    }
+                    Verdict::Rejected(reason) => {
+                        line.verdict = "rejected";
+                        line.reason = Some(reason.clone());
+                        line.form = None;
+                    }
+                }
+                if line.form.is_some() {
+                    *self.planes_per_face.entry(line.planes).or_default() += 1;
+                }
+                for cell in &compiled.cells {
+                    let cuts = cell.cuts.len() + if cell.flat.is_some() { 2 } else { 0 };
+                    *self.cuts_per_object.entry(cuts).or_default() += 1;
+                }
+            }
+            let counts = self.counts.entry(line.surface.clone()).or_default();
+            for counts in [counts, &mut self.total] {
+                match line.verdict {
+                    "exact" => counts.exact += 1,
+                    "approximated" => counts.approximated += 1,
+                    _ => counts.rejected += 1,
+                }
+            }
+            self.faces.push(line);
+        }
+    }
+}
+
+fn edges(model: &Model, courses: &Courses) -> EdgeCounts {
+    let mut counts = EdgeCounts::default();
+    for (index, edge) in model.edges.iter().enumerate() {
+        counts.total += 1;
+        match (&edge.curve, edge.curve.plane()) {
+            (super::curve::Curve::Line { .. }, _) => counts.straight += 1,
+            (_, Some(_)) => counts.planar += 1,
+            (_, None) => {
+                counts.spatial += 1;
+                counts.pieces += courses.of(index).map_or(0, |course| course.pieces.len());
+            }
+        }
+    }
+    counts
+}
+
+fn notes(report: &Report) -> Vec<String> {
+    let mut notes = vec![];
+    for face in &report.faces {
+        match (&face.deviation, &face.reason) {
+            (Some(off), _) => notes.push(format!(
+                "face `{}` ({}): approximated, its border is off by at most {off:.3e}",
+                face.name, face.surface
+            )),
+            (_, Some(reason)) => notes.push(format!(
+                "face `{}` ({}): rejected, {reason}",
+                face.name, face.surface
+            )),
+            _ => {}
+        }
+    }
+    let Counts {
+        exact,
+        approximated,
+        rejected,
+    } = report.total;
+    notes.push(format!(
+        "{} faces of {} solids: {exact} exact, {approximated} approximated, {rejected} rejected",
+        report.faces.len(),
+        report.solids
+    ));
+    notes
+}

@@ -1,0 +1,135 @@
+//! The scene of a compiled part.
+
+use super::compile::{Cell, Compiled};
+use super::model::Model;
+use super::planes::{Planes, SharedPlane};
+use super::vector::{along, times, unit};
+use imogene_models::scene::{
+    Camera, Cut, FORMAT_VERSION, ImageSize, Light, Object, SceneFile, Shape, Surface,
+};
+
+/// What became of a solid.
+pub enum Compilation {
+    /// One volume for all its faces.
+    Volume(Cell),
+    /// Each face by itself, in the order of the solid.
+    Faces(Vec<Compiled>),
+}
+
+/// The scene; nothing if no object is left.
+pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<SceneFile> {
+    let mut objects = vec![];
+    for (solid, compilation) in model.solids.iter().zip(solids) {
+        match compilation {
+            Compilation::Volume(cell) => {
+                objects.push(object(&solid.name, &solid.material, cell, planes));
+            }
+            Compilation::Faces(faces) => {
+                for (face, compiled) in solid.faces.iter().zip(faces) {
+                    let face = &model.faces[*face].name;
+                    for (index, cell) in compiled.cells.iter().enumerate() {
+                        let name = match compiled.cells.len() {
+                            1 => format!("{}/{face}", solid.name),
+                            _ => format!("{}/{face}#{}", solid.name, index + 1),
+                        };
+                        objects.push(object(&name, &solid.material, cell, planes));
+                    }
+                }
+            }
+        }
+    }
+    (!objects.is_empty()).then(|| SceneFile {
+        format: FORMAT_VERSION,
+        title: model.title.clone(),
+        background: [0.09, 0.11, 0.15],
+        ambient: [1.0; 3],
+        image: ImageSize::default(),
+        camera: camera(model),
+        lights: lights(),
+        materials: model.materials.clone(),
+        objects,
+    })
+}
+
+/// A cell of a quadric face is a patch, one of a plane face a solid without thickness, a volume a solid.
+fn object(name: &str, material: &str, cell: &Cell, planes: &Planes) -> Object {
+    let volume = name.find('/').is_none();
+    let mut cuts: Vec<Cut> = vec![];
+    if let Some(flat) = cell.flat {
+        cuts.extend([true, false].map(|positive| cut(planes.get(flat), positive)));
+    }
+    cuts.extend(
+        cell.cuts
+            .iter()
+            .map(|(plane, positive)| cut(planes.get(*plane), *positive)),
+    );
+    let solid = cell.flat.is_some() || volume;
+    Object {
+        name: name.to_owned(),
+        shape: match cell.quadric {
+            Some(implicit) => Shape::Quadric {
+                coefficients: implicit.0,
+            },
+            None => Shape::Polyhedron,
+        },
+        processor: None,
+        mode: if solid {
+            Surface::Solid
+        } else {
+            Surface::Patch
+        },
+        material: material.to_owned(),
+        place: vec![],
+        cuts,
+        // A face without thickness would keep light off what is behind it twice over.
+        casts_shadow: true,
+    }
+}
+
+/// The cut that keeps the side of the plane's normal, or the other.
+fn cut(plane: SharedPlane, positive: bool) -> Cut {
+    Cut {
+        point: plane.point,
+        normal: if positive {
+            // Without the sign of a zero.
+            plane.normal.map(|v| 0.0 - v)
+        } else {
+            plane.normal
+        },
+    }
+}
+
+/// All of the part, from above on the right.
+fn camera(model: &Model) -> Camera {
+    let size = model.size();
+    let target = model.middle().map(|v| rounded(v, size));
+    let distance = rounded(2.2 * size, size);
+    let eye = along(target, distance, unit([0.55, 0.62, 0.85]));
+    Camera::Perspective {
+        eye: eye.map(|v| rounded(v, size)),
+        target,
+        up: [0.0, 1.0, 0.0],
+        viewer_distance: distance,
+        view_height: rounded(0.92 * size, size),
+    }
+}
+
+/// To a ten-thousandth of the size, for people who read the file.
+fn rounded(value: f64, size: f64) -> f64 {
+    let digits = (4.0 - size.log10().floor()).clamp(-9.0, 15.0);
+    let step = 10_f64.powf(digits);
+    (value * step).round() / step + 0.0
+}
+
+fn lights() -> Vec<Light> {
+    let light = |from, intensity| Light::Directional {
+        from,
+        colour: [1.0; 3],
+        intensity,
+        shadows: false,
+    };
+    vec![
+        light([-3.0, 5.0, 7.0], 0.75),
+        light(times(1.0, [6.0, 2.0, 1.0]), 0.35),
+    ]
+}

@@ -1,0 +1,97 @@
+//! Vectors of three numbers.
+
+/// A point or a vector, scene units.
+pub type Vector = [f64; 3];
+
+/// `u + v`.
+pub fn plus(u: Vector, v: Vector) -> Vector {
+    std::array::from_fn(|k| u[k] + v[k])
+}
+
+/// `u - v`.
+pub fn minus(u: Vector, v: Vector) -> Vector {
+    std::array::from_fn(|k| u[k] - v[k])
+}
+
+/// `factor * v`.
+pub fn times(factor: f64, v: Vector) -> Vector {
+    v.map(|value| factor * value)
+}
+
+/// The point `origin + factor * direction`.
+pub fn along(origin: Vector, factor: f64, direction: Vector) -> Vector {
+    plus(origin, times(factor, direction))
+}
+
+/// Scalar product.
+pub fn dot(u: Vector, v: Vector) -> f64 {
+    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+}
+
+/// Vector product.
+pub fn cross(u: Vector, v: Vector) -> Vector {
+    [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+}
+
+/// Length.
+pub fn length(v: Vector) -> f64 {
+    let greatest = v.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    if greatest == 0.0 {
+        return 0.0;
+    }
+    greatest * dot(times(1.0 / greatest, v), times(1.0 / greatest, v)).sqrt()
+}
+
+/// Distance of two points.
+pub fn distance(p: Vector, q: Vector) -> f64 {
+    length(minus(p, q))
+}
+
+/// The vector of length 1, exactly the given one if that is an axis of the frame; a zero vector stays as it is.
+pub fn unit(v: Vector) -> Vector {
+    let size = length(v);
+    if size == 0.0 || size == 1.0 {
+        return v;
+    }
+    v.map(|value| value / size)
+}
+
+/// Part of `v` across the unit vector `axis`.
+pub fn across(v: Vector, axis: Vector) -> Vector {
+    along(v, -dot(v, axis), axis)
+}
+
+/// Two unit vectors that make a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector `axis`.
+pub fn frame(axis: Vector, turn: f64) -> [Vector; 2] {
+    let smallest = (0..3)
+        .min_by(|i, j| axis[*i].abs().total_cmp(&axis[*j].abs()))
+        .expect("three axes");
+    let mut other = [0.0; 3];
+    other[smallest] = 1.0;
+    let e1 = unit(across(other, axis));
+    let e2 = cross(axis, e1);
+    let (sine, cosine) = turn.sin_cos();
+    [
+        plus(times(cosine, e1), times(sine, e2)),
+        plus(times(-sine, e1), times(cosine, e2)),
+    ]
+}
+
+/// The point of the plane through `origin` with the unit vector `normal` nearest to `p`.
+pub fn onto_plane(p: Vector, origin: Vector, normal: Vector) -> Vector {
+    along(p, -dot(minus(p, origin), normal), normal)
+}
+
+/// An angle brought into 0 to 2 pi.
+pub fn positive_angle(angle: f64) -> f64 {
+    let turned = angle.rem_euclid(std::f64::consts::TAU);
+    if turned >= std::f64::consts::TAU {
+        0.0
+    } else {
+        turned
+    }
+}

@@ -1,0 +1,180 @@
+//! A whole solid as one volume: a quadric, its inside or its outside, cut by the planes of the plane faces.
+//!
+//! The form is not guessed but proven: on every surface of the solid the pieces that the AND of all half-spaces keeps are the faces.
+
+use super::arrangement::{Boundary, Division};
+use super::chart::Separator;
+use super::compile::Cell;
+use super::courses::Courses;
+use super::curve::Curve;
+use super::model::{COINCIDENT, Model, border};
+use super::planes::Planes;
+use super::surface::{Implicit, Surface};
+use super::vector::{Vector, dot, minus};
+use imogene_models::scene::MAX_CUTS;
+
+/// The half-spaces of a solid.
+struct Body {
+    quadric: Option<(Surface, Implicit)>,
+    /// Planes, and whether the side of their normal is kept.
+    cuts: Vec<(usize, bool)>,
+}
+
+/// The one cell that is the whole solid, if there is one.
+pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Planes) -> Option<Cell> {
+    let faces = &model.solids[solid].faces;
+    let exact = |face: &usize| {
+        super::compile::deviation(model, &model.faces[*face], courses).is_ok_and(|off| off == 0.0)
+    };
+    if faces.is_empty() || !faces.iter().all(exact) {
+        return None;
+    }
+    let mut body = body(model, faces, planes)?;
+    if proven(model, faces, &body, planes) {
+        return Some(body.cell());
+    }
+    // A cone goes on beyond its apex unless something keeps its other nappe off.
+    let (Surface::Cone { apex, axis, .. }, _) = body.quadric.clone()? else {
+        return None;
+    };
+    let nappes = planes.find_or_add(apex, axis);
+    let positive = dot(planes.get(nappes).normal, axis) > 0.0;
+    body.cuts.push((nappes, positive));
+    (body.cuts.len() <= MAX_CUTS && proven(model, faces, &body, planes)).then(|| body.cell())
+}
+
+impl Body {
+    fn cell(&self) -> Cell {
+        Cell {
+            quadric: self.quadric.as_ref().map(|(_, implicit)| *implicit),
+            flat: None,
+            cuts: self.cuts.clone(),
+        }
+    }
+}
+
+fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
+    let mut body = Body {
+        quadric: None,
+        cuts: vec![],
+    };
+    for face in faces.iter().map(|face| &model.faces[*face]) {
+        if let Surface::Plane { origin, normal } = face.surface {
+            let index = planes.find_or_add(origin, normal);
+            let outwards = dot(planes.get(index).normal, normal) > 0.0;
+            let kept = (index, outwards == face.reversed);
+            if body.cuts.contains(&(index, !kept.1)) {
+                return None;
+            }
+            if !body.cuts.contains(&kept) {
+                body.cuts.push(kept);
+            }
+            continue;
+        }
+        let mut implicit = face.surface.implicit()?;
+        if face.reversed {
+            implicit = implicit.negated();
+        }
+        match &body.quadric {
+            None => body.quadric = Some((face.surface.clone(), implicit)),
+            Some((surface, known)) => {
+                let same = surface.same(&face.surface, COINCIDENT * model.size());
+                let [_, _, a] = known.on_line(model.middle(), [0.0; 3]);
+                let [_, _, b] = implicit.on_line(model.middle(), [0.0; 3]);
+                if !same || (a > 0.0) != (b > 0.0) {
+                    return None;
+                }
+            }
+        }
+    }
+    (body.cuts.len() <= MAX_CUTS).then_some(body)
+}
+
+/// Whether the AND of all half-spaces keeps of every surface exactly its faces.
+fn proven(model: &Model, faces: &[usize], body: &Body, planes: &Planes) -> bool {
+    let (flat, curved): (Vec<usize>, Vec<usize>) = faces
+        .iter()
+        .partition(|face| model.faces[**face].surface.is_plane());
+    let on_quadric = curved.is_empty() || keeps(model, &curved, body, None, planes);
+    on_quadric
+        && body.cuts.iter().enumerate().all(|(index, (plane, _))| {
+            let shared = planes.get(*plane);
+            let own: Vec<usize> = flat
+                .iter()
+                .copied()
+                .filter(|face| match model.faces[*face].surface {
+                    Surface::Plane { origin, normal } => {
+                        dot(normal, shared.normal).abs() > 1.0 - 1e-12
+                            && on_plane(model, origin, shared.point, shared.normal)
+                    }
+                    _ => false,
+                })
+                .collect();
+            // The plane between the nappes of a cone has no face of its own.
+            own.is_empty() || keeps(model, &own, body, Some(index), planes)
+        })
+}
+
+fn on_plane(model: &Model, p: Vector, origin: Vector, normal: Vector) -> bool {
+    dot(minus(p, origin), normal).abs() <= COINCIDENT * model.size()
+}
+
+/// The same on one surface: that of cut number `cut`, or of the quadric.
+fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes: &Planes) -> bool {
+    let surface = &model.faces[faces[0]].surface;
+    let mut separators = vec![];
+    let mut wanted: u128 = 0;
+    for (index, (plane, positive)) in body.cuts.iter().enumerate() {
+        if Some(index) != cut {
+            wanted |= u128::from(*positive) << separators.len();
+            separators.push(planes.separator(*plane));
+        }
+    }
+    if let (Some((_, implicit)), Some(_)) = (&body.quadric, cut) {
+        separators.push(Separator::Quadric(*implicit));
+    }
+    let uses = faces
+        .iter()
+        .flat_map(|face| model.faces[*face].loops.iter().flatten().copied());
+    let mut boundaries = vec![];
+    for edge_use in border(uses) {
+        let curve = model.edges[edge_use.edge].curve.clone();
+        let Some(separator) = carrier(model, &curve, &separators, body) else {
+            return false;
+        };
+        boundaries.push(Boundary {
+            separator,
+            curve,
+            forward: edge_use.forward,
+        });
+    }
+    let division = Division {
+        surface,
+        separators: &separators,
+        boundaries: &boundaries,
+        size: model.size(),
+    };
+    division.samples().is_ok_and(|samples| {
+        samples
+            .iter()
+            .all(|sample| (sample.sides == wanted) == sample.inside)
+    })
+}
+
+/// The separator on which a curve lies.
+fn carrier(model: &Model, curve: &Curve, separators: &[Separator], body: &Body) -> Option<usize> {
+    let tolerance = COINCIDENT * model.size();
+    let points = curve.sampled(16);
+    separators.iter().position(|separator| match separator {
+        Separator::Plane { normal, offset } => points
+            .iter()
+            .all(|p| (dot(*normal, *p) - offset).abs() <= tolerance),
+        Separator::Quadric(_) => {
+            let surface = body.quadric.as_ref().map(|(surface, _)| surface);
+            points.iter().all(|p| {
+                let nearest = surface.and_then(|s| s.nearest(*p));
+                nearest.is_some_and(|q| super::vector::distance(*p, q) <= tolerance)
+            })
+        }
+    })
+}
