@@ -7,8 +7,8 @@
 use super::chart::{Chart, Separator};
 use super::curve::Curve;
 use super::surface::Surface;
-use super::vector::{Vector, dot};
-use std::f64::consts::TAU;
+use super::vector::{Vector, dot, positive_angle};
+use std::f64::consts::{PI, TAU};
 
 /// Most separators of one face: a sample has one bit for each.
 pub const MAX_SEPARATORS: usize = 128;
@@ -49,6 +49,45 @@ pub enum Confusion {
     TooMany,
 }
 
+/// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    from: f64,
+    /// Negative if it runs backwards.
+    sweep: f64,
+}
+
+impl Span {
+    /// The span of a curve that is given by points; others know their extent themselves.
+    fn of(chart: &Chart, curve: &Curve) -> Option<Span> {
+        let (Chart::Ruled { .. }, Curve::Points { .. }) = (chart, curve) else {
+            return None;
+        };
+        let angles: Vec<f64> = curve
+            .sampled(1)
+            .into_iter()
+            .map(|p| chart.u_of(p))
+            .collect();
+        let sweep = angles
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0] + PI).rem_euclid(TAU) - PI)
+            .sum();
+        Some(Span {
+            from: angles[0],
+            sweep,
+        })
+    }
+
+    fn has(self, u: f64) -> bool {
+        let turned = if self.sweep < 0.0 {
+            self.from - u
+        } else {
+            u - self.from
+        };
+        positive_angle(turned) < self.sweep.abs()
+    }
+}
+
 /// What is needed to divide a face.
 pub struct Division<'a> {
     /// The support surface.
@@ -78,9 +117,14 @@ impl Division<'_> {
         let Some(chart) = Chart::of(self.surface, self.separators) else {
             return Ok(vec![]);
         };
+        let spans: Vec<Option<Span>> = self
+            .boundaries
+            .iter()
+            .map(|boundary| Span::of(&chart, &boundary.curve))
+            .collect();
         let mut lines = vec![];
         for u in self.middles(&chart) {
-            lines.push((u, self.crossings(&chart, u)));
+            lines.push((u, self.crossings(&chart, u, &spans)));
         }
         let pole = self.pole(&lines)?;
         let mut samples = vec![];
@@ -128,7 +172,7 @@ impl Division<'_> {
             .collect()
     }
 
-    fn crossings(&self, chart: &Chart, u: f64) -> Vec<Crossing> {
+    fn crossings(&self, chart: &Chart, u: f64, spans: &[Option<Span>]) -> Vec<Crossing> {
         let mut all = vec![];
         for (index, separator) in self.separators.iter().enumerate() {
             for w in chart.crossings(u, separator) {
@@ -140,8 +184,10 @@ impl Division<'_> {
                     edges: 0,
                     inside_above: false,
                 };
-                for boundary in self.boundaries.iter().filter(|b| b.separator == index) {
-                    self.pass(chart, u, boundary, &mut crossing);
+                for (boundary, span) in self.boundaries.iter().zip(spans) {
+                    if boundary.separator == index {
+                        self.pass(chart, u, boundary, *span, &mut crossing);
+                    }
                 }
                 all.push(crossing);
             }
@@ -151,8 +197,19 @@ impl Division<'_> {
     }
 
     /// Counts an edge that passes this crossing.
-    fn pass(&self, chart: &Chart, u: f64, boundary: &Boundary, crossing: &mut Crossing) {
+    fn pass(
+        &self,
+        chart: &Chart,
+        u: f64,
+        boundary: &Boundary,
+        span: Option<Span>,
+        crossing: &mut Crossing,
+    ) {
         if matches!(self.surface, Surface::Cone { .. }) && crossing.w <= 0.0 {
+            return;
+        }
+        if let Some(span) = span {
+            crossing.edges += usize::from(span.has(u));
             return;
         }
         let p = chart.point(u, crossing.w);

@@ -4,12 +4,16 @@ use super::arrangement::{Boundary, Confusion, Division, MAX_SEPARATORS, Sample};
 use super::chart::Separator;
 use super::courses::Courses;
 use super::cover::{Conflict, Term, cover};
+use super::curve::Curve;
 use super::gap::gap;
 use super::model::{COINCIDENT, Face, Model};
 use super::planes::Planes;
 use super::surface::{Implicit, Surface};
-use super::vector::{Vector, along, cross, dot, minus, plus, times, unit};
+use super::vector::{
+    Vector, along, cross, dot, length, minus, onto_plane, plus, positive_angle, times, unit,
+};
 use imogene_models::scene::MAX_CUTS;
+use std::f64::consts::{PI, TAU};
 
 /// Most rounds of splitting a face before it is given up: the depth limit of trim structures (thesis section III.4.2).
 pub const MAX_ROUNDS: usize = 13;
@@ -125,6 +129,7 @@ pub fn terms(
     planes: &mut Planes,
     refine: impl Fn(&Parting, &[Term], &[Sample]) -> Vec<(Vector, Vector)>,
 ) -> Result<Vec<Term>, String> {
+    let mut trouble = "";
     for _ in 0..MAX_ROUNDS {
         let division = Division {
             surface,
@@ -137,12 +142,16 @@ pub fn terms(
             return Err("its loops enclose nothing".into());
         }
         let new = match cover(&samples, &parting.ranks) {
-            Err(conflict) => vec![between(&conflict, surface)],
+            Err(conflicts) => {
+                trouble = "pieces of it lie on the same side of all its planes as others that are not of it";
+                conflicts.iter().map(|c| between(c, surface)).collect()
+            }
             Ok(terms) => {
                 let new = refine(parting, &terms, &samples);
                 if new.is_empty() {
                     return Ok(terms);
                 }
+                trouble = "a convex piece of it has more sides than an object has cut planes";
                 new
             }
         };
@@ -151,7 +160,7 @@ pub fn terms(
         }
     }
     Err(format!(
-        "its border is not resolved into cells of at most {MAX_CUTS} cut planes in {MAX_ROUNDS} rounds of splitting and {MAX_SEPARATORS} planes"
+        "it is not resolved within {MAX_ROUNDS} rounds of splitting and {MAX_SEPARATORS} planes: {trouble}"
     ))
 }
 
@@ -217,6 +226,8 @@ pub fn quadric_face(
         Ok(parting) => parting,
         Err(reason) => return Compiled::rejected(reason),
     };
+    let apart = between_loops(model, face);
+    parting.split(planes, &apart);
     let refine = |_: &Parting, terms: &[Term], samples: &[Sample]| {
         terms
             .iter()
@@ -302,7 +313,7 @@ pub fn parting(
             let separator = parting.plane(planes, plane, EDGE);
             parting.boundaries.push(Boundary {
                 separator,
-                curve: curve.clone(),
+                curve: on_sphere(curve, &face.surface).unwrap_or_else(|| curve.clone()),
                 forward: edge_use.forward,
             });
         }
@@ -312,6 +323,72 @@ pub fn parting(
         parting.plane(planes, nappes, AUXILIARY);
     }
     Ok(parting)
+}
+
+/// Planes halfway between loops with edges that are taken apart: what bounds one has nothing to do with what bounds the other.
+fn between_loops(model: &Model, face: &Face) -> Vec<(Vector, Vector)> {
+    let spatial = |edge: usize| {
+        let curve = &model.edges[edge].curve;
+        matches!(curve, Curve::Points { plane: None, .. })
+    };
+    let middles: Vec<Vector> = face
+        .loops
+        .iter()
+        .filter(|own| own.iter().any(|u| spatial(u.edge)))
+        .map(|own| {
+            let points: Vec<Vector> = own
+                .iter()
+                .flat_map(|u| model.edges[u.edge].curve.sampled(16))
+                .collect();
+            let share = 1.0 / points.len() as f64;
+            points.iter().fold([0.0; 3], |sum, p| along(sum, share, *p))
+        })
+        .collect();
+    let mut planes = vec![];
+    for (index, p) in middles.iter().enumerate().take(8) {
+        for q in middles[index + 1..].iter().take(8) {
+            let apart = minus(*q, *p);
+            if length(apart) > COINCIDENT * model.size() {
+                planes.push((times(0.5, plus(*p, *q)), unit(apart)));
+            }
+        }
+    }
+    planes
+}
+
+/// The arc in which the plane of a curve given by points meets a sphere, from its first point to its last.
+fn on_sphere(curve: &Curve, surface: &Surface) -> Option<Curve> {
+    let (Surface::Sphere { centre, .. }, Curve::Points { points, closed, .. }) = (surface, curve)
+    else {
+        return None;
+    };
+    let (origin, normal) = curve.plane()?;
+    let centre = onto_plane(*centre, origin, normal);
+    let first = minus(points[0], centre);
+    let (radius, x) = (length(first), unit(first));
+    let angle = |p: Vector, normal: Vector| {
+        let from = minus(p, centre);
+        positive_angle(dot(from, cross(normal, x)).atan2(dot(from, x)))
+    };
+    // Counter-clockwise about the normal with which the points come in their order.
+    let normal = if angle(points[1], normal) < PI {
+        normal
+    } else {
+        times(-1.0, normal)
+    };
+    let sweep = if *closed {
+        TAU
+    } else {
+        angle(points[points.len() - 1], normal)
+    };
+    Some(Curve::Arc {
+        centre,
+        normal,
+        x,
+        radii: [radius; 2],
+        start: 0.0,
+        sweep,
+    })
 }
 
 /// The unit vector across a line within a plane.

@@ -43,15 +43,22 @@ pub struct Conflict {
     pub outside: Sample,
 }
 
+/// Most conflicts that are resolved at once.
+const MAX_CONFLICTS: usize = 8;
 /// Most patterns from which a term is grown.
 const MAX_SEEDS: usize = 400;
 
 /// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower rank are dropped first.
-pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Conflict> {
+pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Vec<Conflict>> {
     let kept: BTreeSet<u128> = sides(samples, true);
     let lost: Vec<u128> = sides(samples, false).into_iter().collect();
-    if let Some(both) = lost.iter().find(|side| kept.contains(side)) {
-        return Err(nearest_conflict(samples, *both));
+    let both = lost.iter().filter(|side| kept.contains(side));
+    let conflicts: Vec<Conflict> = both
+        .take(MAX_CONFLICTS)
+        .map(|sides| nearest_conflict(samples, *sides))
+        .collect();
+    if !conflicts.is_empty() {
+        return Err(conflicts);
     }
     let candidates = candidates(&kept, &lost, ranks);
     let mut open = kept;
@@ -175,7 +182,7 @@ mod tests {
     #[test]
     fn a_piece_on_both_sides_is_a_conflict() {
         let samples = [sample((5, true)), sample((5, false)), sample((1, true))];
-        let conflict = cover(&samples, &[0; 3]).unwrap_err();
+        let conflict = cover(&samples, &[0; 3]).unwrap_err()[0];
         assert!(conflict.inside.inside && !conflict.outside.inside && conflict.inside.sides == 5);
     }
 

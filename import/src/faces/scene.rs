@@ -3,7 +3,7 @@
 use super::compile::{Cell, Compiled};
 use super::model::Model;
 use super::planes::{Planes, SharedPlane};
-use super::vector::{along, times, unit};
+use super::vector::{Vector, along, cross, dot, minus, unit};
 use imogene_models::scene::{
     Camera, Cut, FORMAT_VERSION, ImageSize, Light, Object, SceneFile, Shape, Surface,
 };
@@ -81,7 +81,6 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes) -> Object {
         material: material.to_owned(),
         place: vec![],
         cuts,
-        // A face without thickness would keep light off what is behind it twice over.
         casts_shadow: true,
     }
 }
@@ -99,19 +98,50 @@ fn cut(plane: SharedPlane, positive: bool) -> Cut {
     }
 }
 
-/// All of the part, from above on the right.
+/// Where the part is looked at from: above on the right.
+const FROM: Vector = [0.55, 0.62, 0.85];
+/// What the picture shows of the part's box, and a margin around it.
+const MARGIN: f64 = 1.08;
+
+/// All of the part, as large as the picture lets it be.
 fn camera(model: &Model) -> Camera {
     let size = model.size();
     let target = model.middle().map(|v| rounded(v, size));
     let distance = rounded(2.2 * size, size);
-    let eye = along(target, distance, unit([0.55, 0.62, 0.85]));
+    let eye = along(target, distance, unit(FROM)).map(|v| rounded(v, size));
+    let forward = unit(minus(target, eye));
+    let right = unit(cross(forward, [0.0, 1.0, 0.0]));
+    let down = cross(forward, right);
+    let ImageSize { width, height } = ImageSize::default();
+    let shape = f64::from(height) / f64::from(width);
+    let half = corners(model.bounds)
+        .map(|corner| {
+            let from = minus(corner, eye);
+            let reach = distance / dot(from, forward);
+            let (x, y) = (dot(from, right).abs(), dot(from, down).abs());
+            reach * y.max(x * shape)
+        })
+        .fold(0.0, f64::max);
     Camera::Perspective {
-        eye: eye.map(|v| rounded(v, size)),
+        eye,
         target,
         up: [0.0, 1.0, 0.0],
         viewer_distance: distance,
-        view_height: rounded(0.92 * size, size),
+        view_height: rounded(2.0 * MARGIN * half, size),
     }
+}
+
+/// The eight corners of a box.
+fn corners([low, high]: [Vector; 2]) -> impl Iterator<Item = Vector> {
+    (0..8).map(move |k| {
+        std::array::from_fn(|axis| {
+            if k >> axis & 1 == 0 {
+                low[axis]
+            } else {
+                high[axis]
+            }
+        })
+    })
 }
 
 /// To a ten-thousandth of the size, for people who read the file.
@@ -128,8 +158,5 @@ fn lights() -> Vec<Light> {
         intensity,
         shadows: false,
     };
-    vec![
-        light([-3.0, 5.0, 7.0], 0.75),
-        light(times(1.0, [6.0, 2.0, 1.0]), 0.35),
-    ]
+    vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)]
 }
