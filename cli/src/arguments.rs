@@ -1,16 +1,17 @@
 //! Arguments of every command.
 
-mod evaluate;
 mod detail;
+mod evaluate;
 mod frames;
 mod import;
 mod machine;
 mod oracle;
 mod split;
+mod terrain;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-pub use evaluate::Evaluate;
 pub use detail::Detail;
+pub use evaluate::Evaluate;
 pub use frames::FrameRange;
 use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
 use imogene_models::format::FittedWidths;
@@ -22,13 +23,14 @@ use imogene_rtl::catalogue::Unit;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
-pub use import::{Import, ImportKind};
+pub use import::{CellForm, Import, ImportKind};
 pub use machine::Machine;
-pub use oracle::{Cracks, Repair, Trace};
 pub use machine::{Machine, Refine};
+pub use oracle::{Cracks, Repair, Trace};
 pub use split::Split;
 use std::path::PathBuf;
 use std::str::FromStr;
+pub use terrain::Terrain;
 
 /// Hardware that draws quadrics, proven against a golden model.
 ///
@@ -69,6 +71,8 @@ pub enum Command {
     Cosim(Cosim),
     /// Read a molecule, CAD faces or terrain and write them as a scene.
     Import(Import),
+    /// Make a grid of heights at random, for `imogene import`.
+    Terrain(Terrain),
     /// Show scenes on the pins of a whole machine: Verilog from a machine description, co-simulation of every clock, and the picture from the pins.
     Machine(Machine),
     /// Compare golden pictures with those of an independent ray tracer in interval and exact arithmetic.

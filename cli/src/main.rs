@@ -24,6 +24,7 @@ fn main() -> ExitCode {
         Command::Prepare(options) => command::prepare::run(options, json),
         Command::Cosim(options) => command::cosim::run(options, json),
         Command::Import(options) => command::import::run(options, json),
+        Command::Terrain(options) => command::terrain::run(options, json),
         Command::Machine(options) => command::machine::run(options, json),
         Command::Trace(options) => command::trace::run(options, json),
         Command::Cracks(options) => command::cracks::run(options, json),

@@ -8,8 +8,8 @@
 pub mod animation;
 pub mod check;
 pub mod compare;
-pub mod evaluate;
 pub mod detail;
+pub mod evaluate;
 pub mod exact;
 pub mod fit;
 pub mod format;

@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use imogene_models::format::Format;
 use imogene_models::prepare::error::PrepareError;
-use imogene_models::prepare::prepare as prepare_scene;
+use imogene_models::prepare::{prepare as prepare_scene, prepare_for_roots};
 use imogene_models::rational::integer;
 use imogene_models::scene::{FramedQuadric, Projection, Surface};
 
@@ -62,20 +62,26 @@ fn viewer_in_the_part_that_is_cut_away_is_accepted() {
 
 #[test]
 fn viewer_exactly_on_the_quadric() {
-    for surface in [Surface::Solid, Surface::Patch] {
-        let on = object(
-            "ball",
-            surface,
-            sphere([0, 0, -700], 300),
-            &[[0, 0, -1, -600]],
-        );
-        let error = refusal(on);
-        assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
-        assert_says(
-            &error,
-            &["'ball'", "exactly on this quadric", "move the camera"],
-        );
-    }
+    let on = object("ball", Surface::Solid, sphere([0, 0, -700], 300), &[]);
+    let error = refusal(on);
+    assert!(matches!(error, PrepareError::ViewerOnSolid { .. }));
+    assert_says(&error, &["'ball'", "exactly on the surface", "patch"]);
+    let cut = object(
+        "ball",
+        Surface::Patch,
+        sphere([0, 0, -700], 300),
+        &[[0, 0, -1, -600]],
+    );
+    let projection = Projection::Perspective {
+        distance: integer(1000),
+    };
+    let scene = scene_of(WIDTH, HEIGHT, projection, vec![cut]);
+    let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
+    assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
+    assert_says(
+        &error,
+        &["'ball'", "exactly on this quadric", "move the camera"],
+    );
 }
 
 #[test]
@@ -97,11 +103,9 @@ fn orthographic_view_along_an_asymptotic_direction() {
     let projection = Projection::Orthographic {
         half_depth: integer(500),
     };
-    let error = refusal_in(
-        projection,
-        Format::BASE,
-        object("trough", Surface::Solid, trough, &[]),
-    );
+    let trough = object("trough", Surface::Solid, trough, &[]);
+    let scene = scene_of(WIDTH, HEIGHT, projection, vec![trough]);
+    let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
     assert!(matches!(error, PrepareError::AsymptoticView { .. }));
     assert_says(
         &error,

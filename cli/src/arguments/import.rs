@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 pub use faces::FaceOptions;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;
-pub use terrain::TerrainOptions;
+pub use terrain::{CellForm, TerrainOptions};
 
 /// Arguments of `import`.
 #[derive(Debug, Args)]

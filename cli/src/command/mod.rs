@@ -28,6 +28,7 @@ pub mod shading;
 pub mod speed;
 pub mod sweep;
 pub mod synth;
+pub mod terrain;
 pub mod trace;
 pub mod trade;
 pub mod units;

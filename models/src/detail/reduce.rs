@@ -210,6 +210,7 @@ fn in_box(words: &ProcessorWords, screen_box: ScreenBox) -> ProcessorWords {
         ProcessorWords::Sphere(words) => &mut words.screen_box,
         ProcessorWords::Cylinder(words) => &mut words.screen_box,
         ProcessorWords::CurvedFacet(words) => &mut words.screen_box,
+        ProcessorWords::Quotient(words) => &mut words.screen_box,
     } = screen_box;
     words
 }

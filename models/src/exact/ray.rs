@@ -85,7 +85,7 @@ impl RayObject {
         }
     }
 
-    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, a non-planar facet, has a near face alone.
+    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, such as a non-planar facet, has a near face alone.
     fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
         if a.is_zero() && !b.is_zero() {
             let w = SurdReal::ratio(-c, b.clone());
@@ -138,15 +138,25 @@ impl RayObject {
                 part: 0,
             });
         }
+        let kept = |w: &SurdReal| {
+            w.cmp_ratio(&start.0, &start.1) != Ordering::Less
+                && w.cmp_ratio(&end.0, &end.1) != Ordering::Greater
+                && w.signum() == Ordering::Less
+        };
+        if a.is_zero() && !b.is_zero() {
+            // A line of sight that meets the quadric once enters it there.
+            let w = SurdReal::ratio(-c, b.clone());
+            return kept(&w).then_some(Hit {
+                w,
+                number: FACE_NEAR,
+                part: 0,
+            });
+        }
         let roots = ordered_roots(a, b, c)?;
         roots
             .into_iter()
             .zip([FACE_NEAR, FACE_FAR])
-            .find(|(w, _)| {
-                w.cmp_ratio(&start.0, &start.1) != Ordering::Less
-                    && w.cmp_ratio(&end.0, &end.1) != Ordering::Greater
-                    && w.signum() == Ordering::Less
-            })
+            .find(|(w, _)| kept(w))
             .map(|(w, number)| Hit { w, number, part: 0 })
     }
 

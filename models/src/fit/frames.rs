@@ -6,7 +6,7 @@ use crate::format::{FittedWidths, Format};
 use crate::machine::fitted::{FittedMachine, FittedSlot};
 use crate::metrics::{Drawing, Metrics, Truth, measure};
 use crate::prepare::error::PrepareError;
-use crate::prepare::{NeededWidths, PreparedScene, prepare};
+use crate::prepare::{NeededWidths, PreparedScene, prepare_for_roots};
 use crate::scene::{FramedScene, SceneFile};
 
 /// One frame.
@@ -110,7 +110,7 @@ impl Frames {
         for ((name, _), scene) in files.iter().zip(&scenes) {
             check(name, scene, scenes[0].objects.len())?;
             // What the base format refuses no other words take: f2 and the planes grow with the depth word.
-            let refused = prepare(scene, Format::BASE).err();
+            let refused = prepare_for_roots(scene, Format::BASE).err();
             if let Some(source) = refused {
                 return Err(FitError::Prepare {
                     scene: name.clone(),
@@ -191,7 +191,7 @@ impl Frames {
         };
         let mut all = Vec::new();
         for frame in &self.0 {
-            match prepare(&frame.scene, format) {
+            match prepare_for_roots(&frame.scene, format) {
                 Ok(prepared) => all.push(prepared),
                 Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {
                     return Ok(None);

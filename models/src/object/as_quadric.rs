@@ -75,6 +75,11 @@ impl ProcessorWords {
                 ));
             }
             Self::CurvedFacet(_) => return Err(AsQuadricError::Processor("a curved facet")),
+            Self::Quotient(_) => {
+                return Err(AsQuadricError::Processor(
+                    "a quadric that the viewer lies on",
+                ));
+            }
         };
         fits(words.planes.len(), planes)?;
         Ok(words)

@@ -13,6 +13,7 @@ pub mod paraboloid;
 pub mod patch;
 pub mod polyhedron;
 pub mod quadric;
+pub mod quotient;
 pub mod running;
 pub mod slot;
 pub mod sphere;

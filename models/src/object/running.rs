@@ -7,6 +7,7 @@ use super::first_generation::FirstGenerationProcessor;
 use super::patch::PatchProcessor;
 use super::polyhedron::PolyhedronProcessor;
 use super::quadric::{ObjectPixel, QuadricProcessor};
+use super::quotient::QuotientProcessor;
 use super::slot::ProcessorWords;
 use super::sphere::SphereProcessor;
 use crate::format::Format;
@@ -30,6 +31,8 @@ pub enum RunningProcessor {
     Cylinder(CylinderProcessor),
     /// Processor of non-planar facets.
     CurvedFacet(CurvedFacetProcessor),
+    /// Quotient processor.
+    Quotient(QuotientProcessor),
 }
 
 impl RunningProcessor {
@@ -56,6 +59,9 @@ impl RunningProcessor {
             ProcessorWords::CurvedFacet(words) => {
                 Self::CurvedFacet(CurvedFacetProcessor::zone_start(words, format))
             }
+            ProcessorWords::Quotient(words) => {
+                Self::Quotient(QuotientProcessor::zone_start(words, format))
+            }
         }
     }
 
@@ -70,6 +76,7 @@ impl RunningProcessor {
             Self::Sphere(processor) => processor.line_step(),
             Self::Cylinder(processor) => processor.line_step(),
             Self::CurvedFacet(processor) => processor.line_step(),
+            Self::Quotient(processor) => processor.line_step(),
         }
     }
 
@@ -84,6 +91,7 @@ impl RunningProcessor {
             Self::Sphere(processor) => processor.pixel(),
             Self::Cylinder(processor) => processor.pixel(),
             Self::CurvedFacet(processor) => processor.pixel(),
+            Self::Quotient(processor) => processor.pixel(),
         }
     }
 }

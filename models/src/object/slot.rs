@@ -7,6 +7,7 @@ use super::first_generation::FirstGenerationWords;
 use super::line;
 use super::polyhedron::PolyhedronWords;
 use super::quadric::{ObjectPixel, QuadricWords, ScreenBox};
+use super::quotient::QuotientWords;
 use super::running::RunningProcessor;
 use super::sphere::SphereWords;
 use crate::format::Format;
@@ -32,6 +33,8 @@ pub enum ProcessorWords {
     Cylinder(CylinderWords),
     /// Processor of non-planar facets.
     CurvedFacet(CurvedFacetWords),
+    /// Processor of a quadric that the eye lies on.
+    Quotient(QuotientWords),
 }
 
 /// A processor of a machine and the object of the scene that it draws a part of.
@@ -56,6 +59,7 @@ impl ProcessorWords {
             Self::Sphere(words) => &words.screen_box,
             Self::Cylinder(words) => &words.screen_box,
             Self::CurvedFacet(words) => &words.screen_box,
+            Self::Quotient(words) => &words.screen_box,
         }
     }
 
@@ -72,6 +76,7 @@ impl ProcessorWords {
             Self::Sphere(words) => Self::Sphere(words.for_zone(x0, y0, width, height)),
             Self::Cylinder(words) => Self::Cylinder(words.for_zone(x0, y0, width, height)),
             Self::CurvedFacet(words) => Self::CurvedFacet(words.for_zone(x0, y0, width, height)),
+            Self::Quotient(words) => Self::Quotient(words.for_zone(x0, y0, width, height)),
         }
     }
 
@@ -86,6 +91,7 @@ impl ProcessorWords {
             Self::Sphere(words) => Self::Sphere(words.every_line(step, first)),
             Self::Cylinder(words) => Self::Cylinder(words.every_line(step, first)),
             Self::CurvedFacet(words) => Self::CurvedFacet(words.every_line(step, first)),
+            Self::Quotient(words) => Self::Quotient(words.every_line(step, first)),
         }
     }
 

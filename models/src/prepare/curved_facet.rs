@@ -61,6 +61,7 @@ pub(super) fn prepare_curved_facet(
         normal,
     };
     Ok(PreparedParts {
+        depth_bound: None,
         name: object.name.clone(),
         words: vec![ProcessorWords::CurvedFacet(words)],
         screen_box: window,

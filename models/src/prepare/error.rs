@@ -13,7 +13,16 @@ pub enum PrepareError {
         /// Name of the object.
         object: String,
     },
-    /// The factor of z^2 is zero: depth is no square root.
+    /// The eye lies on the surface of the cut solid, which begins at the eye itself along half of the lines of sight.
+    #[error(
+        "object '{object}': the viewer lies exactly on the surface of this solid, so that no line of sight into it has a front; \
+         move the camera outside it, or draw it as `mode = \"patch\"`"
+    )]
+    ViewerOnSolid {
+        /// Name of the object.
+        object: String,
+    },
+    /// The factor of z^2 is zero: depth is no square root. The quotient processor draws it, unless the machine has none.
     #[error(
         "object '{object}': the viewer lies exactly on this quadric, whose depth is then no square root; \
          move the camera by any small amount"
@@ -22,7 +31,7 @@ pub enum PrepareError {
         /// Name of the object.
         object: String,
     },
-    /// Orthographic view along an asymptotic direction: depth is no square root.
+    /// Orthographic view along an asymptotic direction: depth is no square root. The quotient processor draws it, unless the machine has none.
     #[error(
         "object '{object}': the orthographic viewing direction is an asymptotic direction of this quadric \
          (a line of sight meets it once), so its depth is no square root; turn the object or the camera by any small angle"

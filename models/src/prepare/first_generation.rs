@@ -65,6 +65,7 @@ pub(super) fn prepare_first_generation(
         available,
     });
     Ok(PreparedParts {
+        depth_bound: None,
         name: name.clone(),
         words: vec![ProcessorWords::FirstGeneration(words)],
         screen_box: prepared.words.screen_box,

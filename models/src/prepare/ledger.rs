@@ -50,6 +50,11 @@ impl<'a> Ledger<'a> {
         }
     }
 
+    /// Name of the object.
+    pub fn object(&self) -> &'a str {
+        self.object
+    }
+
     /// The range over the whole box.
     pub fn on_box(&self) -> impl Fn(&QuadraticForm) -> (BigRational, BigRational) + use<> {
         let window = self.window;

@@ -32,6 +32,7 @@ pub(super) fn prepare_mesh(
     let places: Vec<Result<Seen, &'static str>> =
         mesh.vertices.iter().map(|v| place(v, context)).collect();
     let mut parts = PreparedParts {
+        depth_bound: None,
         name: mesh.name.clone(),
         words: vec![],
         screen_box: ScreenBox::EMPTY,

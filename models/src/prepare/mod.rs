@@ -16,6 +16,7 @@ mod parts;
 pub mod perspective;
 mod planes;
 mod polyhedron;
+mod quotient;
 mod round;
 pub mod rounding;
 pub mod screen_box;
@@ -26,7 +27,7 @@ use crate::format::{FittedWidths, Format};
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
-use crate::scene::{FramedObject, FramedScene, Projection};
+use crate::scene::{FramedObject, FramedQuadric, FramedScene, Projection};
 use crate::unit::root::fast_root;
 use again::Known;
 pub use again::{Kept, Reuse, prepare_again};
@@ -192,6 +193,8 @@ impl NeededWidths {
 pub struct Options {
     /// Pixel about which coefficients are rounded; the middle of each object's box if not given.
     pub anchor: Option<Anchor>,
+    /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the quotient processor.
+    pub roots_only: bool,
 }
 
 /// What all objects of a scene share.
@@ -284,14 +287,8 @@ fn prepare_object(
     context: &Context,
 ) -> Result<PreparedObject, PrepareError> {
     match object {
-        FramedObject::Quadric(q) => {
-            let prepared = object::prepare_quadric(q, context)?;
-            return Ok(PreparedObject::Quadric(prepared));
-        }
-        FramedObject::Patch(q) => {
-            let prepared = object::prepare_quadric(q, context)?;
-            return Ok(PreparedObject::Patch(prepared));
-        }
+        FramedObject::Quadric(q) => return prepare_cut(q, context, PreparedObject::Quadric),
+        FramedObject::Patch(q) => return prepare_cut(q, context, PreparedObject::Patch),
         other if !context.format.is_of_catalogue() => {
             return Err(PrepareError::NotFitted {
                 object: other.name().to_owned(),
@@ -311,9 +308,39 @@ fn prepare_object(
     }))
 }
 
+/// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.
+fn prepare_cut(
+    object: &FramedQuadric,
+    context: &Context,
+    by_its_own: fn(PreparedQuadric) -> PreparedObject,
+) -> Result<PreparedObject, PrepareError> {
+    if let Some(parts) = quotient::prepare_on_eye(object, context)? {
+        return Ok(PreparedObject::Parts(parts));
+    }
+    match object::prepare_quadric(object, context) {
+        Err(problem @ PrepareError::TooLarge { .. }) => {
+            let near = quotient::prepare_near_eye(object, context)?;
+            near.map(PreparedObject::Parts).ok_or(problem)
+        }
+        prepared => prepared.map(by_its_own),
+    }
+}
+
 /// Prepares a scene for a format.
 pub fn prepare(scene: &FramedScene, format: Format) -> Result<PreparedScene, PrepareError> {
     prepare_with(scene, format, Options::default())
+}
+
+/// Prepares a scene for machines that have quadric and patch processors alone, so that an object that the eye lies on is refused.
+pub fn prepare_for_roots(
+    scene: &FramedScene,
+    format: Format,
+) -> Result<PreparedScene, PrepareError> {
+    let options = Options {
+        roots_only: true,
+        ..Options::default()
+    };
+    prepare_with(scene, format, options)
 }
 
 /// Prepares a scene with options.
@@ -323,6 +350,14 @@ pub fn prepare_with(
     options: Options,
 ) -> Result<PreparedScene, PrepareError> {
     prepare_reporting(scene, format, options, &|| ())
+}
+
+/// The objects that cannot be prepared for a format, by index, each with its reason; shadows are not looked at.
+pub fn refused(scene: &FramedScene, format: Format) -> Vec<(usize, PrepareError)> {
+    let context = Context::of(scene, format, Options::default());
+    let problem = |(index, object)| Some((index, prepare_object(object, &context).err()?));
+    let objects = scene.objects.par_iter().enumerate();
+    objects.filter_map(problem).collect()
 }
 
 /// Steps of a preparation, for a bar of its progress.

@@ -321,8 +321,6 @@ fn prove_widths(
     Ok(root_max)
 }
 
-/// Scales of the normal (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits; likewise in
-/// shorter words.
 fn normal_words(
     prepared: &mut PreparedQuadric,
     quadric: &ScreenQuadric,
@@ -330,19 +328,35 @@ fn normal_words(
     anchor: Anchor,
     context: &Context,
 ) {
-    let window = prepared.words.screen_box;
     let f1 = context.to_pixels_linear(&quadric.f1());
     let parts = quadric
         .normal()
         .map(|(linear, k)| (context.to_pixels_linear(&linear).plus(&f1.scaled(&k)), k));
+    let window = prepared.words.screen_box;
+    (prepared.words.normal, prepared.bounds.normal) =
+        normals(&parts, root_max, &window, anchor, context);
+}
+
+/// The words of a normal whose components are `g(x, y) -+ K r`, r a root (or another length along the line of sight) of up to `root_max` depth words, and
+/// the greatest error of a linear part.
+///
+/// Scales (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits; likewise in shorter words.
+pub(super) fn normals(
+    parts: &[(LinearForm, BigRational); 3],
+    root_max: &BigInt,
+    window: &ScreenBox,
+    anchor: Anchor,
+    context: &Context,
+) -> (NormalWords, f64) {
+    let mut words = NormalWords::default();
     let root = BigRational::from_integer(root_max.clone()) / &context.depth_scale;
     let greatest = parts
         .iter()
-        .map(|(g, k)| g.max_abs_on(&window) + k.abs() * &root)
+        .map(|(g, k)| g.max_abs_on(window) + k.abs() * &root)
         .max()
         .expect("three components");
     if greatest.is_zero() {
-        return;
+        return (words, 0.0);
     }
     let shift = (root_max.bits() as u32).saturating_sub(context.format.normal - 1);
     let fraction = shift + context.format.product_fraction();
@@ -358,7 +372,6 @@ fn normal_words(
     if &scale * &k_max * &factor_unit > k_limit {
         scale = k_limit / (&k_max * &factor_unit);
     }
-    let words = &mut prepared.words.normal;
     words.shift = shift as u8;
     let linear = parts.each_ref().map(|(g, _)| g.scaled(&scale));
     words.g = linear
@@ -373,9 +386,9 @@ fn normal_words(
     });
     let errors = words.g.iter().zip(&linear);
     let greatest = errors
-        .map(|(word, exact)| linear_error(word, exact, 0, &window))
+        .map(|(word, exact)| linear_error(word, exact, 0, window))
         .max();
-    prepared.bounds.normal = to_f64_up(&greatest.expect("three components"));
+    (words, to_f64_up(&greatest.expect("three components")))
 }
 
 /// A contour has a free scale: the greatest magnitude fills half the word.

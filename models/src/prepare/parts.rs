@@ -29,6 +29,8 @@ pub struct PreparedParts {
     pub needed: Vec<NeededWord>,
     /// What a person should know.
     pub notes: Vec<String>,
+    /// Greatest distance of a drawn depth of the quadric from the true one, in depth words, if it is known.
+    pub depth_bound: Option<f64>,
 }
 
 /// An accumulator, the bits it has, and those that it needs.
@@ -103,6 +105,7 @@ impl PreparedParts {
             screen_box: ScreenBox::EMPTY,
             needed: vec![],
             notes: vec![note.to_owned()],
+            depth_bound: None,
         }
     }
 }

@@ -77,7 +77,7 @@ impl ScreenQuadric {
     }
 
     /// e x + f y + i, half the factor of z.
-    fn polar(&self) -> LinearForm {
+    pub fn polar(&self) -> LinearForm {
         LinearForm::new(self.q.e.clone(), self.q.f.clone(), self.q.i.clone())
     }
 

@@ -64,6 +64,7 @@ pub(super) fn prepare_polyhedron(
         });
     }
     Ok(PreparedParts {
+        depth_bound: None,
         name: object.name.clone(),
         words: vec![ProcessorWords::Polyhedron(words)],
         screen_box: window,

@@ -189,6 +189,7 @@ pub(super) fn prepare_cylinder(
 
 fn parts(name: &str, window: ScreenBox, words: ProcessorWords, ledger: Ledger) -> PreparedParts {
     PreparedParts {
+        depth_bound: None,
         name: name.to_owned(),
         words: vec![words],
         screen_box: window,

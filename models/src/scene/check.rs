@@ -6,6 +6,7 @@ use super::check_kind::check_kind;
 use super::error::SceneError;
 use super::file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, Light, Material, Object, Scale, SceneFile, Shape, Step,
+    Surface,
 };
 use super::flat::Groups;
 use super::image_check::check_images;
@@ -308,7 +309,7 @@ fn check_material(place: &str, material: &Material) -> Checked {
 }
 
 fn check_object(place: &str, object: &Object) -> Checked {
-    check_shape(place, &object.shape)?;
+    check_shape(place, object)?;
     check_place(place, &object.place)?;
     if object.cuts.len() > MAX_CUTS {
         return Err(SceneError::value(
@@ -324,10 +325,14 @@ fn check_object(place: &str, object: &Object) -> Checked {
     Ok(())
 }
 
-fn check_shape(place: &str, shape: &Shape) -> Checked {
+fn check_shape(place: &str, object: &Object) -> Checked {
+    let shape = &object.shape;
+    let cut_surface = object.mode == Surface::Patch && !object.cuts.is_empty();
     let radii: &[f64] = match shape {
         Shape::Sphere { radius } => return check_positive(&format!("{place}, radius"), *radius),
-        Shape::Quadric { coefficients } => return check_coefficients(place, coefficients),
+        Shape::Quadric { coefficients } => {
+            return check_coefficients(place, coefficients, cut_surface);
+        }
         Shape::Polyhedron | Shape::Mesh(_) | Shape::TetrahedronPatch { .. } => return Ok(()),
         Shape::EllipticCylinder { radii }
         | Shape::HyperbolicCylinder { radii }
@@ -345,22 +350,27 @@ fn check_shape(place: &str, shape: &Shape) -> Checked {
     Ok(())
 }
 
-fn check_coefficients(place: &str, coefficients: &[f64; 10]) -> Checked {
+/// A surface of first degree is a plane, which is a cut of a solid; as a surface it is a part of a plane that cuts bound.
+fn check_coefficients(place: &str, coefficients: &[f64; 10], cut_surface: bool) -> Checked {
     let key = format!("{place}, coefficients");
     check_numbers(&key, coefficients)?;
-    if coefficients[..6].iter().all(|value| *value == 0.0) {
-        let rest = if coefficients[6..].iter().all(|value| *value == 0.0) {
-            "all ten are zero"
-        } else {
-            "a to f are zero, which leaves a plane"
-        };
-        return Err(SceneError::value(
-            key,
-            rest,
-            "one of the second-degree coefficients a to f must not be zero (a plane is a cut of another object)",
-        ));
+    let zero = |part: &[f64]| part.iter().all(|value| *value == 0.0);
+    if !zero(&coefficients[..6]) || (cut_surface && !zero(&coefficients[6..9])) {
+        return Ok(());
     }
-    Ok(())
+    let rest = if zero(coefficients) {
+        "all ten are zero"
+    } else if zero(&coefficients[6..9]) {
+        "all but j are zero, which leaves nothing"
+    } else {
+        "a to f are zero, which leaves a plane"
+    };
+    Err(SceneError::value(
+        key,
+        rest,
+        "one of the second-degree coefficients a to f must not be zero \
+         (a plane is a cut of another object, or a `mode = \"patch\"` with cuts of its own)",
+    ))
 }
 
 fn check_place(place: &str, steps: &[Step]) -> Checked {

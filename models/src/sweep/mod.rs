@@ -18,7 +18,7 @@ pub use page::{heading, markdown, section};
 pub use plot::{PlotError, plot};
 
 use crate::format::Format;
-use crate::prepare::prepare;
+use crate::prepare::prepare_for_roots;
 use crate::scene::SceneFile;
 use naive::Naive;
 use rayon::prelude::*;
@@ -250,7 +250,7 @@ impl Step {
         let image = self.scene.image;
         let framed = self.scene.frame(image.width, image.height);
         let framed = framed.map_err(|error| error.to_string())?;
-        let prepared = prepare(&framed, format).map_err(|error| error.to_string())?;
+        let prepared = prepare_for_roots(&framed, format).map_err(|error| error.to_string())?;
         Ok(measure::measure(&framed, &prepared))
     }
 }

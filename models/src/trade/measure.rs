@@ -188,6 +188,7 @@ pub fn zones(
             };
             let options = Options {
                 anchor: Some(anchor),
+                roots_only: true,
             };
             all.push(ZoneScene {
                 first: (x, y),

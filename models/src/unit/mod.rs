@@ -13,4 +13,5 @@ pub mod pe2;
 pub mod plane_depth;
 pub mod programmable;
 pub mod quadric_pe;
+pub mod quotient;
 pub mod root;

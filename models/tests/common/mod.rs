@@ -122,6 +122,7 @@ pub fn scene_of(
 pub fn prepare_at_origin(scene: &FramedScene) -> PreparedScene {
     let options = Options {
         anchor: Some(Anchor::ORIGIN),
+        ..Options::default()
     };
     prepare_with(scene, Format::BASE, options).expect("fits the base format")
 }

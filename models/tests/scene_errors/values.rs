@@ -143,6 +143,22 @@ fn quadric_without_second_degree() {
         &quadric("[0, 0, 0, 0, 0, 0, 1, 2, 3, 4]"),
         &["object `ball`, coefficients", "leaves a plane", "a to f"],
     );
+    // As a surface with cuts it is a part of a plane, without cuts it is endless.
+    let surface = |coefficients: &str, cuts: &str| {
+        format!("kind = \"quadric\"\ncoefficients = {coefficients}\nmode = \"patch\"\n{cuts}")
+    };
+    let cuts = "cuts = [{ point = [0, 0, 0], normal = [1, 0, 0] }]";
+    let sphere = "kind = \"sphere\"\nradius = 1";
+    let plane = surface("[0, 0, 0, 0, 0, 0, 1, 2, 3, 4]", cuts);
+    assert!(SceneFile::parse(&GOOD.replacen(sphere, &plane, 1), "demo.toml").is_ok());
+    assert_says(
+        &refusal(sphere, &surface("[0, 0, 0, 0, 0, 0, 1, 2, 3, 4]", "")),
+        &["object `ball`, coefficients", "leaves a plane"],
+    );
+    assert_says(
+        &refusal(sphere, &surface("[0, 0, 0, 0, 0, 0, 0, 0, 0, 4]", cuts)),
+        &["object `ball`, coefficients", "all but j are zero"],
+    );
     assert_says(
         &quadric("[1, 1, 1]"),
         &["object `ball`", "the ten numbers a to j", "found 3 numbers"],

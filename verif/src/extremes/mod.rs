@@ -15,6 +15,7 @@ use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
 use crate::unit::{Parameters, subject};
 use imogene_models::format::Format;
+use imogene_models::machine::beam::render;
 use imogene_models::prepare::prepare;
 use imogene_models::scene::{FramedScene, SceneFile};
 use pictures::Pictures;
@@ -24,6 +25,11 @@ use serde::Serialize;
 enum Case {
     /// A scene that is drawn, and what its picture must show.
     Drawn {
+        text: &'static str,
+        claim: fn(&Pictures) -> Result<(), String>,
+    },
+    /// A scene that the golden machine draws by a processor without hardware, and what its picture must show.
+    Modelled {
         text: &'static str,
         claim: fn(&Pictures) -> Result<(), String>,
     },
@@ -83,6 +89,7 @@ impl Extreme {
     pub fn run(&self) -> Finding {
         let (report, result) = match &self.case {
             Case::Drawn { text, claim } => self.draw(text, *claim),
+            Case::Modelled { text, claim } => (None, self.model(text, *claim)),
             Case::Flagged { text } => self.flag(text),
             Case::Refused { text, says } => (None, self.refuse(text, says)),
             Case::Unit { unit, stimulus } => drive(unit, *stimulus),
@@ -148,6 +155,20 @@ impl Extreme {
         report.subject = format!("extremes/{}", self.name);
         report.reproduce = format!("imogene cosim extremes/{}", self.name);
         Ok((report, Pictures::new(framed, prepared, frame)))
+    }
+
+    fn model(
+        &self,
+        text: &str,
+        claim: fn(&Pictures) -> Result<(), String>,
+    ) -> Result<String, String> {
+        let framed = self.framed(text)?;
+        let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
+        let (width, height) = (prepared.width as usize, prepared.height as usize);
+        let frame = render(&prepared.slots(), &prepared.format, width, height, || ());
+        let pictures = Pictures::new(framed, prepared, frame);
+        pictures.agree().and_then(|()| claim(&pictures))?;
+        Ok("drawn by the golden model alone: the processor has no hardware".into())
     }
 
     /// The scene must be refused, and the refusal must say why.

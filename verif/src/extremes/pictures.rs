@@ -3,7 +3,7 @@
 use imogene_models::check::{check, depth_bound, undecided_pixels};
 use imogene_models::exact::render::{DEPTH_FRACTION, ExactPixel, render};
 use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::PreparedScene;
+use imogene_models::prepare::{PreparedObject, PreparedScene};
 use imogene_models::scene::FramedScene;
 
 /// A scene, drawn twice.
@@ -61,11 +61,15 @@ impl Pictures {
 
     fn depth_holds(&self, index: usize, exact: &ExactPixel) -> Result<(), String> {
         let (x, y) = (index % self.frame.width, index / self.frame.width);
-        let object = self.prepared.objects[exact.id as usize].quadric();
-        let object = object.ok_or("only quadrics have bounds")?;
-        let f2 = object.words.f2.exact_at(x as i64, y as i64);
-        let f2 = i64::try_from(f2).map_err(|_| format!("f2 at ({x}, {y}) leaves its word"))?;
-        let bound = depth_bound(object, exact.number, f2);
+        let bound = match &self.prepared.objects[exact.id as usize] {
+            PreparedObject::Parts(parts) => parts.depth_bound.ok_or("no bound is known")?,
+            PreparedObject::Quadric(object) | PreparedObject::Patch(object) => {
+                let f2 = object.words.f2.exact_at(x as i64, y as i64);
+                let f2 = i64::try_from(f2);
+                let f2 = f2.map_err(|_| format!("f2 at ({x}, {y}) leaves its word"))?;
+                depth_bound(object, exact.number, f2)
+            }
+        };
         let unit = f64::from(1u32 << DEPTH_FRACTION);
         let off = (self.frame.depth[index] as f64 - exact.depth as f64 / unit).abs();
         // The exact depth itself is cut after its fraction bits.

@@ -13,10 +13,10 @@ pub const CASES: &[Extreme] = &[
     Extreme {
         name: "eye-on-quadric",
         item: "17.1",
-        outcome: "Refused: with the eye on the surface the factor of z^2 is zero and the depth is no square root; any small step of the camera gives one.",
-        case: Case::Refused {
+        outcome: "With the eye on the shell the factor of z^2 is zero: the depth is one quotient and no root, by the quotient processor of the golden model.",
+        case: Case::Modelled {
             text: text!("eye-on-quadric"),
-            says: &["'shell'", "lies exactly on this quadric"],
+            claim: |p| some("pixels of the shell", p.frame.covered()),
         },
     },
     Extreme {
@@ -67,10 +67,10 @@ pub const CASES: &[Extreme] = &[
     Extreme {
         name: "paraboloid-along-its-axis",
         item: "17.8",
-        outcome: "Refused in parallel projection: each line of sight meets the paraboloid once, so its depth is no square root.",
-        case: Case::Refused {
+        outcome: "In parallel projection each line of sight meets the paraboloid once: the depth is one quotient and no root, by the quotient processor of the golden model.",
+        case: Case::Modelled {
             text: text!("paraboloid-along-its-axis"),
-            says: &["'bowl'", "asymptotic direction"],
+            claim: |p| some("pixels of the bowl", p.frame.covered()),
         },
     },
     Extreme {

@@ -17,7 +17,7 @@ use imogene_models::prepare::PreparedScene;
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// A slot that is on the screen.
+/// A slot that is on the screen and has hardware.
 struct Job<'a> {
     slot: &'a Slot,
     zone: Zone,
@@ -45,6 +45,13 @@ pub fn run(
 ) -> Result<(Report, Frame), SlotError> {
     let started = Instant::now();
     let slots = scene.slots();
+    let without = slots
+        .iter()
+        .find(|slot| processor(&slot.words, &scene.format).is_none());
+    if let Some(slot) = without {
+        let object = scene.objects[slot.object].name().to_owned();
+        return Err(SlotError::NoHardware { object });
+    }
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
     let loaded = jobs.iter().map(|job| &job.loaded);
     let subjects = Subjects::new(loaded, &scene.format, rows_per_stage, engine)?;
@@ -91,7 +98,7 @@ fn job<'a>(slot: &'a Slot, scene: &PreparedScene) -> Option<Job<'a>> {
     Some(Job {
         slot,
         zone,
-        loaded: processor(&words, &scene.format),
+        loaded: processor(&words, &scene.format)?,
     })
 }
 

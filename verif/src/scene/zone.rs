@@ -26,6 +26,15 @@ pub enum SlotError {
     /// The engine cannot be built.
     #[error(transparent)]
     Design(#[from] DesignError),
+    /// There is no hardware of the processor.
+    #[error(
+        "object '{object}': drawn by the quotient processor, because the viewer lies on its quadric (or looks along an asymptotic direction of it); \
+         there is no hardware of that processor: move the camera by any small amount, or draw the scene with --model golden or exact"
+    )]
+    NoHardware {
+        /// Name of the object.
+        object: String,
+    },
 }
 
 /// Pixels that a processor draws.

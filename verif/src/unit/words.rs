@@ -37,8 +37,8 @@ impl Loaded {
     }
 }
 
-/// The processor of a slot.
-pub fn processor(words: &ProcessorWords, format: &Format) -> Loaded {
+/// The processor of a slot; nothing if there is no hardware for it.
+pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
     let mut w = Writer {
         format,
         words: Vec::new(),
@@ -125,13 +125,14 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Loaded {
             w.vector(c.disc_normal);
             "cylinder_processor"
         }
+        ProcessorWords::Quotient(_) => return None,
     };
-    Loaded {
+    Some(Loaded {
         unit,
         planes,
         sides,
         words: w.words,
-    }
+    })
 }
 
 /// The processor of a volume; its last port, the visible depth, is left to the caller.

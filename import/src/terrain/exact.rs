@@ -1,0 +1,70 @@
+//! Exact numbers as the decimals of a scene file, which reads them back without loss.
+
+use imogene_models::rational::{from_decimal, to_f64};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+/// Largest whole number that a scene file takes.
+const LARGEST: i64 = 1_000_000_000_000;
+
+/// The numbers times one positive factor, each a decimal that reads back as exactly what it stands for; nothing if 15 digits cannot hold them.
+pub fn proportional<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
+    let whole = whole(values);
+    let greatest = whole.iter().map(BigInt::abs).max().unwrap_or_default();
+    let mut unit = BigInt::one();
+    while &greatest / &unit > BigInt::from(LARGEST) {
+        unit *= 10;
+    }
+    let scaled = whole.map(|value| BigRational::new(value, unit.clone()));
+    decimals(scaled.each_ref())
+}
+
+/// The numbers themselves, if each is a decimal that reads back as exactly what it stands for.
+pub fn decimals<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
+    let floats = values.map(to_f64);
+    let kept = |(float, value): (&f64, &&BigRational)| from_decimal(*float) == **value;
+    floats.iter().zip(&values).all(kept).then_some(floats)
+}
+
+/// The numbers times the positive factor that makes them integers without common divisor.
+fn whole<const N: usize>(values: [&BigRational; N]) -> [BigInt; N] {
+    let denominator = values
+        .iter()
+        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
+    let whole = values.map(|v| v.numer() * (&denominator / v.denom()));
+    let divisor = whole.iter().fold(BigInt::zero(), |gcd, v| gcd.gcd(v));
+    if divisor.is_zero() {
+        return whole;
+    }
+    whole.map(|v| v / &divisor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_models::rational::fraction;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_proportional_to_what_was_meant(n in [1i64..1_000_000, -1_000_000..1, 0..9], d in [1i64..60, 1..60, 1..60]) {
+            let values: [BigRational; 3] = std::array::from_fn(|k| fraction(n[k], d[k]));
+            let written = proportional(values.each_ref()).expect("few digits").map(from_decimal);
+            let factor = &written[0] / &values[0];
+            prop_assert!(factor.is_positive());
+            for (one, value) in written.iter().zip(&values) {
+                prop_assert_eq!(one, &(value * &factor));
+            }
+        }
+    }
+
+    #[test]
+    fn too_many_digits_are_not_written() {
+        let many = fraction(i64::MAX, 1);
+        assert!(proportional([&many, &fraction(1, 3)]).is_none());
+        assert!(decimals([&fraction(1, 3)]).is_none());
+        assert_eq!(decimals([&fraction(1, 4)]), Some([0.25]));
+    }
+}

@@ -1,0 +1,420 @@
+//! Heights made at random by dividing regions at their middles (thesis of Coquillart, section 4.2, Algs 4-1 to 4-5).
+//!
+//! A region is four edges, an edge two vertices or, once divided, two edges; neighbours share them, so there are no cracks and nothing is computed twice.
+//! Regions are visited south-west, south-east, north-west, north-east, and what no later region needs is freed at once: the storage grows with the
+//! side of the grid, not with its area.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use thiserror::Error;
+
+/// Most levels: a grid of 1025 x 1025 nodes.
+pub const MAX_LEVELS: u32 = 10;
+
+/// What to make.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FieldOptions {
+    /// Levels n of recursion, 1 to [`MAX_LEVELS`]: `2^n + 1` nodes a side.
+    pub levels: u32,
+    /// The h of the source, 0 (each level as rough as the one before) to 1 (smooth): the displacements of a level have `2^-h` times the deviation of the level before.
+    pub smoothness: f64,
+    /// Standard deviation of the corners of the grid, and of a displacement at level 0, in units of height.
+    pub relief: f64,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+/// Options out of their range.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FieldError {
+    /// The levels.
+    #[error("{0} levels; 1 to {MAX_LEVELS} are accepted")]
+    Levels(u32),
+    /// The smoothness.
+    #[error("a roughness exponent h of {0}; 0 (rough) to 1 (smooth) is accepted")]
+    Smoothness(f64),
+    /// The relief.
+    #[error("a relief of {0}; more than 0 and up to 1000000 is accepted")]
+    Relief(f64),
+}
+
+/// A field of heights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Nodes of a side.
+    pub side: usize,
+    /// Heights row by row, the northern row first.
+    pub heights: Vec<f64>,
+    /// Most vertices that were held at once.
+    pub most_vertices: usize,
+    /// Most edges that were held at once.
+    pub most_edges: usize,
+}
+
+/// Makes a field; the same options give the same field.
+pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
+    let FieldOptions {
+        levels,
+        smoothness,
+        relief,
+        seed,
+    } = *options;
+    if !(1..=MAX_LEVELS).contains(&levels) {
+        return Err(FieldError::Levels(levels));
+    }
+    if !(0.0..=1.0).contains(&smoothness) {
+        return Err(FieldError::Smoothness(smoothness));
+    }
+    if !(relief > 0.0 && relief <= 1e6) {
+        return Err(FieldError::Relief(relief));
+    }
+    let side = (1 << levels) + 1;
+    let mut maker = Maker {
+        random: ChaCha8Rng::seed_from_u64(seed),
+        factor: (-smoothness).exp2(),
+        side,
+        heights: vec![0.0; side * side],
+        vertices: Store::default(),
+        edges: Store::default(),
+    };
+    maker.whole(relief, levels);
+    Ok(Field {
+        side,
+        heights: maker.heights,
+        most_vertices: maker.vertices.most,
+        most_edges: maker.edges.most,
+    })
+}
+
+/// Records that are taken and given back, and how many there were at most.
+struct Store<T> {
+    records: Vec<T>,
+    free: Vec<usize>,
+    most: usize,
+}
+
+impl<T> Default for Store<T> {
+    fn default() -> Self {
+        Store {
+            records: vec![],
+            free: vec![],
+            most: 0,
+        }
+    }
+}
+
+impl<T> Store<T> {
+    fn take(&mut self, record: T) -> usize {
+        let index = match self.free.pop() {
+            Some(index) => {
+                self.records[index] = record;
+                index
+            }
+            None => {
+                self.records.push(record);
+                self.records.len() - 1
+            }
+        };
+        self.most = self.most.max(self.records.len() - self.free.len());
+        index
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Vertex {
+    /// Node of the grid, eastwards and northwards.
+    at: [usize; 2],
+    value: f64,
+    /// Edges that end here.
+    uses: u32,
+}
+
+#[derive(Clone, Copy)]
+enum Edge {
+    Whole([usize; 2]),
+    Divided([usize; 2]),
+}
+
+/// Edges W, S, N, E.
+type Area = [usize; 4];
+
+struct Maker {
+    random: ChaCha8Rng,
+    factor: f64,
+    side: usize,
+    heights: Vec<f64>,
+    vertices: Store<Vertex>,
+    edges: Store<Edge>,
+}
+
+impl Maker {
+    fn displacement(&mut self, deviation: f64) -> f64 {
+        let x: f64 = StandardNormal.sample(&mut self.random);
+        deviation * x
+    }
+
+    fn vertex(&mut self, at: [usize; 2], value: f64) -> usize {
+        self.vertices.take(Vertex { at, value, uses: 0 })
+    }
+
+    fn edge(&mut self, ends: [usize; 2]) -> usize {
+        for end in ends {
+            self.vertices.records[end].uses += 1;
+        }
+        self.edges.take(Edge::Whole(ends))
+    }
+
+    /// A vertex that nothing uses any more has its final height.
+    fn release(&mut self, vertex: usize) {
+        let record = &mut self.vertices.records[vertex];
+        record.uses -= 1;
+        if record.uses == 0 {
+            let ([x, y], value) = (record.at, record.value);
+            self.heights[(self.side - 1 - y) * self.side + x] = value;
+            self.vertices.free.push(vertex);
+        }
+    }
+
+    /// Gives back an edge that is not divided, with its ends.
+    fn free_whole(&mut self, edge: usize) {
+        if let Edge::Whole(ends) = self.edges.records[edge] {
+            ends.into_iter().for_each(|end| self.release(end));
+        }
+        self.edges.free.push(edge);
+    }
+
+    fn middle(&self, [from, to]: [usize; 2]) -> ([usize; 2], f64) {
+        let [a, b] = [from, to].map(|v| self.vertices.records[v]);
+        let at = std::array::from_fn(|k| (a.at[k] + b.at[k]) / 2);
+        (at, 0.5 * (a.value + b.value))
+    }
+
+    /// Divides an edge at a new vertex, unless a neighbour has done so already.
+    fn divide(&mut self, edge: usize, deviation: f64) -> [usize; 2] {
+        let ends = match self.edges.records[edge] {
+            Edge::Divided(halves) => return halves,
+            Edge::Whole(ends) => ends,
+        };
+        let (at, mean) = self.middle(ends);
+        let value = mean + self.displacement(deviation);
+        let vertex = self.vertex(at, value);
+        self.divide_at(edge, ends, vertex)
+    }
+
+    fn divide_at(&mut self, edge: usize, [from, to]: [usize; 2], vertex: usize) -> [usize; 2] {
+        let halves = [self.edge([from, vertex]), self.edge([vertex, to])];
+        self.edges.records[edge] = Edge::Divided(halves);
+        self.release(from);
+        self.release(to);
+        halves
+    }
+
+    fn end_of(&self, edge: usize) -> usize {
+        match self.edges.records[edge] {
+            Edge::Whole([_, end]) => end,
+            Edge::Divided([_, second]) => self.end_of(second),
+        }
+    }
+
+    /// The new inner edges: the vertical one with its halves, the horizontal one with its halves. Their common middle is the mean of two estimates.
+    fn inner(&mut self, halves: &[[usize; 2]; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
+        let [w, s, n, e] = halves.map(|[first, _]| self.end_of(first));
+        let estimates = [[s, n], [w, e]].map(|ends| {
+            let (at, mean) = self.middle(ends);
+            let value = mean + self.displacement(deviation);
+            (at, self.vertex(at, value))
+        });
+        let [(_, centre), (_, twin)] = estimates;
+        let other = self.vertices.records[twin].value;
+        let record = &mut self.vertices.records[centre];
+        record.value = 0.5 * (record.value + other);
+        self.vertices.free.push(twin);
+        [[s, n], [w, e]].map(|ends| {
+            let edge = self.edge(ends);
+            (edge, self.divide_at(edge, ends, centre))
+        })
+    }
+
+    fn whole(&mut self, relief: f64, levels: u32) {
+        let far = self.side - 1;
+        let corners = [[0, 0], [far, 0], [0, far], [far, far]].map(|at| {
+            let value = self.displacement(relief);
+            self.vertex(at, value)
+        });
+        let [sw, se, nw, ne] = corners;
+        let area = [[sw, nw], [sw, se], [nw, ne], [se, ne]].map(|ends| self.edge(ends));
+        self.region(area, relief, levels);
+        // The sides to the north and east belong to no later region.
+        for edge in area {
+            self.free_all(edge);
+        }
+    }
+
+    /// Gives back an edge with the halves that are left of it.
+    fn free_all(&mut self, edge: usize) {
+        let mut open = vec![edge];
+        while let Some(edge) = open.pop() {
+            match self.edges.records[edge] {
+                Edge::Whole(_) => self.free_whole(edge),
+                Edge::Divided(halves) => {
+                    open.extend(halves.into_iter().filter(|&half| half != FREED));
+                    self.edges.free.push(edge);
+                }
+            }
+        }
+    }
+
+    /// Gives back one half of an edge, with what is left of it.
+    fn free_half(&mut self, edge: usize, which: usize) {
+        let half = match &mut self.edges.records[edge] {
+            Edge::Divided(halves) => std::mem::replace(&mut halves[which], FREED),
+            Edge::Whole(_) => unreachable!("a half of a divided edge"),
+        };
+        self.free_all(half);
+    }
+
+    fn region(&mut self, area: Area, deviation: f64, levels: u32) {
+        if levels == 0 {
+            return;
+        }
+        let halves = area.map(|edge| self.divide(edge, deviation * self.factor));
+        let [w, s, n, e] = halves;
+        let [(v_edge, v), (h_edge, h)] = self.inner(&halves, deviation * self.factor);
+        let [west, south, ..] = area;
+        let (next, below) = (deviation * self.factor, levels - 1);
+        self.region([w[0], s[0], h[0], v[0]], next, below);
+        self.free_half(west, 0);
+        self.free_half(south, 0);
+        self.region([v[0], s[1], h[1], e[0]], next, below);
+        self.free_half(v_edge, 0);
+        self.free_half(south, 1);
+        self.region([w[1], h[0], n[0], v[1]], next, below);
+        self.free_half(west, 1);
+        self.free_half(h_edge, 0);
+        self.region([v[1], h[1], n[1], e[1]], next, below);
+        self.free_half(v_edge, 1);
+        self.free_half(h_edge, 1);
+        self.free_all(v_edge);
+        self.free_all(h_edge);
+    }
+}
+
+/// In the place of a half that was given back.
+const FREED: usize = usize::MAX;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn options(levels: u32, seed: u64) -> FieldOptions {
+        FieldOptions {
+            levels,
+            smoothness: 0.6,
+            relief: 100.0,
+            seed,
+        }
+    }
+
+    /// The source's maxima; one vertex more because the centre has two estimates for a moment.
+    #[test]
+    fn storage_is_what_the_source_states() {
+        for n in 3..=9 {
+            let made = field(&options(n, 1)).unwrap();
+            let n = n as usize;
+            assert_eq!(made.most_vertices, (1 << (n + 1)) + 3 * n - 1 + 1);
+            assert_eq!(made.most_edges, (1 << (n + 2)) + 10 * n - 6);
+        }
+    }
+
+    #[test]
+    fn seeds_give_fields_of_their_own() {
+        let made = field(&options(5, 7)).unwrap();
+        assert_eq!(made, field(&options(5, 7)).unwrap());
+        assert_ne!(made.heights, field(&options(5, 8)).unwrap().heights);
+        assert_eq!(made.heights.len(), 33 * 33);
+        assert!(made.heights.iter().all(|h| h.is_finite() && *h != 0.0));
+    }
+
+    /// Deviations of the displacements of the middles of edges and of centres at a level, from the finished field alone.
+    fn deviations(made: &Field, level: u32) -> [f64; 2] {
+        let width = (made.side - 1) >> level;
+        let half = width / 2;
+        let at = |x: usize, y: usize| made.heights[y * made.side + x];
+        let (mut edges, mut centres) = (vec![], vec![]);
+        for y in (0..made.side).step_by(width) {
+            for x in (0..made.side).step_by(width) {
+                if x + width < made.side {
+                    edges.push(at(x + half, y) - 0.5 * (at(x, y) + at(x + width, y)));
+                }
+                if y + width < made.side {
+                    edges.push(at(x, y + half) - 0.5 * (at(x, y) + at(x, y + width)));
+                }
+                if x + width < made.side && y + width < made.side {
+                    let sides = at(x + half, y)
+                        + at(x + half, y + width)
+                        + at(x, y + half)
+                        + at(x + width, y + half);
+                    centres.push(at(x + half, y + half) - 0.25 * sides);
+                }
+            }
+        }
+        [edges, centres].map(|list| {
+            let sum: f64 = list.iter().map(|d| d * d).sum();
+            (sum / list.len() as f64).sqrt()
+        })
+    }
+
+    /// From 2^12 edges on the deviation of a level is known to about 1 %, so the ratio of two levels to better than 5 %.
+    #[test]
+    fn levels_are_smoother_by_their_factor() {
+        for smoothness in [0.0, 0.3, 0.6, 1.0] {
+            let made = field(&FieldOptions {
+                smoothness,
+                ..options(9, 3)
+            });
+            let made = made.unwrap();
+            for level in 5..8 {
+                let [edge, centre] = deviations(&made, level);
+                let [next, _] = deviations(&made, level + 1);
+                let ratio = next / edge / (-smoothness).exp2();
+                assert!(
+                    (ratio - 1.0).abs() < 0.05,
+                    "h {smoothness}, level {level}: {ratio}"
+                );
+                // The mean of two estimates.
+                let ratio = centre / edge * 2f64.sqrt();
+                assert!(
+                    (ratio - 1.0).abs() < 0.05,
+                    "h {smoothness}, level {level}: {ratio}"
+                );
+                let expected = 100.0 * (-smoothness * f64::from(level + 1)).exp2();
+                assert!(
+                    (edge / expected - 1.0).abs() < 0.05,
+                    "{edge}, not {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn options_out_of_range_are_refused() {
+        assert_eq!(field(&options(0, 1)), Err(FieldError::Levels(0)));
+        assert_eq!(field(&options(11, 1)), Err(FieldError::Levels(11)));
+        let rough = FieldOptions {
+            smoothness: -0.1,
+            ..options(3, 1)
+        };
+        assert_eq!(field(&rough), Err(FieldError::Smoothness(-0.1)));
+        let flat = FieldOptions {
+            relief: 0.0,
+            ..options(3, 1)
+        };
+        assert_eq!(field(&flat), Err(FieldError::Relief(0.0)));
+        let unknown = FieldOptions {
+            smoothness: f64::NAN,
+            ..options(3, 1)
+        };
+        assert!(field(&unknown).is_err());
+    }
+}

@@ -1,0 +1,401 @@
+//! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
+
+use super::grid::{HeightGrid, MAX_NODES};
+use super::text::{Word, decoded, malformed, shown, words};
+use crate::{ImportError, Place};
+
+/// Largest magnitude of a height or a distance.
+const MAX_NUMBER: f64 = 1e8;
+
+/// The two formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A header of keywords, then heights (.asc).
+    EsriAscii,
+    /// A row of heights on each line (.heights).
+    Plain,
+}
+
+/// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the header is an ESRI ASCII grid.
+pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid, ImportError> {
+    let text = decoded(bytes, file)?;
+    match format_of(text) {
+        Format::EsriAscii => Reader { file, text }.esri(),
+        Format::Plain => Reader { file, text }.plain(),
+    }
+}
+
+fn format_of(text: &str) -> Format {
+    let first = text.lines().find_map(|line| words(line, 1).next());
+    let is_key = first.is_some_and(|word| KEYS.contains(&word.text.to_lowercase().as_str()));
+    if is_key {
+        Format::EsriAscii
+    } else {
+        Format::Plain
+    }
+}
+
+const KEYS: [&str; 10] = [
+    "ncols",
+    "nrows",
+    "xllcorner",
+    "yllcorner",
+    "xllcenter",
+    "yllcenter",
+    "cellsize",
+    "dx",
+    "dy",
+    "nodata_value",
+];
+
+struct Reader<'a> {
+    file: &'a str,
+    text: &'a str,
+}
+
+/// The header of an ESRI ASCII grid so far; index as in [`KEYS`].
+type Header = [Option<f64>; KEYS.len()];
+
+impl<'a> Reader<'a> {
+    fn malformed(&self, place: Place, problem: String, accepted: &str) -> ImportError {
+        malformed(self.file, place, problem, accepted)
+    }
+
+    fn unusable(&self, problem: String, accepted: &str) -> ImportError {
+        ImportError::Unusable {
+            file: self.file.to_owned(),
+            problem,
+            accepted: accepted.to_owned(),
+        }
+    }
+
+    /// Every word of the text.
+    fn words(&self) -> impl Iterator<Item = Word<'a>> + use<'a> {
+        let lines = self.text.lines().enumerate();
+        lines.flat_map(|(index, line)| words(line, index + 1))
+    }
+
+    fn number(&self, word: Word, what: &str) -> Result<f64, ImportError> {
+        let accepted = "a decimal number of magnitude up to 1e8 is expected";
+        let plain = word
+            .text
+            .bytes()
+            .all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
+        let value = word.text.parse::<f64>().ok().filter(|_| plain);
+        match value.filter(|v| v.abs() <= MAX_NUMBER) {
+            Some(value) => Ok(value),
+            None => {
+                let problem = format!("{} is no {what}", shown(word.text));
+                Err(self.malformed(word.place, problem, accepted))
+            }
+        }
+    }
+
+    fn positive(&self, word: Word, what: &str) -> Result<f64, ImportError> {
+        let value = self.number(word, what)?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        let problem = format!("a {what} of {}", shown(word.text));
+        Err(self.malformed(word.place, problem, "it must be greater than zero"))
+    }
+
+    fn esri(&self) -> Result<HeightGrid, ImportError> {
+        let mut all = self.words().peekable();
+        let mut header: Header = [None; KEYS.len()];
+        while let Some(word) = all.peek().copied() {
+            if !word.text.starts_with(|c: char| c.is_alphabetic()) {
+                break;
+            }
+            all.next();
+            let key = self.key(word, &header)?;
+            let value = all.next().ok_or_else(|| {
+                let problem = format!("{} without a value", KEYS[key]);
+                self.malformed(word.place, problem, "`KEYWORD VALUE` is expected")
+            })?;
+            header[key] = Some(self.header_value(key, value)?);
+        }
+        let (columns, rows) = (self.count(&header, 0)?, self.count(&header, 1)?);
+        let step = self.esri_step(&header)?;
+        self.check_count(columns, rows)?;
+        let mut heights = Vec::with_capacity(columns * rows);
+        let mut last = Place { line: 1, column: 1 };
+        for word in all {
+            last = word.place;
+            if heights.len() == columns * rows {
+                let problem = format!("more than {columns} x {rows} heights");
+                return Err(self.malformed(last, problem, "`ncols` times `nrows` are expected"));
+            }
+            let height = self.number_or(word, header[9])?;
+            heights.push(height);
+        }
+        if heights.len() < columns * rows {
+            let problem = format!(
+                "the file ends after {} of {columns} x {rows} heights",
+                heights.len()
+            );
+            return Err(self.malformed(last, problem, "`ncols` times `nrows` are expected"));
+        }
+        self.grid(columns, rows, step, heights)
+    }
+
+    /// A height; nothing where it is the mark of missing data, whatever its magnitude.
+    fn number_or(&self, word: Word, missing: Option<f64>) -> Result<Option<f64>, ImportError> {
+        if missing.is_some() && word.text.parse::<f64>().ok() == missing {
+            return Ok(None);
+        }
+        Ok(Some(self.number(word, "height")?))
+    }
+
+    fn key(&self, word: Word, header: &Header) -> Result<usize, ImportError> {
+        let name = word.text.to_lowercase();
+        let accepted = "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy) and NODATA_value are expected once each";
+        match KEYS.iter().position(|key| *key == name) {
+            Some(key) if header[key].is_none() => Ok(key),
+            Some(_) => {
+                let problem = format!("{name} for the second time");
+                Err(self.malformed(word.place, problem, accepted))
+            }
+            None => {
+                let problem = format!(
+                    "{} is no keyword of the header and no height",
+                    shown(word.text)
+                );
+                Err(self.malformed(word.place, problem, accepted))
+            }
+        }
+    }
+
+    fn header_value(&self, key: usize, word: Word) -> Result<f64, ImportError> {
+        match KEYS[key] {
+            "ncols" | "nrows" => {
+                let count = word.text.parse::<u32>().ok().filter(|n| *n >= 2);
+                let problem = || format!("{} is no number of nodes", shown(word.text));
+                let accepted = format!("2 to {MAX_NODES} nodes in all are expected");
+                let count = count.ok_or_else(|| self.malformed(word.place, problem(), &accepted));
+                count.map(f64::from)
+            }
+            "cellsize" | "dx" | "dy" => self.positive(word, "distance of two nodes"),
+            // Missing data is often marked by the least number of a format, beyond every height; the place on the globe is not used.
+            _ => {
+                let value = word.text.parse::<f64>().ok().filter(|v| v.is_finite());
+                let problem = || format!("{} is no number", shown(word.text));
+                value.ok_or_else(|| self.malformed(word.place, problem(), "a number is expected"))
+            }
+        }
+    }
+
+    fn count(&self, header: &Header, key: usize) -> Result<usize, ImportError> {
+        let problem = || format!("the header has no {}", KEYS[key]);
+        let value = header[key].map(|n| n as usize);
+        value.ok_or_else(|| self.unusable(problem(), "`ncols N` and `nrows N` are needed"))
+    }
+
+    fn esri_step(&self, header: &Header) -> Result<[f64; 2], ImportError> {
+        match (header[6], header[7], header[8]) {
+            (Some(size), None, None) => Ok([size, size]),
+            (None, Some(dx), Some(dy)) => Ok([dx, dy]),
+            _ => Err(self.unusable(
+                "the header does not say once how far the nodes are apart".to_owned(),
+                "`cellsize N`, or `dx N` and `dy N`, are needed",
+            )),
+        }
+    }
+
+    fn check_count(&self, columns: usize, rows: usize) -> Result<(), ImportError> {
+        if columns.saturating_mul(rows) > MAX_NODES {
+            return Err(self.unusable(
+                format!("{columns} x {rows} nodes"),
+                &format!("at most {MAX_NODES} are read"),
+            ));
+        }
+        Ok(())
+    }
+
+    fn plain(&self) -> Result<HeightGrid, ImportError> {
+        let mut step = None;
+        let mut heights: Vec<Option<f64>> = vec![];
+        let (mut columns, mut rows) = (0, 0);
+        for (index, line) in self.text.lines().enumerate() {
+            let mut row = words(line, index + 1).peekable();
+            let Some(first) = row.peek().copied() else {
+                continue;
+            };
+            if first.text == "step" {
+                if step.is_some() || rows > 0 {
+                    let accepted = "one line `step EAST SOUTH` before the first row is expected";
+                    return Err(self.malformed(
+                        first.place,
+                        "`step` out of place".to_owned(),
+                        accepted,
+                    ));
+                }
+                step = Some(self.plain_step(row.skip(1), first.place)?);
+                continue;
+            }
+            let before = heights.len();
+            let mut end = first.place;
+            for word in row {
+                end = word.place;
+                let missing = word.text == "-";
+                heights.push(if missing {
+                    None
+                } else {
+                    Some(self.number(word, "height")?)
+                });
+                if heights.len() > MAX_NODES {
+                    return Err(self.unusable(
+                        "too many heights".to_owned(),
+                        &format!("at most {MAX_NODES} are read"),
+                    ));
+                }
+            }
+            let count = heights.len() - before;
+            if rows > 0 && count != columns {
+                let problem = format!("a row of {count} heights after rows of {columns}");
+                return Err(self.malformed(
+                    end,
+                    problem,
+                    "every row has the same number of heights",
+                ));
+            }
+            (columns, rows) = (count, rows + 1);
+        }
+        if columns < 2 || rows < 2 {
+            return Err(self.unusable(
+                format!("{rows} rows of {columns} heights"),
+                "at least 2 rows of 2 are needed, a row on each line (or the header of an ESRI ASCII grid)",
+            ));
+        }
+        self.grid(columns, rows, step.unwrap_or([1.0, 1.0]), heights)
+    }
+
+    fn plain_step<'w>(
+        &self,
+        mut values: impl Iterator<Item = Word<'w>>,
+        place: Place,
+    ) -> Result<[f64; 2], ImportError> {
+        let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
+        let mut next = || {
+            let word = values.next();
+            let word = word.ok_or_else(|| {
+                self.malformed(place, "a distance is missing".to_owned(), accepted)
+            })?;
+            self.positive(word, "distance of two nodes")
+        };
+        let step = [next()?, next()?];
+        match values.next() {
+            None => Ok(step),
+            Some(word) => Err(self.malformed(
+                word.place,
+                format!("{} too many", shown(word.text)),
+                accepted,
+            )),
+        }
+    }
+
+    fn grid(
+        &self,
+        columns: usize,
+        rows: usize,
+        step: [f64; 2],
+        heights: Vec<Option<f64>>,
+    ) -> Result<HeightGrid, ImportError> {
+        if heights.iter().all(Option::is_none) {
+            return Err(self.unusable(
+                "no node has a height".to_owned(),
+                "the four corners of at least one cell are needed",
+            ));
+        }
+        Ok(HeightGrid {
+            columns,
+            rows,
+            step,
+            heights,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn message(text: &str) -> String {
+        read(text.as_bytes(), "hills").unwrap_err().to_string()
+    }
+
+    #[test]
+    fn both_formats_read_the_same_grid() {
+        let esri = "NCOLS 3\nnrows 2\nxllcorner 12.5\nyllcorner -3\ndx 60\ndy 90\nNODATA_value -9999\n1 2.5 -9999 4\n-5 6e1\n";
+        let plain = "# hills\nstep 60 90\n1 2.5 -\n4 -5 60 # the south\n";
+        let grid = read(esri.as_bytes(), "a").unwrap();
+        assert_eq!(grid, read(plain.as_bytes(), "b").unwrap());
+        assert_eq!(grid.height(2, 0), None);
+        assert_eq!(grid.height(2, 1), Some(60.0));
+        assert_eq!(grid.step, [60.0, 90.0]);
+    }
+
+    #[test]
+    fn mistakes_are_shown_where_they_are() {
+        let cases = [
+            (
+                "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x4\n",
+                "hills:5:3: `x4` is no height",
+            ),
+            (
+                "ncols 2\nnrows 2\ncellsize 0\n1 2 3 4",
+                "hills:3:10: a distance of two nodes of `0`",
+            ),
+            (
+                "ncols 2\nnrows 2\ncellsize 1\n1 2 3",
+                "hills:4:5: the file ends after 3 of 2 x 2",
+            ),
+            (
+                "ncols 2\nnrows 2\ncellsize 1\n1 2 3 4 5",
+                "hills:4:9: more than 2 x 2",
+            ),
+            ("ncols 2\nncols 2\n", "hills:2:1: ncols for the second time"),
+            ("ncols 2\nnrow 2\n", "hills:2:1: `nrow` is no keyword"),
+            ("ncols 1\n", "hills:1:7: `1` is no number of nodes"),
+            ("ncols 2\ncellsize 1\n1", "has no nrows"),
+            ("ncols 2\nnrows 2\n1 2 3 4", "cellsize"),
+            ("ncols 2\nnrows 2\ncellsize 1\ndx 1\n1 2 3 4", "cellsize"),
+            (
+                "ncols 4000000000\nnrows 4000000000\ncellsize 1\n1",
+                "4000000000 x 4000000000 nodes",
+            ),
+            (
+                "1 2\n3 4 5\n",
+                "hills:2:5: a row of 3 heights after rows of 2",
+            ),
+            ("1 2\nstep 1 1\n3 4\n", "hills:2:1: `step` out of place"),
+            ("step 1\n1 2\n3 4\n", "hills:1:1: a distance is missing"),
+            ("step 1 2 3\n1 2\n3 4\n", "hills:1:10: `3` too many"),
+            ("1 2\n3 1e9\n", "hills:2:3: `1e9` is no height"),
+            ("1 2\n3 nan\n", "hills:2:3: `nan` is no height"),
+            ("1 2\n", "1 rows of 2 heights"),
+            ("", "0 rows of 0 heights"),
+            ("- -\n- -\n", "no node has a height"),
+            ("1 \u{fc}bel\n", "hills:1:3: `\u{fc}bel` is no height"),
+        ];
+        for (text, says) in cases {
+            let message = message(text);
+            assert!(message.contains(says), "{text:?}: {message}");
+        }
+        let binary = read(b"1 2\n3 \xff4\n", "hills").unwrap_err().to_string();
+        assert!(binary.contains("hills:2:3: this is not UTF-8"), "{binary}");
+    }
+
+    proptest! {
+        #[test]
+        fn no_bytes_make_it_panic(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
+            let _ = read(&bytes, "noise");
+        }
+
+        #[test]
+        fn no_header_makes_it_panic(words in proptest::collection::vec("(ncols|nrows|cellsize|dx|dy|NODATA_value|step|-|#|\n|[0-9.e+-]{1,6}) ?", 0..40)) {
+            let _ = read(words.concat().as_bytes(), "noise");
+        }
+    }
+}

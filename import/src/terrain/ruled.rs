@@ -1,0 +1,269 @@
+//! The ruled form of a cell, which depends on the eye: C8 of the source's systems (thesis of Coquillart, section 2.5, its implicit form derived).
+//!
+//! Seen from above, the lines of sight through the corners divide the cell into up to three sectors. In the middle one they pass opposite edges, and the
+//! surface is swept by the lines that rest on both edges and on the vertical through the eye: that vertical is one of its lines, so the eye lies on it. In the outer
+//! ones they pass adjacent edges, and the surface is the plane of the two.
+
+use super::cell::{Edge, Piece, surface};
+use super::exact::proportional;
+use super::grid::{Corners, twist};
+use imogene_models::rational::{fraction, integer};
+use imogene_models::scene::Cut;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
+type Point = [BigRational; 2];
+
+/// A sector of the cell: the corners whose lines of sight bound it, and the edges that its lines of sight pass.
+struct Sector {
+    bounds: [(usize, usize); 2],
+    edges: [Edge; 2],
+}
+
+/// The pieces of a cell that is no plane, for an eye beside it; nothing if the numbers have too many digits for a scene file.
+pub fn ruled_pieces(z: &Corners, eye: &Point) -> Option<Vec<Piece>> {
+    let order = corners_in_order(eye);
+    let sectors = order.windows(2).filter_map(|pair| {
+        let bounds = [pair[0], pair[1]];
+        let edges = passed(eye, bounds)?;
+        Some(Sector { bounds, edges })
+    });
+    sectors
+        .map(|sector| piece(z, eye, &sector, &order))
+        .collect()
+}
+
+/// The corners (u, v) as their lines of sight turn.
+fn corners_in_order(eye: &Point) -> [(usize, usize); 4] {
+    let mut corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+    // The eye is outside of a convex cell: all turns are less than half a circle.
+    corners.sort_by(|p, q| {
+        turn(eye, &at(*p), &at(*q))
+            .cmp(&BigRational::zero())
+            .reverse()
+    });
+    corners
+}
+
+fn at((u, v): (usize, usize)) -> Point {
+    [integer(u as i64), integer(v as i64)]
+}
+
+/// Positive if the line of sight turns from p towards q in the sense from u to v.
+fn turn(eye: &Point, p: &Point, q: &Point) -> BigRational {
+    let from = |k: usize, r: &Point| &r[k] - &eye[k];
+    from(0, p) * from(1, q) - from(1, p) * from(0, q)
+}
+
+/// The edges that lines of sight between two corners pass; nothing if the corners are in one line of sight.
+fn passed(eye: &Point, [p, q]: [(usize, usize); 2]) -> Option<[Edge; 2]> {
+    let (p, q) = (at(p), at(q));
+    if turn(eye, &p, &q).is_zero() {
+        return None;
+    }
+    let between: Point = std::array::from_fn(|k| (&p[k] + &q[k]) / integer(2));
+    let ends = |edge: Edge| match edge {
+        Edge::West => [(0, 0), (0, 1)],
+        Edge::East => [(1, 0), (1, 1)],
+        Edge::North => [(0, 0), (1, 0)],
+        Edge::South => [(0, 1), (1, 1)],
+    };
+    let is_passed = |edge: &Edge| {
+        let [a, b] = ends(*edge).map(|end| turn(eye, &between, &at(end)));
+        a.is_negative() != b.is_negative() && !a.is_zero() && !b.is_zero()
+    };
+    let edges: Vec<Edge> = Edge::ALL.into_iter().filter(is_passed).collect();
+    edges.try_into().ok()
+}
+
+fn piece(z: &Corners, eye: &Point, sector: &Sector, order: &[(usize, usize); 4]) -> Option<Piece> {
+    let coefficients = match sector.edges {
+        [Edge::West, Edge::East] => ruled_between_sides(z, eye)?,
+        [Edge::North, Edge::South] => ruled(z, eye)?,
+        adjacent => plane(z, adjacent)?,
+    };
+    let mut cuts: Vec<Cut> = sector.edges.iter().map(|edge| edge.cut(0.0)).collect();
+    for (index, corner) in sector.bounds.into_iter().enumerate() {
+        let first = turn(eye, &at(corner), &at(order[0])).cmp(&BigRational::zero());
+        let last = turn(eye, &at(corner), &at(order[3])).cmp(&BigRational::zero());
+        // Lines of sight beyond the outermost corners pass no two edges.
+        if first != Ordering::Equal && last != Ordering::Equal {
+            cuts.push(sector_cut(eye, corner, index == 0)?);
+        }
+    }
+    Some(Piece { coefficients, cuts })
+}
+
+/// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is behind it.
+fn sector_cut(eye: &Point, corner: (usize, usize), before: bool) -> Option<Cut> {
+    let [u, v] = at(corner);
+    let (du, dv) = (u - &eye[0], v - &eye[1]);
+    // turn(corner, p) = du (p_v - e_v) - dv (p_u - e_u), positive behind.
+    let (nu, nv) = if before { (dv, -du) } else { (-dv, du) };
+    let [nu, nv] = proportional([&nu, &nv])?;
+    Some(Cut {
+        point: [corner.0 as f64, 0.0, corner.1 as f64],
+        normal: [nu, 0.0, nv],
+    })
+}
+
+/// The plane of two adjacent edges.
+fn plane(z: &Corners, edges: [Edge; 2]) -> Option<[f64; 10]> {
+    let u = usize::from(edges.contains(&Edge::East));
+    let v = usize::from(edges.contains(&Edge::South));
+    // Slopes along the edge of constant v and along the edge of constant u.
+    let (along_u, along_v) = (&z[v][1] - &z[v][0], &z[1][u] - &z[0][u]);
+    let height = &z[v][u] - &along_u * integer(u as i64) - &along_v * integer(v as i64);
+    let zero = integer(0);
+    surface(&[zero, -along_u, integer(1), -along_v, integer(-2) * height])
+}
+
+/// Factors of `xy, x, y^2, yz, y, z, 1` of the surface on the edges y = 0 and y = 1: with z as height,
+/// `[b + ye (a - b)] xy - ye a x + [xe (b - a) + c] y^2 - y z + [xe (a - b) - ye c + z00] y + ye z - ye z00`.
+fn implicit(z: &Corners, [xe, ye]: &Point) -> [BigRational; 7] {
+    let (a, b, c) = (
+        &z[0][1] - &z[0][0],
+        &z[1][1] - &z[1][0],
+        &z[1][0] - &z[0][0],
+    );
+    let low = &z[0][0];
+    let less = &a - &b;
+    [
+        &b + ye * &less,
+        -(ye * &a),
+        &c - xe * &less,
+        integer(-1),
+        xe * &less - ye * &c + low,
+        ye.clone(),
+        -(ye * low),
+    ]
+}
+
+/// On the northern and the southern edge.
+fn ruled(z: &Corners, eye: &Point) -> Option<[f64; 10]> {
+    let [uv, u, vv, vz, v, height, one] = oriented(implicit(z, eye), z);
+    let half = fraction(1, 2);
+    let [uv, vz, u, height, v] = [uv, vz, u, height, v].map(|f| f * &half);
+    let written = [&vv, &uv, &vz, &u, &height, &v, &one];
+    let [vv, uv, vz, u, height, v, one] = proportional(written)?;
+    Some([0.0, 0.0, vv, 0.0, uv, vz, u, height, v, one])
+}
+
+/// On the western and the eastern edge: the same with u and v exchanged.
+fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
+    let turned = [
+        [z[0][0].clone(), z[1][0].clone()],
+        [z[0][1].clone(), z[1][1].clone()],
+    ];
+    let [a, b, c, d, e, f, g, h, i, j] = ruled(&turned, &[ye.clone(), xe.clone()])?;
+    Some([c, b, a, f, e, d, i, h, g, j])
+}
+
+/// The factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the other forms.
+fn oriented(factors: [BigRational; 7], z: &Corners) -> [BigRational; 7] {
+    debug_assert!(!twist(z).is_zero());
+    if factors[5].is_positive() {
+        factors
+    } else {
+        factors.map(|f| -f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_models::rational::from_decimal;
+    use imogene_models::scene::{Quadric, Shape};
+    use proptest::prelude::*;
+
+    fn quadric(piece: &Piece) -> Quadric {
+        let coefficients = piece.coefficients;
+        Quadric::from_shape(&Shape::Quadric { coefficients }).unwrap()
+    }
+
+    fn keeps(piece: &Piece, [u, v]: &Point) -> bool {
+        piece.cuts.iter().all(|cut| {
+            let [pu, _, pv] = cut.point.map(from_decimal);
+            let [nu, _, nv] = cut.normal.map(from_decimal);
+            !(nu * (u - pu) + nv * (v - pv)).is_positive()
+        })
+    }
+
+    /// The height over a point of the cell where the line of sight to it enters and leaves the cell, interpolated along it: the source's definition.
+    fn height(z: &Corners, eye: &Point, point: &Point) -> Option<BigRational> {
+        let mut crossed: Vec<(BigRational, BigRational)> = vec![];
+        for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let along = &point[axis] - &eye[axis];
+            if along.is_zero() {
+                continue;
+            }
+            let t = (integer(end) - &eye[axis]) / along;
+            let other = &eye[1 - axis] + &t * (&point[1 - axis] - &eye[1 - axis]);
+            if other.is_negative() || other > integer(1) {
+                continue;
+            }
+            let corner = |k: usize| match axis {
+                0 => &z[k][end as usize],
+                _ => &z[end as usize][k],
+            };
+            let level = corner(0) + (corner(1) - corner(0)) * &other;
+            crossed.push((t, level));
+        }
+        crossed.sort();
+        crossed.dedup();
+        let [(t0, h0), (t1, h1)] = <[_; 2]>::try_from(crossed).ok()?;
+        Some(&h0 + (h1 - &h0) * (integer(1) - &t0) / (t1 - t0))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Every point of the cell belongs to a piece, whose surface has there the height of the straight line between the two edges, and the
+        /// pieces agree where they meet. The ruled one holds every point of the vertical through the eye.
+        #[test]
+        fn pieces_are_the_surface_of_the_source(
+            heights in [-50i64..50, -50..50, -50..50, -50..50], eye in [-30i64..30, -30..30], places in proptest::collection::vec([0i64..=12, 0..=12], 12)
+        ) {
+            let [a, b, c, d] = heights.map(|h| fraction(h, 4));
+            let z = [[a, b], [c, d]];
+            let eye = eye.map(|e| fraction(e, 6));
+            prop_assume!(!twist(&z).is_zero());
+            prop_assume!(eye.iter().any(|e| e.is_negative() || *e > integer(1)));
+            let pieces = ruled_pieces(&z, &eye).expect("few digits");
+            prop_assert!(!pieces.is_empty() && pieces.len() <= 3);
+            for piece in pieces.iter().filter(|p| p.coefficients[0] != 0.0 || p.coefficients[2] != 0.0 || p.coefficients[3] != 0.0 || p.coefficients[5] != 0.0) {
+                for level in [-3, 0, 1000] {
+                    prop_assert!(quadric(piece).value_at(&eye[0], &integer(level), &eye[1]).is_zero());
+                }
+            }
+            for place in places {
+                let point = place.map(|p| fraction(p, 12));
+                let there: Vec<&Piece> = pieces.iter().filter(|p| keeps(p, &point)).collect();
+                prop_assert!(!there.is_empty(), "({:?}) belongs to no piece", place);
+                let Some(level) = height(&z, &eye, &point) else { continue };
+                for piece in there {
+                    prop_assert!(quadric(piece).value_at(&point[0], &level, &point[1]).is_zero());
+                    let below = quadric(piece).value_at(&point[0], &(&level - integer(1)), &point[1]);
+                    prop_assert!(below.is_negative());
+                }
+            }
+        }
+
+        /// Along a line of sight the bilinear patch is at most |e| / 4 away.
+        #[test]
+        fn the_bilinear_patch_is_near(
+            heights in [-50i64..50, -50..50, -50..50, -50..50], eye in [-30i64..30, -30..30], place in [0i64..=12, 0..=12]
+        ) {
+            let [a, b, c, d] = heights.map(integer);
+            let z = [[a, b], [c, d]];
+            let (eye, [u, v]) = (eye.map(|e| fraction(e, 6)), place.map(|p| fraction(p, 12)));
+            prop_assume!(eye.iter().any(|e| e.is_negative() || *e > integer(1)));
+            let e = twist(&z);
+            let patch = &z[0][0] + (&z[0][1] - &z[0][0]) * &u + (&z[1][0] - &z[0][0]) * &v + &e * &u * &v;
+            if let Some(level) = height(&z, &eye, &[u, v]) {
+                prop_assert!((level - patch).abs() <= e.abs() / integer(4));
+            }
+        }
+    }
+}
