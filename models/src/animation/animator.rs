@@ -43,7 +43,7 @@ pub struct FrameError {
     /// The frame.
     pub frame: FrameOf,
     /// What is wrong with it.
-    pub source: FrameProblem,
+    pub source: Box<FrameProblem>,
 }
 
 /// Why a frame cannot be drawn.
@@ -120,7 +120,10 @@ impl<'a> Animator<'a> {
                 prepared,
                 reuse,
             }),
-            Err(source) => Err(FrameError { frame, source }),
+            Err(source) => Err(FrameError {
+                frame,
+                source: Box::new(source),
+            }),
         }
     }
 
