@@ -141,7 +141,7 @@ fn the_picture_of_what_is_left_is_the_picture() {
         "detail", scene, "--size", "80x60", "--pixels", "30", "--json",
     ]);
     assert!(lossy["work"]["planes"][1].as_u64() <= value["work"]["planes"][1].as_u64());
-    refused(&["detail", scene, "--zone", "3"], "4..=4095");
+    refused(&["detail", scene, "--zone", "3"], "8..=4095");
     refused(&["detail", "scenes/none.toml"], "scenes/none.toml");
 }
 

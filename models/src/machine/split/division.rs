@@ -10,6 +10,8 @@ use thiserror::Error;
 
 /// Most columns or lines of a zone, and most groups of lines.
 pub const MOST: u32 = 4096;
+/// Fewest columns or lines of a zone that text can ask for: smaller ones are more work to count than to draw.
+pub const LEAST_ZONE: u32 = 8;
 
 /// How a screen is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +30,7 @@ pub enum Division {
 /// Text that is no division of the screen.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error(
-    "'{0}' is no split of the screen; expected zones:WxH or lines:N, such as zones:64x64 or lines:3, each number from 1 to {MOST}"
+    "'{0}' is no split of the screen; expected zones:WxH or lines:N, such as zones:64x64 or lines:3; sides of zones from {LEAST_ZONE} to {MOST}, groups of lines from 1 to {MOST}"
 )]
 pub struct DivisionError(String);
 
@@ -36,18 +38,18 @@ impl FromStr for Division {
     type Err = DivisionError;
 
     fn from_str(text: &str) -> Result<Division, DivisionError> {
-        let number = |text: &str| {
+        let from = |least: u32, text: &str| {
             let value: Option<u32> = text.parse().ok();
-            value.filter(|value| (1..=MOST).contains(value))
+            value.filter(|value| (least..=MOST).contains(value))
         };
         let division = match text.split_once(':') {
             Some(("zones", size)) => size.split_once('x').and_then(|(width, height)| {
                 Some(Division::Zones {
-                    width: number(width)?,
-                    height: number(height)?,
+                    width: from(LEAST_ZONE, width)?,
+                    height: from(LEAST_ZONE, height)?,
                 })
             }),
-            Some(("lines", groups)) => number(groups).map(Division::Lines),
+            Some(("lines", groups)) => from(1, groups).map(Division::Lines),
             _ => None,
         };
         division.ok_or_else(|| DivisionError(text.to_owned()))
@@ -166,7 +168,7 @@ mod tests {
 
     #[test]
     fn text_and_division_are_each_other() {
-        for text in ["zones:64x48", "lines:3", "zones:1x4096", "lines:1"] {
+        for text in ["zones:64x48", "lines:3", "zones:8x4096", "lines:1"] {
             let division: Division = text.parse().unwrap();
             assert_eq!(division.to_string(), text);
         }
@@ -175,7 +177,7 @@ mod tests {
             "zones",
             "zones:",
             "zones:64",
-            "zones:0x3",
+            "zones:7x8",
             "zones:3x",
             "lines:",
             "lines:0",

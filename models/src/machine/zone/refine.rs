@@ -11,7 +11,8 @@ use crate::object::volume::{VolumeKind, VolumeWords};
 use crate::object::volume_line::for_each_inside;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How the host decides what goes to a zone. The picture is the same whatever it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -186,26 +187,52 @@ impl<'a> ZoneRefiner<'a> {
         self.zone.volume_planes.extend(masks);
     }
 
-    /// Draws the zone and leaves out the volumes that say the same of all its visible points as if they were not there.
+    /// Draws the zone and leaves out the volumes that take no source from a visible point that another one has not taken already: lights first, then shadows by the number of
+    /// points inside, the most first.
     fn try_volumes(&mut self) {
         let depths = self.depths();
         let z_max = self.plan.format.z_max();
-        let points = depths.iter().filter(|&&z| z != z_max).count();
+        let is_surface: Vec<bool> = depths.iter().map(|&z| z != z_max).collect();
         let volumes = std::mem::take(&mut self.zone.volumes);
-        let counted = volumes.iter().map(|&v| (v, self.count_inside(v, &depths)));
-        let counted: Vec<(u32, usize)> = counted.collect();
-        let is_dark = |source: u8| {
-            counted.iter().any(|&(index, inside)| {
-                let words = self.volume(index);
-                words.kind == VolumeKind::Light && words.source == source && inside == 0
-            })
+        let mut darkened: Vec<(u32, Vec<bool>)> = volumes
+            .iter()
+            .map(|&index| (index, self.darkened(index, &depths, &is_surface)))
+            .collect();
+        darkened.sort_by_key(|(index, points)| {
+            let count = points.iter().filter(|&&dark| dark).count();
+            let is_shadow = self.volume(*index).kind == VolumeKind::Shadow;
+            (is_shadow, Reverse(count), *index)
+        });
+        let mut dark: BTreeMap<u8, Vec<bool>> = BTreeMap::new();
+        let mut left = vec![];
+        for (index, points) in darkened {
+            let known = dark
+                .entry(self.volume(index).source)
+                .or_insert_with(|| vec![false; points.len()]);
+            let mut adds = false;
+            for (known, point) in known.iter_mut().zip(points) {
+                adds |= point && !*known;
+                *known |= point;
+            }
+            if adds {
+                left.push(index);
+            }
+        }
+        left.sort_unstable();
+        self.zone.volumes = left;
+    }
+
+    /// The visible points that a volume takes its source from.
+    fn darkened(&self, index: u32, depths: &[i64], is_surface: &[bool]) -> Vec<bool> {
+        let inside = self.inside(index, depths);
+        let dark = match self.volume(index).kind {
+            VolumeKind::Shadow => true,
+            VolumeKind::Light => false,
         };
-        let matters = |&(index, inside): &(u32, usize)| match self.volume(index).kind {
-            VolumeKind::Shadow => inside > 0 && !is_dark(self.volume(index).source),
-            VolumeKind::Light => inside < points,
-        };
-        let left = counted.iter().filter(|one| matters(one));
-        self.zone.volumes = left.map(|&(index, _)| index).collect();
+        let points = inside.into_iter().zip(is_surface);
+        points
+            .map(|(inside, &surface)| surface && inside == dark)
+            .collect()
     }
 
     /// Visible depths of the zone, line by line.
@@ -230,16 +257,21 @@ impl<'a> ZoneRefiner<'a> {
         words.for_zone(zone.x0.into(), zone.y0.into(), width, height)
     }
 
-    fn count_inside(&self, index: u32, depths: &[i64]) -> usize {
+    /// The visible points of the zone inside a volume.
+    fn inside(&self, index: u32, depths: &[i64]) -> Vec<bool> {
         let zone = &self.zone;
         let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
-        let words = volume_with_planes(self.volume(index), self.zone.planes_of_volume(index))
-            .for_zone(x0, y0, width, height);
-        let mut count = 0;
-        for (y, line) in depths.chunks(zone.width as usize).enumerate() {
-            for_each_inside(&words, &self.plan.format, y as i64, line, |_| count += 1);
+        let words = volume_with_planes(self.volume(index), zone.planes_of_volume(index));
+        let words = words.for_zone(x0, y0, width, height);
+        let width = zone.width as usize;
+        let mut inside = vec![false; depths.len()];
+        let lines = inside.chunks_mut(width).zip(depths.chunks(width));
+        for (y, (inside, line)) in lines.enumerate() {
+            for_each_inside(&words, &self.plan.format, y as i64, line, |x| {
+                inside[x] = true;
+            });
         }
-        count
+        inside
     }
 }
 
