@@ -6,10 +6,10 @@
 //! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the exact scene with these numbers, so that a
 //! line of sight follows the dual axes: the cross products of the others over the determinant.
 
-use crate::frame::{Vector, unit};
+use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;
-use imogene_models::rational::{from_decimal, from_f64_exact, integer};
-use imogene_models::scene::Camera;
+use imogene_models::rational::{from_decimal, from_f64_exact, integer, to_f64};
+use imogene_models::scene::{Camera, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
@@ -42,14 +42,16 @@ impl Sight {
                 up,
                 viewer_distance,
                 view_height,
+                node,
             } => {
-                let [right, down, forward] = screen_axes(*eye, *target, *up);
+                let observer = Observer::placed(eye, target, up, &node.place);
+                let [right, down, forward] = screen_axes(observer.view, observer.up);
                 let half_pixel = from_decimal(*view_height) / (lines * integer(2));
                 let distance = from_decimal(*viewer_distance);
                 Sight {
                     width,
                     height,
-                    from: [zero(), zero(), point(eye)],
+                    from: [zero(), zero(), observer.eye],
                     along: [
                         scaled(right, &half_pixel),
                         scaled(down, &half_pixel),
@@ -64,8 +66,10 @@ impl Sight {
                 up,
                 view_height,
                 half_depth,
+                node,
             } => {
-                let [right, down, forward] = screen_axes(*eye, *target, *up);
+                let observer = Observer::placed(eye, target, up, &node.place);
+                let [right, down, forward] = screen_axes(observer.view, observer.up);
                 let half_pixel = from_decimal(*view_height) / (lines * integer(2));
                 Sight {
                     width,
@@ -73,7 +77,7 @@ impl Sight {
                     from: [
                         scaled(right, &half_pixel),
                         scaled(down, &half_pixel),
-                        point(target),
+                        observer.target,
                     ],
                     along: [zero(), zero(), scaled(forward, &from_decimal(*half_depth))],
                     perspective: false,
@@ -132,9 +136,40 @@ fn scaled(axis: [BigRational; 3], factor: &BigRational) -> Vector {
     [x, y, z, BigRational::zero()]
 }
 
+/// Where an observer stands and looks, in scene coordinates.
+struct Observer {
+    eye: Vector,
+    target: Vector,
+    view: [f64; 3],
+    up: [f64; 3],
+}
+
+impl Observer {
+    /// The observer after the steps of its placement; without any its directions are the written numbers.
+    fn placed(eye: &[f64; 3], target: &[f64; 3], up: &[f64; 3], steps: &[Step]) -> Observer {
+        if steps.is_empty() {
+            return Observer {
+                eye: point(eye),
+                target: point(target),
+                view: [0, 1, 2].map(|k| target[k] - eye[k]),
+                up: *up,
+            };
+        }
+        let matrix = placement(steps);
+        let [eye, target] = [eye, target].map(|at| apply(&matrix, &point(at)));
+        let along = apply(&matrix, &scaled(up.map(from_decimal), &BigRational::one()));
+        Observer {
+            view: [0, 1, 2].map(|k| to_f64(&(&target[k] - &eye[k]))),
+            up: [0, 1, 2].map(|k| to_f64(&along[k])),
+            eye,
+            target,
+        }
+    }
+}
+
 /// The dual of the axes right, down and forward.
-fn screen_axes(eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> [[BigRational; 3]; 3] {
-    let forward = unit([0, 1, 2].map(|k| target[k] - eye[k]));
+fn screen_axes(view: [f64; 3], up: [f64; 3]) -> [[BigRational; 3]; 3] {
+    let forward = unit(view);
     let right = unit(cross_f64(forward, unit(up)));
     let down = cross_f64(forward, right);
     let [r, d, f] = [right, down, forward].map(|axis| axis.map(from_f64_exact));

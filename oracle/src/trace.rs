@@ -61,6 +61,7 @@ type Drawn = (Option<TracedPixel>, bool);
 impl Tracer {
     /// A scene that was read and checked, for a picture of `width` x `height` pixels.
     pub fn new(scene: &SceneFile, width: u32, height: u32) -> Tracer {
+        let scene = scene.flattened();
         let sight = Sight::new(&scene.camera, width, height);
         let bodies: Vec<Vec<(u32, Body)>> = scene
             .objects

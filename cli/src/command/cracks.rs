@@ -44,12 +44,12 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     let (_, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
     let least = options.min_distance;
     let rule = Rule {
-        min_distance: least.unwrap_or_else(|| two_pixels(&file.camera, prepared.height as usize)),
+        min_distance: least.unwrap_or_else(|| two_pixels(file.active(), prepared.height as usize)),
         width: usize::from(options.width),
     };
     let frame = golden_frame(&prepared);
     let z_max = prepared.format.z_max();
-    let found = cracks(&Buffers::new(&frame, &file.camera, z_max), &rule);
+    let found = cracks(&Buffers::new(&frame, file.active(), z_max), &rule);
     let mut files = vec![];
     if let Some(path) = &options.output {
         let flagged = found.iter().map(|c| c.y * frame.width + c.x);
@@ -58,7 +58,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         files.push(path.clone());
     }
     let scores = options.inject.map_or(vec![], |count| {
-        scores(options, count, &prepared, &file.camera, rule)
+        scores(options, count, &prepared, file.active(), rule)
     });
     let report = CrackReport {
         width: prepared.width,

@@ -5,7 +5,7 @@ use super::model::Model;
 use super::planes::{Planes, SharedPlane};
 use super::vector::{Vector, along, cross, dot, minus, unit};
 use imogene_models::scene::{
-    Camera, Cut, FORMAT_VERSION, ImageSize, Light, Object, SceneFile, Shape, Surface,
+    Camera, Cut, ImageSize, Light, Node, Object, SceneFile, Shape, Surface,
 };
 
 /// What became of a solid.
@@ -39,15 +39,13 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
         }
     }
     (!objects.is_empty()).then(|| SceneFile {
-        format: FORMAT_VERSION,
-        title: model.title.clone(),
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
-        camera: camera(model),
         lights: lights(),
         materials: model.materials.clone(),
         objects,
+        ..SceneFile::new(&model.title, camera(model))
     })
 }
 
@@ -81,6 +79,8 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes) -> Object {
         material: material.to_owned(),
         place: vec![],
         cuts,
+        group: None,
+        visible: true,
         casts_shadow: true,
     }
 }
@@ -128,6 +128,7 @@ fn camera(model: &Model) -> Camera {
         up: [0.0, 1.0, 0.0],
         viewer_distance: distance,
         view_height: rounded(2.0 * MARGIN * half, size),
+        node: Node::default(),
     }
 }
 
@@ -157,6 +158,7 @@ fn lights() -> Vec<Light> {
         colour: [1.0; 3],
         intensity,
         shadows: false,
+        node: Node::default(),
     };
     vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)]
 }

@@ -1,6 +1,6 @@
 //! A camera that sees a whole set of balls.
 
-use imogene_models::scene::Camera;
+use imogene_models::scene::{Camera, Node};
 
 /// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper than a third of the distance. The
 /// sphere is then seen under 19.2 degrees, `2 asin(1/6)`.
@@ -87,6 +87,7 @@ pub fn frame(balls: &[Ball]) -> Framing {
             up,
             viewer_distance: distance,
             view_height: five_digits_up(2.0 * half_height),
+            node: Node::default(),
         },
         axes: [right, up, towards],
     }

@@ -8,8 +8,7 @@ use super::structure::{Atom, Structure};
 use super::{Colouring, Options, Style};
 use crate::error::ImportError;
 use imogene_models::scene::{
-    Axis, Cut, FORMAT_VERSION, ImageSize, Light, Material, Object, Rotation, SceneFile, Shape,
-    Step, Surface,
+    Axis, Cut, ImageSize, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
 };
 use std::collections::HashMap;
 
@@ -175,6 +174,8 @@ fn object(
         material,
         place,
         cuts,
+        group: None,
+        visible: true,
         casts_shadow: true,
     }
 }
@@ -256,22 +257,21 @@ fn scene(
             colour,
             intensity,
             shadows: false,
+            node: Node::default(),
         };
     SceneFile {
-        format: FORMAT_VERSION,
-        title,
         background: [0.06, 0.08, 0.13],
         ambient: [0.55, 0.55, 0.6],
         image: ImageSize {
             width: 960,
             height: 720,
         },
-        camera,
         lights: vec![
             light([-3.0, 5.0, 7.0], [1.0, 0.97, 0.9], 0.9),
             light([6.0, 1.0, 4.0], [0.6, 0.75, 1.0], 0.35),
         ],
         materials,
         objects,
+        ..SceneFile::new(&title, camera)
     }
 }

@@ -10,8 +10,7 @@ use imogene_models::prepare::error::PrepareError;
 use imogene_models::prepare::refused;
 use imogene_models::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_models::scene::{
-    Camera, FORMAT_VERSION, ImageSize, Light, Material, Object, Scale, SceneFile, Shape, Step,
-    Surface,
+    Camera, ImageSize, Light, Material, Node, Object, Scale, SceneFile, Shape, Step, Surface,
 };
 use num_rational::BigRational;
 use serde_json::json;
@@ -389,6 +388,8 @@ impl<'a> Map<'a> {
                     Step::Translate([x, 0.0, z]),
                 ],
                 cuts,
+                group: None,
+                visible: true,
                 casts_shadow: true,
             }
         };
@@ -464,27 +465,27 @@ impl<'a> Map<'a> {
             exponent: 1,
         };
         let [width, height] = self.options.size;
+        let camera = Camera::Perspective {
+            eye: self.eye,
+            target: self.target,
+            up: [0.0, 1.0, 0.0],
+            viewer_distance: self.viewer_distance,
+            view_height: short(VIEW * self.viewer_distance),
+            node: Node::default(),
+        };
         SceneFile {
-            format: FORMAT_VERSION,
-            title: self.options.title.clone(),
             background: [0.62, 0.74, 0.88],
             ambient: [1.0; 3],
             image: ImageSize { width, height },
-            camera: Camera::Perspective {
-                eye: self.eye,
-                target: self.target,
-                up: [0.0, 1.0, 0.0],
-                viewer_distance: self.viewer_distance,
-                view_height: short(VIEW * self.viewer_distance),
-            },
             lights: vec![Light::Directional {
                 from: [-3.0, 3.0, 1.0],
                 colour: [1.0; 3],
                 intensity: 1.0,
                 shadows: false,
+                node: Node::default(),
             }],
             materials: BANDS.iter().enumerate().map(material).collect(),
-            objects: vec![],
+            ..SceneFile::new(&self.options.title, camera)
         }
     }
 }
