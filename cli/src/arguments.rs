@@ -24,7 +24,6 @@ use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use imogene_verif::unit::Parameters;
 pub use import::{CellForm, Import, ImportKind};
-pub use machine::Machine;
 pub use machine::{Machine, Refine};
 pub use oracle::{Cracks, Repair, Trace};
 pub use split::Split;

@@ -61,6 +61,7 @@ fn hardware() -> Result<Hardware, Failure> {
         volume_planes: 0,
         rows_per_stage: 1,
         zone_bits: ZONE_BITS,
+        samples: 1,
     };
     let request = DisplayRequest {
         kind: DisplayKind::ZoneCore(shape),
