@@ -4,6 +4,7 @@ use super::kind::quadric_kind;
 use super::summary::Shows;
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
+use crate::object::slot::ProcessorWords;
 use crate::prepare::{NeededWord, PreparedObject};
 use crate::scene::FramedObject;
 use serde::Serialize;
@@ -52,7 +53,10 @@ pub(super) fn report(
     PartsReport {
         name: object.name().to_owned(),
         kind: kind(framed),
-        processor: framed.processor(),
+        processor: match words.first() {
+            Some(ProcessorWords::Quotient(_)) => "quotient",
+            _ => framed.processor(),
+        },
         processors: words.len(),
         screen_box: window,
         pixels,
@@ -68,11 +72,7 @@ pub(super) fn report(
     }
 }
 
-fn pixels(
-    words: &[crate::object::slot::ProcessorWords],
-    window: &ScreenBox,
-    format: &Format,
-) -> usize {
+fn pixels(words: &[ProcessorWords], window: &ScreenBox, format: &Format) -> usize {
     let mut count = 0;
     for y in window.y0..=window.y1 {
         let mut line = vec![false; (window.x1 - window.x0 + 1).max(0) as usize];

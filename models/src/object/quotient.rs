@@ -35,11 +35,13 @@ pub struct QuotientWords {
     pub screen_box: ScreenBox,
     /// The volume where `denominator z <= numerator`, not only the surface.
     pub solid: bool,
+    /// Number of the surface's face: that of the near root, or that of the far one if the other root has gone to the near side.
+    pub face: u8,
     /// `-T`, in depth words times the unit of the denominator.
     pub numerator: Quadratic,
     /// `2 B`, in a unit of its own.
     pub denominator: Linear,
-    /// Normal at the depth `normal_from`, and its change with the depth behind that, negated: what the normal unit takes for a near face.
+    /// Normal at the depth `normal_from`, and its change with the depth behind that, negated for a near face as the normal unit takes it.
     pub normal: NormalWords,
     /// No point of the object that is seen is nearer.
     pub normal_from: i64,
@@ -126,7 +128,7 @@ impl QuotientProcessor {
         let quotient = restoring_quotient(numerator, denominator, format.depth);
         let mut face = match self.words.screen_box.contains(self.x, self.y) {
             true if self.words.solid => solid(quotient, numerator, denominator, &format),
-            true => surface(quotient, &format),
+            true => surface(quotient, self.words.face, &format),
             false => Interval::absent(&format),
         };
         self.x += 1;
@@ -156,13 +158,13 @@ impl QuotientProcessor {
 }
 
 /// The one face of a surface.
-fn surface(quotient: Quotient, format: &Format) -> Interval {
+fn surface(quotient: Quotient, face: u8, format: &Format) -> Interval {
     match quotient {
         Quotient::Word(z) if z >= format.z_low() && z < format.z_max() => Interval {
             zf: z,
             zb: z,
-            nf: FACE_NEAR,
-            nb: FACE_NEAR,
+            nf: face,
+            nb: face,
         },
         _ => Interval::absent(format),
     }
@@ -234,6 +236,7 @@ mod tests {
                         y1: SIDE - 1,
                     },
                     solid,
+                    face: FACE_NEAR,
                     numerator: Quadratic { a, b, c, d, e, f },
                     denominator: Linear::new(p, q, r),
                     normal: NormalWords::default(),

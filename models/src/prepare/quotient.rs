@@ -19,6 +19,7 @@ use crate::object::quotient::{QuotientWords, denominator_width, numerator_width}
 use crate::object::slot::ProcessorWords;
 use crate::rational::{floor, fraction, from_f64_exact, integer, power_of_two, to_f64, to_f64_up};
 use crate::scene::{FramedQuadric, Plane, Surface};
+use crate::unit::interval::{FACE_FAR, FACE_NEAR};
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use num_bigint::BigInt;
@@ -53,7 +54,7 @@ pub(super) fn prepare_on_eye(
             object: object.name.clone(),
         });
     }
-    prepare(object, &quadric, &planes, context).map(Some)
+    prepare(object, &quadric, &planes, FACE_NEAR, context).map(Some)
 }
 
 /// The words of a surface that the eye lies on but for a distance that changes no depth by more than [`greatest_neglect`]; nothing for any other.
@@ -84,7 +85,11 @@ pub(super) fn prepare_near_eye(
     if neglect > greatest_neglect() {
         return Ok(None);
     }
-    let mut parts = prepare(object, &quadric, &planes, context)?;
+    // The other root is about -2 B / c, of one sign on the box.
+    let at_corner = polar.at(&integer(window.x0), &integer(window.y0));
+    let other_is_nearer = at_corner.is_positive() == quadric.eye_value().is_positive();
+    let face = if other_is_nearer { FACE_FAR } else { FACE_NEAR };
+    let mut parts = prepare(object, &quadric, &planes, face, context)?;
     let neglect = to_f64_up(&neglect);
     parts.depth_bound = parts.depth_bound.map(|bound| bound + neglect);
     parts.notes.push(format!(
@@ -128,6 +133,7 @@ fn prepare(
     object: &FramedQuadric,
     quadric: &ScreenQuadric,
     planes: &[Plane],
+    face: u8,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
     let window = window_of(quadric, planes, object.surface, context);
@@ -139,10 +145,14 @@ fn prepare(
     let anchor = anchor.unwrap_or_else(|| Anchor::middle_of(&window));
     let mut ledger = Ledger::new(&object.name, window, context);
     let depth = Depth::new(quadric, &window, anchor, &mut ledger, context)?;
-    let (normal, normal_from) = normal(object, quadric, planes, &window, anchor, context);
+    let (mut normal, normal_from) = normal(object, quadric, planes, &window, anchor, context);
+    if face == FACE_FAR {
+        normal.k = normal.k.map(|k| -k);
+    }
     let mut words = QuotientWords {
         screen_box: window,
         solid: object.surface == Surface::Solid,
+        face,
         numerator: depth.numerator,
         denominator: depth.denominator,
         normal,
