@@ -178,10 +178,10 @@ fn unit_form(shape: &Shape) -> Option<([f64; 3], Family)> {
 
 fn matrix_of(family: &Family) -> Matrix {
     let mut rows: Matrix = Default::default();
-    for k in 0..3 {
-        rows[k][k] = integer(2 * family.squares[k]);
-        rows[k][3] = integer(family.linear[k]);
-        rows[3][k] = integer(family.linear[k]);
+    for (k, (square, linear)) in family.squares.iter().zip(family.linear).enumerate() {
+        rows[k][k] = integer(2 * square);
+        rows[k][3] = integer(linear);
+        rows[3][k] = integer(linear);
     }
     rows[3][3] = integer(2 * family.constant);
     rows

@@ -7,11 +7,13 @@
 //! point between two points of the front is inside or behind it: the pixel between is covered, and not behind both.
 //!
 //! *Beyond the printed rule* (`width` above 1): a crack of w pixels is met by looking past it, at two pixels on a line through the pixel, one on each side, at most
-//! w + 1 apart. The proof for convex solids is the same. (The measure [`imogene_models::metrics`] calls by the same name compares with the true picture.)
+//! w + 1 apart. The proof for convex solids is the same. Beyond it too, a flagged pixel is told to be a crack or the end of a notch ([`Crack::notch`]): two outlines that meet
+//! at a sharp angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure [`imogene_models::metrics`] calls by the same name compares with the true picture.)
 
 use imogene_models::machine::frame::Frame;
 use imogene_models::scene::Camera;
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// Directions to one of each two opposite neighbours.
 const DIRECTIONS: [(i64, i64); 4] = [(1, 0), (0, 1), (1, 1), (1, -1)];
@@ -49,6 +51,9 @@ pub struct Crack {
     pub object: i32,
     /// The objects on both sides.
     pub sides: [i32; 2],
+    /// It is the end of a *notch*: flagged pixels of its face lead to one of its face that is not flagged, as where two outlines meet at a sharp angle. A crack
+    /// within a surface is closed.
+    pub notch: bool,
 }
 
 impl Buffers {
@@ -93,9 +98,43 @@ pub fn two_pixels(camera: &Camera, height: usize) -> f64 {
 /// The flagged pixels, line by line.
 pub fn cracks(buffers: &Buffers, rule: &Rule) -> Vec<Crack> {
     let pixels = (0..buffers.height).flat_map(|y| (0..buffers.width).map(move |x| (x, y)));
-    pixels
+    let mut found: Vec<Crack> = pixels
         .filter_map(|(x, y)| crack_at(buffers, rule, x, y))
-        .collect()
+        .collect();
+    mark_notches(buffers, &mut found);
+    found
+}
+
+/// Goes through the flagged pixels from those that touch an unflagged one of their face.
+fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
+    let index = |c: &Crack| c.y * buffers.width + c.x;
+    let flagged: HashMap<usize, usize> = found
+        .iter()
+        .enumerate()
+        .map(|(k, c)| (index(c), k))
+        .collect();
+    let alike = |pixel: usize| -> Vec<usize> {
+        let (x, y) = (pixel % buffers.width, pixel / buffers.width);
+        let lines = y.saturating_sub(1)..=(y + 1).min(buffers.height - 1);
+        let columns = x.saturating_sub(1)..=(x + 1).min(buffers.width - 1);
+        lines
+            .flat_map(|v| columns.clone().map(move |u| v * buffers.width + u))
+            .filter(|&other| other != pixel && buffers.face[other] == buffers.face[pixel])
+            .collect()
+    };
+    let touches = |c: &Crack| alike(index(c)).iter().any(|i| !flagged.contains_key(i));
+    let mut open: Vec<usize> = (0..found.len()).filter(|&k| touches(&found[k])).collect();
+    while let Some(k) = open.pop() {
+        if found[k].notch {
+            continue;
+        }
+        found[k].notch = true;
+        open.extend(
+            alike(index(&found[k]))
+                .iter()
+                .filter_map(|i| flagged.get(i)),
+        );
+    }
 }
 
 fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack> {
@@ -124,6 +163,7 @@ fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack>
                     y,
                     object: buffers.face[own].0,
                     sides: [one, other],
+                    notch: false,
                 });
             }
         }
@@ -204,6 +244,26 @@ mod tests {
         let buffers = wall(20, 20, &three, (f64::INFINITY, -1));
         assert_eq!(found(&buffers, wide), []);
         assert_eq!(found(&buffers, Rule { width: 3, ..RULE }), three);
+    }
+
+    /// A wedge of background that narrows to one pixel is flagged where it is narrow, and a crack within the surface is not taken for its end.
+    #[test]
+    fn the_end_of_a_notch_is_told_from_a_crack() {
+        let wedge = (0..16usize).flat_map(|y| (10 - (16 - y) / 4..=10).map(move |x| (x, y)));
+        let mut marked: Vec<(usize, usize)> = wedge.collect();
+        marked.push((3, 15));
+        let all = cracks(&wall(20, 20, &marked, (f64::INFINITY, -1)), &RULE);
+        let closed: Vec<_> = all
+            .iter()
+            .filter(|c| !c.notch)
+            .map(|c| (c.x, c.y))
+            .collect();
+        assert_eq!(closed, [(3, 15)]);
+        let notches = all.iter().filter(|c| c.notch);
+        assert!(
+            notches.clone().count() >= 3 && notches.clone().all(|c| c.x == 10),
+            "{all:?}"
+        );
     }
 
     #[test]
