@@ -1,0 +1,295 @@
+//! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is malformed has a place in the file.
+//!
+//! Ten million random bytes for each reader, and changed files of the collection; 100 000 of them for each reader under `IMOGENE_FULL=1`. `IMOGENE_FUZZ_FILES` names
+//! a folder of further files to change.
+
+use imogene_import::{ImportError, faces, pdb, terrain};
+use imogene_models::machine::description::MachineDescription;
+use imogene_models::scene::SceneFile;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+use rayon::prelude::*;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// Random bytes for each reader.
+const RANDOM_BYTES: usize = 10_000_000;
+/// Longest that one file may take; the slowest takes a small part of it.
+const PATIENCE: Duration = Duration::from_secs(60);
+/// Most memory at once, for two files at a time.
+const MOST_MEMORY: usize = 1 << 30;
+
+/// The system's memory, counted.
+struct Counted;
+
+static NOW: AtomicUsize = AtomicUsize::new(0);
+static MOST: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every call goes to the system's allocator as it came.
+unsafe impl GlobalAlloc for Counted {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let now = NOW.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
+        MOST.fetch_max(now, Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        NOW.fetch_sub(layout.size(), Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.dealloc(block, layout) }
+    }
+}
+
+#[global_allocator]
+static MEMORY: Counted = Counted;
+
+/// A reader: what it says of bytes, with the place if they are malformed.
+struct Reader {
+    name: &'static str,
+    endings: &'static [&'static str],
+    read: fn(&[u8]) -> Outcome,
+}
+
+enum Outcome {
+    Read,
+    /// Line and column, from 1.
+    Malformed(usize, usize),
+    /// Well formed, and refused as a whole or by the name of a part.
+    Refused,
+}
+
+const READERS: [Reader; 5] = [
+    Reader {
+        name: "pdb",
+        endings: &[".pdb", ".ent"],
+        read: |bytes| outcome(pdb::read(bytes, "a file", &pdb::Options::default())),
+    },
+    Reader {
+        name: "faces",
+        endings: &[".faces.toml"],
+        read: |bytes| outcome(faces::read(bytes, "a file", &faces::FaceOptions::default())),
+    },
+    Reader {
+        name: "heights",
+        endings: &[".heights", ".asc"],
+        read: |bytes| {
+            let options = terrain::TerrainOptions::default();
+            outcome(terrain::import(bytes, "a file", &options))
+        },
+    },
+    Reader {
+        name: "scene",
+        endings: &[".toml"],
+        read: |bytes| of_text(bytes, |text| SceneFile::parse(text, "a file").map(|_| ())),
+    },
+    Reader {
+        name: "machine",
+        endings: &["machines/beam-160x120.toml", "machines/zone-160x120.toml"],
+        read: |bytes| of_text(bytes, |text| MachineDescription::parse(text, "a file").map(|_| ())),
+    },
+];
+
+fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
+    match read {
+        Ok(imported) => {
+            // What was read can be written.
+            imported.scene.to_toml().expect("a scene that can be written");
+            Outcome::Read
+        }
+        Err(ImportError::Malformed { place, .. }) => Outcome::Malformed(place.line, place.column),
+        Err(ImportError::Unusable { .. }) => Outcome::Refused,
+    }
+}
+
+/// Readers of text: a file that is not text is refused before them.
+fn of_text<E: std::fmt::Display>(
+    bytes: &[u8],
+    read: impl Fn(&str) -> Result<(), E>,
+) -> Outcome {
+    let text = String::from_utf8_lossy(bytes);
+    let Err(error) = read(&text) else {
+        return Outcome::Read;
+    };
+    let message = error.to_string();
+    let mut numbers = message.strip_prefix("a file:").unwrap_or("").splitn(3, ':');
+    let mut number = || numbers.next().and_then(|n| n.parse().ok());
+    match (number(), number()) {
+        (Some(line), Some(column)) => Outcome::Malformed(line, column),
+        _ => Outcome::Refused,
+    }
+}
+
+/// Files that a reader is for.
+fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut folders = vec![root.join("scenes"), root.join("machines")];
+    folders.extend(std::env::var_os("IMOGENE_FUZZ_FILES").map(PathBuf::from));
+    let mut files = vec![];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let name = path.to_string_lossy().replace('\\', "/").to_lowercase();
+            if path.is_dir() {
+                folders.push(path);
+            } else if reader.endings.iter().any(|ending| name.ends_with(ending)) {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    files
+        .iter()
+        .map(|path| std::fs::read(path).expect("a file"))
+        .collect()
+}
+
+struct Dice(ChaCha8Rng);
+
+impl Dice {
+    fn below(&mut self, end: usize) -> usize {
+        self.0.next_u64() as usize % end.max(1)
+    }
+
+    fn bytes(&mut self, count: usize) -> Vec<u8> {
+        let mut bytes = vec![0; count];
+        self.0.fill_bytes(&mut bytes);
+        bytes
+    }
+
+    /// A file with one to eight changes.
+    fn changed(&mut self, files: &[Vec<u8>]) -> Vec<u8> {
+        let mut bytes = files[self.below(files.len())].clone();
+        // Most files are shortened to a part of themselves, so that more of them can be tried.
+        if bytes.len() > 20_000 && self.below(8) > 0 {
+            let from = self.below(bytes.len() - 10_000);
+            bytes = bytes[from..from + 10_000].to_vec();
+        }
+        for _ in 0..=self.below(8) {
+            self.change(&mut bytes, files);
+        }
+        bytes
+    }
+
+    fn change(&mut self, bytes: &mut Vec<u8>, files: &[Vec<u8>]) {
+        const WORDS: [&str; 14] = [
+            "nan", "inf", "-1", "0", "1e308", "-1e-308", "99999999999999999999", "\"", "[[", "]",
+            "\n", "\r\n", "\u{e9}", "=",
+        ];
+        let at = self.below(bytes.len() + 1);
+        let to = (at + self.below(40)).min(bytes.len());
+        match self.below(8) {
+            0 if !bytes.is_empty() => {
+                let place = at.min(bytes.len() - 1);
+                bytes[place] ^= 1 << self.below(8);
+            }
+            1 => bytes.truncate(at),
+            2 => drop(bytes.drain(at..to)),
+            3 => {
+                let word = WORDS[self.below(WORDS.len())].bytes();
+                bytes.splice(at..to.min(at + 6), word);
+            }
+            4 => {
+                let copy = bytes[at..to].to_vec();
+                bytes.splice(at..at, copy);
+            }
+            5 => {
+                let count = self.below(8);
+                let random = self.bytes(count);
+                bytes.splice(at..at, random);
+            }
+            6 => {
+                let other = &files[self.below(files.len())];
+                let from = self.below(other.len());
+                let part = other[from..(from + 400).min(other.len())].to_vec();
+                bytes.splice(at..at, part);
+            }
+            _ => {
+                // Another digit is a number of another size, or a name that is not there.
+                let digits: Vec<usize> = (at..bytes.len().min(at + 400))
+                    .filter(|&place| bytes[place].is_ascii_digit())
+                    .collect();
+                if !digits.is_empty() {
+                    let place = digits[self.below(digits.len())];
+                    bytes[place] = b'0' + self.below(10) as u8;
+                }
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    read: usize,
+    malformed: usize,
+    refused: usize,
+    slowest: Duration,
+}
+
+impl Count {
+    fn with(mut self, other: Count) -> Count {
+        self.read += other.read;
+        self.malformed += other.malformed;
+        self.refused += other.refused;
+        self.slowest = self.slowest.max(other.slowest);
+        self
+    }
+}
+
+fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
+    let started = Instant::now();
+    let outcome = (reader.read)(bytes);
+    let slowest = started.elapsed();
+    assert!(slowest < PATIENCE, "{}, seed {seed}: {slowest:?}", reader.name);
+    let mut count = Count {
+        slowest,
+        ..Count::default()
+    };
+    match outcome {
+        Outcome::Read => count.read = 1,
+        Outcome::Refused => count.refused = 1,
+        Outcome::Malformed(line, column) => {
+            let lines = bytes.iter().filter(|&&byte| byte == b'\n' || byte == b'\r').count() + 1;
+            let is_there = (1..=lines).contains(&line) && (1..=bytes.len() + 1).contains(&column);
+            assert!(is_there, "{}, seed {seed}: {line}:{column}", reader.name);
+            count.malformed = 1;
+        }
+    }
+    count
+}
+
+fn run(reader: &Reader, cases: u64, make: impl Fn(&mut Dice) -> Vec<u8> + Sync) -> Count {
+    let one = |seed: u64| {
+        let bytes = make(&mut Dice(ChaCha8Rng::seed_from_u64(seed)));
+        try_one(reader, &bytes, seed)
+    };
+    (0..cases)
+        .into_par_iter()
+        .map(one)
+        .reduce(Count::default, Count::with)
+}
+
+#[test]
+fn readers_survive_anything() {
+    let is_full = std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1");
+    let changed: u64 = if is_full { 100_000 } else { 1_500 };
+    for reader in &READERS {
+        let random = run(reader, 20_000, |dice| dice.bytes(RANDOM_BYTES / 20_000));
+        println!("{}: random bytes: {random:?}", reader.name);
+        assert_eq!(random.read, 0, "{}", reader.name);
+        let files = files_of(reader);
+        assert!(!files.is_empty(), "no files for {}", reader.name);
+        for (place, file) in files.iter().enumerate() {
+            try_one(reader, file, place as u64);
+        }
+        let count = run(reader, changed, |dice| dice.changed(&files));
+        println!("{}: {changed} changes of {} files: {count:?}", reader.name, files.len());
+        assert!(count.malformed > changed as usize / 10, "{}", reader.name);
+        assert!(count.read > 0, "{}", reader.name);
+    }
+    let most = MOST.load(Ordering::Relaxed);
+    println!("{} MB of memory at once", most >> 20);
+    assert!(most < MOST_MEMORY, "{most} bytes at once");
+}
