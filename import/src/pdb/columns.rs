@@ -66,12 +66,16 @@ impl<'a> Columns<'a> {
         std::str::from_utf8(text).ok()?.parse().ok()
     }
 
-    /// One coordinate of an atom.
+    /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not to be trusted.
     pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64, ImportError> {
-        self.number(first, last).ok_or_else(|| {
+        let whole = self.text.len() >= last;
+        let number = self.number(first, last).filter(|_| whole);
+        number.ok_or_else(|| {
             let text = self.field(first, last);
             let problem = if self.text.len() < first {
                 format!("the line ends before the {axis} coordinate of its atom")
+            } else if !whole {
+                format!("the line ends within the {axis} coordinate of its atom")
             } else if text.is_empty() {
                 format!("the atom has no {axis} coordinate")
             } else {
@@ -87,7 +91,9 @@ impl<'a> Columns<'a> {
                     column: first + at,
                 },
                 problem,
-                accepted: format!("a decimal number such as -12.345 in columns {first} to {last} would be accepted"),
+                accepted: format!(
+                    "a decimal number such as -12.345 in columns {first} to {last} would be accepted"
+                ),
             }
         })
     }

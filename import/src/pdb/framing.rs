@@ -64,6 +64,15 @@ pub struct Framing {
     pub axes: [[f64; 3]; 3],
 }
 
+impl Framing {
+    /// Where the viewer is.
+    pub fn eye(&self) -> [f64; 3] {
+        match self.camera {
+            Camera::Perspective { eye, .. } | Camera::Orthographic { eye, .. } => eye,
+        }
+    }
+}
+
 /// A camera of which the picture's circle is the outline of the bounding sphere (tangent rays, `distance = radius / sin(half angle)`). It looks along the
 /// shortest side of the bounding box, with the longest across the picture: along a coordinate axis, so that the camera frame is exact.
 pub fn frame(balls: &[Ball]) -> Framing {

@@ -44,7 +44,8 @@ pub fn report(
     }
     let remark = |remark| structure.remarks.get(&remark).copied().unwrap_or(0);
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
-    let (low, high) = drawn.extent;
+    let short = |v: f64| (v * 1e4).round() / 1e4;
+    let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
     let guessed: BTreeSet<&str> = atoms()
         .filter(|a| a.element.is_guessed() && a.element.symbol != "?")
         .map(|a| a.element.symbol)

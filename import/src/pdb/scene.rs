@@ -2,7 +2,7 @@
 
 use super::bonds::{self, Bonds};
 use super::choose::Chosen;
-use super::framing::{self, Ball, Framing};
+use super::framing::{self, Framing};
 use super::names::Names;
 use super::structure::{Atom, Structure};
 use super::{Colouring, Options, Style};
@@ -16,6 +16,8 @@ use std::collections::HashMap;
 pub const BALL: f64 = 0.25;
 /// Radius of a stick in angstroms: less than that of the smallest ball.
 pub const STICK: f64 = 0.15;
+/// Least sine of the angle between a line of sight and the planes that end a stick.
+const LEAST_SINE: f64 = 0.1;
 /// Colours of chains or models beyond which they repeat; the shading processor holds 256 materials.
 const MOST_COLOURS: usize = 240;
 
@@ -100,38 +102,39 @@ pub fn build(
         list: vec![],
         places: HashMap::new(),
     };
-    let (mut objects, mut sticks, mut balls) = (vec![], vec![], vec![]);
-    let mut all = Bonds::default();
+    let (mut objects, mut balls) = (vec![], vec![]);
     for model in chosen {
         let number = (chosen.len() > 1).then_some(model.number);
-        let first = objects.len();
         for atom in &model.atoms {
             let radius = radius(atom, options.style);
             let material = materials.of(atom, model.number);
             balls.push((atom.place, radius));
-            objects.push(sphere(
-                names.of_atom(atom, number),
-                atom.place,
-                radius,
-                material,
-            ));
+            let name = names.of_atom(atom, number);
+            objects.push(sphere(name, atom.place, radius, material));
         }
-        if options.style == Style::BallAndStick {
-            let found = bonds::find(&model.atoms, &structure.connections, file)?;
-            let ends = &objects[first..];
-            for pair in &found.pairs {
-                let atoms = pair.map(|k| (&model.atoms[k], &ends[k]));
-                sticks.extend(cylinders(atoms, &mut names));
-            }
-            all.pairs.extend(found.pairs);
-            all.connected += found.connected;
-            all.left_out += found.left_out;
+    }
+    let framing = framing::frame(&balls);
+    let (mut sticks, mut all) = (vec![], Bonds::default());
+    let mut rest = &objects[..];
+    for model in chosen {
+        let (balls, others) = rest.split_at(model.atoms.len());
+        rest = others;
+        if options.style == Style::SpaceFilling {
+            continue;
         }
+        let found = bonds::find(&model.atoms, &structure.connections, file)?;
+        for pair in &found.pairs {
+            let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
+            sticks.extend(cylinders(ends, framing.eye(), &mut names));
+        }
+        all.pairs.extend(found.pairs);
+        all.connected += found.connected;
+        all.left_out += found.left_out;
     }
     let (spheres, cylinders) = (objects.len(), sticks.len());
     objects.extend(sticks);
     let extent = framing::bounding_box(&balls);
-    let scene = scene(title(structure, file), &balls, materials.list, objects);
+    let scene = scene(title(structure, file), framing, materials.list, objects);
     Ok(Drawn {
         scene,
         spheres,
@@ -187,7 +190,7 @@ fn sphere(name: String, place: [f64; 3], radius: f64, material: String) -> Objec
 }
 
 /// The stick of a bond: one cylinder, or two halves that meet in one plane if its ends have different colours.
-fn cylinders(ends: [(&Atom, &Object); 2], names: &mut Names) -> Vec<Object> {
+fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> Vec<Object> {
     // The local y axis is turned towards the upper end, which keeps the half turn below well away from the axis itself.
     let mut ends = ends;
     if ends[1].0.place[1] < ends[0].0.place[1] {
@@ -196,10 +199,15 @@ fn cylinders(ends: [(&Atom, &Object); 2], names: &mut Names) -> Vec<Object> {
     let [(low, first), (high, second)] = ends;
     let along: [f64; 3] = std::array::from_fn(|k| high.place[k] - low.place[k]);
     let length = along.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let normal = normal(
+        along,
+        length,
+        std::array::from_fn(|k| eye[k] - low.place[k]),
+    );
     let piece = |name: String, from: f64, to: f64, material: &str| {
-        let cut = |y: f64, normal: f64| Cut {
+        let cut = |y: f64, side: f64| Cut {
             point: [0.0, y, 0.0],
-            normal: [0.0, normal, 0.0],
+            normal: normal.map(|v| side * v + 0.0),
         };
         let cuts = vec![cut(from, -1.0), cut(to, 1.0)];
         let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
@@ -226,11 +234,41 @@ fn cylinders(ends: [(&Atom, &Object); 2], names: &mut Names) -> Vec<Object> {
     ]
 }
 
-/// From the y axis to a direction: half a turn about the line between the two, of which sine and cosine are exact. The line is written with six digits
-/// after the point: at the far end of a bond that is a millionth of its length.
-fn placed([x, y, z]: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
-    let digits = |v: f64| (v / length * 1e6).round() / 1e6 + 0.0;
-    let line = [digits(x), digits(y + length), digits(z)];
+/// Normal of the cuts, in the cylinder's own coordinates: its axis, unless the planes would then nearly hold the line of sight. Such a plane has a depth so
+/// steep that it does not fit its word and can be refused; it is tilted until the line of sight rises from it by [`LEAST_SINE`], which the balls hide at
+/// the ends and nobody sees in the middle of a stick.
+fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
+    let unit = |v: [f64; 3]| {
+        let length = dot(v, v).sqrt();
+        v.map(|u| u / length)
+    };
+    let (axis, sight) = (along.map(|v| v / length), unit(to_eye));
+    let sine = dot(axis, sight);
+    if sine.abs() >= LEAST_SINE {
+        return [0.0, 1.0, 0.0];
+    }
+    let tilt = LEAST_SINE * if sine < 0.0 { -1.25 } else { 1.25 };
+    let tilted: [f64; 3] = std::array::from_fn(|k| axis[k] + tilt * sight[k]);
+    // Half a turn is its own inverse: it takes the direction back to the y axis.
+    let line = turn_line(along, length);
+    let square = dot(line, line);
+    let share = 2.0 * dot(line, tilted) / square;
+    std::array::from_fn(|k| ((share * line[k] - tilted[k]) * 1e4).round() / 1e4 + 0.0)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(u, v)| u * v).sum()
+}
+
+/// The line half way between the y axis and a direction, with six digits after the point.
+fn turn_line([x, y, z]: [f64; 3], length: f64) -> [f64; 3] {
+    [x, y + length, z].map(|v| (v / length * 1e6).round() / 1e6 + 0.0)
+}
+
+/// From the y axis to a direction: half a turn about the line between the two, of which sine and cosine are exact. Its six digits
+/// are enough: at the far end of a bond that is a millionth of its length.
+fn placed(along: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
+    let line = turn_line(along, length);
     let translate = Step::Translate(origin.map(|v| v + 0.0));
     if line[0] == 0.0 && line[2] == 0.0 {
         return vec![translate];
@@ -244,11 +282,10 @@ fn placed([x, y, z]: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
 
 fn scene(
     title: String,
-    balls: &[Ball],
+    Framing { camera, axes }: Framing,
     materials: Vec<Material>,
     objects: Vec<Object>,
 ) -> SceneFile {
-    let Framing { camera, axes } = framing::frame(balls);
     let light =
         |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| Light::Directional {
             from: std::array::from_fn(|k| {

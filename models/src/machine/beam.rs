@@ -35,6 +35,7 @@ pub fn render_with_backs(
 ) -> (Frame, Vec<i64>) {
     let mut frame = Frame::background(width, height, format.z_max());
     let mut backs = frame.depth.clone();
+    let lines = by_line(slots, height);
     frame
         .depth
         .par_chunks_mut(width)
@@ -51,14 +52,28 @@ pub fn render_with_backs(
                 normal,
                 back,
             };
-            render_line(slots, format, y as i64, line);
+            render_line(&lines[y], format, y as i64, line);
             line_done();
         });
     (frame, backs)
 }
 
+/// The slots whose boxes meet each line, in their order.
+fn by_line(slots: &[Slot], height: usize) -> Vec<Vec<&Slot>> {
+    let mut lines = vec![vec![]; height];
+    for slot in slots {
+        let window = slot.words.screen_box();
+        let (first, last) = (window.y0.max(0), window.y1.min(height as i64 - 1));
+        if !window.is_empty() && first <= last {
+            let met = &mut lines[first as usize..=last as usize];
+            met.iter_mut().for_each(|line| line.push(slot));
+        }
+    }
+    lines
+}
+
 /// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller id.
-fn render_line(slots: &[Slot], format: &Format, y: i64, line: Line) {
+fn render_line(slots: &[&Slot], format: &Format, y: i64, line: Line) {
     for slot in slots {
         slot.words.for_each_present(format, y, |x, pixel| {
             let x = x as usize;

@@ -91,12 +91,18 @@ impl LinearForm {
 
     /// The difference of two expressions.
     pub fn minus(&self, other: &LinearForm) -> LinearForm {
-        LinearForm::new(&self.a - &other.a, &self.b - &other.b, &self.c - &other.c)
+        self.plus(&other.scaled(&integer(-1)))
     }
 
     /// The sum of two expressions.
     pub fn plus(&self, other: &LinearForm) -> LinearForm {
-        LinearForm::new(&self.a + &other.a, &self.b + &other.b, &self.c + &other.c)
+        let ((n, d), (m, e)) = (self.whole(), other.whole());
+        let mut pairs = n.into_iter().zip(m);
+        let sum = std::array::from_fn(|_| {
+            let (n, m) = pairs.next().expect("three coefficients");
+            n * &e + m * &d
+        });
+        LinearForm::of(unreduced(sum, &(d * e)))
     }
 
     /// Largest magnitude over a box of pixels: a first-degree expression has it in a corner.
@@ -107,7 +113,7 @@ impl LinearForm {
             .map(|(x, y)| (&a * x + &b * y + &c).abs())
             .max()
             .expect("four corners");
-        BigRational::new(greatest, d)
+        BigRational::new_raw(greatest, d)
     }
 }
 
@@ -279,9 +285,11 @@ impl QuadraticForm {
                 values.push(quotient(value, &determinant * 2));
             }
         }
-        let unit = BigRational::new_raw(BigInt::one(), denominator);
-        let least = values.iter().min().expect("corners are inside") * &unit;
-        let greatest = values.iter().max().expect("corners are inside") * &unit;
+        let over = |value: &BigRational| {
+            BigRational::new_raw(value.numer().clone(), value.denom() * &denominator)
+        };
+        let least = over(values.iter().min().expect("corners are inside"));
+        let greatest = over(values.iter().max().expect("corners are inside"));
         (least, greatest)
     }
 
@@ -362,6 +370,22 @@ pub(super) fn common<const N: usize>(values: [&BigRational; N]) -> ([BigInt; N],
         .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
     let whole = values.map(|v| v.numer() * (&denominator / v.denom()));
     (whole, denominator)
+}
+
+/// The product of two fractions, not reduced.
+pub(super) fn times(a: &BigRational, b: &BigRational) -> BigRational {
+    BigRational::new_raw(a.numer() * b.numer(), a.denom() * b.denom())
+}
+
+/// The sum of two fractions, not reduced.
+pub(super) fn sum(a: &BigRational, b: &BigRational) -> BigRational {
+    let numerator = a.numer() * b.denom() + b.numer() * a.denom();
+    BigRational::new_raw(numerator, a.denom() * b.denom())
+}
+
+/// The inverse of a fraction that is not zero, as it is.
+pub(super) fn inverse(a: &BigRational) -> BigRational {
+    quotient(a.denom().clone(), a.numer().clone())
 }
 
 /// The quotients as they are.

@@ -2,7 +2,7 @@
 
 use super::error::PrepareError;
 use super::extent::Extent;
-use super::forms::{LinearForm, QuadraticForm};
+use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
 use super::perspective::{ScreenQuadric, project_plane};
 use super::planes::{prepare_plane, signed_bits};
 use super::rounding::{
@@ -313,7 +313,8 @@ fn prove_widths(
     }
     let root_max: BigInt = greatest.max(BigRational::zero()).ceil().to_integer().sqrt() + 1;
     let f1 = LinearForm::of_words(&prepared.words.f1).scaled(&unit(context.format.guard_linear));
-    let sum = f1.max_abs_on(&window) + BigRational::from_integer(root_max.clone());
+    let root = BigRational::from_integer(root_max.clone());
+    let sum = sum(&f1.max_abs_on(&window), &root);
     prepared.needed.sum = signed_bits(&sum);
     if prepared.needed.sum > context.format.sum {
         return Err(refusal("f1 + sqrt(f2)", &sum, context.format.sum));
@@ -352,7 +353,7 @@ pub(super) fn normals(
     let root = BigRational::from_integer(root_max.clone()) / &context.depth_scale;
     let greatest = parts
         .iter()
-        .map(|(g, k)| g.max_abs_on(window) + k.abs() * &root)
+        .map(|(g, k)| sum(&g.max_abs_on(window), &times(&k.abs(), &root)))
         .max()
         .expect("three components");
     if greatest.is_zero() {
@@ -367,18 +368,20 @@ pub(super) fn normals(
         .max()
         .expect("three components");
     let most = (1 << (context.format.normal_linear - 2)) - 1;
-    let mut scale = integer(most) / &greatest;
+    let mut scale = times(&integer(most), &inverse(&greatest));
     let k_limit = integer(context.format.greatest_normal().into());
-    if &scale * &k_max * &factor_unit > k_limit {
-        scale = k_limit / (&k_max * &factor_unit);
+    let k_most = times(&k_max, &factor_unit);
+    if times(&scale, &k_most) > k_limit {
+        scale = times(&k_limit, &inverse(&k_most));
     }
+    let factor_scale = times(&scale, &factor_unit);
     words.shift = shift as u8;
     let linear = parts.each_ref().map(|(g, _)| g.scaled(&scale));
     words.g = linear
         .each_ref()
         .map(|g| round_linear(g, anchor).expect("scaled to its word"));
     words.k = parts.each_ref().map(|(_, k)| {
-        (k * &scale * &factor_unit)
+        times(k, &factor_scale)
             .round()
             .to_integer()
             .to_i16()

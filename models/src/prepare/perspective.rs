@@ -1,7 +1,7 @@
 //! From a quadric or a plane in the camera frame to its expressions on the screen (source: 2.1.1, 2.3.1; factors of Exp. 7 and
 //! root order corrected).
 
-use super::forms::{LinearForm, QuadraticForm, common, unreduced};
+use super::forms::{LinearForm, QuadraticForm, common, sum, times, unreduced};
 use crate::rational::integer;
 use crate::scene::{Plane, Projection, Quadric};
 use num_bigint::BigInt;
@@ -35,7 +35,7 @@ pub struct ScreenQuadric {
 /// A plane after perspective, kept where `a x + b y + c z + d <= 0`.
 pub fn project_plane(plane: &Plane, inverse_distance: &BigRational) -> Plane {
     Plane {
-        c: &plane.c - &plane.d * inverse_distance,
+        c: sum(&plane.c, &times(&-&plane.d, inverse_distance)),
         ..plane.clone()
     }
 }
@@ -117,7 +117,13 @@ impl ScreenQuadric {
 
     /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the positive (D - z_p)/D.
     pub fn normal(&self) -> [(LinearForm, BigRational); 3] {
-        let (q, k) = (&self.q, &self.inverse_distance);
+        let q = &self.q;
+        let ([_, _, c, _, e, f, g, h, i, j], unit) = common(q.coefficients());
+        let (n, m) = (self.inverse_distance.numer(), self.inverse_distance.denom());
+        let unit = unit * m;
+        let moved = |value: &BigInt, part: &BigInt| {
+            BigRational::new_raw(value * m + part * n, unit.clone())
+        };
         let form = |a: &BigRational, b: &BigRational, c: &BigRational| {
             LinearForm::new(a.clone(), b.clone(), c.clone())
         };
@@ -125,8 +131,8 @@ impl ScreenQuadric {
             (form(&q.a, &q.d, &q.g), q.e.clone()),
             (form(&q.d, &q.b, &q.h), q.f.clone()),
             (
-                form(&(&q.e + &q.g * k), &(&q.f + &q.h * k), &(&q.i + &q.j * k)),
-                &q.c + &q.i * k,
+                LinearForm::new(moved(&e, &g), moved(&f, &h), moved(&i, &j)),
+                moved(&c, &i),
             ),
         ]
     }

@@ -1,7 +1,7 @@
 //! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4 replaced by a proof).
 
 use super::error::PrepareError;
-use super::forms::LinearForm;
+use super::forms::{LinearForm, inverse, times};
 use super::rounding::{Anchor, linear_error, round_linear};
 use super::screen_box::Region;
 use super::{Context, integer_scale};
@@ -79,7 +79,7 @@ pub(super) fn prepare_plane_between(
     if projected.c.is_zero() {
         return Ok(perpendicular(value, normal, anchor, window, context, false));
     }
-    let depth = value.scaled(&(&context.depth_scale / &projected.c));
+    let depth = value.scaled(&times(&context.depth_scale, &inverse(&projected.c)));
     let word = round_linear(&depth, anchor).ok();
     let needed = bits_needed(&depth, word.as_ref(), window);
     if let (Some(word), true) = (word, needed <= context.format.plane) {
@@ -124,8 +124,9 @@ fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     if greatest.is_zero() {
         return [0; 3];
     }
+    let scale = times(&integer(most.into()), &inverse(&greatest));
     components.map(|c| {
-        round_half_up(&(c * integer(most.into()) / &greatest))
+        round_half_up(&times(c, &scale))
             .to_i16()
             .expect("within its word")
     })

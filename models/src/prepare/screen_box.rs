@@ -106,12 +106,15 @@ impl Region {
 
     /// False only if no point of the region lies in the cell.
     fn may_meet(&self, cell: &Cell) -> bool {
+        // Planes first: they are tested in a third of the time.
+        if !self.planes.iter().all(|p| plane_low(p, cell) <= 0.0) {
+            return false;
+        }
         let (low, high) = self.quadric_range(cell);
-        let quadric_met = match self.surface {
+        match self.surface {
             Surface::Solid => low <= 0.0,
             Surface::Patch => low <= 0.0 && high >= 0.0,
-        };
-        quadric_met && self.planes.iter().all(|p| plane_low(p, cell) <= 0.0)
+        }
     }
 
     fn quadric_range(&self, cell: &Cell) -> (f64, f64) {

@@ -21,7 +21,7 @@ use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
 use super::source::FramedSource;
 use super::tetrahedron::implicit;
-use super::transform::{Transform, cross, normalised};
+use super::transform::{Transform, WholeTransform, cross, normalised};
 use crate::rational::{from_decimal, integer, to_f64};
 
 /// A scene prepared for one picture size.
@@ -127,6 +127,7 @@ impl SceneFile {
         camera: &Transform,
         kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
     ) -> Result<Vec<FramedObject>, SceneError> {
+        let whole = WholeTransform::new(camera);
         // Collected before the first error is taken, so that the same object is named in every run.
         let framed: Vec<Result<FramedObject, SceneError>> = self
             .objects
@@ -139,7 +140,7 @@ impl SceneFile {
                     .expect("validated: every material exists");
                 match kept(object, material)? {
                     Some(framed) => Ok(framed),
-                    None => framed_object(object, material, camera),
+                    None => framed_object(object, material, camera, &whole),
                 }
             })
             .collect();
@@ -234,27 +235,28 @@ fn framed_object(
     object: &Object,
     material: usize,
     camera: &Transform,
+    whole: &WholeTransform,
 ) -> Result<FramedObject, SceneError> {
-    let to_camera = camera.after(&Transform::placement(&object.place));
+    let to_camera = || camera.after(&Transform::placement(&object.place));
     let name = &object.name;
-    let cut = || cut_quadric(object, material, &to_camera);
+    let cut = || cut_quadric(object, material, whole, to_camera);
     Ok(match (&object.shape, object.drawn_by()) {
         (Shape::Mesh(mesh), _) => {
-            FramedObject::Mesh(FramedMesh::new(name, material, mesh, &to_camera))
+            FramedObject::Mesh(FramedMesh::new(name, material, mesh, &to_camera()))
         }
         (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
         (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
         (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),
         (_, Some(Processor::FirstGeneration)) => FramedObject::FirstGeneration(cut()),
         (Shape::Sphere { radius }, Some(Processor::Paraboloid)) => {
-            FramedObject::Sphere(FramedSphere::new(name, material, *radius, &to_camera))
+            FramedObject::Sphere(FramedSphere::new(name, material, *radius, &to_camera()))
         }
         (Shape::Sphere { radius }, Some(Processor::CurvedFacet)) => {
-            FramedObject::CurvedSphere(FramedSphere::new(name, material, *radius, &to_camera))
+            FramedObject::CurvedSphere(FramedSphere::new(name, material, *radius, &to_camera()))
         }
         (Shape::EllipticCylinder { radii }, Some(Processor::Paraboloid)) => {
             let ends = [&object.cuts[0], &object.cuts[1]].map(|cut| from_decimal(cut.point[1]));
-            let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera)?;
+            let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera())?;
             FramedObject::Cylinder(cylinder)
         }
         (_, Some(Processor::Paraboloid | Processor::CurvedFacet)) => {
@@ -266,7 +268,13 @@ fn framed_object(
 }
 
 /// An object that is a quadric bounded by planes.
-fn cut_quadric(object: &Object, material: usize, to_camera: &Transform) -> FramedQuadric {
+fn cut_quadric(
+    object: &Object,
+    material: usize,
+    camera: &WholeTransform,
+    to_camera: impl Fn() -> Transform,
+) -> FramedQuadric {
+    let inverse = WholeTransform::of_steps(camera, &object.place).inverse();
     let local = match &object.shape {
         Shape::TetrahedronPatch { corners, weights } => {
             let (_, planes) = implicit(corners, weights).expect("checked: no flat tetrahedron");
@@ -275,9 +283,11 @@ fn cut_quadric(object: &Object, material: usize, to_camera: &Transform) -> Frame
         _ => object.cuts.iter().map(Plane::from_cut).collect(),
     };
     let corners = match &object.shape {
-        Shape::TetrahedronPatch { corners, .. } => Some(Box::new(
-            corners.map(|c| to_camera.point(&c.map(from_decimal))),
-        )),
+        Shape::TetrahedronPatch { corners, .. } => {
+            let to_camera = to_camera();
+            let point = |c: [f64; 3]| to_camera.point(&c.map(from_decimal));
+            Some(Box::new(corners.map(point)))
+        }
         _ => None,
     };
     FramedQuadric {
@@ -285,11 +295,11 @@ fn cut_quadric(object: &Object, material: usize, to_camera: &Transform) -> Frame
         surface: object.mode,
         quadric: Quadric::from_shape(&object.shape)
             .expect("a mesh is framed apart")
-            .transformed(to_camera)
+            .transformed_whole(&inverse)
             .primitive(),
         planes: local
             .iter()
-            .map(|plane| plane.transformed(to_camera).primitive())
+            .map(|plane| plane.transformed_whole(&inverse).primitive())
             .collect(),
         corners,
         material,

@@ -1,12 +1,12 @@
 //! Planes in exact rationals: of a cut, in another frame, with whole coefficients.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::file::Cut;
-use super::transform::Transform;
+use super::transform::{Transform, WholeInverse, WholeTransform};
 use crate::rational::from_decimal;
 
 /// `a x + b y + c z + d`, kept where it is negative or zero; (a, b, c) is the outward normal.
@@ -43,11 +43,23 @@ impl Plane {
     /// `cof(M) p` is the exact image times det(M): a mirror would exchange the kept and the removed side, so the sign of the
     /// determinant is put back, which the source omits (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
-        let column = [&self.a, &self.b, &self.c, &self.d];
-        let sign = transform.determinant().signum();
-        let [a, b, c, d] = transform.cofactors().map(|row| {
-            let value: BigRational = row.iter().zip(column).map(|(m, p)| m * p).sum();
-            value * &sign
+        let inverse = WholeTransform::new(transform).inverse();
+        let Self { a, b, c, d } = self.transformed_whole(&inverse);
+        let [a, b, c, d] = [a, b, c, d].map(|v| v / &inverse.cofactor_unit);
+        Self { a, b, c, d }
+    }
+
+    /// A positive multiple of the same, by whole numbers alone.
+    pub(super) fn transformed_whole(&self, inverse: &WholeInverse) -> Self {
+        let (whole, denominator) = common_denominator(self.coefficients());
+        let [a, b, c, d] = std::array::from_fn(|column| {
+            let terms = whole.iter().zip(&inverse.rows);
+            let sum: BigInt = terms.map(|(p, row)| p * &row[column]).sum();
+            let value = match inverse.sign {
+                Sign::Minus => -sum,
+                _ => sum,
+            };
+            BigRational::new_raw(value, denominator.clone())
         });
         Self { a, b, c, d }
     }
@@ -64,17 +76,43 @@ impl Plane {
     }
 }
 
-/// The positive multiple of `values` that is whole and without common divisor; zeros stay as they are.
-pub(super) fn primitive<const N: usize>(values: [BigRational; N]) -> [BigRational; N] {
+/// Numerators over one common denominator.
+pub(super) fn common_denominator<const N: usize>(
+    values: [&BigRational; N],
+) -> ([BigInt; N], BigInt) {
+    let first = values[0].denom();
+    if values.iter().all(|value| value.denom() == first) {
+        return (values.map(|value| value.numer().clone()), first.clone());
+    }
     let denominator = values
         .iter()
         .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
-    let numerators = values.map(|value| value.numer() * (&denominator / value.denom()));
-    let divisor = numerators.iter().fold(BigInt::zero(), |gcd, value| {
-        if gcd.is_one() { gcd } else { gcd.gcd(value) }
-    });
-    if divisor.is_zero() {
+    let whole = values.map(|value| value.numer() * (&denominator / value.denom()));
+    (whole, denominator)
+}
+
+/// The positive multiple of `values` that is whole and without common divisor; zeros stay as they are.
+pub(super) fn primitive<const N: usize>(values: [BigRational; N]) -> [BigRational; N] {
+    let (numerators, _) = common_denominator(values.each_ref());
+    let divisor = common_divisor(numerators.each_ref());
+    if divisor.is_zero() || divisor.is_one() {
         return numerators.map(BigRational::from_integer);
     }
     numerators.map(|value| BigRational::from_integer(value / &divisor))
+}
+
+/// The greatest common divisor, from the smallest number upwards. Each number is divided by what has been found so far: mostly nothing remains, and then no
+/// divisor has to be searched.
+pub(crate) fn common_divisor<const N: usize>(mut values: [&BigInt; N]) -> BigInt {
+    values.sort_by_key(|value| value.bits());
+    values.iter().fold(BigInt::zero(), |gcd, value| {
+        if gcd.is_zero() {
+            return value.abs();
+        }
+        if gcd.is_one() {
+            return gcd;
+        }
+        let rest = *value % &gcd;
+        if rest.is_zero() { gcd } else { gcd.gcd(&rest) }
+    })
 }

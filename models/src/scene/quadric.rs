@@ -1,14 +1,13 @@
 //! Quadrics in exact rationals: of a shape, in another frame, with whole coefficients.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use super::file::Shape;
-use super::plane::primitive;
+use super::plane::{common_denominator, primitive};
 use super::tetrahedron::implicit;
-use super::transform::Transform;
+use super::transform::{Transform, WholeInverse, WholeTransform};
 use crate::rational::{from_decimal, integer};
 
 /// `Q = a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`, inside where `Q <= 0`.
@@ -119,20 +118,35 @@ impl Quadric {
     /// `cof(M) Q cof(M)^T` is the exact image times det(M)^2, a positive factor that changes neither surface nor inside. The
     /// source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
-        let (cofactors, unit) = transform.whole_cofactors();
-        let [a, b, c, d, e, f, g, h, i, j] = self.coefficients();
-        let denominator = [a, b, c, d, e, f, g, h, i, j]
-            .iter()
-            .fold(BigInt::one(), |lcm, value| lcm.lcm(value.denom()));
-        let matrix = self
-            .matrix()
-            .map(|row| row.map(|value| value.numer() * (&denominator / value.denom())));
+        let inverse = WholeTransform::new(transform).inverse();
+        let square = &inverse.cofactor_unit * &inverse.cofactor_unit;
+        let whole = self.transformed_whole(&inverse);
+        Self::from_array(
+            whole
+                .coefficients()
+                .map(|v| BigRational::new_raw(v.numer().clone(), v.denom() * &square)),
+        )
+    }
+
+    /// A positive multiple of the same, by whole numbers alone.
+    pub(super) fn transformed_whole(&self, inverse: &WholeInverse) -> Self {
+        let inverse = &inverse.rows;
+        let ([a, b, c, d, e, f, g, h, i, j], denominator) = common_denominator(self.coefficients());
+        let matrix = [
+            [&a, &d, &e, &g],
+            [&d, &b, &f, &h],
+            [&e, &f, &c, &i],
+            [&g, &h, &i, &j],
+        ];
         // Whole numbers are multiplied and divided once: reducing fractions on the way would take most of the time.
+        let half: [[BigInt; 4]; 4] = std::array::from_fn(|row| {
+            std::array::from_fn(|column| {
+                sum_of_products((0..4).map(|k| (matrix[row][k], &inverse[k][column])))
+            })
+        });
         let entry = |row: usize, column: usize| {
-            let sum: BigInt = (0..16)
-                .map(|k| &cofactors[row][k / 4] * &matrix[k / 4][k % 4] * &cofactors[column][k % 4])
-                .sum();
-            BigRational::new_raw(sum, &unit * &unit * &denominator)
+            let sum = sum_of_products((0..4).map(|k| (&inverse[k][row], &half[k][column])));
+            BigRational::new_raw(sum, denominator.clone())
         };
         let order = [
             (0, 0),
@@ -219,6 +233,12 @@ impl Quadric {
     }
 }
 
+/// Most entries of a matrix of a quadric or a placement are zero.
+fn sum_of_products<'a>(terms: impl Iterator<Item = (&'a BigInt, &'a BigInt)>) -> BigInt {
+    let not_zero = terms.filter(|(a, b)| !a.is_zero() && !b.is_zero());
+    not_zero.map(|(a, b)| a * b).sum()
+}
+
 fn inverse_squares<const N: usize>(radii: &[f64; N]) -> [BigRational; N] {
     radii.map(|radius| from_decimal(radius).pow(2).recip())
 }
@@ -226,4 +246,63 @@ fn inverse_squares<const N: usize>(radii: &[f64; N]) -> [BigRational; N] {
 /// Linear terms count twice in a quadric, so `-y/B` has the coefficient `-1/(2B)`.
 fn minus_half_inverse(radius: f64) -> BigRational {
     -(from_decimal(radius) * integer(2)).recip()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::file::{Axis, Rotation, Scale, Step};
+    use super::super::plane::{Plane, common_divisor};
+    use super::*;
+    use num_integer::Integer;
+    use num_traits::Signed;
+    use proptest::prelude::*;
+
+    fn step() -> impl Strategy<Value = Step> {
+        let decimal = || (-9999i32..9999).prop_map(|n| f64::from(n) / 1000.0);
+        let factor = || prop_oneof![1i32..4000, -4000i32..-1].prop_map(|n| f64::from(n) / 1000.0);
+        let vector = [decimal(), decimal(), decimal()];
+        prop_oneof![
+            vector.clone().prop_map(Step::Translate),
+            [factor(), factor(), factor()].prop_map(|f| Step::Scale(Scale::PerAxis(f))),
+            (vector, 0i32..360).prop_map(|([x, y, z], degrees)| {
+                let axis = Axis::Vector([x, y, z + 20.0]);
+                let degrees = f64::from(degrees);
+                Step::Rotate(Rotation { axis, degrees })
+            }),
+        ]
+    }
+
+    proptest! {
+        /// The image has at the image of a point the value of the original at the point, times det(M)^2 for a quadric and |det(M)| for a plane; the whole
+        /// multiples become the same primitive ones.
+        #[test]
+        fn images_have_the_values_of_their_originals(
+            steps in proptest::collection::vec(step(), 0..4), camera in proptest::collection::vec(step(), 0..3),
+            q in proptest::collection::vec(-50i64..50, 10), p in proptest::array::uniform4(-50i64..50), at in proptest::array::uniform3(-20i64..20)
+        ) {
+            let camera = Transform::placement(&camera);
+            let transform = camera.after(&Transform::placement(&steps));
+            let determinant = transform.determinant();
+            let at = at.map(integer);
+            let [x, y, z] = transform.point(&at);
+            let quadric = Quadric::from_array(std::array::from_fn(|k| integer(q[k]) / integer(7)));
+            let image = quadric.transformed(&transform);
+            let expected = quadric.value_at(&at[0], &at[1], &at[2]) * &determinant * &determinant;
+            prop_assert_eq!(image.value_at(&x, &y, &z), expected);
+            let [a, b, c, d] = p.map(integer);
+            let plane = Plane { a, b, c, d };
+            let cut = plane.transformed(&transform);
+            prop_assert_eq!(cut.value_at(&x, &y, &z), plane.value_at(&at[0], &at[1], &at[2]) * determinant.abs());
+            let inverse = WholeTransform::of_steps(&WholeTransform::new(&camera), &steps).inverse();
+            prop_assert_eq!(quadric.transformed_whole(&inverse).primitive(), image.primitive());
+            prop_assert_eq!(plane.transformed_whole(&inverse).primitive(), cut.primitive());
+        }
+
+        #[test]
+        fn the_divisor_is_the_greatest(values in proptest::array::uniform6(-1_000_000i64..1_000_000), factor in 0i64..1000) {
+            let values = values.map(|v| BigInt::from(v * factor));
+            let expected = values.iter().fold(BigInt::zero(), |gcd, v| gcd.gcd(v));
+            prop_assert_eq!(common_divisor(values.each_ref()), expected);
+        }
+    }
 }

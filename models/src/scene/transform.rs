@@ -1,6 +1,6 @@
 //! Exact changes of frame: 4 x 4 matrices of rationals acting on column points.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
@@ -98,16 +98,11 @@ impl Transform {
     }
 
     /// The matrix of cofactors in whole numbers over one positive denominator.
-    pub(super) fn whole_cofactors(&self) -> ([[BigInt; 4]; 4], BigInt) {
-        let all = || self.rows.iter().flatten();
-        let denominator = all().fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
-        let rows = self.rows.each_ref().map(|row| {
-            row.each_ref()
-                .map(|v| v.numer() * (&denominator / v.denom()))
-        });
+    fn whole_cofactors(&self) -> ([[BigInt; 4]; 4], BigInt) {
+        let WholeTransform { rows, unit } = WholeTransform::new(self);
         let cofactors =
             std::array::from_fn(|row| std::array::from_fn(|column| cofactor(&rows, row, column)));
-        (cofactors, denominator.pow(3))
+        (cofactors, unit.pow(3))
     }
 
     /// The matrix of cofactors, `det(M) M^-T`.
@@ -115,6 +110,93 @@ impl Transform {
         let (cofactors, unit) = self.whole_cofactors();
         cofactors.map(|row| row.map(|v| BigRational::new(v, unit.clone())))
     }
+}
+
+/// A transform in whole numbers over one positive denominator. What is transformed with it becomes a positive multiple without common divisor in the end, so that
+/// nothing has to be reduced on the way, which would take most of the time.
+#[derive(Clone, Debug)]
+pub(super) struct WholeTransform {
+    rows: [[BigInt; 4]; 4],
+    unit: BigInt,
+}
+
+impl WholeTransform {
+    /// The same transform.
+    pub(super) fn new(transform: &Transform) -> Self {
+        let all = || transform.rows.iter().flatten();
+        let unit = all().fold(BigInt::one(), |lcm, v| {
+            if v.denom().is_one() || *v.denom() == lcm {
+                lcm
+            } else {
+                lcm.lcm(v.denom())
+            }
+        });
+        let whole = |v: &BigRational| v.numer() * (&unit / v.denom());
+        let rows = transform
+            .rows
+            .each_ref()
+            .map(|row| row.each_ref().map(whole));
+        Self { rows, unit }
+    }
+
+    /// The steps of a placement, the first applied first, and then `camera`.
+    pub(super) fn of_steps(camera: &Self, steps: &[Step]) -> Self {
+        let steps = steps.iter().rev();
+        steps.fold(camera.clone(), |then, step| {
+            then.after(&Self::new(&Transform::from_step(step)))
+        })
+    }
+
+    fn after(&self, first: &Self) -> Self {
+        let entry = |row: usize, column: usize| {
+            let terms = (0..4).map(|k| &self.rows[row][k] * &first.rows[k][column]);
+            terms.sum::<BigInt>()
+        };
+        Self {
+            rows: std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column))),
+            unit: &self.unit * &first.unit,
+        }
+    }
+
+    /// A multiple of the inverse: for `P' = (L P + t) / u` it is `u adj(L)` with the last column `-adj(L) t`, and `det(L)` in the corner.
+    pub(super) fn inverse(&self) -> WholeInverse {
+        let m = &self.rows;
+        let minor = |row: usize, column: usize| {
+            let (r, s) = ((row + 1) % 3, (row + 2) % 3);
+            let (c, d) = ((column + 1) % 3, (column + 2) % 3);
+            &m[r][c] * &m[s][d] - &m[r][d] * &m[s][c]
+        };
+        // The adjugate is the transpose of the cofactors, whose signs the cyclic order of rows and columns gives.
+        let adjugate: [[BigInt; 3]; 3] =
+            std::array::from_fn(|row| std::array::from_fn(|column| minor(column, row)));
+        let determinant: BigInt = (0..3).map(|k| &m[0][k] * &adjugate[k][0]).sum();
+        let sign = determinant.sign();
+        let mut rows: [[BigInt; 4]; 4] = Default::default();
+        for (row, minors) in rows.iter_mut().zip(&adjugate) {
+            let moved: BigInt = minors.iter().zip(m).map(|(c, row)| c * &row[3]).sum();
+            row[3] = -moved;
+            for (entry, c) in row.iter_mut().zip(minors) {
+                *entry = c * &self.unit;
+            }
+        }
+        rows[3][3] = determinant;
+        WholeInverse {
+            rows,
+            sign,
+            cofactor_unit: self.unit.pow(3),
+        }
+    }
+}
+
+/// A multiple of the inverse of a transform M.
+#[derive(Clone, Debug)]
+pub(super) struct WholeInverse {
+    /// The matrix N that takes points of the new frame to a multiple of those of the old one.
+    pub(super) rows: [[BigInt; 4]; 4],
+    /// The sign of that multiple, which is that of the determinant of M.
+    pub(super) sign: Sign,
+    /// N over this number is the transpose of the cofactors of M.
+    pub(super) cofactor_unit: BigInt,
 }
 
 /// The signed minor without a row and a column.
