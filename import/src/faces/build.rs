@@ -15,6 +15,8 @@ use toml::Spanned;
 
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
+/// Least diagonal of the box around a part, scene units.
+pub const SMALLEST_PART: f64 = 1e-6;
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
@@ -53,7 +55,7 @@ impl Source<'_> {
 
     /// Refuses numbers that are not finite or too large.
     pub fn check(&self, span: Range<usize>, values: &[f64]) -> Result<(), ImportError> {
-        match values.iter().find(|v| !(v.abs() <= MAX_NUMBER)) {
+        match values.iter().find(|v| v.is_nan() || v.abs() > MAX_NUMBER) {
             None => Ok(()),
             Some(value) => Err(self.error(
                 span,
@@ -92,11 +94,11 @@ pub fn build(source: &Source) -> Result<Model, ImportError> {
     let materials = materials(source, &keys.materials)?;
     let solids = solids(source, &keys.solids, &keys.faces, &materials)?;
     let bounds = bounds(&edges, &faces, &edges_of_faces);
-    if !(distance(bounds[0], bounds[1]) > 0.0) {
+    if distance(bounds[0], bounds[1]) < SMALLEST_PART {
         return Err(ImportError::Unusable {
             file: source.file.to_owned(),
-            problem: "the list has no edge and no sphere, so that nothing has a size".into(),
-            accepted: "at least one face with edges, or a sphere, is needed".into(),
+            problem: "the faces have no size".into(),
+            accepted: "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed".into(),
         });
     }
     let mut users = vec![vec![]; edges.len()];
