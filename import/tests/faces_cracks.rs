@@ -71,6 +71,7 @@ impl Drawn {
             up,
             viewer_distance,
             view_height,
+            ..
         } = self.scene.camera
         else {
             panic!("the import writes perspective")

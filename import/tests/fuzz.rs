@@ -88,7 +88,11 @@ const READERS: [Reader; 5] = [
     Reader {
         name: "machine",
         endings: &["machines/beam-160x120.toml", "machines/zone-160x120.toml"],
-        read: |bytes| of_text(bytes, |text| MachineDescription::parse(text, "a file").map(|_| ())),
+        read: |bytes| {
+            of_text(bytes, |text| {
+                MachineDescription::parse(text, "a file").map(|_| ())
+            })
+        },
     },
 ];
 
@@ -96,7 +100,10 @@ fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
     match read {
         Ok(imported) => {
             // What was read can be written.
-            imported.scene.to_toml().expect("a scene that can be written");
+            imported
+                .scene
+                .to_toml()
+                .expect("a scene that can be written");
             Outcome::Read
         }
         Err(ImportError::Malformed { place, .. }) => Outcome::Malformed(place.line, place.column),
@@ -105,10 +112,7 @@ fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
 }
 
 /// Readers of text: a file that is not text is refused before them.
-fn of_text<E: std::fmt::Display>(
-    bytes: &[u8],
-    read: impl Fn(&str) -> Result<(), E>,
-) -> Outcome {
+fn of_text<E: std::fmt::Display>(bytes: &[u8], read: impl Fn(&str) -> Result<(), E>) -> Outcome {
     let text = String::from_utf8_lossy(bytes);
     let Err(error) = read(&text) else {
         return Outcome::Read;
@@ -175,8 +179,20 @@ impl Dice {
 
     fn change(&mut self, bytes: &mut Vec<u8>, files: &[Vec<u8>]) {
         const WORDS: [&str; 14] = [
-            "nan", "inf", "-1", "0", "1e308", "-1e-308", "99999999999999999999", "\"", "[[", "]",
-            "\n", "\r\n", "\u{e9}", "=",
+            "nan",
+            "inf",
+            "-1",
+            "0",
+            "1e308",
+            "-1e-308",
+            "99999999999999999999",
+            "\"",
+            "[[",
+            "]",
+            "\n",
+            "\r\n",
+            "\u{e9}",
+            "=",
         ];
         let at = self.below(bytes.len() + 1);
         let to = (at + self.below(40)).min(bytes.len());
@@ -242,7 +258,11 @@ fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
     let started = Instant::now();
     let outcome = (reader.read)(bytes);
     let slowest = started.elapsed();
-    assert!(slowest < PATIENCE, "{}, seed {seed}: {slowest:?}", reader.name);
+    assert!(
+        slowest < PATIENCE,
+        "{}, seed {seed}: {slowest:?}",
+        reader.name
+    );
     let mut count = Count {
         slowest,
         ..Count::default()
@@ -251,7 +271,11 @@ fn try_one(reader: &Reader, bytes: &[u8], seed: u64) -> Count {
         Outcome::Read => count.read = 1,
         Outcome::Refused => count.refused = 1,
         Outcome::Malformed(line, column) => {
-            let lines = bytes.iter().filter(|&&byte| byte == b'\n' || byte == b'\r').count() + 1;
+            let lines = bytes
+                .iter()
+                .filter(|&&byte| byte == b'\n' || byte == b'\r')
+                .count()
+                + 1;
             let is_there = (1..=lines).contains(&line) && (1..=bytes.len() + 1).contains(&column);
             assert!(is_there, "{}, seed {seed}: {line}:{column}", reader.name);
             count.malformed = 1;
@@ -285,7 +309,11 @@ fn readers_survive_anything() {
             try_one(reader, file, place as u64);
         }
         let count = run(reader, changed, |dice| dice.changed(&files));
-        println!("{}: {changed} changes of {} files: {count:?}", reader.name, files.len());
+        println!(
+            "{}: {changed} changes of {} files: {count:?}",
+            reader.name,
+            files.len()
+        );
         assert!(count.malformed > changed as usize / 10, "{}", reader.name);
         assert!(count.read > 0, "{}", reader.name);
     }

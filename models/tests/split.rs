@@ -78,6 +78,7 @@ fn every_scene_of_the_collection_is_the_same_however_it_is_divided() {
                 ProcessorWords::Sphere(_) => "sphere",
                 ProcessorWords::Cylinder(_) => "cylinder",
                 ProcessorWords::CurvedFacet(_) => "curved facet",
+                ProcessorWords::Quotient(_) => "quotient",
             };
             *kinds.entry(kind).or_insert(0) += 1;
         }
