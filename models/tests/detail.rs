@@ -147,7 +147,7 @@ fn bounds_never_contradict_a_pixel_of_the_collection() {
         10 * absent > 8 * undrawn,
         "{absent} of {undrawn} empty windows of {windows}"
     );
-    assert!(3 * idle > planes, "{idle} of {planes} planes");
+    assert!(4 * idle > planes, "{idle} of {planes} planes");
 }
 
 fn linear(range: i64) -> impl Strategy<Value = Linear> {

@@ -33,8 +33,8 @@ pub struct WorkSaved {
 impl WorkSaved {
     fn add(&mut self, object: &ReducedObject) {
         let objects = [object.processors[0] > 0, object.processors[1] > 0].map(u64::from);
-        for when in 0..2 {
-            self.objects[when] += objects[when];
+        for (when, objects) in objects.into_iter().enumerate() {
+            self.objects[when] += objects;
             self.processors[when] += object.processors[when];
             self.object_pixels[when] += object.visited[when];
             self.planes[when] += object.planes[when];

@@ -20,15 +20,15 @@ pub enum RunningProcessor {
     /// Patch processor.
     Patch(PatchProcessor),
     /// Quadric processor of the first generation.
-    FirstGeneration(FirstGenerationProcessor),
+    FirstGeneration(Box<FirstGenerationProcessor>),
     /// Polyhedron processor.
     Polyhedron(PolyhedronProcessor),
     /// Facet processor.
     Facet(FacetProcessor),
     /// Sphere processor.
-    Sphere(SphereProcessor),
+    Sphere(Box<SphereProcessor>),
     /// Cylinder processor.
-    Cylinder(CylinderProcessor),
+    Cylinder(Box<CylinderProcessor>),
     /// Processor of non-planar facets.
     CurvedFacet(CurvedFacetProcessor),
     /// Quotient processor.
@@ -43,18 +43,18 @@ impl RunningProcessor {
                 Self::Quadric(QuadricProcessor::zone_start(words, format))
             }
             ProcessorWords::Patch(words) => Self::Patch(PatchProcessor::zone_start(words, format)),
-            ProcessorWords::FirstGeneration(words) => {
-                Self::FirstGeneration(FirstGenerationProcessor::zone_start(words, format))
-            }
+            ProcessorWords::FirstGeneration(words) => Self::FirstGeneration(Box::new(
+                FirstGenerationProcessor::zone_start(words, format),
+            )),
             ProcessorWords::Polyhedron(words) => {
                 Self::Polyhedron(PolyhedronProcessor::zone_start(words, format))
             }
             ProcessorWords::Facet(words) => Self::Facet(FacetProcessor::zone_start(words, format)),
             ProcessorWords::Sphere(words) => {
-                Self::Sphere(SphereProcessor::zone_start(words, format))
+                Self::Sphere(Box::new(SphereProcessor::zone_start(words, format)))
             }
             ProcessorWords::Cylinder(words) => {
-                Self::Cylinder(CylinderProcessor::zone_start(words, format))
+                Self::Cylinder(Box::new(CylinderProcessor::zone_start(words, format)))
             }
             ProcessorWords::CurvedFacet(words) => {
                 Self::CurvedFacet(CurvedFacetProcessor::zone_start(words, format))
