@@ -106,7 +106,7 @@ fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
             &["trace", text(&ball), "--size", "0x5", "-o", text(&picture)],
             "4096",
         ),
-        (&["cracks", text(&ball), "--min-distance", "-1"], "above 0"),
+        (&["cracks", text(&ball), "--min-distance=-1"], "above 0"),
         (&["cracks", text(&ball), "--width", "9"], "1..=8"),
         (&["repair", text(&ball), "--format", "17"], "16, 20"),
     ];
