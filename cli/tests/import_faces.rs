@@ -4,6 +4,11 @@ mod common;
 
 use common::{imogene, scene};
 
+/// A face list of the repository.
+fn part(name: &str) -> String {
+    format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
 #[test]
 fn shipped_scenes_are_what_the_import_writes() {
     let folder = tempfile::tempdir().unwrap();
@@ -19,7 +24,7 @@ fn shipped_scenes_are_what_the_import_writes() {
         let output = folder.path().join("scene.toml");
         let run = imogene()
             .arg("import")
-            .arg(scene(&format!("cad/{name}.faces.toml")))
+            .arg(part(name))
             .arg("-o")
             .arg(&output)
             .arg("--json")
@@ -41,7 +46,7 @@ fn a_deviation_of_zero_leaves_the_exact_faces() {
     let folder = tempfile::tempdir().unwrap();
     let run = imogene()
         .arg("import")
-        .arg(scene("cad/cross-drilled.faces.toml"))
+        .arg(part("cross-drilled"))
         .args(["--max-deviation", "0", "--json", "-o"])
         .arg(folder.path().join("scene.toml"))
         .output()
@@ -71,7 +76,7 @@ fn bad_lists_and_options_are_refused_and_nothing_is_written() {
     for length in ["-1", "nan", "wide"] {
         let run = imogene()
             .arg("import")
-            .arg(scene("cad/flange.faces.toml"))
+            .arg(part("flange"))
             .arg(format!("--max-deviation={length}"))
             .arg("-o")
             .arg(&output)

@@ -152,7 +152,7 @@ fn a_neighbour_is_not_trusted_beyond_its_extent() {
 #[test]
 fn the_cylinders_of_rounded_corners_are_not_trusted_beyond_their_arcs() {
     let path = format!(
-        "{}/../scenes/cad/curved-plate.faces.toml",
+        "{}/../parts/curved-plate.faces.toml",
         env!("CARGO_MANIFEST_DIR")
     );
     let text = std::fs::read_to_string(path).unwrap();

@@ -24,10 +24,7 @@ struct Drawn {
 }
 
 fn drawn(name: &str, format: &Format) -> Drawn {
-    let path = format!(
-        "{}/../scenes/cad/{name}.faces.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
+    let path = format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"));
     let bytes = std::fs::read(path).unwrap();
     let options = FaceOptions {
         max_deviation: None,

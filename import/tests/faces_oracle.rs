@@ -148,10 +148,7 @@ fn compare(part: &Part, points: usize, kinds: &mut BTreeMap<String, usize>) {
 }
 
 fn shipped(name: &str) -> String {
-    let path = format!(
-        "{}/../scenes/cad/{name}.faces.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
+    let path = format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(path).unwrap()
 }
 

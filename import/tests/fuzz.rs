@@ -129,7 +129,9 @@ fn of_text<E: std::fmt::Display>(bytes: &[u8], read: impl Fn(&str) -> Result<(),
 /// Files that a reader is for.
 fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut folders = vec![root.join("scenes"), root.join("machines")];
+    let mut folders = ["scenes", "parts", "machines"]
+        .map(|name| root.join(name))
+        .to_vec();
     folders.extend(std::env::var_os("IMOGENE_FUZZ_FILES").map(PathBuf::from));
     let mut files = vec![];
     while let Some(folder) = folders.pop() {

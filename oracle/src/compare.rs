@@ -3,9 +3,12 @@
 //! The *band* is where an edge is met within a pixel: a pixel is in it if one of the eight about it, or it, sees in the traced picture another object, another
 //! face, another facet or the background. Outside it golden and traced picture must show the same face of the same object; inside it they may differ.
 //! Wherever they show the same face, their depths may differ by the proven bound of that face at that pixel and no more.
+//!
+//! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A pixel is *tied* if the face that the golden
+//! picture shows is there for the tracer as well, and nearer to the one that it sees than the bounds of both allow to tell: rounded words cannot know which is first.
 
 use crate::bounds::Bounds;
-use crate::trace::{Traced, TracedPixel};
+use crate::trace::{Traced, TracedPixel, Tracer};
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use serde::Serialize;
@@ -22,6 +25,8 @@ pub enum Mark {
     Band,
     /// Different, in the band.
     Inside,
+    /// Different, outside the band, of two faces that the words cannot tell apart.
+    Tied,
     /// Different, outside the band.
     Outside,
     /// The same face at a depth beyond its bound.
@@ -69,7 +74,9 @@ pub struct Comparison {
     pub differences_inside: usize,
     /// Of these, pixels where one picture shows the background.
     pub mask_differences_inside: usize,
-    /// Pixels outside the band that differ: none is allowed.
+    /// Pixels outside the band that show the other one of two faces whose depths are within the bounds of both.
+    pub tied: usize,
+    /// Pixels outside the band that differ otherwise: none is allowed.
     pub differences_outside: usize,
     /// Pixels at which depths were compared.
     pub depths: usize,
@@ -92,8 +99,9 @@ impl Comparison {
     }
 }
 
-/// Compares; the marks are those of the pixels, row-major.
+/// Compares the picture that a tracer has drawn; the marks are those of the pixels, row-major.
 pub fn compare(
+    tracer: &Tracer,
     traced: &Traced,
     golden: &Frame,
     bounds: &Bounds,
@@ -108,7 +116,11 @@ pub fn compare(
     let mut marks = Vec::with_capacity(traced.pixels.len());
     for y in 0..traced.height {
         for x in 0..traced.width {
-            marks.push(pixel(&mut found, traced, golden, bounds, format, (x, y)));
+            let is_tied = |golden: &Seen, traced: &TracedPixel| {
+                is_tied(tracer, bounds, format, golden, traced, (x, y))
+            };
+            let mark = pixel(&mut found, traced, golden, bounds, format, &is_tied, (x, y));
+            marks.push(mark);
         }
     }
     (found, marks)
@@ -120,6 +132,7 @@ fn pixel(
     golden: &Frame,
     bounds: &Bounds,
     format: &Format,
+    is_tied: &impl Fn(&Seen, &TracedPixel) -> bool,
     (x, y): (usize, usize),
 ) -> Mark {
     let index = y * traced.width + x;
@@ -145,6 +158,10 @@ fn pixel(
             found.mask_differences_inside += usize::from(mask);
             return Mark::Inside;
         }
+        if seen.is_some_and(|traced| is_tied(&one, &traced)) {
+            found.tied += 1;
+            return Mark::Tied;
+        }
         found.differences_outside += 1;
         found.list(difference);
         return Mark::Outside;
@@ -162,9 +179,7 @@ fn pixel(
         found.depth_error = found.depth_error.max(error);
         found.depth_bound = found.depth_bound.max(bound);
     }
-    // How closely the tracer knows the depth, and how closely words and their difference are told in floating point.
-    let slack = 0.5 * pixel.depth.width() * format.z_max() as f64
-        + 4.0 * f64::EPSILON * other.depth.abs().max(1.0);
+    let slack = slack(&pixel, format);
     if bound > 0.0 {
         found.depth_ratio = found.depth_ratio.max((error - slack) / bound);
     }
@@ -175,6 +190,37 @@ fn pixel(
     difference.bound = Some(bound);
     found.list(difference);
     Mark::Depth
+}
+
+/// How closely the tracer knows a depth, in depth words, and how closely words and their difference are told in floating point.
+fn slack(pixel: &TracedPixel, format: &Format) -> f64 {
+    let z_max = format.z_max() as f64;
+    let size = (pixel.depth.middle() * z_max).abs().max(1.0);
+    0.5 * pixel.depth.width() * z_max + 4.0 * f64::EPSILON * size
+}
+
+/// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced one than both bounds.
+fn is_tied(
+    tracer: &Tracer,
+    bounds: &Bounds,
+    format: &Format,
+    golden: &Seen,
+    traced: &TracedPixel,
+    (x, y): (usize, usize),
+) -> bool {
+    let Ok(object) = u32::try_from(golden.object) else {
+        return false;
+    };
+    let Some(other) = tracer.alone(object, x as u32, y as u32) else {
+        return false;
+    };
+    let bound = |p: &TracedPixel| {
+        bounds.at(p.object, p.number, p.part, (x as i64, y as i64)) + slack(p, format)
+    };
+    let depth = |p: &TracedPixel| p.depth.middle() * format.z_max() as f64;
+    other.number == golden.number
+        && (golden.depth - depth(&other)).abs() <= bound(&other)
+        && (depth(&other) - depth(traced)).abs() <= bound(&other) + bound(traced)
 }
 
 impl Comparison {

@@ -10,6 +10,8 @@ pub type Colour = [u8; 3];
 pub const BAND: Colour = [70, 110, 190];
 /// Different where that is allowed.
 pub const ALLOWED: Colour = [255, 170, 0];
+/// One of two faces that the words cannot tell apart.
+pub const TIED: Colour = [90, 170, 110];
 /// Different where it is not.
 pub const FORBIDDEN: Colour = [255, 30, 30];
 /// The same face beyond the bound of its depth.
@@ -39,12 +41,14 @@ fn grey(frame: &Frame, z_max: i64) -> Vec<Colour> {
     frame.depth.iter().zip(&frame.id).map(tone).collect()
 }
 
-/// A comparison: alike in grey, band in blue, allowed differences in orange and others in red, the latter two as squares of three pixels.
+/// A comparison: alike in grey, band in blue, tied in green, allowed differences in orange and others in red, the latter two as squares of three pixels.
 pub fn comparison(frame: &Frame, z_max: i64, marks: &[Mark]) -> Vec<u8> {
     let mut picture = grey(frame, z_max);
     for (colour, mark) in picture.iter_mut().zip(marks) {
-        if *mark != Mark::Alike {
-            *colour = BAND;
+        match mark {
+            Mark::Alike => {}
+            Mark::Tied => *colour = TIED,
+            _ => *colour = BAND,
         }
     }
     let spots = [

@@ -121,6 +121,14 @@ impl Tracer {
         picture
     }
 
+    /// What one object alone shows at a pixel, in exact arithmetic.
+    pub fn alone(&self, object: u32, x: u32, y: u32) -> Option<TracedPixel> {
+        let bodies = self.bodies.iter().enumerate();
+        let own = bodies.filter(|(_, (id, _))| *id == object);
+        let list: Vec<u32> = own.map(|(index, _)| index as u32).collect();
+        self.solve(x, y, &list)
+    }
+
     /// Steps of [`Tracer::draw`], for a bar of its progress.
     pub fn steps(&self) -> u64 {
         let cells = |pixels: u32| u64::from(pixels.div_ceil(LARGEST));

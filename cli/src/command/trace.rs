@@ -116,7 +116,7 @@ fn tell(row: &Row) {
     };
     let verdict = if c.holds() { "holds" } else { "DIFFERS" };
     output::text(format!(
-        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside; depths off by \
+        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside, {} tied; depths off by \
          at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it",
         c.covered,
         row.trace_seconds,
@@ -124,6 +124,7 @@ fn tell(row: &Row) {
         c.band,
         c.differences_inside,
         c.differences_outside,
+        c.tied,
         c.depth_error,
         100.0 * c.depth_ratio,
         c.depths_beyond_bound

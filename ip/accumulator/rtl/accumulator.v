@@ -1,7 +1,7 @@
 // accumulator: the mean of 4 or 16 passes over a picture
 //
 // parameters: format 24
-// latency:    2 clocks
+// latency:    3 clocks
 // error:      exact
 // source:     Chaillou 1991, III.1.5 and IV.4.7.2
 // ports:
@@ -66,6 +66,15 @@ module accumulator (
     reg [7:0] kept_r = 8'd0;
     reg [7:0] kept_g = 8'd0;
     reg [7:0] kept_b = 8'd0;
+    reg [35:0] earlier = 36'd0;
+    reg held_fine = 1'd0;
+    reg held_valid = 1'd0;
+    reg held_first = 1'd0;
+    reg held_last = 1'd0;
+    reg [11:0] held_address = 12'd0;
+    reg [7:0] held_r = 8'd0;
+    reg [7:0] held_g = 8'd0;
+    reg [7:0] held_b = 8'd0;
     reg [7:0] mean_r = 8'd0;
     reg [7:0] mean_g = 8'd0;
     reg [7:0] mean_b = 8'd0;
@@ -74,36 +83,36 @@ module accumulator (
 
     block_memory store (
         .clock(clock),
-        .write(kept_valid),
-        .write_address(kept_address),
+        .write(held_valid),
+        .write_address(held_address),
         .write_data(store_write_data),
         .read_address(address),
         .read_data(store_read_data)
     );
 
     pass_sum red (
-        .value(kept_r),
+        .value(held_r),
         .earlier(red_earlier),
-        .first(kept_first),
-        .fine(kept_fine),
+        .first(held_first),
+        .fine(held_fine),
         .sum(red_sum),
         .mean(red_mean)
     );
 
     pass_sum green (
-        .value(kept_g),
+        .value(held_g),
         .earlier(green_earlier),
-        .first(kept_first),
-        .fine(kept_fine),
+        .first(held_first),
+        .fine(held_fine),
         .sum(green_sum),
         .mean(green_mean)
     );
 
     pass_sum blue (
-        .value(kept_b),
+        .value(held_b),
         .earlier(blue_earlier),
-        .first(kept_first),
-        .fine(kept_fine),
+        .first(held_first),
+        .fine(held_fine),
         .sum(blue_sum),
         .mean(blue_mean)
     );
@@ -114,9 +123,9 @@ module accumulator (
     assign high_red = wide_red << red_place;
     assign high_green = wide_green << green_place;
     assign store_write_data = (high_red | high_green) | wide_blue;
-    assign red_earlier = store_read_data[35:24];
-    assign green_earlier = store_read_data[23:12];
-    assign blue_earlier = store_read_data[11:0];
+    assign red_earlier = earlier[35:24];
+    assign green_earlier = earlier[23:12];
+    assign blue_earlier = earlier[11:0];
     assign out_valid = late_valid;
     assign out_address = late_address;
     assign out_r = mean_r;
@@ -132,11 +141,20 @@ module accumulator (
         kept_r <= r;
         kept_g <= g;
         kept_b <= b;
+        earlier <= store_read_data;
+        held_fine <= kept_fine;
+        held_valid <= kept_valid;
+        held_first <= kept_first;
+        held_last <= kept_last;
+        held_address <= kept_address;
+        held_r <= kept_r;
+        held_g <= kept_g;
+        held_b <= kept_b;
         mean_r <= red_mean;
         mean_g <= green_mean;
         mean_b <= blue_mean;
-        late_valid <= kept_valid & kept_last;
-        late_address <= kept_address;
+        late_valid <= held_valid & held_last;
+        late_address <= held_address;
     end
 
 endmodule
