@@ -33,7 +33,10 @@ fn scenes_are_traced_and_refusals_are_listed() {
         folder.path().join("pictures"),
         folder.path().join("table.md"),
     );
-    let (teapot, refused) = (scene("teapot.toml"), scene("extremes/eye-on-quadric.toml"));
+    let (teapot, refused) = (
+        scene("teapot.toml"),
+        scene("extremes/eye-inside-solid.toml"),
+    );
     let value = json(
         &[
             "trace",
@@ -59,7 +62,7 @@ fn scenes_are_traced_and_refusals_are_listed() {
         value["scenes"][1]["refused"]
             .as_str()
             .expect("a reason")
-            .contains("shell")
+            .contains("object '")
     );
     for file in value["files"].as_array().expect("files") {
         assert!(
@@ -159,6 +162,17 @@ fn cracks_are_searched_for_and_made() {
     };
     assert_eq!(sum("deep"), sum("deep_found"));
     assert!(sum("deep") > 300 && sum("made") > sum("deep"));
+}
+
+/// Neither flagged gaps between its parts nor cells of a divided face are cracks.
+#[test]
+fn the_teapot_and_closed_parts_have_no_cracks() {
+    for name in ["teapot", "cad/flange", "cad/ball-joint", "cad/bracket"] {
+        let value = json(&["cracks", text(&scene(&format!("{name}.toml")))], 0);
+        let found = value["cracks"].as_array().expect("a list");
+        let is_open = |c: &Value| c["notch"] == true || c["opening"] == true;
+        assert!(found.iter().all(is_open), "{name}");
+    }
 }
 
 #[test]

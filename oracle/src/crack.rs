@@ -10,6 +10,7 @@
 //! w + 1 apart. The proof for convex solids is the same. Beyond it too, a flagged pixel is told to be a crack or the end of a notch ([`Crack::notch`]): two outlines that meet
 //! at a sharp angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure [`imogene_models::metrics`] calls by the same name compares with the true picture.)
 
+use crate::trace::Tracer;
 use imogene_models::machine::frame::Frame;
 use imogene_models::scene::Camera;
 use serde::Serialize;
@@ -54,6 +55,23 @@ pub struct Crack {
     /// It is the end of a *notch*: flagged pixels of its face lead to one of its face that is not flagged, as where two outlines meet at a sharp angle. A crack
     /// within a surface is closed.
     pub notch: bool,
+    /// It is an *opening* of the scene: the ray tracer sees through it as well ([`mark_openings`]).
+    pub opening: bool,
+}
+
+impl Crack {
+    /// Neither the end of a notch nor an opening.
+    pub fn is_of_the_drawing(&self) -> bool {
+        !self.notch && !self.opening
+    }
+}
+
+/// Asks a tracer of the same scene about what was found: the detector needs no reference, but a narrow gap between two parts looks to it as a crack does.
+pub fn mark_openings(found: &mut [Crack], tracer: &Tracer) {
+    for crack in found.iter_mut().filter(|crack| !crack.notch) {
+        let seen = tracer.at(crack.x as u32, crack.y as u32);
+        crack.opening = seen.map_or(-1, |pixel| pixel.object as i32) == crack.object;
+    }
 }
 
 impl Buffers {
@@ -164,6 +182,7 @@ fn crack_at(buffers: &Buffers, rule: &Rule, x: usize, y: usize) -> Option<Crack>
                     object: buffers.face[own].0,
                     sides: [one, other],
                     notch: false,
+                    opening: false,
                 });
             }
         }

@@ -121,6 +121,12 @@ impl Tracer {
         picture
     }
 
+    /// What is seen at one pixel.
+    pub fn at(&self, x: u32, y: u32) -> Option<TracedPixel> {
+        let all: Vec<u32> = (0..self.bodies.len() as u32).collect();
+        self.pixel(x, y, &all).0
+    }
+
     /// What one object alone shows at a pixel, in exact arithmetic.
     pub fn alone(&self, object: u32, x: u32, y: u32) -> Option<TracedPixel> {
         let bodies = self.bodies.iter().enumerate();

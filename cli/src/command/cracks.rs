@@ -7,9 +7,10 @@ use crate::output;
 use imogene_models::picture::write_png;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::{Camera, SceneFile};
-use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, two_pixels};
+use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
+use imogene_oracle::trace::Tracer;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -49,7 +50,11 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     };
     let frame = golden_frame(&prepared);
     let z_max = prepared.format.z_max();
-    let found = cracks(&Buffers::new(&frame, file.active(), z_max), &rule);
+    let mut found = cracks(&Buffers::new(&frame, file.active(), z_max), &rule);
+    if found.iter().any(|crack| !crack.notch) {
+        let tracer = Tracer::new(&file, prepared.width, prepared.height);
+        mark_openings(&mut found, &tracer);
+    }
     let mut files = vec![];
     if let Some(path) = &options.output {
         let flagged = found.iter().map(|c| c.y * frame.width + c.x);
@@ -81,9 +86,10 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     }
 }
 
-/// Flagged pixels that are no end of a notch.
+/// Flagged pixels that are neither the end of a notch nor an opening of the scene.
 fn closed(report: &CrackReport) -> usize {
-    report.cracks.iter().filter(|c| !c.notch).count()
+    let cracks = report.cracks.iter();
+    cracks.filter(|c| c.is_of_the_drawing()).count()
 }
 
 /// With cracks made on purpose the check is that every deep one is found.
@@ -124,7 +130,7 @@ fn scores(
 
 fn tell(report: &CrackReport) {
     output::text(format!(
-        "{} x {} pixels, both sides nearer by {:.4} or more, cracks up to {} wide: {} flagged, {} of them cracks and the others ends of notches",
+        "{} x {} pixels, both sides nearer by {:.4} or more, cracks up to {} wide: {} flagged, {} of them cracks and the others ends of notches and openings of the scene",
         report.width,
         report.height,
         report.min_distance,
@@ -143,7 +149,11 @@ fn tell(report: &CrackReport) {
             c.y,
             c.sides[0],
             c.sides[1],
-            if c.notch { ", a notch" } else { "" }
+            match (c.notch, c.opening) {
+                (true, _) => ", a notch",
+                (_, true) => ", an opening of the scene",
+                _ => "",
+            }
         ));
     }
     if report.cracks.len() > TOLD {
