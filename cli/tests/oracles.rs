@@ -96,11 +96,11 @@ fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
     let picture = folder.path().join("picture.png");
     let (ball, refused) = (
         scene("ellipsoid.toml"),
-        scene("extremes/eye-on-quadric.toml"),
+        scene("extremes/eye-inside-solid.toml"),
     );
     let cases: [(&[&str], &str); 7] = [
         (&["trace", "no.toml"], "no.toml"),
-        (&["trace", text(&refused), "-o", text(&picture)], "shell"),
+        (&["trace", text(&refused), "-o", text(&picture)], "inside"),
         (
             &["trace", text(&ball), text(&ball), "-o", text(&picture)],
             "--out",

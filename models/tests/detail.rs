@@ -144,7 +144,7 @@ fn bounds_never_contradict_a_pixel_of_the_collection() {
     assert!(windows > 10_000, "{windows} windows");
     // Of what a look at every pixel could leave out, bounds find most.
     assert!(
-        10 * absent > 8 * undrawn,
+        10 * absent > 7 * undrawn,
         "{absent} of {undrawn} empty windows of {windows}"
     );
     assert!(4 * idle > planes, "{idle} of {planes} planes");

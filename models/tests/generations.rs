@@ -11,7 +11,9 @@ use imogene_models::object::quadric::{ObjectPixel, QuadricWords};
 use imogene_models::object::slot::ProcessorWords;
 use imogene_models::prepare::error::PrepareError;
 use imogene_models::prepare::forms::LinearForm;
-use imogene_models::prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
+use imogene_models::prepare::{
+    PreparedObject, PreparedQuadric, PreparedScene, prepare, prepare_for_roots,
+};
 use imogene_models::rational::integer;
 use imogene_models::scene::{FramedObject, FramedScene, SceneFile};
 use imogene_models::unit::cut_plane::PlaneKind;
@@ -193,7 +195,7 @@ fn compare_object(
 
 /// Compares all objects and the decided frames of a scene.
 fn compare(scene: &FramedScene, format: Format, tally: &mut Tally) -> bool {
-    let second = prepare(&second_generation(scene), format);
+    let second = prepare_for_roots(&second_generation(scene), format);
     let first = match prepare(scene, format) {
         Ok(first) => first,
         // Seen from inside or side-on; other refusals are those of the words that both have.

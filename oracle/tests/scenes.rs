@@ -53,7 +53,7 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
             "{name}: no depth was compared"
         );
         assert!(
-            c.differences_inside * 20 <= c.band || !c.holds() || c.band < 20,
+            c.differences_inside * 20 <= c.band || !c.holds() || c.band < 20 || c.tied > 0,
             "{name}: {c:#?}"
         );
     }

@@ -4,6 +4,7 @@ use super::post_filter::Kernel;
 use super::video_timing::{MODES, Span, VideoMode};
 use super::zone::{MAX_PICTURE, SAMPLES, ZoneMachine};
 use crate::object::quadric::MAX_PLANES;
+use crate::scene::{in_plain_words, line_and_column};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -174,11 +175,15 @@ pub enum DescriptionError {
         source: std::io::Error,
     },
     /// Not a description.
-    #[error("{file}: {problem}")]
+    #[error("{file}:{line}:{column}: {problem}")]
     Syntax {
         /// Path as given.
         file: String,
-        /// What the parser says, with line and column.
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the parser says.
         problem: String,
     },
     /// A value out of its range.
@@ -217,9 +222,15 @@ impl MachineDescription {
     ///
     /// As [`Self::read`].
     pub fn parse(text: &str, file: &str) -> Result<MachineDescription, DescriptionError> {
-        let description: Self = toml::from_str(text).map_err(|error| DescriptionError::Syntax {
-            file: file.into(),
-            problem: error.to_string().trim_end().to_owned(),
+        let description: Self = toml::from_str(text).map_err(|error| {
+            let start = error.span().map_or(0, |span| span.start);
+            let (line, column) = line_and_column(text, start);
+            DescriptionError::Syntax {
+                file: file.into(),
+                line,
+                column,
+                problem: in_plain_words(error.message()),
+            }
         })?;
         description.check(file)?;
         Ok(description)
@@ -439,7 +450,7 @@ mod tests {
         assert!(refused("10", "0").contains("objects is 0; accepted: 1 to 256"));
         assert!(refused("640x480", "640x481").contains("\"1280x720\""));
         assert!(refused("beam", "zone").contains("zone is missing"));
-        assert!(refused("planes", "plans").contains("plans"));
+        assert!(refused("planes", "plans").starts_with("m.toml:3:1: unknown field `plans`"));
         assert!(
             refusal(&format!("{BEAM}output = \"stream\"\noverlay = true\n"))
                 .contains("output is stream")

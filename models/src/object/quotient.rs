@@ -254,7 +254,7 @@ mod tests {
             )
     }
 
-    /// Does the definition hold at a depth: the volume, or the floor of the surface's depth, and every plane.
+    /// Does the definition hold at a depth word: the volume somewhere in the depths that it is the floor of, or the surface there, and every plane.
     fn holds(words: &QuotientWords, x: i64, y: i64, z: i64) -> bool {
         let (n, d) = (
             words.numerator.exact_at(x, y),
@@ -263,6 +263,7 @@ mod tests {
         let at = |z: i64| &d * BigInt::from(z);
         let zero = BigInt::ZERO;
         let there = match (words.solid, d > zero) {
+            (true, _) if d < zero => at(z + 1) < n,
             (true, _) => at(z) <= n,
             (false, _) if d == zero => false,
             // floor(n / d) = z

@@ -107,7 +107,7 @@ impl SceneError {
 }
 
 /// The reader's message on one line, with its names of Rust types put into words.
-fn in_plain_words(message: &str) -> String {
+pub(crate) fn in_plain_words(message: &str) -> String {
     message
         .trim_end()
         .replace('\n', ", ")
@@ -124,7 +124,7 @@ fn in_plain_words(message: &str) -> String {
 }
 
 /// Line and column, from 1, of the character at byte `offset` of `text`.
-pub(super) fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+pub(crate) fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let mut end = offset.min(text.len());
     while !text.is_char_boundary(end) {
         end -= 1;

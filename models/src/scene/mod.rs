@@ -31,6 +31,7 @@ pub use check::{
     MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
 };
 pub use error::SceneError;
+pub(crate) use error::{in_plain_words, line_and_column};
 pub use file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
     Rotation, Scale, SceneFile, Shape, Step, Surface,

@@ -174,7 +174,10 @@ pub fn zones(
         return Ok(vec![whole(prepare_with(
             scene,
             format,
-            Options::default(),
+            Options {
+                roots_only: true,
+                ..Options::default()
+            },
         )?)]);
     }
     let side = zone as usize;
