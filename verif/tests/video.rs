@@ -360,7 +360,7 @@ fn means_are_exact() {
     let mut hardware = (unit("accumulator").hardware)();
     for (fine, passes) in [(0, 4), (1, 16)] {
         for sum in 0..=passes * 255 {
-            // Levels as even as they can be, in two places by turns, so that no place comes twice in a row.
+            // Levels as even as they can be, in two places by turns and a pause, so that a place comes again after 3 clocks.
             let level = |pass: i64| (sum + pass) / passes;
             let mut means = Vec::new();
             for pass in 0..passes {
@@ -370,8 +370,10 @@ fn means_are_exact() {
                     let out = clock(hardware.as_mut(), &inputs);
                     means.extend((out[0] == 1).then(|| out[1..].to_vec()));
                 }
+                let out = clock(hardware.as_mut(), &[fine, 0, 0, 0, 0, 0, 0, 0]);
+                means.extend((out[0] == 1).then(|| out[1..].to_vec()));
             }
-            for _ in 0..2 {
+            for _ in 0..3 {
                 let out = clock(hardware.as_mut(), &[fine, 0, 0, 0, 0, 0, 0, 0]);
                 means.extend((out[0] == 1).then(|| out[1..].to_vec()));
             }
