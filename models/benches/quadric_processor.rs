@@ -41,7 +41,6 @@ fn scene() -> FramedScene {
             plane([2, 1, -2, 420]),
             plane([-1, 3, -2, 510]),
         ],
-        corners: None,
         material: 0,
         casts_shadow: true,
     };

@@ -7,8 +7,7 @@ use crate::body::Body;
 use imogene_models::check::depth_bound;
 use imogene_models::format::Format;
 use imogene_models::prepare::error::PrepareError;
-use imogene_models::prepare::rounding::Anchor;
-use imogene_models::prepare::{PreparedQuadric, PreparedScene, prepare};
+use imogene_models::prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
 use imogene_models::rational::to_f64;
 use imogene_models::scene::{FramedObject, FramedScene};
 
@@ -28,7 +27,7 @@ enum Bound {
     Proven(Box<PreparedQuadric>),
     /// The same at every pixel of a face: of number 0, and of any other.
     Level([f64; 2]),
-    /// By the facet that is seen: a corner is up to a 32nd of a pixel off in column and line, which the facet's slope turns into depth.
+    /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a 32nd of a pixel off.
     Facets(Vec<(u32, f64)>),
 }
 
@@ -54,10 +53,12 @@ impl Bounds {
                     Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
                 }
                 FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
-                FramedObject::Polyhedron(_) => {
-                    let window = prepared.objects[id].screen_box();
-                    Bound::Level([Anchor::middle_of(window).linear_bound(window); 2])
-                }
+                FramedObject::Polyhedron(_) => match &prepared.objects[id] {
+                    PreparedObject::Parts(parts) => {
+                        Bound::Level([parts.depth_bound.unwrap_or(0.0); 2])
+                    }
+                    _ => unreachable!("prepared for its processor"),
+                },
                 _ => Bound::Level([GUARDED; 2]),
             }
         };
@@ -87,10 +88,18 @@ impl Bounds {
                 }
             }
             Bound::Facets(facets) => {
-                let of = |index: usize| facets[index].1;
-                let found = facets.binary_search_by_key(&part, |facet| facet.0);
-                found.map_or(f64::INFINITY, of)
+                slope_of(facets, part).map_or(f64::INFINITY, |slope| slope / 32.0 + GUARDED)
             }
+        }
+    }
+
+    /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; nothing for objects that are no facets.
+    pub fn one_pixel_on(&self, object: u32, part: u32) -> Option<f64> {
+        match &self.objects[object as usize] {
+            Bound::Facets(facets) => {
+                slope_of(facets, part).map(|slope| slope * (1.0 + 1.0 / 32.0) + GUARDED)
+            }
+            _ => None,
         }
     }
 }
@@ -117,6 +126,11 @@ fn as_quadrics(
     Ok(own(&prepare(&other, prepared.format)?))
 }
 
+fn slope_of(facets: &[(u32, f64)], part: u32) -> Option<f64> {
+    let found = facets.binary_search_by_key(&part, |facet| facet.0);
+    found.ok().map(|index| facets[index].1)
+}
+
 fn facets(id: usize, bodies: &[(u32, Body)], format: &Format) -> Vec<(u32, f64)> {
     let z_max = format.z_max() as f64;
     let mut bounds: Vec<(u32, f64)> = vec![];
@@ -124,7 +138,7 @@ fn facets(id: usize, bodies: &[(u32, Body)], format: &Format) -> Vec<(u32, f64)>
         let Body::Facet(facet) = body else { continue };
         if bounds.last().is_none_or(|(part, _)| *part != facet.part()) {
             let slope: f64 = facet.depth_slope().iter().sum();
-            bounds.push((facet.part(), slope * z_max / 32.0 + GUARDED));
+            bounds.push((facet.part(), slope * z_max));
         }
     }
     bounds

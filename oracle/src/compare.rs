@@ -6,11 +6,17 @@
 //!
 //! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A pixel is *tied* if the face that the golden
 //! picture shows is there for the tracer as well, and nearer to the one that it sees than the bounds of both allow to tell: rounded words cannot know which is first.
+//! Of a facet it is enough that it is at one of the eight pixels about it, with the depth it has one pixel on, and that no nearer face is seen: its corners are rounded.
+//!
+//! A pixel is *announced* if `imogene check` says beforehand, from the words alone, that rounding may change its face: so an outline has its own stated band, wider than a pixel
+//! where the words are too short for the object.
 
 use crate::bounds::Bounds;
 use crate::trace::{Traced, TracedPixel, Tracer};
+use imogene_models::check::is_undecided;
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
+use imogene_models::prepare::PreparedScene;
 use serde::Serialize;
 
 /// Differences that are listed.
@@ -27,6 +33,8 @@ pub enum Mark {
     Inside,
     /// Different, outside the band, of two faces that the words cannot tell apart.
     Tied,
+    /// Different, outside the band, as the check says that it may be.
+    Announced,
     /// Different, outside the band.
     Outside,
     /// The same face at a depth beyond its bound.
@@ -76,6 +84,8 @@ pub struct Comparison {
     pub mask_differences_inside: usize,
     /// Pixels outside the band that show the other one of two faces whose depths are within the bounds of both.
     pub tied: usize,
+    /// Pixels outside the band that differ and of which the check says that rounding may change their face.
+    pub announced: usize,
     /// Pixels outside the band that differ otherwise: none is allowed.
     pub differences_outside: usize,
     /// Pixels at which depths were compared.
@@ -105,8 +115,9 @@ pub fn compare(
     traced: &Traced,
     golden: &Frame,
     bounds: &Bounds,
-    format: &Format,
+    prepared: &PreparedScene,
 ) -> (Comparison, Vec<Mark>) {
+    let format = &prepared.format;
     let mut found = Comparison {
         pixels: traced.pixels.len(),
         covered: traced.pixels.iter().flatten().count(),
@@ -116,10 +127,16 @@ pub fn compare(
     let mut marks = Vec::with_capacity(traced.pixels.len());
     for y in 0..traced.height {
         for x in 0..traced.width {
-            let is_tied = |golden: &Seen, traced: &TracedPixel| {
-                is_tied(tracer, bounds, format, golden, traced, (x, y))
+            let allowed = |golden: &Seen, traced: Option<TracedPixel>| {
+                let is_tied =
+                    |traced: TracedPixel| is_tied(tracer, bounds, format, golden, &traced, (x, y));
+                if traced.is_some_and(is_tied) {
+                    Some(Mark::Tied)
+                } else {
+                    is_undecided(prepared, x as i64, y as i64).then_some(Mark::Announced)
+                }
             };
-            let mark = pixel(&mut found, traced, golden, bounds, format, &is_tied, (x, y));
+            let mark = pixel(&mut found, traced, golden, bounds, format, &allowed, (x, y));
             marks.push(mark);
         }
     }
@@ -132,7 +149,7 @@ fn pixel(
     golden: &Frame,
     bounds: &Bounds,
     format: &Format,
-    is_tied: &impl Fn(&Seen, &TracedPixel) -> bool,
+    allowed: &impl Fn(&Seen, Option<TracedPixel>) -> Option<Mark>,
     (x, y): (usize, usize),
 ) -> Mark {
     let index = y * traced.width + x;
@@ -158,13 +175,16 @@ fn pixel(
             found.mask_differences_inside += usize::from(mask);
             return Mark::Inside;
         }
-        if seen.is_some_and(|traced| is_tied(&one, &traced)) {
-            found.tied += 1;
-            return Mark::Tied;
+        let mark = allowed(&one, seen).unwrap_or(Mark::Outside);
+        match mark {
+            Mark::Tied => found.tied += 1,
+            Mark::Announced => found.announced += 1,
+            _ => {
+                found.differences_outside += 1;
+                found.list(difference);
+            }
         }
-        found.differences_outside += 1;
-        found.list(difference);
-        return Mark::Outside;
+        return mark;
     }
     let alike = if in_band { Mark::Band } else { Mark::Alike };
     let Some(pixel) = seen else { return alike };
@@ -211,16 +231,27 @@ fn is_tied(
     let Ok(object) = u32::try_from(golden.object) else {
         return false;
     };
-    let Some(other) = tracer.alone(object, x as u32, y as u32) else {
-        return false;
-    };
     let bound = |p: &TracedPixel| {
         bounds.at(p.object, p.number, p.part, (x as i64, y as i64)) + slack(p, format)
     };
     let depth = |p: &TracedPixel| p.depth.middle() * format.z_max() as f64;
-    other.number == golden.number
-        && (golden.depth - depth(&other)).abs() <= bound(&other)
-        && (depth(&other) - depth(traced)).abs() <= bound(&other) + bound(traced)
+    if let Some(other) = tracer.alone(object, x as u32, y as u32) {
+        return other.number == golden.number
+            && (golden.depth - depth(&other)).abs() <= bound(&other)
+            && (depth(&other) - depth(traced)).abs() <= bound(&other) + bound(traced);
+    }
+    // Corners of a facet are on a grid, so that it may reach beyond its true edge.
+    let mut about = (x.saturating_sub(1)..=x + 1)
+        .flat_map(|u| (y.saturating_sub(1)..=y + 1).map(move |v| (u as u32, v as u32)));
+    golden.depth <= depth(traced) + bound(traced)
+        && about.any(|(u, v)| {
+            let beside = tracer.alone(object, u, v);
+            beside.is_some_and(|other| {
+                let reach = bounds.one_pixel_on(object, other.part);
+                other.number == golden.number
+                    && reach.is_some_and(|reach| (golden.depth - depth(&other)).abs() <= reach)
+            })
+        })
 }
 
 impl Comparison {

@@ -63,7 +63,7 @@ pub fn run(
         height as usize,
         || (),
     );
-    let (comparison, marks) = compare(&tracer, &traced, &golden, &bounds, &format);
+    let (comparison, marks) = compare(&tracer, &traced, &golden, &bounds, &prepared);
     Ok(Outcome::Compared(Box::new(Compared {
         comparison,
         golden,

@@ -58,21 +58,22 @@ impl Row {
 /// The table (Markdown).
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| scene | size | covered | solved exactly | band | differ in it | tied | differ outside | depth error, words | of its bound | beyond it |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|\n",
+        "| scene | size | covered | solved exactly | band | differ in it | tied | announced | differ outside | depth error, words | of its bound | beyond it |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let (scene, size) = (&row.scene, format!("{} x {}", row.width, row.height));
         let written = match &row.comparison {
-            None => writeln!(text, "| {scene} | {size} | refused | | | | | | | | |"),
+            None => writeln!(text, "| {scene} | {size} | refused | | | | | | | | | |"),
             Some(c) => writeln!(
                 text,
-                "| {scene} | {size} | {} | {} | {} | {} | {} | {} | {:.2} | {:.0} % | {} |",
+                "| {scene} | {size} | {} | {} | {} | {} | {} | {} | {} | {:.2} | {:.0} % | {} |",
                 c.covered,
                 c.solved_exactly,
                 c.band,
                 c.differences_inside,
                 c.tied,
+                c.announced,
                 c.differences_outside,
                 c.depth_error,
                 100.0 * c.depth_ratio,

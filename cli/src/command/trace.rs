@@ -116,7 +116,7 @@ fn tell(row: &Row) {
     };
     let verdict = if c.holds() { "holds" } else { "DIFFERS" };
     output::text(format!(
-        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside, {} tied; depths off by \
+        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside, {} tied, {} announced; depths off by \
          at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it",
         c.covered,
         row.trace_seconds,
@@ -125,6 +125,7 @@ fn tell(row: &Row) {
         c.differences_inside,
         c.differences_outside,
         c.tied,
+        c.announced,
         c.depth_error,
         100.0 * c.depth_ratio,
         c.depths_beyond_bound

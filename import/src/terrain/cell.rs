@@ -79,13 +79,14 @@ pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
     })
 }
 
-/// The pieces of a cell as an eye sees it that stands at `eye` (u, v); the bilinear patch where the cell is a plane or the eye stands over it.
-pub fn pieces_for(z: &Corners, eye: &[BigRational; 2]) -> Option<Vec<Piece>> {
+/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the bilinear patch where the cell is a plane or the
+/// eye stands over it.
+pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
     if is_plane(z) || over {
-        return Some(vec![bilinear_piece(z, [0.0; 4])?]);
+        return Some(vec![bilinear_piece(z, outwards)?]);
     }
-    ruled_pieces(z, eye)
+    ruled_pieces(z, eye, outwards)
 }
 
 /// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner. The heights are decimals.

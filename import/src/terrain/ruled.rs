@@ -20,15 +20,17 @@ struct Sector {
     edges: [Edge; 2],
 }
 
-/// The pieces of a cell that is no plane, for an eye beside it; nothing if the numbers have too many digits for a scene file.
-pub fn ruled_pieces(z: &Corners, eye: &Point) -> Option<Vec<Piece>> {
+/// The pieces of a cell that is no plane, for an eye beside it, each edge moved outwards by a part of the cell; nothing if the numbers have too many digits for a scene file.
+pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let order = corners_in_order(eye);
     let sectors = order.windows(2).filter_map(|pair| {
         let bounds = [pair[0], pair[1]];
         let edges = passed(eye, bounds)?;
         Some(Sector { bounds, edges })
     });
-    sectors.map(|sector| piece(z, eye, &sector)).collect()
+    sectors
+        .map(|sector| piece(z, eye, &sector, outwards))
+        .collect()
 }
 
 /// The corners (u, v) as their lines of sight turn.
@@ -74,13 +76,14 @@ fn passed(eye: &Point, [p, q]: [(usize, usize); 2]) -> Option<[Edge; 2]> {
     edges.try_into().ok()
 }
 
-fn piece(z: &Corners, eye: &Point, sector: &Sector) -> Option<Piece> {
+fn piece(z: &Corners, eye: &Point, sector: &Sector, outwards: [f64; 4]) -> Option<Piece> {
     let coefficients = match sector.edges {
         [Edge::West, Edge::East] => ruled_between_sides(z, eye)?,
         [Edge::North, Edge::South] => ruled(z, eye)?,
         adjacent => plane(z, adjacent)?,
     };
-    let mut cuts: Vec<Cut> = sector.edges.iter().map(|edge| edge.cut(0.0)).collect();
+    let cut = |edge: &Edge| edge.cut(outwards[*edge as usize]);
+    let mut cuts: Vec<Cut> = sector.edges.iter().map(cut).collect();
     for (index, corner) in sector.bounds.into_iter().enumerate() {
         // The line of sight through the common corner of two adjacent edges only touches the piece.
         if Some(corner) != common_corner(sector.edges) {
@@ -232,7 +235,7 @@ mod tests {
             let eye = eye.map(|e| fraction(e, 6));
             prop_assume!(!twist(&z).is_zero());
             prop_assume!(eye.iter().any(|e| e.is_negative() || *e > integer(1)));
-            let pieces = ruled_pieces(&z, &eye).expect("few digits");
+            let pieces = ruled_pieces(&z, &eye, [0.0; 4]).expect("few digits");
             prop_assert!(!pieces.is_empty() && pieces.len() <= 3);
             for piece in pieces.iter().filter(|p| p.coefficients[0] != 0.0 || p.coefficients[2] != 0.0 || p.coefficients[3] != 0.0 || p.coefficients[5] != 0.0) {
                 for level in [-3, 0, 1000] {

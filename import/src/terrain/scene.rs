@@ -32,6 +32,10 @@ const BANDS: [[f64; 3]; 7] = [
 /// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a sixteenth of a pixel.
 const OVERLAP: f64 = 1.0 / 16.0;
 
+/// Part of a cell by which a surface reaches beyond an edge that it shares with another surface. Both pass through the edge, but their depths are rounded, each by itself, and a
+/// pixel on the edge could fall to neither.
+const SEAM: f64 = 1.0 / 256.0;
+
 /// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
 const FLAT: f64 = 0.5;
 
@@ -49,6 +53,25 @@ struct Cell {
     row: usize,
     corners: Corners,
     form: Form,
+}
+
+/// By how much of a cell its surfaces reach beyond its edges in the west, east, north and south; `cells` are in rows from the north, each from the west.
+fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
+    let (c, r) = (cell.column, cell.row);
+    let neighbours = [
+        (r, c.wrapping_sub(1)),
+        (r, c + 1),
+        (r.wrapping_sub(1), c),
+        (r + 1, c),
+    ];
+    neighbours.map(|place| {
+        let found = cells.binary_search_by_key(&place, |cell| (cell.row, cell.column));
+        match found.map(|index| cells[index].form) {
+            Ok(Form::Facets) => OVERLAP,
+            Ok(Form::Surfaces) => SEAM,
+            Ok(Form::LeftOut) | Err(_) => 0.0,
+        }
+    })
 }
 
 /// The scene of a grid; `file` is the name that messages give it.
@@ -303,11 +326,11 @@ impl<'a> Map<'a> {
         let facets_before = count(cells, Form::Facets);
         let mut open: Vec<usize> = (0..cells.len()).collect();
         while !open.is_empty() {
-            let trial: Vec<&Cell> = open.iter().map(|&index| &cells[index]).collect();
+            let trial = open.iter().map(|&index| &cells[index]);
             let mut owners = vec![];
             let mut scene = self.empty_scene();
-            for (place, cell) in trial.into_iter().enumerate() {
-                let objects = self.objects(cell, &[])?;
+            for (place, cell) in trial.enumerate() {
+                let objects = self.objects(cell, cells)?;
                 owners.extend(objects.iter().map(|_| open[place]));
                 scene.objects.extend(objects);
             }
@@ -342,12 +365,8 @@ impl<'a> Map<'a> {
         std::array::from_fn(|k| &self.first[k] + &self.step[k] * integer(node[k] as i64))
     }
 
-    /// The objects of a cell; `facets` are the cells (column, row) that are drawn by facets.
-    fn objects(
-        &self,
-        cell: &Cell,
-        facets_at: &[(usize, usize)],
-    ) -> Result<Vec<Object>, ImportError> {
+    /// The objects of a cell, one of `cells`.
+    fn objects(&self, cell: &Cell, cells: &[Cell]) -> Result<Vec<Object>, ImportError> {
         let shapes: Vec<(Shape, Vec<_>)> = match cell.form {
             Form::LeftOut => return Ok(vec![]),
             Form::Facets => {
@@ -359,7 +378,7 @@ impl<'a> Map<'a> {
                 vec![(Shape::Mesh(mesh), vec![])]
             }
             Form::Surfaces => {
-                let pieces = self.pieces(cell, facets_at).ok_or_else(|| self.digits())?;
+                let pieces = self.pieces(cell, cells).ok_or_else(|| self.digits())?;
                 let shape = |piece: Piece| {
                     let coefficients = piece.coefficients;
                     (Shape::Quadric { coefficients }, piece.cuts)
@@ -396,27 +415,16 @@ impl<'a> Map<'a> {
         Ok(shapes.into_iter().enumerate().map(object).collect())
     }
 
-    fn pieces(&self, cell: &Cell, facets_at: &[(usize, usize)]) -> Option<Vec<Piece>> {
+    fn pieces(&self, cell: &Cell, cells: &[Cell]) -> Option<Vec<Piece>> {
+        let outwards = outwards(cell, cells);
         if self.options.cells == Cells::Ruled {
             let [x, z] = self.place([cell.column, cell.row]);
             let eye = [
                 (from_decimal(self.eye[0]) - x) / &self.step[0],
                 (from_decimal(self.eye[2]) - z) / &self.step[1],
             ];
-            return pieces_for(&cell.corners, &eye);
+            return pieces_for(&cell.corners, &eye, outwards);
         }
-        // West, east, north, south.
-        let (c, r) = (cell.column, cell.row);
-        let neighbours = [
-            (c.wrapping_sub(1), r),
-            (c + 1, r),
-            (c, r.wrapping_sub(1)),
-            (c, r + 1),
-        ];
-        let outwards = neighbours.map(|cell| {
-            let facets = facets_at.binary_search(&cell).is_ok();
-            if facets { OVERLAP } else { 0.0 }
-        });
         Some(vec![bilinear_piece(&cell.corners, outwards)?])
     }
 
@@ -437,13 +445,9 @@ impl<'a> Map<'a> {
     }
 
     fn scene(&self, cells: &[Cell]) -> Result<SceneFile, ImportError> {
-        let of_facets = cells.iter().filter(|cell| cell.form == Form::Facets);
-        let mut facets_at: Vec<(usize, usize)> =
-            of_facets.map(|cell| (cell.column, cell.row)).collect();
-        facets_at.sort_unstable();
         let mut scene = self.empty_scene();
         for cell in cells {
-            scene.objects.extend(self.objects(cell, &facets_at)?);
+            scene.objects.extend(self.objects(cell, cells)?);
         }
         if scene.objects.is_empty() {
             return Err(unusable(
@@ -498,7 +502,9 @@ fn short(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::terrain::cell::Edge;
     use crate::terrain::read;
+    use imogene_models::scene::Quadric;
 
     const HILLS: &str = "step 60 90\n10 20 30 20\n15 40.5 60 20\n10 30 - 10\n";
 
@@ -522,20 +528,36 @@ mod tests {
         }
     }
 
-    /// The corner planes of neighbours are the same planes, and the corner heights the same heights.
+    /// Neighbours pass through the same edge and reach a little beyond it; where there is no neighbour a cell ends at its edge.
     #[test]
-    fn neighbours_share_their_edges() {
+    fn neighbours_meet_in_their_edge_and_overlap() {
         let made = imported(&TerrainOptions::default()).unwrap();
-        let framed = made.scene.frame(64, 48).unwrap();
-        let cut = |name: &str| {
-            let found = framed.objects.iter().find(|o| o.name() == name);
-            found.and_then(|o| o.quadric()).expect("a quadric").clone()
+        let cell = |name: &str| {
+            let mut objects = made.scene.objects.iter();
+            objects.find(|o| o.name == name).expect("a cell")
         };
-        let (left, right) = (cut("cell-0-0"), cut("cell-1-0"));
-        let negated = |p: &imogene_models::scene::Plane| p.coefficients().map(|v| -v);
-        // East of the left one is west of the right one.
-        let (east, west) = (&left.planes[1], &right.planes[0]);
-        assert_eq!(east.coefficients().map(|v| v.clone()), negated(west));
+        let (left, right) = (cell("cell-0-0"), cell("cell-1-0"));
+        let reach = |cell: &Object, edge: Edge| {
+            let cut = &cell.cuts[edge as usize];
+            let from_edge = edge.cut(0.0);
+            let along = (0..3).map(|k| (cut.point[k] - from_edge.point[k]) * cut.normal[k]);
+            along.sum::<f64>()
+        };
+        assert_eq!(reach(left, Edge::East), SEAM);
+        assert_eq!(reach(right, Edge::West), SEAM);
+        assert_eq!(reach(left, Edge::West), 0.0);
+        assert_eq!(reach(right, Edge::North), 0.0);
+        // The edge runs from height 20 to 40.5.
+        for v in [0, 1, 2, 4] {
+            let place = fraction(v, 4);
+            let height = integer(20) + fraction(41, 2) * &place;
+            let at = |cell: &Object, u: i64| {
+                let quadric = Quadric::from_shape(&cell.shape).unwrap();
+                quadric.value_at(&integer(u), &height, &place)
+            };
+            assert_eq!(at(left, 1), integer(0));
+            assert_eq!(at(right, 0), integer(0));
+        }
     }
 
     #[test]

@@ -12,7 +12,6 @@
 use super::depth::depth_terms;
 use super::headroom::least_f2;
 use crate::format::Format;
-use crate::prepare::rounding::Anchor;
 use crate::prepare::{PreparedQuadric, PreparedScene, RoundingBounds};
 use crate::unit::interval::Class;
 use serde::Serialize;
@@ -49,7 +48,7 @@ pub fn exact_guards(prepared: &PreparedScene) -> Option<ExactGuards> {
 
 fn needs(object: &PreparedQuadric, format: &Format) -> Option<(u32, u32)> {
     let window = &object.words.screen_box;
-    let anchor = Anchor::middle_of(window);
+    let anchor = object.anchor;
     let least = least_f2(object);
     let after = |bound: f64, guards: u32| bound * 0.5f64.powi(guards as i32);
     let linear = anchor.linear_bound(window);

@@ -205,6 +205,16 @@ pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
         .collect()
 }
 
+/// The same for one pixel of the picture.
+pub fn is_undecided(prepared: &PreparedScene, x: i64, y: i64) -> bool {
+    let objects = prepared.quadrics().map(|(_, object)| object);
+    let verdicts: Vec<_> = objects
+        .filter(|object| object.words.screen_box.contains(x, y))
+        .map(|object| verdict::decide(object, &prepared.format, x, y))
+        .collect();
+    !verdict::decides_picture(&verdicts)
+}
+
 /// The preparation proves the exact depth of a plane; what the rounded words reach is checked here.
 fn planes_fit(object: &ObjectReport, format: &Format) -> bool {
     let accumulators = object.quadric().and_then(|o| o.accumulators.as_ref());

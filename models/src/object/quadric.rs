@@ -41,6 +41,22 @@ impl ScreenBox {
         self.x0 > self.x1 || self.y0 > self.y1
     }
 
+    /// The least box around two that contain pixels.
+    pub fn around(&self, other: &ScreenBox) -> ScreenBox {
+        ScreenBox {
+            x0: self.x0.min(other.x0),
+            x1: self.x1.max(other.x1),
+            y0: self.y0.min(other.y0),
+            y1: self.y1.max(other.y1),
+        }
+    }
+
+    /// True if the boxes have a pixel in common, or pixels side by side.
+    pub fn touches(&self, other: &ScreenBox) -> bool {
+        let along = |a0: i64, a1: i64, b0: i64, b1: i64| a0 <= b1 + 1 && b0 <= a1 + 1;
+        along(self.x0, self.x1, other.x0, other.x1) && along(self.y0, self.y1, other.y0, other.y1)
+    }
+
     /// True if the pixel is inside.
     #[inline]
     pub fn contains(&self, x: i64, y: i64) -> bool {

@@ -1,14 +1,19 @@
 //! The preparation of one scene after another, of an animation: what is the same as before is not prepared again.
 //!
-//! The words of an object depend on the object in the camera frame and on what all objects share: picture size, format, and projection. Those of a shadow
+//! The words of an object depend on the object in the camera frame, on what all objects share (picture size, format and projection), and on the boxes of objects
+//! with which it has planes or a quadric in common. Those of a shadow
 //! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where all of this is equal are
 //! words taken over, so that they are those of a preparation from scratch.
 
 use super::error::PrepareError;
 use super::screen_box::Cell;
+use super::seams::Place;
 use super::volume::{Bounds, PreparedVolume, Volumes, prepare_volumes};
-use super::{Context, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene};
+use super::{
+    Context, Located, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene,
+};
 use crate::format::Format;
+use crate::object::quadric::ScreenBox;
 use crate::scene::{FramedObject, FramedScene};
 use num_rational::BigRational;
 use serde::Serialize;
@@ -24,6 +29,7 @@ pub struct Kept {
 
 struct KeptObject {
     framed: FramedObject,
+    place: Option<Place>,
     /// Without the notes on its shadow.
     prepared: PreparedObject,
     /// Where it is seen, if that was asked for.
@@ -62,6 +68,19 @@ impl Known<'_> {
         Known {
             objects: scene.objects.iter().map(|_| None).collect(),
             receivers: None,
+        }
+    }
+
+    /// The screen box of a cut quadric.
+    pub fn window(&self, index: usize) -> Option<ScreenBox> {
+        let place = self.objects[index]?.place.as_ref();
+        place.map(|place| place.window)
+    }
+
+    /// Forgets the objects whose expressions now count in other boxes than before.
+    fn forget_moved(&mut self, places: &[Option<Place>]) {
+        for (known, place) in self.objects.iter_mut().zip(places) {
+            *known = known.filter(|kept| kept.place == *place);
         }
     }
 
@@ -123,12 +142,14 @@ impl Kept {
     fn keep(
         &mut self,
         scene: &FramedScene,
+        places: Vec<Option<Place>>,
         fresh: Vec<Option<PreparedObject>>,
         volumes: &Volumes,
         context: &Context,
     ) {
         let mut before = std::mem::take(&mut self.objects);
-        for (index, (object, fresh)) in scene.objects.iter().zip(fresh).enumerate() {
+        let each = scene.objects.iter().zip(fresh).zip(places);
+        for (index, ((object, fresh), place)) in each.enumerate() {
             let (framed, prepared) = match fresh {
                 Some(prepared) => (object.clone(), prepared),
                 None => {
@@ -139,6 +160,7 @@ impl Kept {
             };
             let kept = KeptObject {
                 framed,
+                place,
                 prepared,
                 seen: volumes.seen.get(index).copied(),
                 shadows: vec![],
@@ -173,8 +195,10 @@ pub fn prepare_again(
     done: &(impl Fn() + Sync),
 ) -> Result<(PreparedScene, Reuse), PrepareError> {
     let context = Context::of(scene, format, options);
-    let known = kept.known(scene, &context);
-    let mut objects = prepare_objects(scene, &context, &known, done)?;
+    let mut known = kept.known(scene, &context);
+    let located = Located::new(scene, &context, &known);
+    known.forget_moved(&located.places);
+    let mut objects = prepare_objects(scene, &located, &context, &known, done)?;
     let fresh: Vec<Option<PreparedObject>> = objects
         .iter()
         .zip(&known.objects)
@@ -182,7 +206,7 @@ pub fn prepare_again(
         .collect();
     let volumes = prepare_volumes(scene, &mut objects, &context, &known, done)?;
     let reuse = Reuse::of(&fresh, &volumes);
-    kept.keep(scene, fresh, &volumes, &context);
+    kept.keep(scene, located.places, fresh, &volumes, &context);
     Ok((prepared_scene(context, objects, volumes), reuse))
 }
 

@@ -3,8 +3,9 @@
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
-use super::object::prepare_quadric;
+use super::object::{Projected, prepare_quadric};
 use super::parts::{NeededWord, PreparedParts};
+use super::seams::Place;
 use super::{Context, PreparedQuadric};
 use crate::object::first_generation::{ContourPlane, FirstGenerationWords};
 use crate::object::slot::ProcessorWords;
@@ -17,7 +18,9 @@ pub(super) fn prepare_first_generation(
     object: &FramedQuadric,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
-    let prepared = prepare_quadric(object, context)?;
+    let projected = Projected::new(object, context);
+    let place = Place::alone(projected.window, object.planes.len());
+    let prepared = prepare_quadric(object, &projected, &place, context)?;
     let name = &object.name;
     let refuse = |problem| {
         Err(PrepareError::FirstGeneration {

@@ -40,11 +40,10 @@ pub(super) fn linear(words: &Quadratic) -> Linear {
 
 impl<'a> Ledger<'a> {
     pub fn new(object: &'a str, window: ScreenBox, context: &Context) -> Ledger<'a> {
-        let anchor = context.options.anchor;
         Ledger {
             object,
             window,
-            anchor: anchor.unwrap_or_else(|| Anchor::middle_of(&window)),
+            anchor: context.anchor_of(&window),
             needed: vec![],
             wrong_signs: 0,
         }

@@ -20,6 +20,7 @@ mod quotient;
 mod round;
 pub mod rounding;
 pub mod screen_box;
+mod seams;
 pub mod shader;
 pub mod volume;
 
@@ -37,9 +38,11 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
+use object::Projected;
 pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
+use seams::Place;
 use serde::Serialize;
 use volume::{PreparedVolume, Volumes, prepare_volumes};
 
@@ -94,6 +97,8 @@ pub struct PreparedQuadric {
     pub words: QuadricWords,
     /// The unrounded expressions.
     pub exact: ExactForms,
+    /// Pixel about which f1 and f2 were rounded: the middle of the box, or of all boxes of objects that share the quadric.
+    pub anchor: Anchor,
     /// Greatest error of each expression on the screen box.
     pub bounds: RoundingBounds,
     /// Bits that each accumulator needs on the screen box.
@@ -191,7 +196,7 @@ impl NeededWidths {
 /// How to prepare; the default is what a machine uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Pixel about which coefficients are rounded; the middle of each object's box if not given.
+    /// Pixel about which coefficients are rounded; if not given, the middle of the box of the object, or of all cut objects that have the expression in common.
     pub anchor: Option<Anchor>,
     /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the quotient processor.
     pub roots_only: bool,
@@ -223,6 +228,12 @@ impl Context {
             full_depth,
             perspective: matches!(scene.projection, Projection::Perspective { .. }),
         }
+    }
+
+    /// The pixel about which an expression is rounded that counts in a box.
+    fn anchor_of(&self, window: &ScreenBox) -> Anchor {
+        let given = self.options.anchor;
+        given.unwrap_or_else(|| Anchor::middle_of(window))
     }
 
     /// From screen coordinates with the principal point as origin to pixel columns and lines.
@@ -282,44 +293,113 @@ fn integer_scale<const N: usize>(coefficients: [&BigRational; N]) -> BigRational
     }
 }
 
-fn prepare_object(
-    object: &FramedObject,
-    context: &Context,
-) -> Result<PreparedObject, PrepareError> {
-    match object {
-        FramedObject::Quadric(q) => return prepare_cut(q, context, PreparedObject::Quadric),
-        FramedObject::Patch(q) => return prepare_cut(q, context, PreparedObject::Patch),
-        other if !context.format.is_of_catalogue() => {
-            return Err(PrepareError::NotFitted {
-                object: other.name().to_owned(),
-            });
+/// A scene's objects on the screen, before any word of them is known.
+struct Located {
+    /// Of the cut quadrics that are not known.
+    projected: Vec<Option<Projected>>,
+    /// Of all cut quadrics.
+    places: Vec<Option<Place>>,
+}
+
+impl Located {
+    fn new(scene: &FramedScene, context: &Context, known: &Known) -> Located {
+        let objects = scene.objects.par_iter().enumerate();
+        let projected: Vec<Option<Projected>> = objects
+            .map(|(index, object)| match known.window(index) {
+                Some(_) => None,
+                None => Some(Projected::new(cut(object)?, context)),
+            })
+            .collect();
+        let windows = projected.iter().enumerate().map(|(index, projected)| {
+            let window = projected.as_ref().map(|projected| projected.window);
+            window.or_else(|| known.window(index))
+        });
+        let windows: Vec<Option<ScreenBox>> = windows.collect();
+        Located {
+            projected,
+            places: seams::places(&scene.objects, &windows),
         }
-        _ => (),
     }
-    Ok(PreparedObject::Parts(match object {
-        FramedObject::Quadric(_) | FramedObject::Patch(_) => unreachable!("prepared above"),
-        FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context)?,
-        FramedObject::Polyhedron(q) => polyhedron::prepare_polyhedron(q, context)?,
-        FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context)?,
-        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context)?,
-        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context)?,
-        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context)?,
-        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context)?,
-    }))
+
+    fn prepare(
+        &self,
+        index: usize,
+        object: &FramedObject,
+        context: &Context,
+    ) -> Result<PreparedObject, PrepareError> {
+        let (Some(quadric), Some(place)) = (cut(object), &self.places[index]) else {
+            return prepare_parts(object, context).map(PreparedObject::Parts);
+        };
+        let again;
+        let projected = match &self.projected[index] {
+            Some(projected) => projected,
+            // It is the same as before, but what it shares is not.
+            None => {
+                again = Projected::new(quadric, context);
+                &again
+            }
+        };
+        match object {
+            FramedObject::Polyhedron(_) => {
+                polyhedron::prepare_polyhedron(quadric, projected, place, context)
+                    .map(PreparedObject::Parts)
+            }
+            FramedObject::Patch(_) => {
+                prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
+            }
+            _ => prepare_cut(quadric, projected, place, context, PreparedObject::Quadric),
+        }
+    }
+}
+
+/// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
+fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
+    match object {
+        FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => Some(q),
+        _ => None,
+    }
+}
+
+/// An object that is none of those.
+fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedParts, PrepareError> {
+    refuse_fitted(object.name(), context)?;
+    match object {
+        FramedObject::Quadric(_) | FramedObject::Patch(_) | FramedObject::Polyhedron(_) => {
+            unreachable!("these are prepared where they are")
+        }
+        FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
+        FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context),
+        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context),
+        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context),
+        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context),
+        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
+    }
+}
+
+/// Fitted machines have quadric and patch processors alone.
+fn refuse_fitted(object: &str, context: &Context) -> Result<(), PrepareError> {
+    if context.format.is_of_catalogue() {
+        return Ok(());
+    }
+    Err(PrepareError::NotFitted {
+        object: object.to_owned(),
+    })
 }
 
 /// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.
 fn prepare_cut(
     object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
     context: &Context,
     by_its_own: fn(PreparedQuadric) -> PreparedObject,
 ) -> Result<PreparedObject, PrepareError> {
-    if let Some(parts) = quotient::prepare_on_eye(object, context)? {
+    if let Some(parts) = quotient::prepare_on_eye(object, projected, place, context)? {
         return Ok(PreparedObject::Parts(parts));
     }
-    match object::prepare_quadric(object, context) {
+    match object::prepare_quadric(object, projected, place, context) {
         Err(problem @ PrepareError::TooLarge { .. }) => {
-            let near = quotient::prepare_near_eye(object, context)?;
+            let near = quotient::prepare_near_eye(object, projected, place, context)?;
             near.map(PreparedObject::Parts).ok_or(problem)
         }
         prepared => prepared.map(by_its_own),
@@ -355,7 +435,8 @@ pub fn prepare_with(
 /// The objects that cannot be prepared for a format, by index, each with its reason; shadows are not looked at.
 pub fn refused(scene: &FramedScene, format: Format) -> Vec<(usize, PrepareError)> {
     let context = Context::of(scene, format, Options::default());
-    let problem = |(index, object)| Some((index, prepare_object(object, &context).err()?));
+    let located = Located::new(scene, &context, &Known::nothing(scene));
+    let problem = |(index, object)| Some((index, located.prepare(index, object, &context).err()?));
     let objects = scene.objects.par_iter().enumerate();
     objects.filter_map(problem).collect()
 }
@@ -374,7 +455,8 @@ pub fn prepare_reporting(
 ) -> Result<PreparedScene, PrepareError> {
     let context = Context::of(scene, format, options);
     let known = Known::nothing(scene);
-    let mut objects = prepare_objects(scene, &context, &known, done)?;
+    let located = Located::new(scene, &context, &known);
+    let mut objects = prepare_objects(scene, &located, &context, &known, done)?;
     let volumes = prepare_volumes(scene, &mut objects, &context, &known, done)?;
     Ok(prepared_scene(context, objects, volumes))
 }
@@ -382,6 +464,7 @@ pub fn prepare_reporting(
 /// The objects, those that are known taken over.
 fn prepare_objects(
     scene: &FramedScene,
+    located: &Located,
     context: &Context,
     known: &Known,
     done: &(impl Fn() + Sync),
@@ -394,7 +477,7 @@ fn prepare_objects(
         .map(|(index, object)| {
             let prepared = match known.object(index) {
                 Some(known) => Ok(known.clone()),
-                None => prepare_object(object, context),
+                None => located.prepare(index, object, context),
             };
             done();
             prepared

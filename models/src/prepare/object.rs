@@ -6,13 +6,15 @@ use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
 use super::perspective::{ScreenQuadric, project_plane};
 use super::planes::{prepare_plane, signed_bits};
 use super::rounding::{
-    Anchor, Unrepresentable, linear_error, quadratic_error, round_linear, round_quadratic,
+    Anchor, Unrepresentable, linear_error, quadratic_error, round_contour, round_linear,
+    round_quadratic,
 };
 use super::screen_box::{Cell, Existence, Region};
+use super::seams::Place;
 use super::{Context, ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
 use crate::format::{Format, word_max};
 use crate::object::quadric::{QuadricWords, ScreenBox};
-use crate::rational::{floor, integer, power_of_two, to_f64, to_f64_up};
+use crate::rational::{integer, power_of_two, to_f64, to_f64_up};
 use crate::scene::{FramedQuadric, Plane, Surface};
 use crate::unit::interval::Class;
 use crate::unit::normal::NormalWords;
@@ -20,43 +22,60 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+/// A cut quadric after perspective, and its box on the screen.
+pub(super) struct Projected {
+    pub quadric: ScreenQuadric,
+    pub planes: Vec<Plane>,
+    pub region: Region,
+    pub window: ScreenBox,
+}
+
+impl Projected {
+    pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
+        let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+        let planes = object.planes.iter();
+        let planes: Vec<Plane> = planes
+            .map(|p| project_plane(p, &context.inverse_distance))
+            .collect();
+        let region = Region::new(&quadric.q, &planes, object.surface);
+        Projected {
+            window: window_of(&quadric, &region, &planes, context),
+            quadric,
+            planes,
+            region,
+        }
+    }
+}
+
 pub(super) fn prepare_quadric(
     object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
     context: &Context,
 ) -> Result<PreparedQuadric, PrepareError> {
-    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
-    let planes: Vec<Plane> = object
-        .planes
-        .iter()
-        .map(|p| project_plane(p, &context.inverse_distance))
-        .collect();
-    let class = classify(object, &quadric, &planes, context)?;
-    let region = Region::new(&quadric.q, &planes, object.surface);
-    let window = window_of(&quadric, &region, &planes, context);
+    let Projected {
+        quadric,
+        planes,
+        region,
+        window,
+    } = projected;
+    let class = classify(object, quadric, planes, context)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
         return unseen(object, class, edge_on, context);
     }
-    let anchor = context
-        .options
-        .anchor
-        .unwrap_or_else(|| Anchor::middle_of(&window));
-    let (mut prepared, root_max) =
-        depth_words(&object.name, &quadric, class, &window, anchor, context)?;
+    let at = (window, &place.quadric);
+    let (mut prepared, root_max) = depth_words(&object.name, quadric, class, at, context)?;
     if class != Class::Prism {
-        normal_words(&mut prepared, &quadric, &root_max, anchor, context);
+        normal_words(&mut prepared, quadric, &root_max, context);
     }
-    for (index, (original, projected)) in object.planes.iter().zip(&planes).enumerate() {
-        let anchor = match (&object.corners, context.options.anchor) {
-            (Some(corners), None) => face_anchor(corners, index, context),
-            _ => anchor,
-        };
+    for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
         let plane = prepare_plane(
             &object.name,
             index,
             original,
             projected,
-            (&region, &window, anchor),
+            (region, window, &place.planes[index]),
             context,
         )?;
         // A half-plane of the screen has a scale of its own, but in a short word its rounding can still carry it out.
@@ -64,7 +83,7 @@ pub(super) fn prepare_quadric(
             let magnitude = power_of_two(plane.needed - 1) - integer(1);
             let (name, word) = (&object.name, format!("cut {index}"));
             let available = context.format.plane;
-            return Err(too_large(name, &word, &magnitude, available, &window));
+            return Err(too_large(name, &word, &magnitude, available, window));
         }
         prepared.notes.extend(plane.note(index));
         prepared.words.planes.push(plane.words);
@@ -73,41 +92,6 @@ pub(super) fn prepare_quadric(
         prepared.needed.plane = prepared.needed.plane.max(plane.needed);
     }
     Ok(prepared)
-}
-
-/// The pixel about which the plane of a tetrahedron's face is rounded: the middle of the face's corners on the screen, which depends on nothing but the face,
-/// so that two tetrahedra with a common face have the same words for it.
-fn face_anchor(corners: &[[BigRational; 3]; 4], face: usize, context: &Context) -> Anchor {
-    let (x0, y0) = context.first_pixel();
-    let mut middle = [integer(0), integer(0)];
-    let others = || {
-        corners
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| *index != face)
-    };
-    for (_, [x, y, z]) in others() {
-        let divisor = integer(1) + z * &context.inverse_distance;
-        if !divisor.is_positive() {
-            return Anchor {
-                x: i64::from(context.width / 2),
-                y: i64::from(context.height / 2),
-            };
-        }
-        for (sum, value) in middle.iter_mut().zip([x, y]) {
-            *sum += value / &divisor / integer(3);
-        }
-    }
-    let [x, y] = middle;
-    let on_screen = |value: BigRational, size: u32| {
-        let last = BigRational::from_integer(BigInt::from(size - 1));
-        let value = value.max(integer(0)).min(last);
-        floor(&value).to_i64().expect("on the screen")
-    };
-    Anchor {
-        x: on_screen(x - x0, context.width),
-        y: on_screen(y - y0, context.height),
-    }
 }
 
 /// The screen box: of an uncut closed quadric from its tangent planes, else by search.
@@ -119,8 +103,8 @@ fn window_of(
 ) -> ScreenBox {
     let depth = to_f64(&context.full_depth);
     let (width, height) = (context.width, context.height);
-    let tangent = planes
-        .is_empty()
+    let is_whole = planes.is_empty() && !quadric.eye_value().is_zero();
+    let tangent = is_whole
         .then(|| Extent::of(&quadric.q)?.screen_box(width, height, depth))
         .flatten();
     tangent.unwrap_or_else(|| region.screen_box(width, height, depth))
@@ -171,6 +155,7 @@ fn unseen(
             f2: QuadraticForm::zero(),
             planes: vec![],
         },
+        anchor: Anchor::ORIGIN,
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec![note.to_string()],
@@ -220,13 +205,12 @@ fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Conte
     region.existence(cell, 1e-3 * distance) == Existence::Empty
 }
 
-/// The words of the quadric itself, without planes and normals, and its greatest root.
+/// The words of the quadric itself, without planes and normals, and its greatest root; proven on a box, rounded and scaled for one around it.
 pub(super) fn depth_words(
     name: &str,
     quadric: &ScreenQuadric,
     class: Class,
-    window: &ScreenBox,
-    anchor: Anchor,
+    (window, shared): (&ScreenBox, &ScreenBox),
     context: &Context,
 ) -> Result<(PreparedQuadric, BigInt), PrepareError> {
     let scale = &context.depth_scale;
@@ -241,6 +225,7 @@ pub(super) fn depth_words(
             f2: QuadraticForm::zero(),
             planes: vec![],
         },
+        anchor: context.anchor_of(shared),
         bounds: RoundingBounds::of_format(&context.format),
         needed: NeededWidths::default(),
         notes: vec![],
@@ -252,7 +237,7 @@ pub(super) fn depth_words(
         let contour = context
             .to_pixels_quadratic(&quadric.depth_free_part())
             .scaled(&-BigRational::one());
-        prepared.exact.f2 = contour_scaled(contour, window, context.format.quadratic);
+        prepared.exact.f2 = contour_scaled(contour, shared, context.format.quadratic);
     } else {
         if class == Class::Front {
             prepared
@@ -264,7 +249,7 @@ pub(super) fn depth_words(
             .to_pixels_quadratic(&quadric.f2())
             .scaled(&(scale * scale));
     }
-    round(&mut prepared, anchor, &context.format)
+    round(&mut prepared, &context.format)
         .map_err(|(word, value, bits)| refusal(word, &value, bits))?;
     let root_max = prove_widths(&mut prepared, &refusal, context)?;
     Ok((prepared, root_max))
@@ -274,18 +259,21 @@ pub(super) fn depth_words(
 /// the width available.
 fn round(
     prepared: &mut PreparedQuadric,
-    anchor: Anchor,
     format: &Format,
 ) -> Result<(), (&'static str, BigRational, u32)> {
     let unrepresentable = |word, guards: u32, bits| {
         move |u: Unrepresentable| (word, u.value.abs() / power_of_two(guards), bits)
     };
     let (g1, g2) = (format.guard_linear, format.guard_quadratic);
-    let (exact, window) = (&prepared.exact, &prepared.words.screen_box);
+    let (exact, window, anchor) = (&prepared.exact, &prepared.words.screen_box, prepared.anchor);
     let f1 = round_linear(&exact.f1.scaled(&power_of_two(g1)), anchor)
         .map_err(unrepresentable("f1", g1, format.sum))?;
-    let f2 = round_quadratic(&exact.f2.scaled(&power_of_two(g2)), anchor)
-        .map_err(unrepresentable("f2", g2, format.quadratic))?;
+    let scaled = exact.f2.scaled(&power_of_two(g2));
+    let f2 = match prepared.words.class {
+        Class::Prism => round_contour(&scaled, anchor),
+        _ => round_quadratic(&scaled, anchor),
+    };
+    let f2 = f2.map_err(unrepresentable("f2", g2, format.quadratic))?;
     prepared.bounds.f1 = to_f64_up(&linear_error(&f1, &exact.f1, g1, window));
     prepared.bounds.f2 = to_f64_up(&quadratic_error(&f2, &exact.f2, g2, window));
     (prepared.words.f1, prepared.words.f2) = (f1, f2);
@@ -326,7 +314,6 @@ fn normal_words(
     prepared: &mut PreparedQuadric,
     quadric: &ScreenQuadric,
     root_max: &BigInt,
-    anchor: Anchor,
     context: &Context,
 ) {
     let f1 = context.to_pixels_linear(&quadric.f1());
@@ -334,8 +321,7 @@ fn normal_words(
         .normal()
         .map(|(linear, k)| (context.to_pixels_linear(&linear).plus(&f1.scaled(&k)), k));
     let window = prepared.words.screen_box;
-    (prepared.words.normal, prepared.bounds.normal) =
-        normals(&parts, root_max, &window, anchor, context);
+    (prepared.words.normal, prepared.bounds.normal) = normals(&parts, root_max, &window, context);
 }
 
 /// The words of a normal whose components are `g(x, y) -+ K r`, r a root (or another length along the line of sight) of up to `root_max` depth words, and
@@ -346,9 +332,9 @@ pub(super) fn normals(
     parts: &[(LinearForm, BigRational); 3],
     root_max: &BigInt,
     window: &ScreenBox,
-    anchor: Anchor,
     context: &Context,
 ) -> (NormalWords, f64) {
+    let anchor = context.anchor_of(window);
     let mut words = NormalWords::default();
     let root = BigRational::from_integer(root_max.clone()) / &context.depth_scale;
     let greatest = parts

@@ -2,7 +2,7 @@
 
 use super::error::PrepareError;
 use super::forms::{LinearForm, inverse, times};
-use super::rounding::{Anchor, linear_error, round_linear};
+use super::rounding::{linear_error, round_half_plane, round_linear};
 use super::screen_box::Region;
 use super::{Context, integer_scale};
 use crate::format::word_max;
@@ -33,13 +33,14 @@ impl PreparedPlane {
     }
 }
 
-/// Prepares plane number `index` of an object, rounded about an anchor; `projected` is after perspective, `original` before.
+/// Prepares plane number `index` of an object: proven on its box, rounded and scaled for the box `shared` around all objects that have the plane; `projected` is after
+/// perspective, `original` before.
 pub(super) fn prepare_plane(
     object: &str,
     index: usize,
     original: &Plane,
     projected: &Plane,
-    (region, window, anchor): (&Region, &ScreenBox, Anchor),
+    (region, window, shared): (&Region, &ScreenBox, &ScreenBox),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
     let depths = || {
@@ -54,7 +55,7 @@ pub(super) fn prepare_plane(
         original,
         projected,
         depths,
-        (window, anchor),
+        (window, shared),
         context,
     )
 }
@@ -66,7 +67,7 @@ pub(super) fn prepare_plane_between(
     original: &Plane,
     projected: &Plane,
     depths: impl FnOnce() -> (f64, f64),
-    (window, anchor): (&ScreenBox, Anchor),
+    (window, shared): (&ScreenBox, &ScreenBox),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
     let normal = constant_normal(original, context.format.greatest_normal());
@@ -77,10 +78,11 @@ pub(super) fn prepare_plane_between(
         -&projected.d,
     ));
     if projected.c.is_zero() {
-        return Ok(perpendicular(value, normal, anchor, window, context, false));
+        let at = (window, shared);
+        return Ok(perpendicular(value, normal, at, context, false));
     }
     let depth = value.scaled(&times(&context.depth_scale, &inverse(&projected.c)));
-    let word = round_linear(&depth, anchor).ok();
+    let word = round_linear(&depth, context.anchor_of(shared)).ok();
     let needed = bits_needed(&depth, word.as_ref(), window);
     if let (Some(word), true) = (word, needed <= context.format.plane) {
         let kind = if projected.c.is_negative() {
@@ -110,7 +112,7 @@ pub(super) fn prepare_plane_between(
     };
     let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
         .map_err(refusal)?;
-    Ok(perpendicular(form, normal, anchor, window, context, true))
+    Ok(perpendicular(form, normal, (window, shared), context, true))
 }
 
 /// The plane's normal before perspective, its greatest component scaled to the greatest of its word.
@@ -143,20 +145,20 @@ fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) ->
 fn perpendicular(
     value: LinearForm,
     normal: [i16; 3],
-    anchor: Anchor,
-    window: &ScreenBox,
+    (window, shared): (&ScreenBox, &ScreenBox),
     context: &Context,
     steep: bool,
 ) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
     let whole = value.scaled(&integer_scale([&value.a, &value.b, &value.c]));
-    let exact = if whole.max_abs_on(window) <= limit {
+    let exact = if whole.max_abs_on(shared) <= limit {
         whole
     } else {
-        let scale = limit / (integer(2) * value.max_abs_on(window));
+        let scale = limit / (integer(2) * value.max_abs_on(shared));
         value.scaled(&scale)
     };
-    let depth = round_linear(&exact, anchor).expect("scaled to the plane word");
+    let anchor = context.anchor_of(shared);
+    let depth = round_half_plane(&exact, anchor).expect("scaled to the plane word");
     PreparedPlane {
         words: PlaneWords {
             kind: PlaneKind::Perpendicular,

@@ -7,18 +7,18 @@ use super::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::{Ledger, most};
-use super::object::{normals, too_large, unseen_note};
+use super::object::{Projected, normals, too_large, unseen_note};
 use super::parts::PreparedParts;
-use super::perspective::{ScreenQuadric, project_plane};
+use super::perspective::ScreenQuadric;
 use super::planes::prepare_plane;
-use super::rounding::{Anchor, linear_error, quadratic_error, round_linear, round_quadratic};
-use super::screen_box::Region;
+use super::rounding::{linear_error, quadratic_error, round_linear, round_quadratic};
+use super::seams::Place;
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::object::quotient::{QuotientWords, denominator_width, numerator_width};
 use crate::object::slot::ProcessorWords;
 use crate::rational::{floor, fraction, from_f64_exact, integer, power_of_two, to_f64, to_f64_up};
-use crate::scene::{FramedQuadric, Plane, Surface};
+use crate::scene::{FramedQuadric, Surface};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR};
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
@@ -39,14 +39,17 @@ fn is_possible(context: &Context) -> bool {
 /// The words of an object whose depth is exactly a quotient; nothing for any other.
 pub(super) fn prepare_on_eye(
     object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
     context: &Context,
 ) -> Result<Option<PreparedParts>, PrepareError> {
-    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let Projected {
+        quadric, planes, ..
+    } = projected;
     let is_quotient = quadric.eye_value().is_zero() && !quadric.is_free_of_depth();
     if !is_quotient || !is_possible(context) {
         return Ok(None);
     }
-    let planes = projected(object, context);
     // A plane keeps the eye iff its depth factor is not negative.
     let eye_kept = planes.iter().all(|p| !p.c.is_negative());
     if context.perspective && object.surface == Surface::Solid && eye_kept {
@@ -54,29 +57,28 @@ pub(super) fn prepare_on_eye(
             object: object.name.clone(),
         });
     }
-    prepare(object, &quadric, &planes, FACE_NEAR, context).map(Some)
+    prepare(object, projected, place, FACE_NEAR, context).map(Some)
 }
 
 /// The words of a surface that the eye lies on but for a distance that changes no depth by more than [`greatest_neglect`]; nothing for any other.
 pub(super) fn prepare_near_eye(
     object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
     context: &Context,
 ) -> Result<Option<PreparedParts>, PrepareError> {
-    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let Projected {
+        quadric, window, ..
+    } = projected;
     let possible = object.surface == Surface::Patch
         && is_possible(context)
         && !quadric.polar().is_zero_everywhere();
-    if !possible {
-        return Ok(None);
-    }
-    let planes = projected(object, context);
-    let window = window_of(&quadric, &planes, object.surface, context);
-    if window.is_empty() {
+    if !possible || window.is_empty() {
         return Ok(None);
     }
     // With c z^2 + 2 B z + T = 0 and |z| <= full: the depth differs from -T / (2 B) by c z^2 / (2 B), and the other root lies beyond every depth.
     let polar = context.to_pixels_linear(&quadric.polar());
-    let Some(least) = least_magnitude(&polar, &window) else {
+    let Some(least) = least_magnitude(&polar, window) else {
         return Ok(None);
     };
     let full = &context.full_depth;
@@ -89,7 +91,7 @@ pub(super) fn prepare_near_eye(
     let at_corner = polar.at(&integer(window.x0), &integer(window.y0));
     let other_is_nearer = at_corner.is_positive() == quadric.eye_value().is_positive();
     let face = if other_is_nearer { FACE_FAR } else { FACE_NEAR };
-    let mut parts = prepare(object, &quadric, &planes, face, context)?;
+    let mut parts = prepare(object, projected, place, face, context)?;
     let neglect = to_f64_up(&neglect);
     parts.depth_bound = parts.depth_bound.map(|bound| bound + neglect);
     parts.notes.push(format!(
@@ -112,45 +114,32 @@ fn least_magnitude(form: &LinearForm, window: &ScreenBox) -> Option<BigRational>
     one_sign.then(|| values.iter().map(|v| v.abs()).min().expect("four corners"))
 }
 
-fn projected(object: &FramedQuadric, context: &Context) -> Vec<Plane> {
-    let planes = object.planes.iter();
-    planes
-        .map(|p| project_plane(p, &context.inverse_distance))
-        .collect()
-}
-
-fn window_of(
-    quadric: &ScreenQuadric,
-    planes: &[Plane],
-    surface: Surface,
-    context: &Context,
-) -> ScreenBox {
-    let region = Region::new(&quadric.q, planes, surface);
-    region.screen_box(context.width, context.height, to_f64(&context.full_depth))
-}
-
 fn prepare(
     object: &FramedQuadric,
-    quadric: &ScreenQuadric,
-    planes: &[Plane],
+    projected: &Projected,
+    place: &Place,
     face: u8,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
-    let window = window_of(quadric, planes, object.surface, context);
+    let Projected {
+        quadric,
+        planes,
+        region,
+        window,
+    } = projected;
     if window.is_empty() {
         let note = unseen_note(object, false, context)?;
         return Ok(PreparedParts::unseen(&object.name, note));
     }
-    let anchor = context.options.anchor;
-    let anchor = anchor.unwrap_or_else(|| Anchor::middle_of(&window));
-    let mut ledger = Ledger::new(&object.name, window, context);
-    let depth = Depth::new(quadric, &window, anchor, &mut ledger, context)?;
-    let (mut normal, normal_from) = normal(object, quadric, planes, &window, anchor, context);
+    let mut ledger = Ledger::new(&object.name, *window, context);
+    let at = (window, &place.quadric);
+    let depth = Depth::new(quadric, at, &mut ledger, context)?;
+    let (mut normal, normal_from) = normal(projected, context);
     if face == FACE_FAR {
         normal.k = normal.k.map(|k| -k);
     }
     let mut words = QuotientWords {
-        screen_box: window,
+        screen_box: *window,
         solid: object.surface == Surface::Solid,
         face,
         numerator: depth.numerator,
@@ -160,9 +149,8 @@ fn prepare(
         planes: vec![],
     };
     let mut notes = vec![];
-    let region = Region::new(&quadric.q, planes, object.surface);
     for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
-        let place = (&region, &window, anchor);
+        let place = (region, window, &place.planes[index]);
         let plane = prepare_plane(&object.name, index, original, projected, place, context)?;
         let magnitude = power_of_two(plane.needed - 1) - integer(1);
         ledger.prove(&format!("cut {index}"), &magnitude, context.format.plane)?;
@@ -173,7 +161,7 @@ fn prepare(
     notes.insert(0, note(bound, unbounded));
     Ok(PreparedParts {
         name: object.name.clone(),
-        screen_box: window,
+        screen_box: *window,
         words: vec![ProcessorWords::Quotient(words)],
         needed: most(ledger.needed),
         notes,
@@ -192,8 +180,7 @@ struct Depth {
 impl Depth {
     fn new(
         quadric: &ScreenQuadric,
-        window: &ScreenBox,
-        anchor: Anchor,
+        (window, shared): (&ScreenBox, &ScreenBox),
         ledger: &mut Ledger,
         context: &Context,
     ) -> Result<Depth, PrepareError> {
@@ -211,9 +198,10 @@ impl Depth {
             (!most.is_zero()).then(|| power_of_two(width - 2) / most)
         };
         let scales = [
-            fill(wide, t.max_abs_on(window)),
-            fill(narrow, b.max_abs_on(window)),
+            fill(wide, t.max_abs_on(shared)),
+            fill(narrow, b.max_abs_on(shared)),
         ];
+        let anchor = context.anchor_of(shared);
         let scale = scales.into_iter().flatten().min().unwrap_or(integer(1));
         let (t, b) = (t.scaled(&scale), b.scaled(&scale));
         let refuse = |word: &str, value: &BigRational, width| {
@@ -275,16 +263,14 @@ fn note(bound: f64, unbounded: usize) -> String {
 }
 
 /// The normal's words, and the depth from which they count.
-fn normal(
-    object: &FramedQuadric,
-    quadric: &ScreenQuadric,
-    planes: &[Plane],
-    window: &ScreenBox,
-    anchor: Anchor,
-    context: &Context,
-) -> (NormalWords, i64) {
+fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
     let full = to_f64(&context.full_depth);
-    let region = Region::new(&quadric.q, planes, object.surface);
+    let Projected {
+        quadric,
+        region,
+        window,
+        ..
+    } = projected;
     let range = region.depth_range(context.width, context.height, full);
     let (near, far) = range.unwrap_or((-full, full));
     let word = |depth: f64| {
@@ -300,7 +286,7 @@ fn normal(
         let constant = LinearForm::new(integer(0), integer(0), &k * &start);
         (context.to_pixels_linear(&linear).plus(&constant), -k)
     });
-    let (words, _) = normals(&parts, &reach, window, anchor, context);
+    let (words, _) = normals(&parts, &reach, window, context);
     (words, from)
 }
 

@@ -1,4 +1,5 @@
-//! Rounding to coefficient words: once, about the middle of the screen box, where it does least harm.
+//! Rounding to coefficient words: once, about the middle of the screen box, where it does least harm; of what several objects share, about the middle of all their
+//! boxes, where it does the same to each.
 //!
 //! Factors are rounded in coordinates centred on an anchor pixel and then moved to the screen origin as exact integers. The error at a
 //! pixel therefore grows with its distance from the anchor, not from the screen's corner.
@@ -13,7 +14,7 @@ use crate::rational::{integer, power_of_two, round_half_up};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive, Zero};
 
 /// The pixel about which coefficients are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,6 +99,36 @@ pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic
     Ok(rounded.from_zone(-anchor.x, -anchor.y))
 }
 
+/// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a factor lies between two words.
+pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
+    if !leads_downwards([&form.a, &form.b, &form.c]) {
+        return round_linear(form, anchor);
+    }
+    let Linear { a, b, c } = round_linear(&form.scaled(&integer(-1)), anchor)?;
+    Ok(Linear::new(-a, -b, -c))
+}
+
+/// The same for an expression of second degree.
+pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
+    if !leads_downwards([&form.a, &form.b, &form.c, &form.d, &form.e, &form.f]) {
+        return round_quadratic(form, anchor);
+    }
+    let rounded = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
+    Ok(Quadratic {
+        a: -rounded.a,
+        b: -rounded.b,
+        c: -rounded.c,
+        d: -rounded.d,
+        e: -rounded.e,
+        f: -rounded.f,
+    })
+}
+
+fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {
+    let leading = factors.into_iter().find(|factor| !factor.is_zero());
+    leading.is_some_and(|factor| factor.is_negative())
+}
+
 /// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
 pub fn linear_error(
     words: &Linear,
@@ -126,7 +157,6 @@ pub fn quadratic_error(
 mod tests {
     use super::*;
     use crate::rational::fraction;
-    use num_traits::Signed;
     use proptest::prelude::*;
 
     fn to_f64(value: &BigRational) -> f64 {
@@ -149,6 +179,25 @@ mod tests {
                 (3.0 * n * n + 2.0 * n + 1.0) / 2.0
             );
         }
+    }
+
+    #[test]
+    fn two_sides_of_a_line_or_a_contour_have_opposite_words() {
+        let halves = |n: [i64; 6]| n.map(|n| fraction(n, 2));
+        let [a, b, c, d, e, f] = halves([-1, 3, 5, -7, 9, 1]);
+        let anchor = Anchor { x: 1, y: 2 };
+        let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
+        let other = linear.scaled(&integer(-1));
+        let [one, other] = [&linear, &other].map(|form| round_half_plane(form, anchor).unwrap());
+        assert_eq!([one.a, one.b, one.c], [-other.a, -other.b, -other.c]);
+        // Rounding halves upwards would not do it.
+        let [up, down] = [fraction(-1, 2), fraction(1, 2)].map(|v| word(&v).unwrap());
+        assert_ne!(up, -down);
+        let quadratic = QuadraticForm { a, b, c, d, e, f };
+        let other = quadratic.scaled(&integer(-1));
+        let [one, other] = [&quadratic, &other].map(|form| round_contour(form, anchor).unwrap());
+        let factors = |q: &Quadratic| [q.a, q.b, q.c, q.d, q.e, q.f];
+        assert_eq!(factors(&one), factors(&other).map(|v| -v));
     }
 
     proptest! {

@@ -239,7 +239,7 @@ fn framed_object(
 ) -> Result<FramedObject, SceneError> {
     let to_camera = || camera.after(&Transform::placement(&object.place));
     let name = &object.name;
-    let cut = || cut_quadric(object, material, whole, to_camera);
+    let cut = || cut_quadric(object, material, whole);
     Ok(match (&object.shape, object.drawn_by()) {
         (Shape::Mesh(mesh), _) => {
             FramedObject::Mesh(FramedMesh::new(name, material, mesh, &to_camera()))
@@ -268,12 +268,7 @@ fn framed_object(
 }
 
 /// An object that is a quadric bounded by planes.
-fn cut_quadric(
-    object: &Object,
-    material: usize,
-    camera: &WholeTransform,
-    to_camera: impl Fn() -> Transform,
-) -> FramedQuadric {
+fn cut_quadric(object: &Object, material: usize, camera: &WholeTransform) -> FramedQuadric {
     let inverse = WholeTransform::of_steps(camera, &object.place).inverse();
     let local = match &object.shape {
         Shape::TetrahedronPatch { corners, weights } => {
@@ -281,14 +276,6 @@ fn cut_quadric(
             planes.to_vec()
         }
         _ => object.cuts.iter().map(Plane::from_cut).collect(),
-    };
-    let corners = match &object.shape {
-        Shape::TetrahedronPatch { corners, .. } => {
-            let to_camera = to_camera();
-            let point = |c: [f64; 3]| to_camera.point(&c.map(from_decimal));
-            Some(Box::new(corners.map(point)))
-        }
-        _ => None,
     };
     FramedQuadric {
         name: object.name.clone(),
@@ -301,7 +288,6 @@ fn cut_quadric(
             .iter()
             .map(|plane| plane.transformed_whole(&inverse).primitive())
             .collect(),
-        corners,
         material,
         casts_shadow: object.casts_shadow,
     }

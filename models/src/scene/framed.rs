@@ -5,7 +5,6 @@ use super::mesh::FramedMesh;
 use super::plane::Plane;
 use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
-use num_rational::BigRational;
 
 /// An object in the camera frame, by the processor that draws it.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +40,6 @@ pub struct FramedQuadric {
     pub quadric: Quadric,
     /// The cut planes in the order of the file.
     pub planes: Vec<Plane>,
-    /// Corners of the tetrahedron whose faces the four planes are, face i opposite corner i; a face that two tetrahedra share has the same words in both.
-    pub corners: Option<Box<[[BigRational; 3]; 4]>>,
     /// Index of the material.
     pub material: usize,
     /// Whether it keeps the light of sources with shadows off others.

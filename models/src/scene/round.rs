@@ -97,7 +97,6 @@ impl FramedSphere {
             surface,
             quadric: quadric.primitive(),
             planes: vec![],
-            corners: None,
             material: self.material,
             casts_shadow: false,
         }
@@ -195,7 +194,6 @@ impl FramedCylinder {
             surface: Surface::Solid,
             quadric: quadric.primitive(),
             planes: vec![plane(-1, along.clone()), plane(1, -&along - &self.length)],
-            corners: None,
             material: self.material,
             casts_shadow: false,
         }

@@ -72,7 +72,6 @@ pub fn object(
         surface,
         quadric,
         planes: planes.iter().copied().map(plane).collect(),
-        corners: None,
         material: 0,
         casts_shadow: true,
     }

@@ -51,8 +51,8 @@ struct Residuals {
 }
 
 impl Residuals {
-    fn of(object: &PreparedQuadric, anchor: Anchor) -> Residuals {
-        let (words, exact) = (&object.words, &object.exact);
+    fn of(object: &PreparedQuadric) -> Residuals {
+        let (words, exact, anchor) = (&object.words, &object.exact, object.anchor);
         let (x, y) = (integer(anchor.x), integer(anchor.y));
         let f1 = LinearForm::of_words(&words.f1)
             .minus(&exact.f1)
@@ -82,7 +82,7 @@ pub(super) fn errors(object: &PreparedQuadric, present: &[bool], format: &Format
         return DepthErrors::default();
     }
     let window: ScreenBox = object.words.screen_box;
-    let residuals = Residuals::of(object, Anchor::middle_of(&window));
+    let residuals = Residuals::of(object);
     let width = (window.x1 - window.x0 + 1) as usize;
     let lines: Vec<DepthErrors> = present
         .par_chunks(width)

@@ -8,7 +8,6 @@ use crate::prepare::forms::LinearForm;
 use crate::prepare::object::depth_words;
 use crate::prepare::perspective::{ScreenQuadric, project_plane};
 use crate::prepare::planes::{PreparedPlane, prepare_plane_between, signed_bits};
-use crate::prepare::rounding::Anchor;
 use crate::prepare::screen_box::{Cell, Region, Search};
 use crate::prepare::{Context, ExactForms, NeededWidths, RoundingBounds};
 use crate::rational::power_of_two;
@@ -47,10 +46,6 @@ pub(super) fn volume_words(
     if window.is_empty() {
         return Ok(empty(shape));
     }
-    let anchor = context
-        .options
-        .anchor
-        .unwrap_or_else(|| Anchor::middle_of(&window));
     let in_volume = |error| error_in_volume(shape, error);
     let mut prepared = if shape.quadric.is_everywhere() {
         PreparedVolume {
@@ -58,7 +53,7 @@ pub(super) fn volume_words(
             ..empty(shape)
         }
     } else {
-        with_quadric(shape, &quadric, &window, anchor, context)?
+        with_quadric(shape, &quadric, &window, context)?
     };
     prepared.words.screen_box = window;
     let reach = receivers.half[2];
@@ -70,7 +65,7 @@ pub(super) fn volume_words(
             original,
             projected,
             || depths,
-            (&window, anchor),
+            (&window, &window),
             context,
         )
         .map_err(in_volume)?;
@@ -88,7 +83,6 @@ fn with_quadric(
     shape: &Shape,
     quadric: &ScreenQuadric,
     window: &ScreenBox,
-    anchor: Anchor,
     context: &Context,
 ) -> Result<PreparedVolume, PrepareError> {
     let class = class_of(quadric).ok_or_else(|| PrepareError::ViewerOnVolume {
@@ -99,7 +93,7 @@ fn with_quadric(
             depth_scale: &context.depth_scale / power_of_two(u32::from(shift)),
             ..context.clone()
         };
-        depth_words(&shape.name, quadric, class, window, anchor, &coarse).map(|(core, _)| core)
+        depth_words(&shape.name, quadric, class, (window, window), &coarse).map(|(core, _)| core)
     })
     .map_err(|error| error_in_volume(shape, error))?;
     let without = empty(shape);
