@@ -164,6 +164,26 @@ fn a_camera_is_chosen_by_its_name() {
     assert!(!out.exists());
 }
 
+/// A frame is a scene for the hardware and the oracles too: its golden picture is another than that of the scene as it is written.
+#[test]
+fn a_frame_is_a_scene_of_its_own_for_other_commands() {
+    let moon = scene("animation/moon.toml");
+    let of = |command: &str, frame: Option<&str>| {
+        let mut run = imogene();
+        run.args(["--json", command]).arg(&moon);
+        run.args(["--size", "32x24"]);
+        run.args(frame.map(|number| ["--frame", number]).iter().flatten());
+        json(&run.assert().success())
+    };
+    let report = of("cosim", Some("4"));
+    assert_eq!(report["mismatches"], 0);
+    let command = report["reproduce"].as_str().expect("a command");
+    assert!(command.ends_with("--frame 4"), "{command}");
+    assert_ne!(report["pixels"], of("cosim", None)["pixels"]);
+    let covered = |frame| of("trace", frame)["scenes"][0]["comparison"]["covered"].clone();
+    assert_ne!(covered(Some("4")), covered(None));
+}
+
 #[test]
 fn frames_that_there_are_not_are_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -67,6 +67,33 @@ fn the_pins_show_the_golden_picture() {
 }
 
 #[test]
+fn an_animation_is_shown_frame_by_frame() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |range: &str| {
+        let mut command = imogene();
+        command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        command.args(["machine", "scenes/animation/arm.toml", "--json"]);
+        command.args(["--machine", "machines/zone-320x240.toml", "--emit-only"]);
+        command.args(["--animation", range, "--out"]);
+        command
+            .arg(folder.path())
+            .output()
+            .expect("the program runs")
+    };
+    let output = run("3..5");
+    assert_eq!(output.status.code(), Some(0));
+    let value: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let shown = [3, 4, 5].map(|n| format!("scenes/animation/arm.toml --frame {n}"));
+    assert_eq!(value["scenes"], serde_json::json!(shown));
+    // The arm moves, so that every frame has clocks of its own.
+    let clocks = value["zone_clocks"].as_array().expect("a list");
+    assert!(clocks.len() == 3 && clocks[0] != clocks[2]);
+    let refused = run("20..99");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("numbers from 1 to 27"));
+}
+
+#[test]
 fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");

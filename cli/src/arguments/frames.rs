@@ -15,6 +15,8 @@ pub enum FrameRangeError {
     Text(String),
     /// The frames.
     Beyond {
+        /// The option.
+        option: &'static str,
         /// First frame asked for.
         first: usize,
         /// Last frame asked for.
@@ -29,17 +31,31 @@ impl fmt::Display for FrameRangeError {
         match self {
             Self::Text(text) => write!(
                 out,
-                "'{text}' is no range of frames; expected FIRST..LAST, such as 1..24, or nothing after --frames for all of them"
+                "'{text}' is no range of frames; expected FIRST..LAST, such as 1..24, or nothing for all of them"
             ),
-            Self::Beyond { first, last, count } => write!(
+            Self::Beyond {
+                option,
+                first,
+                last,
+                count,
+            } => write!(
                 out,
-                "--frames {first}..{last}: the animation has {count} frames; numbers from 1 to {count} are possible"
+                "{option} {first}..{last}: the animation has {count} frames; numbers from 1 to {count} are possible"
             ),
         }
     }
 }
 
 impl std::error::Error for FrameRangeError {}
+
+impl fmt::Display for FrameRange {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        match self.0 {
+            Some((first, last)) => write!(out, "{first}..{last}"),
+            None => Ok(()),
+        }
+    }
+}
 
 impl FromStr for FrameRange {
     type Err = FrameRangeError;
@@ -59,11 +75,20 @@ impl FromStr for FrameRange {
 }
 
 impl FrameRange {
-    /// The frames of an animation of so many.
-    pub fn of(self, count: usize) -> Result<RangeInclusive<usize>, FrameRangeError> {
+    /// The frames of an animation of so many; errors name the option.
+    pub fn of(
+        self,
+        option: &'static str,
+        count: usize,
+    ) -> Result<RangeInclusive<usize>, FrameRangeError> {
         let (first, last) = self.0.unwrap_or((1, count));
         if last > count {
-            return Err(FrameRangeError::Beyond { first, last, count });
+            return Err(FrameRangeError::Beyond {
+                option,
+                first,
+                last,
+                count,
+            });
         }
         Ok(first..=last)
     }
@@ -75,7 +100,7 @@ mod tests {
 
     #[test]
     fn ranges_are_read() {
-        let of = |text: &str| text.parse::<FrameRange>().unwrap().of(24);
+        let of = |text: &str| text.parse::<FrameRange>().unwrap().of("--frames", 24);
         assert_eq!(of("").unwrap(), 1..=24);
         assert_eq!(of("3..7").unwrap(), 3..=7);
         assert_eq!(of("24").unwrap(), 24..=24);

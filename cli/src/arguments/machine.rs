@@ -1,6 +1,6 @@
 //! Arguments of `machine`.
 
-use super::EngineName;
+use super::{EngineName, FrameRange};
 use clap::{Args, ValueEnum};
 use imogene_models::machine::zone::refine::Refinement;
 use std::path::PathBuf;
@@ -20,6 +20,12 @@ pub struct Machine {
     /// Folder of the Verilog, the picture from the pins, the golden picture and summary.json.
     #[arg(long, value_name = "DIR", default_value = "imogene-machine")]
     pub out: PathBuf,
+    /// Look through the camera of this name instead of the active one.
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// Show the frames of the scene's animation one after the other, all or those from FIRST to LAST, counted from 1, instead of the scene as it is written.
+    #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "")]
+    pub animation: Option<FrameRange>,
     /// Whole frames to see of the last scene, at least 1.
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000))]
     pub frames: u32,

@@ -1,6 +1,6 @@
 //! Arguments of `trace`, `cracks` and `repair`.
 
-use super::{Scene, Size};
+use super::{Scene, Size, View};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -16,6 +16,9 @@ pub struct Trace {
     /// Depth word in bits: 16, 20, 24, 28 or 32.
     #[arg(long, default_value_t = 24, value_name = "W")]
     pub format: u32,
+    /// How the scenes are looked at.
+    #[command(flatten)]
+    pub view: View,
     /// Picture (PNG) of one scene's comparison: the band blue, allowed differences orange, others red.
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,

@@ -1,12 +1,11 @@
 //! `imogene cosim`.
 
 use super::render::golden_frame;
-use super::{describe, emit_request, extremes, frame_scene, threads, verdict};
+use super::{describe, emit_request, extremes, frame_scene, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::{EmitRequest, emit};
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::beam::BeamDesign;
@@ -46,6 +45,11 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
+        ));
+    }
+    if !options.view.options().is_empty() {
+        return Err(Failure::Input(
+            "--camera and --frame choose a view of a scene; give a scene file".into(),
         ));
     }
     let subject = match options.engine.simulator() {
@@ -104,7 +108,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
             unit::NAMES.join(", ")
         )));
     }
-    let file = SceneFile::read(path).map_err(Failure::input)?;
+    let file = read_scene(path, &options.view)?;
     let (_, prepared) = frame_scene(&file, options.size, options.shape.format)?;
     let mut report = if slots::is_for_beam(&prepared) {
         run_beam(options, &prepared)?
@@ -127,6 +131,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         options.shape.format,
         options.shape.rows_per_stage
     );
+    report.reproduce += &options.view.options();
     if let Some(f) = options.inject_fault.map(|f| f.0) {
         report.reproduce += &format!(" --inject-fault {}:{}:{}", f.object, f.address, f.bit);
     }

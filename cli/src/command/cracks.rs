@@ -1,12 +1,12 @@
 //! `imogene cracks`.
 
-use super::{format_of, frame_in, render::golden_frame};
+use super::{format_of, frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_png;
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::{Camera, SceneFile};
+use imogene_models::scene::Camera;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
@@ -41,7 +41,7 @@ struct ScoreRow {
 
 /// Searches the golden picture for cracks.
 pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
-    let file = SceneFile::read(&options.scene.scene).map_err(Failure::input)?;
+    let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let (_, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
     let least = options.min_distance;
     let rule = Rule {

@@ -1,9 +1,10 @@
 //! `imogene machine`.
 
-use super::{describe, frame_scene, verdict};
-use crate::arguments::{Machine, Refine};
+use super::{describe, frame_scene, read_scene, verdict};
+use crate::arguments::{Machine, Refine, View};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::animation::Playback;
 use imogene_models::machine::description::{MachineDescription, Output};
 use imogene_models::machine::display::{Image, refined_image};
 use imogene_models::machine::overlay::OverlayPlane;
@@ -13,7 +14,6 @@ use imogene_models::machine::zone::plot::plot;
 use imogene_models::machine::zone::refine::Refinement;
 use imogene_models::picture::{read_mask, write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
@@ -54,10 +54,10 @@ struct MachineReport<'a> {
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let machine = MachineDescription::read(&options.machine).map_err(Failure::input)?;
     let overlay = overlay_of(&machine, options)?;
-    let scenes = options
-        .scenes
+    let views = views(options)?;
+    let scenes = views
         .iter()
-        .map(|path| drawn(path, &machine, options.refine.into()));
+        .map(|(path, view)| drawn(path, view, &machine, options.refine.into()));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
     let command = command_of(options);
     let request = request(&machine, &command);
@@ -91,10 +91,9 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let mut summary = MachineReport {
         machine: &machine,
         top,
-        scenes: options
-            .scenes
+        scenes: views
             .iter()
-            .map(|path| path.display().to_string())
+            .map(|(path, view)| format!("{}{}", path.display(), view.options()))
             .collect(),
         clocks_per_frame: (machine.output == Output::Pins).then_some(mode.0),
         pixels_per_frame: mode.1,
@@ -126,12 +125,40 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     }
 }
 
+/// The scenes and frames that are shown, in their order.
+fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
+    let mut views = vec![];
+    for path in &options.scenes {
+        let as_written = View {
+            camera: options.camera.clone(),
+            frame: None,
+        };
+        let Some(range) = options.animation else {
+            views.push((path.as_path(), as_written));
+            continue;
+        };
+        let named = |error: String| Failure::Input(format!("{}: {error}", path.display()));
+        let file = read_scene(path, &as_written)?;
+        let playback = Playback::new(&file).map_err(|e| named(e.to_string()))?;
+        let frames = range.of("--animation", playback.count());
+        for frame in frames.map_err(|e| named(e.to_string()))? {
+            let view = View {
+                frame: Some(frame as u32),
+                ..as_written.clone()
+            };
+            views.push((path, view));
+        }
+    }
+    Ok(views)
+}
+
 fn drawn(
     path: &Path,
+    view: &View,
     machine: &MachineDescription,
     refinement: Refinement,
 ) -> Result<(PreparedScene, Image), Failure> {
-    let file = SceneFile::read(path).map_err(Failure::input)?;
+    let file = read_scene(path, view)?;
     let (width, height) = machine
         .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
@@ -181,9 +208,17 @@ fn command_of(options: &Machine) -> String {
         Refine::Bounds => " --refine bounds",
         Refine::Pixels => " --refine pixels",
     };
+    let view = View {
+        camera: options.camera.clone(),
+        frame: None,
+    };
+    let frames = options.animation.map_or(String::new(), |range| {
+        format!(" --animation {range}").trim_end().to_owned()
+    });
     format!(
-        "imogene machine {} --machine {}{refine} --out DIR",
+        "imogene machine {}{}{frames} --machine {}{refine} --out DIR",
         scenes.join(" "),
+        view.options(),
         options.machine.display()
     )
 }

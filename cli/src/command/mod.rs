@@ -33,7 +33,7 @@ pub mod trace;
 pub mod trade;
 pub mod units;
 
-use crate::arguments::{Guards, Scene, Shape, Size, Widths};
+use crate::arguments::{Guards, Scene, Shape, Size, View, Widths};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::animation::Playback;
@@ -43,21 +43,26 @@ use imogene_models::scene::{FramedScene, SceneFile};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
 use imogene_verif::report::Report;
+use std::path::Path;
 
 /// A scene file in the camera frame and prepared for a format.
 fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    frame_in(&read_scene(scene)?, scene.size, format_of(scene)?)
+    frame_in(
+        &read_scene(&scene.scene, &scene.view)?,
+        scene.size,
+        format_of(scene)?,
+    )
 }
 
 /// A scene file with the camera and the frame that are asked for.
-fn read_scene(scene: &Scene) -> Result<SceneFile, Failure> {
-    let mut file = SceneFile::read(&scene.scene).map_err(Failure::input)?;
-    let named = |problem: String| Failure::input(format!("{}: {problem}", scene.scene.display()));
-    if let Some(name) = &scene.camera {
+fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
+    let mut file = SceneFile::read(path).map_err(Failure::input)?;
+    let named = |problem: String| Failure::input(format!("{}: {problem}", path.display()));
+    if let Some(name) = &view.camera {
         let found = file.look_through(name);
         found.map_err(|error| named(error.to_string()))?;
     }
-    let Some(frame) = scene.frame else {
+    let Some(frame) = view.frame else {
         return Ok(file);
     };
     let playback = Playback::new(&file).map_err(|error| named(error.to_string()))?;

@@ -247,24 +247,8 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
 
 /// The command that shows the difference again.
 fn reproduce(options: &Render) -> String {
-    let Scene {
-        scene,
-        camera,
-        frame,
-        ..
-    } = &options.scene;
-    let scene = scene.display();
-    if camera.is_none() && frame.is_none() {
-        return format!("imogene cosim {scene}");
-    }
-    let mut command = format!("imogene render {scene} --model rtl");
-    if let Some(camera) = camera {
-        command += &format!(" --camera '{camera}'");
-    }
-    if let Some(frame) = frame {
-        command += &format!(" --frame {frame}");
-    }
-    format!("{command} -o {}", options.output.display())
+    let Scene { scene, view, .. } = &options.scene;
+    format!("imogene cosim {}{}", scene.display(), view.options())
 }
 
 /// The frame of a beam machine.

@@ -1,13 +1,12 @@
 //! `imogene trace`.
 
-use super::size_of;
+use super::{read_scene, size_of};
 use crate::arguments::Trace;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use imogene_models::picture::{write_png, write_whole};
-use imogene_models::scene::SceneFile;
 use imogene_oracle::compare::{Comparison, Mark};
 use imogene_oracle::paint;
 use imogene_oracle::run::{Outcome, run as trace};
@@ -78,7 +77,7 @@ pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
 type Drawn = Option<(Frame, Vec<Mark>)>;
 
 fn one(path: &Path, options: &Trace, format: &Format) -> Result<(Row, Drawn), Failure> {
-    let scene = SceneFile::read(path).map_err(Failure::input)?;
+    let scene = read_scene(path, &options.view)?;
     let (width, height) = size_of(&scene, options.size);
     let bar = output::progress(1, "tracing");
     let outcome = trace(&scene, width, height, *format, &|steps| {

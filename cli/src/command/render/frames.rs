@@ -60,12 +60,12 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let started = Instant::now();
     let path = options.scene.scene.display();
     let named = |error: String| Failure::Input(format!("{path}: {error}"));
-    let file = read_scene(&options.scene)?;
+    let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
     let format = format_of(&options.scene)?;
     let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
     let range = range
-        .of(animator.playback().count())
+        .of("--frames", animator.playback().count())
         .map_err(|e| named(e.to_string()))?;
     let preview_path = options.output.join("animation.png");
     let count = range.clone().count();

@@ -1,0 +1,104 @@
+//! Arguments of the commands that simulate.
+
+use super::{Shape, Size, View};
+use clap::{Args, ValueEnum};
+use imogene_verif::engine::design::Simulator;
+use imogene_verif::scene::Fault;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// What runs the hardware.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EngineName {
+    /// The built-in simulator; needs no outside tool.
+    RustHdl,
+    /// The emitted Verilog in Icarus Verilog.
+    Icarus,
+    /// The emitted Verilog in Verilator.
+    Verilator,
+}
+
+impl EngineName {
+    /// The simulator of Verilog that it is, if it is one.
+    pub fn simulator(self) -> Option<Simulator> {
+        match self {
+            EngineName::RustHdl => None,
+            EngineName::Icarus => Some(Simulator::Icarus),
+            EngineName::Verilator => Some(Simulator::Verilator),
+        }
+    }
+}
+
+/// Arguments of `cosim`.
+#[derive(Debug, Args)]
+pub struct Cosim {
+    /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
+    pub subject: String,
+    /// What runs the hardware.
+    #[arg(long, value_enum, default_value_t = EngineName::RustHdl)]
+    pub engine: EngineName,
+    /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    #[arg(long, value_name = "T")]
+    pub netlist: Option<String>,
+    /// Waveforms of hardware and golden model (VCD), with a GTKWave save file beside it.
+    #[arg(long, value_name = "FILE.vcd")]
+    pub vcd: Option<PathBuf>,
+    /// Seed of the random stimulus of a unit.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Clocks of random stimulus for a unit.
+    #[arg(long, default_value_t = 120_000)]
+    pub clocks: usize,
+    /// Parameters of a unit; a scene fixes planes and objects itself.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Picture size of a scene; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// How a scene is looked at.
+    #[command(flatten)]
+    pub view: View,
+    /// Object of a scene whose processor is traced.
+    #[arg(long, default_value_t = 0, value_name = "OBJECT")]
+    pub trace_object: usize,
+    /// Flip one bit of one coefficient word in the hardware, to see it found.
+    #[arg(long, value_name = "OBJECT:ADDRESS:BIT")]
+    pub inject_fault: Option<FaultArgument>,
+}
+
+/// Arguments of `speed`.
+#[derive(Debug, Args)]
+pub struct Speed {
+    /// Unit, as listed by `imogene units`.
+    #[arg(default_value = "quadric_processor")]
+    pub unit: String,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Drive it with the random stimulus of `cosim` instead of a frame of constant words.
+    #[arg(long)]
+    pub random: bool,
+    /// Seconds for each engine and each kind of work.
+    #[arg(long, default_value_t = 3, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=600))]
+    pub seconds: u32,
+}
+
+/// A fault as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FaultArgument(pub Fault);
+
+impl FromStr for FaultArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<FaultArgument, String> {
+        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[object, address, bit]) => Ok(FaultArgument(Fault {
+                object,
+                address,
+                bit,
+            })),
+            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Arguments of `fit`.
+
+use super::Size;
+use clap::{Args, ValueEnum};
+use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
+use std::path::PathBuf;
+
+/// Arguments of `fit`.
+#[derive(Debug, Args)]
+pub struct Fit {
+    /// Scene files (TOML); several are the frames of an animation, with the same objects. A scene with images stands for all of its frames.
+    #[arg(required = true)]
+    pub scenes: Vec<PathBuf>,
+    /// Folder of the Verilog, the contract and the pictures.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Picture size in pixels; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Greatest depth error: words of the base format, D / (2^23 - 1), such as 1, or pixels of depth such as 0.5px.
+    #[arg(long, value_name = "LIMIT")]
+    pub max_depth_error: Option<DepthLimit>,
+    /// Pixels that are seen in picture or truth alone: a number such as 0, or a part of the picture such as 0.1%.
+    #[arg(long, value_name = "N")]
+    pub max_silhouette_errors: Option<CountLimit>,
+    /// Pixels that show another object or face: a number or a part of the picture.
+    #[arg(long, value_name = "N")]
+    pub max_face_errors: Option<CountLimit>,
+    /// Greatest difference of a colour channel, in 1/255, where picture and truth show the same face.
+    #[arg(long, value_name = "C")]
+    pub max_colour_error: Option<f64>,
+    /// Greatest angle of a normal in degrees, where picture and truth show the same face.
+    #[arg(long, value_name = "DEGREES")]
+    pub max_normal_error: Option<f64>,
+    /// Place and route the slowest units as well, for their clock.
+    #[arg(long)]
+    pub clock: bool,
+    /// Clock that the slowest unit must reach on the target.
+    #[arg(long, value_name = "MHZ")]
+    pub min_mhz: Option<f64>,
+    /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    #[arg(long, value_name = "T", default_value = "ecp5-45k")]
+    pub target: String,
+    /// Simulator that checks the emitted Verilog on every frame.
+    #[arg(long, value_enum, default_value_t = FitEngine::Verilator)]
+    pub engine: FitEngine,
+}
+
+/// Simulators of fitted machines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FitEngine {
+    /// Verilator.
+    Verilator,
+    /// Icarus Verilog.
+    Icarus,
+    /// The Verilog is written unchecked.
+    None,
+}
+
+impl Fit {
+    /// What is allowed.
+    pub fn budget(&self) -> Budget {
+        Budget {
+            depth: self.max_depth_error,
+            silhouette: self.max_silhouette_errors,
+            faces: self.max_face_errors,
+            colour: self.max_colour_error,
+            normal: self.max_normal_error,
+        }
+    }
+
+    /// The command line that does the same.
+    pub fn reproduce(&self, budget: &Budget) -> String {
+        let scenes: Vec<String> = self
+            .scenes
+            .iter()
+            .map(|s| s.display().to_string())
+            .collect();
+        let mut command = format!("imogene fit {}", scenes.join(" "));
+        if let Some(size) = self.size {
+            command += &format!(" --size {}x{}", size.width, size.height);
+        }
+        command += &budget.options();
+        if let Some(mhz) = self.min_mhz {
+            command += &format!(" --min-mhz {mhz}");
+        }
+        if self.clock {
+            command += " --clock";
+        }
+        command + &format!(" --target {} --out {}", self.target, self.out.display())
+    }
+}

@@ -1,0 +1,180 @@
+//! A scene as an argument, and the commands that draw, prepare and check one.
+
+use super::{FrameRange, Split};
+use clap::{Args, ValueEnum};
+use imogene_models::format::FittedWidths;
+use imogene_models::widths::{self, WidthsError};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Which model draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Model {
+    /// The exact reference in big integers.
+    Exact,
+    /// The golden integer model.
+    Golden,
+    /// The hardware in simulation.
+    Rtl,
+}
+
+/// A scene, its size and the format it is prepared for.
+#[derive(Clone, Debug, Args)]
+pub struct Scene {
+    /// Scene file (TOML).
+    pub scene: PathBuf,
+    /// Picture size in pixels; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    #[arg(long, default_value_t = 24, value_name = "W")]
+    pub format: u32,
+    /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
+    #[arg(long, default_value = "0:0", value_name = "G1:G2")]
+    pub guards: Guards,
+    /// Every width of a machine that is fitted to a scene, instead of --format and --guards: depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what
+    /// is left out follows from the depth.
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
+    pub widths: Option<Widths>,
+    /// How it is looked at.
+    #[command(flatten)]
+    pub view: View,
+}
+
+/// What of a scene is looked at, and from where.
+#[derive(Clone, Debug, Args)]
+pub struct View {
+    /// Look through the camera of this name instead of the active one.
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+    /// One frame of the scene's animation, counted from 1, instead of the scene as it is written.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub frame: Option<u32>,
+}
+
+impl View {
+    /// As on the command line, with a blank before each option; nothing for the scene as it is written.
+    pub fn options(&self) -> String {
+        let camera = self.camera.iter().map(|name| format!(" --camera '{name}'"));
+        let frame = self.frame.iter().map(|number| format!(" --frame {number}"));
+        camera.chain(frame).collect()
+    }
+}
+
+/// Widths of a fitted machine as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Widths(pub FittedWidths);
+
+impl FromStr for Widths {
+    type Err = WidthsError;
+
+    fn from_str(text: &str) -> Result<Widths, WidthsError> {
+        widths::parse(text).map(Widths)
+    }
+}
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Round the coefficients anew for each zone of so many columns and lines, 8 or more (model golden).
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(8..=4096))]
+    pub zone: Option<u32>,
+    /// Workers of a divided screen.
+    #[command(flatten)]
+    pub split: Split,
+    /// Which model draws.
+    #[arg(long, value_enum, default_value_t = Model::Golden)]
+    pub model: Model,
+    /// Picture file (PNG); with --frames the folder of the pictures.
+    #[arg(short = 'o', long = "output", value_name = "FILE.png")]
+    pub output: PathBuf,
+    /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
+    /// folder of --output.
+    #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "",
+          conflicts_with_all = ["zone", "depth", "ids", "normals", "frame"])]
+    pub frames: Option<FrameRange>,
+    /// Depth words as a NumPy array (int64, background = 2^(W-1) - 1).
+    #[arg(long, value_name = "FILE.npy")]
+    pub depth: Option<PathBuf>,
+    /// Object indices as a NumPy array (int32, background = -1).
+    #[arg(long, value_name = "FILE.npy")]
+    pub ids: Option<PathBuf>,
+    /// Normals as a NumPy array (int16, three components).
+    #[arg(long, value_name = "FILE.npy")]
+    pub normals: Option<PathBuf>,
+    /// Rows of the root network per register stage (model rtl).
+    #[arg(long, default_value_t = 1, value_name = "R")]
+    pub rows_per_stage: usize,
+}
+
+/// Arguments of `prepare`.
+#[derive(Debug, Args)]
+pub struct Prepare {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Scene.
+    #[command(flatten)]
+    pub scene: Scene,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Folder for comparison.png, comparison.json and comparison.md; nothing is written without it.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Picture size in pixels.
+    #[arg(long, value_name = "WxH", default_value = "320x240")]
+    pub size: Size,
+}
+
+/// A picture size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Size, String> {
+        let parse = |part: &str| part.parse::<u32>().ok();
+        text.split_once('x')
+            .and_then(|(w, h)| Some((parse(w)?, parse(h)?)))
+            .map(|(width, height)| Size { width, height })
+            .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
+    }
+}
+
+/// Guard bits of f1 and f2.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Guards {
+    /// Of f1.
+    pub linear: u32,
+    /// Of f2.
+    pub quadratic: u32,
+}
+
+impl FromStr for Guards {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Guards, String> {
+        let parse = |part: &str| part.parse::<u32>().ok();
+        text.split_once(':')
+            .and_then(|(linear, quadratic)| Some((parse(linear)?, parse(quadratic)?)))
+            .map(|(linear, quadratic)| Guards { linear, quadratic })
+            .ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
+    }
+}

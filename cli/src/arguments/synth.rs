@@ -1,0 +1,114 @@
+//! Arguments of the commands that synthesise.
+
+use super::Shape;
+use clap::Args;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Arguments of `synth`.
+#[derive(Debug, Args)]
+pub struct Synth {
+    /// Unit, as listed by `imogene units`.
+    #[arg(required_unless_present_any = ["table", "check"])]
+    pub unit: Option<String>,
+    /// Device: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k, xilinx7, gowin, or transistors.
+    #[arg(long, value_name = "T", required_unless_present_any = ["table", "check"])]
+    pub target: Option<String>,
+    /// Seeds of place and route; 0 measures no clock.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub seeds: usize,
+    /// Parameters.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Synthesise even what is kept of the same Verilog and tools.
+    #[arg(long, conflicts_with = "table")]
+    pub fresh: bool,
+    /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units, targets and seeds.
+    #[arg(long, conflicts_with_all = ["unit", "target", "seeds"])]
+    pub table: bool,
+    /// File of the table; its figures go beside it as .json, its picture into images/.
+    #[arg(
+        long,
+        value_name = "FILE.md",
+        conflicts_with_all = ["unit", "check"],
+        default_value = "docs/resources.md"
+    )]
+    pub out: PathBuf,
+    /// Synthesise the rows of the table again, or those of UNIT or --target; exit code 1 if one got worse than the baseline.
+    #[arg(
+        long,
+        conflicts_with_all = ["table", "seeds", "format", "planes", "rows_per_stage", "objects", "digits", "corrections"]
+    )]
+    pub check: bool,
+    /// File to check against.
+    #[arg(
+        long,
+        value_name = "FILE.json",
+        requires = "check",
+        default_value = "docs/resources.json"
+    )]
+    pub baseline: PathBuf,
+    /// Percent of the baseline that a resource may grow.
+    #[arg(long, value_name = "PERCENT", requires = "check", default_value_t = 2.0, value_parser = percent)]
+    pub tolerance: f64,
+    /// Percent of the baseline that Fmax may fall.
+    #[arg(long, value_name = "PERCENT", requires = "check", default_value_t = 10.0, value_parser = percent)]
+    pub clock_tolerance: f64,
+    /// Check resources alone, without place and route.
+    #[arg(long, requires = "check")]
+    pub no_clock: bool,
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok();
+    value
+        .filter(|value| value.is_finite() && *value >= 0.0)
+        .ok_or_else(|| "expected a percentage, 0 or more, such as 2.5".to_string())
+}
+
+/// Arguments of `peers`.
+#[derive(Debug, Args)]
+pub struct Peers {
+    /// Verilog file of the peer, .v, or .sv for SystemVerilog; several in the order they are read.
+    #[arg(long, value_name = "FILE", required = true)]
+    pub rtl: Vec<PathBuf>,
+    /// Its top module.
+    #[arg(long, value_name = "NAME")]
+    pub top: String,
+    /// Its clock port [default: clk or clock].
+    #[arg(long, value_name = "PORT")]
+    pub clock: Option<String>,
+    /// Folder of files it includes; may be given several times.
+    #[arg(long, value_name = "DIR")]
+    pub include: Vec<PathBuf>,
+    /// A parameter of its top module; may be given several times.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub parameter: Vec<Parameter>,
+    /// Unit to measure beside it, as listed by `imogene units`.
+    #[arg(long, value_name = "UNIT")]
+    pub against: String,
+    /// Parameters of the unit.
+    #[command(flatten)]
+    pub shape: Shape,
+    /// Device: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k, xilinx7, gowin, or transistors.
+    #[arg(long, value_name = "T")]
+    pub target: String,
+    /// Seeds of place and route; 0 measures no clock.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub seeds: usize,
+}
+
+/// A parameter of a module and its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameter(pub String, pub String);
+
+impl FromStr for Parameter {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Parameter, String> {
+        text.split_once('=')
+            .filter(|(name, value)| !name.is_empty() && !value.is_empty())
+            .map(|(name, value)| Parameter(name.to_owned(), value.to_owned()))
+            .ok_or_else(|| "expected NAME=VALUE, such as WIDTH=24".to_string())
+    }
+}

@@ -1,0 +1,79 @@
+//! Arguments of `trade`.
+
+use super::Size;
+use clap::{Args, ValueEnum};
+use imogene_models::trade::run::Shard;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Arguments of `trade`.
+#[derive(Debug, Args)]
+pub struct Trade {
+    /// Scene file (TOML).
+    pub scene: PathBuf,
+    /// Folder of the results; a run that was interrupted goes on where it stopped.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Picture size in pixels; the scene's own if not given.
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
+    #[arg(long, value_name = "T", default_value = "ecp5-45k")]
+    pub target: String,
+    /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the first time.
+    #[arg(long)]
+    pub clock: bool,
+    /// Synthesise nothing: errors, clocks and toggles alone. A later run without it adds the costs.
+    #[arg(long, conflicts_with = "clock")]
+    pub no_cost: bool,
+    /// Which points: a dozen or some two hundred and fifty.
+    #[arg(long, value_enum, default_value_t = Points::Full)]
+    pub points: Points,
+    /// Measure part K of N of the points alone, and sum up nothing.
+    #[arg(long, value_name = "K/N")]
+    pub shard: Option<ShardArgument>,
+    /// What runs the points: this program on all cores, or jobs of a HyperQueue server.
+    #[arg(long, value_enum, default_value_t = TradeEngine::Local, conflicts_with = "shard")]
+    pub engine: TradeEngine,
+    /// Server folder of a running HyperQueue server; one with workers of its own is started if not given (engine hq).
+    #[arg(long, value_name = "DIR")]
+    pub server: Option<PathBuf>,
+    /// Workers of that server, of one core each, and a quarter of the parts that the points are divided into (engine hq).
+    #[arg(long, default_value_t = 2, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub workers: u16,
+}
+
+/// What runs the points of a trade.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TradeEngine {
+    /// This program.
+    Local,
+    /// HyperQueue.
+    Hq,
+}
+
+/// Points of the design space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Points {
+    /// A dozen.
+    Quick,
+    /// All.
+    Full,
+}
+
+/// A part of the points as written on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShardArgument(pub Shard);
+
+impl FromStr for ShardArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<ShardArgument, String> {
+        let parse = |part: &str| part.parse::<usize>().ok();
+        text.split_once('/')
+            .and_then(|(number, of)| Some((parse(number)?, parse(of)?)))
+            .filter(|(number, of)| (1..=*of).contains(number))
+            .map(|(number, of)| ShardArgument(Shard { number, of }))
+            .ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())
+    }
+}
