@@ -120,7 +120,7 @@ fn what_cannot_be_traced_is_refused_and_leaves_nothing() {
 #[test]
 fn cracks_are_searched_for_and_made() {
     let folder = tempfile::tempdir().expect("a folder");
-    let picture = folder.path().join("cracks.png");
+    let [picture, plot] = ["cracks.png", "cracks.svg"].map(|name| folder.path().join(name));
     let (ball, teapot) = (scene("ellipsoid.toml"), scene("teapot.toml"));
     let value = json(
         &[
@@ -145,9 +145,14 @@ fn cracks_are_searched_for_and_made() {
             "40",
             "--seed",
             "5",
+            "--plot",
+            text(&plot),
         ],
         0,
     );
+    let drawn = std::fs::read_to_string(&plot).expect("the plot");
+    // A line for each sort in each of three panels, and the axes.
+    assert!(drawn.starts_with("<svg") && drawn.matches("<polyline").count() >= 9);
     let scores = value["scores"].as_array().expect("scores");
     assert_eq!(scores.len(), 27);
     let sum = |key: &str| {

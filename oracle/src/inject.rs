@@ -52,6 +52,11 @@ impl Score {
         share(self.found, self.made)
     }
 
+    /// Share of the deep cracks that are found; 1 if none was made.
+    pub fn deep_recall(&self) -> f64 {
+        share(self.deep_found, self.deep)
+    }
+
     /// Share of the flagged pixels that are cracks; 1 if none was flagged.
     pub fn precision(&self) -> f64 {
         share(self.found, self.found + self.others)

@@ -16,6 +16,7 @@ pub mod frame;
 pub mod inject;
 pub mod interval;
 pub mod paint;
+pub mod plot;
 pub mod repair;
 pub mod root;
 pub mod run;

@@ -7,8 +7,9 @@ use imogene_models::format::Format;
 use imogene_models::machine::beam;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
-use imogene_oracle::crack::{Buffers, Rule, cracks, two_pixels};
+use imogene_oracle::crack::{Buffers, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Sort};
+use imogene_oracle::trace::Tracer;
 
 const CONVEX: [&str; 6] = [
     "kind = \"sphere\"\nradius = 1.5",
@@ -106,4 +107,41 @@ fn every_deep_crack_of_the_teapot_is_found() {
         assert!(score.deep > 10, "{score:?}");
         assert_eq!(score.deep, score.deep_found, "{score:?}");
     }
+}
+
+/// Faces that meet have planes in common. Rounded for each object by itself, as if it were alone in its scene, the two sides of such a plane lie apart, and the detector finds a pixel that
+/// falls between them; prepared together, none does.
+#[test]
+fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
+    let mut found_apart = 0;
+    for part in ["ball-joint", "bracket", "fillet"] {
+        let file = format!("{}/../scenes/cad/{part}.toml", env!("CARGO_MANIFEST_DIR"));
+        let scene = SceneFile::read(file.as_ref()).expect("valid");
+        let (width, height) = (scene.image.width, scene.image.height);
+        let framed = scene.frame(width, height).expect("framed");
+        let together = prepare(&framed, Format::BASE).expect("prepared");
+        let mut apart = together.clone();
+        for (index, object) in framed.objects.iter().enumerate() {
+            let mut alone = framed.clone();
+            alone.objects = vec![object.clone()];
+            let prepared = prepare(&alone, Format::BASE).expect("prepared");
+            apart.objects[index] = prepared.objects[0].clone();
+        }
+        let tracer = Tracer::new(&scene, width, height);
+        let rule = Rule {
+            min_distance: two_pixels(&scene.camera, height as usize),
+            width: 1,
+        };
+        let count = |prepared: &PreparedScene| {
+            let (columns, lines) = (width as usize, height as usize);
+            let frame = beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ());
+            let buffers = Buffers::new(&frame, &scene.camera, Format::BASE.z_max());
+            let mut found = cracks(&buffers, &rule);
+            mark_openings(&mut found, &tracer);
+            found.iter().filter(|c| c.is_of_the_drawing()).count()
+        };
+        assert_eq!(count(&together), 0, "{part}");
+        found_apart += count(&apart);
+    }
+    assert!(found_apart > 0);
 }

@@ -48,6 +48,9 @@ pub struct Cracks {
     /// Make about N cracks of each sort instead and show how many are found, from the minimum distance down and up in powers of two.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub inject: Option<u32>,
+    /// Plot (SVG) of recall and precision over the minimum distance.
+    #[arg(long, value_name = "FILE.svg", requires = "inject")]
+    pub plot: Option<PathBuf>,
     /// Where those are made.
     #[arg(long, default_value_t = 1, value_name = "SEED", requires = "inject")]
     pub seed: u64,

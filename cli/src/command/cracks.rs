@@ -4,14 +4,16 @@ use super::{format_of, frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_png;
+use imogene_models::picture::{write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::Camera;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
+use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
 use serde::Serialize;
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Flagged pixels that are told to a person.
@@ -65,6 +67,12 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     let scores = options.inject.map_or(vec![], |count| {
         scores(options, count, &prepared, file.active(), rule)
     });
+    if let Some(path) = &options.plot {
+        let scores: Vec<Score> = scores.iter().map(|row| row.score).collect();
+        let text = plot(&scores).map_err(Failure::input)?;
+        write_whole(path, |file| file.write_all(text.as_bytes())).map_err(Failure::input)?;
+        files.push(path.clone());
+    }
     let report = CrackReport {
         width: prepared.width,
         height: prepared.height,

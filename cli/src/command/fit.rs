@@ -128,8 +128,8 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
         files: vec![],
         seconds: 0.0,
     };
-    write(&mut report, &frames, choice.drawn, &emitted, options)?;
     report.seconds = started.elapsed().as_secs_f64();
+    write(&mut report, &frames, choice.drawn, &emitted, options)?;
     if json {
         output::json(&report);
     } else {

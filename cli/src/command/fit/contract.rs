@@ -6,11 +6,21 @@ use imogene_rtl::emit::{Direction, Emitted};
 use imogene_synth::fitted::MachineCost;
 use std::fmt::Write;
 
+/// Frames are many: the first and the last stand for those between.
+fn named(scenes: &[String]) -> String {
+    match scenes {
+        [first, .., last] if scenes.len() > 3 => {
+            format!("{} frames, from {first} to {last}", scenes.len())
+        }
+        _ => scenes.join(", "),
+    }
+}
+
 /// A few lines.
 pub fn summary(report: &FitReport) -> String {
     let mut text = format!(
         "{}: beam --widths {} --slots {} --rows-per-stage {}\n",
-        report.scenes.join(", "),
+        named(&report.scenes),
         report.widths,
         report.slots,
         report.rows_per_stage
@@ -58,7 +68,7 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     let mut text = format!(
         "# `{}`: a beam machine fitted to {}\n\nMade by `{}`; the same Verilog: `{}`.\n\n",
         emitted.top,
-        report.scenes.join(", "),
+        named(&report.scenes),
         report.reproduce,
         report.command
     );
