@@ -2,7 +2,10 @@
 
 mod cell;
 mod exact;
+mod form;
 mod grid;
+mod map;
+mod objects;
 mod options;
 pub mod random_field;
 mod read;

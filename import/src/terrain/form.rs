@@ -1,0 +1,143 @@
+//! How each cell is drawn: by its surfaces, by facets where it is flat or its surfaces are refused, or not at all.
+
+use super::cell::Cells;
+use super::grid::{Corners, HeightGrid, is_plane, twist};
+use super::map::{Map, VIEW, unusable};
+use crate::ImportError;
+use imogene_models::format::Format;
+use imogene_models::prepare::error::PrepareError;
+use imogene_models::prepare::refused;
+use imogene_models::rational::{from_decimal, to_f64};
+
+/// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
+const FLAT: f64 = 0.5;
+
+/// How a cell is drawn at last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    Surfaces,
+    Facets,
+    LeftOut,
+}
+
+/// One cell with four heights.
+pub(super) struct Cell {
+    pub column: usize,
+    pub row: usize,
+    pub corners: Corners,
+    pub form: Form,
+}
+
+pub(super) fn count(cells: &[Cell], form: Form) -> usize {
+    cells.iter().filter(|cell| cell.form == form).count()
+}
+
+impl Map<'_> {
+    /// The cells with four heights.
+    pub(super) fn cells(&self, grid: &HeightGrid) -> Vec<Cell> {
+        let factor = from_decimal(self.options.height_factor);
+        let mut cells = vec![];
+        for row in 0..grid.rows - 1 {
+            for column in 0..grid.columns - 1 {
+                let known = |v: usize, u: usize| grid.height(column + u, row + v);
+                let [Some(nw), Some(ne), Some(sw), Some(se)] =
+                    [known(0, 0), known(0, 1), known(1, 0), known(1, 1)]
+                else {
+                    continue;
+                };
+                let [nw, ne, sw, se] = [nw, ne, sw, se].map(|h| from_decimal(h) * &factor);
+                cells.push(Cell {
+                    column,
+                    row,
+                    corners: [[nw, ne], [sw, se]],
+                    form: Form::Surfaces,
+                });
+            }
+        }
+        cells
+    }
+
+    /// Facets for the cells that are flat on the screen, if that is asked for; how many they are.
+    pub(super) fn choose_facets(&self, cells: &mut [Cell]) -> usize {
+        if self.options.cells != Cells::Auto {
+            return 0;
+        }
+        let mut count = 0;
+        for cell in cells {
+            if is_plane(&cell.corners) || self.bulge(cell).is_some_and(|pixels| pixels < FLAT) {
+                cell.form = Form::Facets;
+                count += 1;
+            }
+        }
+        count
+    }
+
+    /// Most pixels between a patch and its facets on the screen: |e| / 4 upwards at the corner that is nearest along the gaze; nothing if a corner is beside or
+    /// behind the eye.
+    fn bulge(&self, cell: &Cell) -> Option<f64> {
+        let up = to_f64(&twist(&cell.corners)).abs() / 4.0;
+        let gaze: [f64; 3] = std::array::from_fn(|k| self.target[k] - self.eye[k]);
+        let length = gaze.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let mut most = 0f64;
+        for v in 0..2 {
+            for u in 0..2 {
+                let [x, z] = self
+                    .place([cell.column + u, cell.row + v])
+                    .map(|p| to_f64(&p));
+                let point = [x, to_f64(&cell.corners[v][u]), z];
+                let from: [f64; 3] = std::array::from_fn(|k| point[k] - self.eye[k]);
+                let along = from.iter().zip(&gaze).map(|(a, b)| a * b).sum::<f64>() / length;
+                if along <= 0.0 {
+                    return None;
+                }
+                // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the screen.
+                let square = from.iter().map(|f| f * f).sum::<f64>();
+                let aside = (square - along * along).max(0.0).sqrt() / along;
+                most = most.max(up * (1.0 + aside) / along);
+            }
+        }
+        Some(most * f64::from(self.options.size[1]) / VIEW)
+    }
+
+    /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how many of each.
+    pub(super) fn replace_refused(
+        &self,
+        cells: &mut [Cell],
+    ) -> Result<(usize, usize), ImportError> {
+        let facets_before = count(cells, Form::Facets);
+        let mut open: Vec<usize> = (0..cells.len()).collect();
+        while !open.is_empty() {
+            let trial = open.iter().map(|&index| &cells[index]);
+            let mut owners = vec![];
+            let mut scene = self.empty_scene();
+            for (place, cell) in trial.enumerate() {
+                let objects = self.objects(cell, cells)?;
+                owners.extend(objects.iter().map(|_| open[place]));
+                scene.objects.extend(objects);
+            }
+            if scene.objects.is_empty() {
+                break;
+            }
+            let framed = scene.frame(scene.image.width, scene.image.height);
+            let framed = framed
+                .map_err(|e| unusable(self.file, e.to_string(), "see docs/scene-format.md"))?;
+            let mut again = vec![];
+            for (object, problem) in refused(&framed, Format::BASE) {
+                let cell = owners[object];
+                if again.last() == Some(&cell) {
+                    continue;
+                }
+                let form = match (&problem, cells[cell].form) {
+                    (PrepareError::BehindViewer { .. }, _) | (_, Form::Facets) => Form::LeftOut,
+                    _ => Form::Facets,
+                };
+                again.push(cell);
+                cells[cell].form = form;
+            }
+            open = again;
+            open.retain(|&cell| cells[cell].form == Form::Facets);
+        }
+        let by_facets = count(cells, Form::Facets).saturating_sub(facets_before);
+        Ok((by_facets, count(cells, Form::LeftOut)))
+    }
+}

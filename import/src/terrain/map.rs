@@ -1,0 +1,131 @@
+//! Where the terrain, the eye and the picture are.
+
+use super::grid::HeightGrid;
+use super::objects::BANDS;
+use super::options::TerrainOptions;
+use crate::ImportError;
+use imogene_models::rational::{fraction, from_decimal, integer, to_f64};
+use imogene_models::scene::{Camera, ImageSize, Light, Material, Node, SceneFile};
+use num_rational::BigRational;
+
+/// Height of the picture at the distance of the screen plane, in viewer distances.
+pub(super) const VIEW: f64 = 0.8;
+
+/// Where things are.
+pub(super) struct Map<'a> {
+    pub file: &'a str,
+    pub options: &'a TerrainOptions,
+    pub step: [BigRational; 2],
+    /// Scene coordinates of the first node: x and z.
+    pub first: [BigRational; 2],
+    pub heights: (f64, f64),
+    pub eye: [f64; 3],
+    pub target: [f64; 3],
+    /// In scene units.
+    pub viewer_distance: f64,
+}
+
+impl<'a> Map<'a> {
+    pub(super) fn new(
+        grid: &HeightGrid,
+        file: &'a str,
+        options: &'a TerrainOptions,
+    ) -> Result<Map<'a>, ImportError> {
+        let factor = options.height_factor;
+        let (low, high) = grid.range().ok_or_else(|| {
+            unusable(
+                file,
+                "no node of the region has a height".into(),
+                "choose another region",
+            )
+        })?;
+        let heights = if factor > 0.0 {
+            (low * factor, high * factor)
+        } else {
+            (high * factor, low * factor)
+        };
+        let step = grid.step.map(from_decimal);
+        let nodes = [grid.columns, grid.rows];
+        let first: [BigRational; 2] =
+            std::array::from_fn(|k| -&step[k] * fraction(nodes[k] as i64 - 1, 2));
+        let half = first.each_ref().map(|v| -to_f64(v));
+        let extent = 2.0 * half[0].max(half[1]);
+        let middle = 0.5 * (heights.0 + heights.1);
+        let eye = options.eye.unwrap_or([
+            0.0,
+            short(heights.1 + 0.3 * extent),
+            short(half[1] + 0.45 * extent),
+        ]);
+        let target = options.target.unwrap_or([0.0, short(middle), 0.0]);
+        // The near end is at half the viewer distance from the eye; a small one also keeps the words of surfaces that pass the eye small.
+        let outside = |value: f64, low: f64, high: f64| (low - value).max(value - high).max(0.0);
+        let gaps = [
+            outside(eye[0], -half[0], half[0]),
+            outside(eye[1], heights.0, heights.1),
+            outside(eye[2], -half[1], half[1]),
+        ];
+        let nearest = gaps.iter().map(|g| g * g).sum::<f64>().sqrt();
+        Ok(Map {
+            file,
+            options,
+            first,
+            heights,
+            eye,
+            target,
+            viewer_distance: short(nearest.clamp(extent / 200.0, extent / 8.0)),
+            step,
+        })
+    }
+
+    /// Scene coordinates (x, z) of a node.
+    pub(super) fn place(&self, node: [usize; 2]) -> [BigRational; 2] {
+        std::array::from_fn(|k| &self.first[k] + &self.step[k] * integer(node[k] as i64))
+    }
+
+    pub(super) fn empty_scene(&self) -> SceneFile {
+        let material = |(index, colour): (usize, &[f64; 3])| Material {
+            name: format!("altitude-{index}"),
+            colour: *colour,
+            ambient: 0.25,
+            diffuse: 0.75,
+            specular: 0.0,
+            exponent: 1,
+        };
+        let [width, height] = self.options.size;
+        let camera = Camera::Perspective {
+            eye: self.eye,
+            target: self.target,
+            up: [0.0, 1.0, 0.0],
+            viewer_distance: self.viewer_distance,
+            view_height: short(VIEW * self.viewer_distance),
+            node: Node::default(),
+        };
+        SceneFile {
+            background: [0.62, 0.74, 0.88],
+            ambient: [1.0; 3],
+            image: ImageSize { width, height },
+            lights: vec![Light::Directional {
+                from: [-3.0, 3.0, 1.0],
+                colour: [1.0; 3],
+                intensity: 1.0,
+                shadows: false,
+                node: Node::default(),
+            }],
+            materials: BANDS.iter().enumerate().map(material).collect(),
+            ..SceneFile::new(&self.options.title, camera)
+        }
+    }
+}
+
+/// The number rounded to three digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+pub(super) fn unusable(file: &str, problem: String, accepted: &str) -> ImportError {
+    ImportError::Unusable {
+        file: file.to_owned(),
+        problem,
+        accepted: accepted.to_owned(),
+    }
+}
