@@ -6,12 +6,11 @@
 //! words taken over, so that they are those of a preparation from scratch.
 
 use super::error::PrepareError;
+use super::located::Located;
 use super::screen_box::Cell;
 use super::seams::Place;
 use super::volume::{Bounds, PreparedVolume, Volumes, prepare_volumes};
-use super::{
-    Context, Located, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene,
-};
+use super::{Context, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene};
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::scene::{FramedObject, FramedScene};

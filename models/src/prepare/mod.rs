@@ -10,6 +10,7 @@ pub mod extent;
 mod first_generation;
 pub mod forms;
 mod ledger;
+mod located;
 mod mesh;
 mod object;
 mod parts;
@@ -28,21 +29,20 @@ use crate::format::{FittedWidths, Format};
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
-use crate::scene::{FramedObject, FramedQuadric, FramedScene, Projection};
+use crate::scene::{FramedScene, Projection};
 use crate::unit::root::fast_root;
 use again::Known;
 pub use again::{Kept, Reuse, prepare_again};
 use error::PrepareError;
 use forms::{LinearForm, QuadraticForm};
+use located::Located;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
-use object::Projected;
 pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
-use seams::Place;
 use serde::Serialize;
 use volume::{PreparedVolume, Volumes, prepare_volumes};
 
@@ -290,119 +290,6 @@ fn integer_scale<const N: usize>(coefficients: [&BigRational; N]) -> BigRational
         BigRational::one()
     } else {
         BigRational::new(denominator, content)
-    }
-}
-
-/// A scene's objects on the screen, before any word of them is known.
-struct Located {
-    /// Of the cut quadrics that are not known.
-    projected: Vec<Option<Projected>>,
-    /// Of all cut quadrics.
-    places: Vec<Option<Place>>,
-}
-
-impl Located {
-    fn new(scene: &FramedScene, context: &Context, known: &Known) -> Located {
-        let objects = scene.objects.par_iter().enumerate();
-        let projected: Vec<Option<Projected>> = objects
-            .map(|(index, object)| match known.window(index) {
-                Some(_) => None,
-                None => Some(Projected::new(cut(object)?, context)),
-            })
-            .collect();
-        let windows = projected.iter().enumerate().map(|(index, projected)| {
-            let window = projected.as_ref().map(|projected| projected.window);
-            window.or_else(|| known.window(index))
-        });
-        let windows: Vec<Option<ScreenBox>> = windows.collect();
-        Located {
-            projected,
-            places: seams::places(&scene.objects, &windows),
-        }
-    }
-
-    fn prepare(
-        &self,
-        index: usize,
-        object: &FramedObject,
-        context: &Context,
-    ) -> Result<PreparedObject, PrepareError> {
-        let (Some(quadric), Some(place)) = (cut(object), &self.places[index]) else {
-            return prepare_parts(object, context).map(PreparedObject::Parts);
-        };
-        let again;
-        let projected = match &self.projected[index] {
-            Some(projected) => projected,
-            // It is the same as before, but what it shares is not.
-            None => {
-                again = Projected::new(quadric, context);
-                &again
-            }
-        };
-        match object {
-            FramedObject::Polyhedron(_) => {
-                polyhedron::prepare_polyhedron(quadric, projected, place, context)
-                    .map(PreparedObject::Parts)
-            }
-            FramedObject::Patch(_) => {
-                prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
-            }
-            _ => prepare_cut(quadric, projected, place, context, PreparedObject::Quadric),
-        }
-    }
-}
-
-/// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
-fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
-    match object {
-        FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => Some(q),
-        _ => None,
-    }
-}
-
-/// An object that is none of those.
-fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedParts, PrepareError> {
-    refuse_fitted(object.name(), context)?;
-    match object {
-        FramedObject::Quadric(_) | FramedObject::Patch(_) | FramedObject::Polyhedron(_) => {
-            unreachable!("these are prepared where they are")
-        }
-        FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
-        FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context),
-        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context),
-        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context),
-        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context),
-        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
-    }
-}
-
-/// Fitted machines have quadric and patch processors alone.
-fn refuse_fitted(object: &str, context: &Context) -> Result<(), PrepareError> {
-    if context.format.is_of_catalogue() {
-        return Ok(());
-    }
-    Err(PrepareError::NotFitted {
-        object: object.to_owned(),
-    })
-}
-
-/// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.
-fn prepare_cut(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-    by_its_own: fn(PreparedQuadric) -> PreparedObject,
-) -> Result<PreparedObject, PrepareError> {
-    if let Some(parts) = quotient::prepare_on_eye(object, projected, place, context)? {
-        return Ok(PreparedObject::Parts(parts));
-    }
-    match object::prepare_quadric(object, projected, place, context) {
-        Err(problem @ PrepareError::TooLarge { .. }) => {
-            let near = quotient::prepare_near_eye(object, projected, place, context)?;
-            near.map(PreparedObject::Parts).ok_or(problem)
-        }
-        prepared => prepared.map(by_its_own),
     }
 }
 

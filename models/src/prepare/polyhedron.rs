@@ -1,11 +1,12 @@
 //! Polyhedra: the planes alone.
 
+use super::Context;
 use super::error::PrepareError;
+use super::located::refuse_fitted;
 use super::object::{Projected, unseen_note};
 use super::parts::{NeededWord, PreparedParts};
 use super::planes::prepare_plane;
 use super::seams::Place;
-use super::{Context, refuse_fitted};
 use crate::object::polyhedron::PolyhedronWords;
 use crate::object::quadric::PlaneWords;
 use crate::object::slot::ProcessorWords;

@@ -5,7 +5,7 @@
 //! them and, where its scale is free, scaled for that box; opposite sides of a plane then have the same words, or exactly opposite ones. Objects whose
 //! boxes lie apart meet nowhere, and are left as they are.
 
-use super::cut;
+use super::located::cut;
 use crate::object::quadric::ScreenBox;
 use crate::scene::{FramedObject, FramedQuadric};
 use num_rational::BigRational;
