@@ -1,4 +1,4 @@
-//! `imogene import` of face lists.
+//! `imogene import` of face lists and STEP files.
 
 mod common;
 
@@ -7,6 +7,11 @@ use common::{imogene, scene};
 /// A face list of the repository.
 fn part(name: &str) -> String {
     format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A STEP file of the repository.
+fn step(name: &str) -> String {
+    format!("{}/../parts/{name}.step", env!("CARGO_MANIFEST_DIR"))
 }
 
 #[test]
@@ -38,6 +43,102 @@ fn shipped_scenes_are_what_the_import_writes() {
         assert_eq!(rejected, usize::from(name == "fillet"), "{name}");
         let shipped = std::fs::read_to_string(scene(&format!("cad/{name}.toml"))).unwrap();
         assert_eq!(std::fs::read_to_string(&output).unwrap(), shipped, "{name}");
+    }
+}
+
+#[test]
+fn shipped_scene_of_a_step_file_is_what_the_import_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("scene.toml");
+    let run = imogene()
+        .arg("import")
+        .arg(step("fixture"))
+        .arg("-o")
+        .arg(&output)
+        .arg("--json")
+        .output()
+        .unwrap();
+    assert!(run.status.success());
+    let report: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(report["kind"], "step");
+    assert_eq!(report["report"]["total"]["exact"], 14);
+    assert_eq!(report["report"]["faces"].as_array().unwrap().len(), 14);
+    assert_eq!(report["report"]["step"]["schema"][0], "AUTOMOTIVE_DESIGN");
+    let shipped = std::fs::read_to_string(scene("cad/fixture.toml")).unwrap();
+    assert_eq!(std::fs::read_to_string(&output).unwrap(), shipped);
+}
+
+#[test]
+fn step_files_are_known_by_their_extension_or_by_what_the_user_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read(step("hollow")).unwrap();
+    let output = folder.path().join("scene.toml");
+    for (name, kind) in [
+        ("a.step", None),
+        ("a.STP", None),
+        ("a.p21", None),
+        ("a.txt", Some("step")),
+    ] {
+        let file = folder.path().join(name);
+        std::fs::write(&file, &text).unwrap();
+        let run = imogene()
+            .arg("import")
+            .arg(&file)
+            .args(kind.map(|kind| format!("--as={kind}")))
+            .arg("-o")
+            .arg(&output)
+            .output()
+            .unwrap();
+        assert!(run.status.success(), "{name}");
+        let lines = String::from_utf8(run.stdout).unwrap();
+        let counts = "10 faces of 1 solids: 10 exact, 0 approximated, 0 rejected\n";
+        assert!(lines.starts_with(counts), "{lines}");
+        std::fs::remove_file(&output).unwrap();
+    }
+}
+
+#[test]
+fn bad_step_files_are_refused_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = std::fs::read_to_string(step("hollow")).unwrap();
+    let output = folder.path().join("scene.toml");
+    let deep = format!("#9 = X({}", "(".repeat(1_000_000));
+    for (from, to, part) in [
+        (
+            "#15 = BREP_WITH_VOIDS",
+            "#15 = BREP_WITH_VOIDS(",
+            "bad.step:25:43: ",
+        ),
+        (
+            "(#165,#177)",
+            "(#165,#9177)",
+            "names `#9177`, which is not in the file; ",
+        ),
+        (
+            "ISO-10303-21;\nHEADER",
+            "HEADER",
+            "bad.step:1:1: this is no STEP file; ",
+        ),
+        (
+            "#16 = CLOSED_SHELL",
+            &deep,
+            "at most 32 lists inside each other",
+        ),
+    ] {
+        assert!(good.contains(from), "{from}");
+        let file = folder.path().join("bad.step");
+        std::fs::write(&file, good.replacen(from, to, 1)).unwrap();
+        let run = imogene()
+            .arg("import")
+            .arg(&file)
+            .arg("-o")
+            .arg(&output)
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(2));
+        let message = String::from_utf8(run.stderr).unwrap();
+        assert!(message.contains(part), "{message}");
+        assert!(!output.exists());
     }
 }
 

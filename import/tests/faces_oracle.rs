@@ -2,11 +2,12 @@
 
 mod common;
 
+use common::points::{Even, kept, point_of};
 use common::winding::Oracle;
 use imogene_import::faces::vector::{
     Vector, along, cross, distance, dot, frame, minus, plus, times, unit,
 };
-use imogene_import::faces::{Cell, Compilation, FaceOptions, Part, Surface, Verdict, compile};
+use imogene_import::faces::{Cell, Compilation, FaceOptions, Part, Verdict, compile};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -22,19 +23,6 @@ fn part(text: &str, max_deviation: f64) -> Part {
     compile(text.as_bytes(), "test", &options).unwrap()
 }
 
-/// Whether a point of the surface is in one of the cells: the half-spaces as they stand in the scene.
-fn kept(part: &Part, cells: &[Cell], p: Vector) -> bool {
-    cells.iter().any(|cell| {
-        let planes = cell.cuts.iter().all(|(plane, positive)| {
-            let plane = part.planes.get(*plane);
-            (dot(minus(p, plane.point), plane.normal) > 0.0) == *positive
-        });
-        // Of a flat cell the quadric is a side; of others it is the surface itself.
-        let conic = cell.flat.is_none() || cell.quadric.is_none_or(|q| q.value(p) <= 0.0);
-        planes && conic
-    })
-}
-
 fn cells(part: &Part, name: &str) -> (Verdict, Vec<Cell>) {
     for (solid, compilation) in part.model.solids.iter().zip(&part.solids) {
         let Compilation::Faces(faces) = compilation else {
@@ -47,66 +35,6 @@ fn cells(part: &Part, name: &str) -> (Verdict, Vec<Cell>) {
         }
     }
     panic!("no face {name}")
-}
-
-/// A small generator of even numbers (splitmix64), so that every run has the same points.
-struct Even(u64);
-
-impl Even {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
-/// A point of a surface in or near a ball.
-fn point_of(surface: &Surface, middle: Vector, size: f64, even: &mut Even) -> Vector {
-    let reach = 0.75 * size;
-    match *surface {
-        Surface::Plane { origin, normal } => {
-            let foot = along(middle, -dot(minus(middle, origin), normal), normal);
-            let [e, f] = frame(normal, 0.0);
-            let (a, b) = (even.next() - 0.5, even.next() - 0.5);
-            along(along(foot, 2.0 * reach * a, e), 2.0 * reach * b, f)
-        }
-        Surface::Cylinder {
-            origin,
-            axis,
-            radius,
-        } => {
-            let [e, f] = frame(axis, 0.0);
-            let (angle, height) = (TAU * even.next(), 2.0 * reach * (even.next() - 0.5));
-            let foot = along(origin, dot(minus(middle, origin), axis) + height, axis);
-            plus(
-                foot,
-                plus(
-                    times(radius * angle.cos(), e),
-                    times(radius * angle.sin(), f),
-                ),
-            )
-        }
-        Surface::Cone {
-            apex,
-            axis,
-            half_angle,
-        } => {
-            let [e, f] = frame(axis, 0.0);
-            let (angle, t) = (TAU * even.next(), 4.0 * reach * (even.next() - 0.5));
-            let out = plus(times(angle.cos(), e), times(angle.sin(), f));
-            let (sine, cosine) = half_angle.sin_cos();
-            plus(apex, plus(times(t * cosine, axis), times(t * sine, out)))
-        }
-        Surface::Sphere { centre, radius } => {
-            let z = 2.0 * even.next() - 1.0;
-            let angle = TAU * even.next();
-            let r = (1.0 - z * z).sqrt();
-            along(centre, radius, [r * angle.cos(), r * angle.sin(), z])
-        }
-        Surface::Other(_) => unreachable!("not drawn"),
-    }
 }
 
 /// All drawn faces of a part against the winding of their loops, at points farther than the verdict's deviation from every edge; adds up the points by kind of surface.
@@ -263,6 +191,58 @@ fn cylindrical([e, f, axis]: [Vector; 3], origin: Vector, p: Vector) -> (f64, f6
 
 fn angles() -> impl Strategy<Value = [f64; 3]> {
     [0.0..TAU, -2.0..2.0, 0.0..TAU]
+}
+
+/// Convex polygons of more corners than an object has cut planes, with and without a round hole: halved until they have not.
+#[test]
+fn convex_polygons_of_many_corners() {
+    for (count, hole) in [(11, false), (24, false), (24, true), (60, false)] {
+        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        for k in 0..count {
+            let angle = TAU * f64::from(k) / f64::from(count);
+            write_vertex(&mut text, &format!("p{k}"), [angle.cos(), angle.sin(), 0.5]);
+        }
+        for k in 0..count {
+            text += &line(
+                &format!("e{k}"),
+                &format!("p{k}"),
+                &format!("p{}", (k + 1) % count),
+            );
+        }
+        text += "[[edges]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [0.1, 0.2, 0.5]\naxis = [0, 0, 1]\nradius = 0.3\n";
+        let names: Vec<String> = (0..count).map(|k| format!("\"e{k}\"")).collect();
+        let inner = if hole { ", [\"-hole\"]" } else { "" };
+        text += &face(
+            "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]",
+            &format!("[[{}]{inner}]", names.join(", ")),
+        );
+        let part = part(&text, 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        assert_eq!(verdict, Verdict::Exact, "{count}");
+        assert!(cells.iter().all(|cell| cell.cuts.len() <= 10));
+        let mut even = Even(5);
+        for _ in 0..3000 {
+            let (x, y) = (2.2 * (even.next() - 0.5), 2.2 * (even.next() - 0.5));
+            // The polygon is inside all its sides.
+            let inner = (TAU / f64::from(2 * count)).cos();
+            let reach = (0..count)
+                .map(|k| {
+                    let angle = TAU * (f64::from(k) + 0.5) / f64::from(count);
+                    x * angle.cos() + y * angle.sin()
+                })
+                .fold(f64::MIN, f64::max);
+            let from_hole = (x - 0.1).hypot(y - 0.2) - 0.3;
+            if (reach - inner).abs() < 1e-7 || from_hole.abs() < 1e-7 {
+                continue;
+            }
+            let expected = reach < inner && !(hole && from_hole < 0.0);
+            assert_eq!(
+                kept(&part, &cells, [x, y, 0.5]),
+                expected,
+                "{count}: {x} {y}"
+            );
+        }
+    }
 }
 
 proptest! {

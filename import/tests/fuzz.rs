@@ -61,7 +61,7 @@ enum Outcome {
     Refused,
 }
 
-const READERS: [Reader; 5] = [
+const READERS: [Reader; 6] = [
     Reader {
         name: "pdb",
         endings: &[".pdb", ".ent"],
@@ -71,6 +71,14 @@ const READERS: [Reader; 5] = [
         name: "faces",
         endings: &[".faces.toml"],
         read: |bytes| outcome(faces::read(bytes, "a file", &faces::FaceOptions::default())),
+    },
+    Reader {
+        name: "step",
+        endings: &[".step", ".stp", ".p21"],
+        read: |bytes| {
+            let options = faces::FaceOptions::default();
+            outcome(faces::read_step(bytes, "a file", &options))
+        },
     },
     Reader {
         name: "heights",

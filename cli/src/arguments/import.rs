@@ -13,7 +13,7 @@ pub use terrain::{CellForm, TerrainOptions};
 /// Arguments of `import`.
 #[derive(Debug, Args)]
 pub struct Import {
-    /// File to read: a molecule, a face list or a grid of heights.
+    /// File to read: a molecule, a face list, a STEP file or a grid of heights.
     pub file: PathBuf,
     /// Scene file to write.
     #[arg(short, long, value_name = "SCENE.toml")]
@@ -24,7 +24,7 @@ pub struct Import {
     /// Options of molecules.
     #[command(flatten, next_help_heading = "Molecules")]
     pub molecule: MoleculeOptions,
-    /// Options of face lists.
+    /// Options of face lists and STEP files.
     #[command(flatten, next_help_heading = "CAD faces")]
     pub faces: FaceOptions,
     /// Options of terrain.
@@ -39,6 +39,8 @@ pub enum ImportKind {
     Pdb,
     /// A list of CAD faces (.faces.toml).
     Faces,
+    /// A STEP file, ISO 10303-21 (.step, .stp, .p21).
+    Step,
     /// A grid of heights (.heights, .asc).
     Heights,
 }

@@ -1,8 +1,8 @@
 //! From the words of a face list to a model; every refusal names its line and column.
 
+use super::assemble::{Parts, Up, assemble};
 use super::build_edge::EdgeBuilder;
 use super::build_surface::surface;
-use super::curve::Curve;
 use super::keys::{FORMAT_VERSION, FaceKeys, ListKeys, SolidKeys};
 use super::model::{Edge, EdgeUse, Face, Model, Solid};
 use super::surface::Surface;
@@ -15,8 +15,6 @@ use toml::Spanned;
 
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
 pub const MAX_NUMBER: f64 = 1e9;
-/// Least diagonal of the box around a part, scene units.
-pub const SMALLEST_PART: f64 = 1e-6;
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
@@ -90,33 +88,21 @@ pub fn build(source: &Source) -> Result<Model, ImportError> {
     }
     let vertices = vertices(source, &keys.vertices)?;
     let edges = edges(source, &keys, &vertices)?;
-    let (faces, edges_of_faces) = faces(source, &keys.faces, &edges)?;
+    let faces = faces(source, &keys.faces, &edges)?;
     let materials = materials(source, &keys.materials)?;
     let solids = solids(source, &keys.solids, &keys.faces, &materials)?;
-    let bounds = bounds(&edges, &faces, &edges_of_faces);
-    if distance(bounds[0], bounds[1]) < SMALLEST_PART {
-        return Err(ImportError::Unusable {
-            file: source.file.to_owned(),
-            problem: "the faces have no size".into(),
-            accepted: "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed".into(),
-        });
-    }
-    let mut users = vec![vec![]; edges.len()];
-    for (index, face) in faces.iter().enumerate() {
-        for edge_use in face.loops.iter().flatten() {
-            if users[edge_use.edge].last() != Some(&index) {
-                users[edge_use.edge].push(index);
-            }
-        }
-    }
-    Ok(Model {
+    assemble(Parts {
         title: keys.title,
-        users,
+        up: Up::Y,
         materials,
         edges,
         faces,
         solids,
-        bounds,
+    })
+    .ok_or_else(|| ImportError::Unusable {
+        file: source.file.to_owned(),
+        problem: "the faces have no size".into(),
+        accepted: "at least one face with edges, or a sphere, and a box around them of at least a millionth of a unit are needed".into(),
     })
 }
 
@@ -214,9 +200,7 @@ fn unique(
     Ok(())
 }
 
-type FacesAndEdges = (Vec<Face>, Vec<usize>);
-
-fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<FacesAndEdges, ImportError> {
+fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>, ImportError> {
     if let Some(extra) = keys.get(MAX_PARTS) {
         return Err(too_many(source, extra.name.span(), "faces", keys.len()));
     }
@@ -227,16 +211,12 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<FacesAndE
         .collect();
     let mut names = HashMap::new();
     let mut faces = vec![];
-    let mut used = vec![0; edges.len()];
     for key in keys {
         unique(source, &mut names, &key.name, "face")?;
         let surface = surface(source, &key.surface)?;
         let mut loops = vec![];
         for list in &key.loops {
             loops.push(edge_loop(source, list, &by_name, edges)?);
-        }
-        for edge_use in loops.iter().flatten() {
-            used[edge_use.edge] += 1;
         }
         if loops.is_empty() && !matches!(surface, Surface::Sphere { .. } | Surface::Other(_)) {
             return Err(source.error(
@@ -254,10 +234,10 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<FacesAndE
             surface,
             loops,
             reversed: key.reversed,
+            refused: None,
         });
     }
-    let used = (0..edges.len()).filter(|index| used[*index] > 0).collect();
-    Ok((faces, used))
+    Ok(faces)
 }
 
 /// The edges of a loop, each of which begins where the one before it ends.
@@ -409,23 +389,4 @@ pub fn hull(points: impl Iterator<Item = Vector>) -> Option<[Vector; 2]> {
             std::array::from_fn(|k| p[k].max(high[k])),
         ])
     })
-}
-
-fn bounds(edges: &[Edge], faces: &[Face], used: &[usize]) -> [Vector; 2] {
-    let mut points: Vec<Vector> = vec![];
-    for index in used {
-        let steps = if matches!(edges[*index].curve, Curve::Line { .. }) {
-            1
-        } else {
-            32
-        };
-        points.extend(edges[*index].curve.sampled(steps));
-    }
-    for face in faces {
-        if let (Surface::Sphere { centre, radius }, true) = (&face.surface, face.loops.is_empty()) {
-            points.push(centre.map(|v| v - radius));
-            points.push(centre.map(|v| v + radius));
-        }
-    }
-    hull(points.into_iter()).unwrap_or([[0.0; 3]; 2])
 }

@@ -1,19 +1,17 @@
 //! Edges from their words.
 
+use super::arc::{Ellipse, Tolerance};
 use super::build::{Source, Vertices};
 use super::build_surface::{direction, positive};
 use super::curve::Curve;
 use super::keys::EdgeKeys;
 use super::model::{COINCIDENT, Edge};
-use super::vector::{
-    Vector, across, cross, distance, dot, frame, length, minus, positive_angle, unit,
-};
+use super::vector::{Vector, across, distance, frame, length, minus, unit};
 use crate::ImportError;
-use std::f64::consts::TAU;
 use toml::Spanned;
 
 /// Share of the size of the curve by which an end may miss its circle: the digits of a list written with six decimals.
-const MISSED: f64 = 1e-5;
+pub const MISSED: f64 = 1e-5;
 /// Most points of one edge.
 const MAX_POINTS: usize = 2000;
 
@@ -193,40 +191,20 @@ impl<'a> EdgeBuilder<'a> {
         x: Vector,
         radii: [f64; 2],
     ) -> Result<Curve, ImportError> {
-        let y = cross(normal, x);
-        let mut angles = vec![];
-        for p in self.points_of(ends).into_iter().flatten() {
-            let from = minus(p, centre);
-            let (a, b) = (dot(from, x) / radii[0], dot(from, y) / radii[1]);
-            let off = (a.hypot(b) - 1.0).abs() * radii[0].max(radii[1]);
-            let off = off.max(dot(from, normal).abs());
-            if off > MISSED * radii[0].max(radii[1]) {
-                return Err(self.error(
-                    format!("an end is {off:e} off the curve"),
-                    "vertices on the curve are needed",
-                ));
-            }
-            angles.push(b.atan2(a));
-        }
-        let (start, sweep) = match angles[..] {
-            [from, to] if ends.is_some_and(|[a, b]| a != b) => (from, positive_angle(to - from)),
-            [from, _] => (from, TAU),
-            _ => (0.0, TAU),
-        };
-        if sweep * radii[0].min(radii[1]) <= 1e-7 * self.vertices.size {
-            return Err(self.error(
-                "the arc has no length".into(),
-                "two vertices at different places, counter-clockwise about `axis`, are needed",
-            ));
-        }
-        Ok(Curve::Arc {
+        let ellipse = Ellipse {
             centre,
             normal,
             x,
             radii,
-            start,
-            sweep,
-        })
+        };
+        let tolerance = Tolerance {
+            missed: MISSED * radii[0].max(radii[1]),
+            shortest: 1e-7 * self.vertices.size,
+        };
+        let one_vertex = ends.is_some_and(|[a, b]| a == b);
+        ellipse
+            .arc(self.points_of(ends), one_vertex, tolerance)
+            .map_err(|(problem, accepted)| self.error(problem, accepted))
     }
 
     fn points(&self, ends: Option<[usize; 2]>) -> Result<Curve, ImportError> {

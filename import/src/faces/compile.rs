@@ -1,22 +1,20 @@
 //! From a face to cells: parts of one quadric, or of one plane, each bounded by the AND of cut planes.
 
-use super::arrangement::{Boundary, Confusion, Division, MAX_SEPARATORS, Sample};
+use super::arrangement::{Boundary, MAX_SEPARATORS, Sample};
 use super::chart::Separator;
 use super::courses::Courses;
-use super::cover::{Conflict, Term, cover};
+use super::cover::Term;
 use super::curve::Curve;
 use super::gap::gap;
 use super::model::{COINCIDENT, Face, Model};
 use super::planes::Planes;
 use super::surface::{Implicit, Surface};
+use super::terms::{Rules, terms};
 use super::vector::{
     Vector, along, cross, dot, length, minus, onto_plane, plus, positive_angle, times, unit,
 };
 use imogene_models::scene::MAX_CUTS;
 use std::f64::consts::{PI, TAU};
-
-/// Most rounds of splitting a face before it is given up: the depth limit of trim structures (thesis section III.4.2).
-pub const MAX_ROUNDS: usize = 13;
 
 /// What became of a face.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +58,7 @@ impl Compiled {
 }
 
 /// How a face is divided: separators with what they are in the scene.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Parting {
     /// What divides.
     pub separators: Vec<Separator>,
@@ -121,71 +119,6 @@ impl Parting {
     }
 }
 
-/// Terms of a parting, split until each is one object; `refine` proposes planes for terms that are not.
-pub fn terms(
-    model: &Model,
-    surface: &Surface,
-    parting: &mut Parting,
-    planes: &mut Planes,
-    refine: impl Fn(&Parting, &[Term], &[Sample]) -> Vec<(Vector, Vector)>,
-) -> Result<Vec<Term>, String> {
-    let mut trouble = "";
-    for _ in 0..MAX_ROUNDS {
-        let division = Division {
-            surface,
-            separators: &parting.separators,
-            boundaries: &parting.boundaries,
-            size: model.size(),
-        };
-        let samples = division.samples().map_err(reason)?;
-        if !samples.iter().any(|sample| sample.inside) {
-            return Err("its loops enclose nothing".into());
-        }
-        let new = match cover(&samples, &parting.ranks) {
-            Err(conflicts) => {
-                trouble = "pieces of it lie on the same side of all its planes as others that are not of it";
-                conflicts.iter().map(|c| between(c, surface)).collect()
-            }
-            Ok(terms) => {
-                let new = refine(parting, &terms, &samples);
-                if new.is_empty() {
-                    return Ok(terms);
-                }
-                trouble = "a convex piece of it has more sides than an object has cut planes";
-                new
-            }
-        };
-        if !parting.split(planes, &new) {
-            break;
-        }
-    }
-    Err(format!(
-        "it is not resolved within {MAX_ROUNDS} rounds of splitting and {MAX_SEPARATORS} planes: {trouble}"
-    ))
-}
-
-fn reason(confusion: Confusion) -> String {
-    match confusion {
-        Confusion::Open => "its loops are not closed on the surface",
-        Confusion::Orientation => {
-            "its loops contradict each other: the face has to be on the left of every edge"
-        }
-        Confusion::TooMany => "it has more than 128 different planes",
-    }
-    .to_owned()
-}
-
-/// A plane between two pieces that no separator tells apart.
-fn between(conflict: &Conflict, surface: &Surface) -> (Vector, Vector) {
-    let (p, q) = (conflict.inside.point, conflict.outside.point);
-    let middle = times(0.5, plus(p, q));
-    let mut normal = minus(q, p);
-    if let Surface::Plane { normal: flat, .. } = surface {
-        normal = along(normal, -dot(normal, *flat), *flat);
-    }
-    (middle, unit(normal))
-}
-
 /// A plane through the middle of a term's pieces across their greatest extent.
 pub fn halving(term: &Term, samples: &[Sample], surface: &Surface) -> (Vector, Vector) {
     let own: Vec<Vector> = samples
@@ -228,14 +161,19 @@ pub fn quadric_face(
     };
     let apart = between_loops(model, face);
     parting.split(planes, &apart);
-    let refine = |_: &Parting, terms: &[Term], samples: &[Sample]| {
+    let fits = |_: &Parting, term: &Term| term.len() as usize <= MAX_CUTS;
+    let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
         terms
             .iter()
-            .filter(|term| term.len() as usize > MAX_CUTS)
+            .filter(|term| !fits(parting, term))
             .map(|term| halving(term, samples, &face.surface))
             .collect()
     };
-    match terms(model, &face.surface, &mut parting, planes, refine) {
+    let rules = Rules {
+        fits: &fits,
+        refine: &refine,
+    };
+    match terms(model, &face.surface, &mut parting, planes, &rules) {
         Err(reason) => Compiled::rejected(reason),
         Ok(terms) => Compiled {
             verdict: verdict(deviation),

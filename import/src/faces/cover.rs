@@ -48,8 +48,17 @@ const MAX_CONFLICTS: usize = 8;
 /// Most patterns from which a term is grown.
 const MAX_SEEDS: usize = 400;
 
+/// Whether a term is one object.
+pub type Fits<'a> = &'a dyn Fn(&Term) -> bool;
+
 /// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower rank are dropped first.
-pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Vec<Conflict>> {
+///
+/// With `fits` a term that does not fit is not taken where others do: those others keep planes of a low rank and drop edges, and so are parts of the term.
+pub fn cover(
+    samples: &[Sample],
+    ranks: &[u8],
+    fits: Option<Fits>,
+) -> Result<Vec<Term>, Vec<Conflict>> {
     let kept: BTreeSet<u128> = sides(samples, true);
     let lost: Vec<u128> = sides(samples, false).into_iter().collect();
     let both = lost.iter().filter(|side| kept.contains(side));
@@ -60,7 +69,12 @@ pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Vec<Conflict
     if !conflicts.is_empty() {
         return Err(conflicts);
     }
-    let candidates = candidates(&kept, &lost, ranks);
+    let parts: Vec<u8> = ranks.iter().map(|rank| parts_rank(*rank)).collect();
+    let mut candidates = candidates(&kept, &lost, ranks);
+    if let Some(fits) = fits {
+        candidates.extend(self::candidates(&kept, &lost, &parts));
+        candidates.retain(fits);
+    }
     let mut open = kept;
     let mut terms = vec![];
     while !open.is_empty() {
@@ -72,12 +86,24 @@ pub fn cover(samples: &[Sample], ranks: &[u8]) -> Result<Vec<Term>, Vec<Conflict
             .filter(|term| taken(term) > 0);
         let best = best.unwrap_or_else(|| {
             let seed = *open.first().expect("not empty");
-            shortened(seed, &lost, ranks, false)
+            let whole = shortened(seed, &lost, ranks, false);
+            match fits {
+                Some(fits) if !fits(&whole) => shortened(seed, &lost, &parts, false),
+                _ => whole,
+            }
         });
         open.retain(|side| !best.takes(*side));
         terms.push(best);
     }
     Ok(terms)
+}
+
+/// Ranks for parts of a term: its conics go first as before, then its edges, so that the planes that take it apart stay.
+fn parts_rank(rank: u8) -> u8 {
+    match rank {
+        0 => 0,
+        rank => u8::MAX - rank,
+    }
 }
 
 fn sides(samples: &[Sample], inside: bool) -> BTreeSet<u128> {
@@ -166,7 +192,7 @@ mod tests {
         fn terms_take_what_the_face_has(table in proptest::collection::vec(any::<bool>(), 64)) {
             let samples: Vec<Sample> =
                 table.iter().enumerate().map(|(k, inside)| sample((k as u128, *inside))).collect();
-            let terms = cover(&samples, &[0; 6]).unwrap();
+            let terms = cover(&samples, &[0; 6], None).unwrap();
             for s in &samples {
                 prop_assert_eq!(terms.iter().any(|t| t.takes(s.sides)), s.inside);
             }
@@ -182,13 +208,13 @@ mod tests {
     #[test]
     fn a_piece_on_both_sides_is_a_conflict() {
         let samples = [sample((5, true)), sample((5, false)), sample((1, true))];
-        let conflict = cover(&samples, &[0; 3]).unwrap_err()[0];
+        let conflict = cover(&samples, &[0; 3], None).unwrap_err()[0];
         assert!(conflict.inside.inside && !conflict.outside.inside && conflict.inside.sides == 5);
     }
 
     #[test]
     fn a_whole_surface_needs_no_side() {
-        let terms = cover(&[sample((0, true)), sample((1, true))], &[0]).unwrap();
+        let terms = cover(&[sample((0, true)), sample((1, true))], &[0], None).unwrap();
         assert_eq!(terms.len(), 1);
         assert_eq!(terms[0].len(), 0);
     }

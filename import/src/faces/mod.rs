@@ -2,7 +2,9 @@
 //!
 //! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason. `docs/cad-faces.md` is the user's page.
 
+mod arc;
 mod arrangement;
+mod assemble;
 mod build;
 mod build_edge;
 mod build_surface;
@@ -21,9 +23,12 @@ mod planes;
 mod polynomial;
 mod report;
 mod scene;
+mod step;
 mod surface;
+mod terms;
 pub mod vector;
 mod volume;
+mod words;
 
 pub use compile::{Cell, Compiled, Verdict};
 pub use curve::Curve;
@@ -34,6 +39,7 @@ pub use surface::{Implicit, Surface};
 use crate::{ImportError, Imported, Place};
 use courses::Courses;
 use model::Model;
+use words::with_article;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]
@@ -60,7 +66,19 @@ pub const DEFAULT_DEVIATION: f64 = 1e-3;
 
 /// Reads a face list and compiles it to a scene.
 pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
-    let part = compile(bytes, file, options)?;
+    imported(&compile(bytes, file, options)?, file)
+}
+
+/// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report.
+pub fn read_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
+    let (model, summary) = step::build(bytes, file)?;
+    let mut imported = imported(&compile_model(model, options), file)?;
+    imported.notes.splice(0..0, summary.notes());
+    imported.report["step"] = serde_json::to_value(summary).expect("a summary has plain keys");
+    Ok(imported)
+}
+
+fn imported(part: &Part, file: &str) -> Result<Imported, ImportError> {
     let (report, notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
     let unusable = |problem: String, accepted: &str| ImportError::Unusable {
@@ -76,7 +94,7 @@ pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported,
     })?;
     scene
         .validate()
-        .map_err(|error| unusable(error.to_string(), "another face list is needed"))?;
+        .map_err(|error| unusable(error.to_string(), "another part is needed"))?;
     Ok(Imported {
         scene,
         report: serde_json::to_value(report).expect("a report has plain keys"),
@@ -104,6 +122,16 @@ pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, 
         }
     })?;
     let model = build::build(&build::Source { file, text })?;
+    Ok(compile_model(model, options))
+}
+
+/// Reads a STEP file and compiles each of its solids.
+pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+    let (model, _) = step::build(bytes, file)?;
+    Ok(compile_model(model, options))
+}
+
+fn compile_model(model: Model, options: &FaceOptions) -> Part {
     let asked = options
         .max_deviation
         .unwrap_or(DEFAULT_DEVIATION * model.size());
@@ -118,12 +146,12 @@ pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, 
     let solids = (0..model.solids.len())
         .map(|solid| compile_solid(&model, solid, &courses, &mut planes, options))
         .collect();
-    Ok(Part {
+    Part {
         model,
         planes,
         solids,
         courses,
-    })
+    }
 }
 
 fn compile_solid(
@@ -142,8 +170,13 @@ fn compile_solid(
         .faces
         .iter()
         .map(|face| match &model.faces[*face].surface {
+            _ if model.faces[*face].refused.is_some() => {
+                Compiled::rejected(model.faces[*face].refused.clone().unwrap_or_default())
+            }
             Surface::Plane { .. } => plane_face::plane_face(model, *face, courses, planes),
-            Surface::Other(name) => Compiled::rejected(format!("a {name} is no quadric")),
+            Surface::Other(name) => {
+                Compiled::rejected(format!("{} is no quadric", with_article(name)))
+            }
             _ => compile::quadric_face(model, *face, courses, planes),
         });
     Compilation::Faces(faces.collect())

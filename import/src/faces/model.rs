@@ -1,5 +1,6 @@
 //! A face list that has been checked: faces on surfaces, bounded by edges that they share.
 
+pub use super::assemble::Up;
 use super::curve::Curve;
 use super::surface::Surface;
 use super::vector::{Vector, plus, times};
@@ -13,6 +14,8 @@ pub const COINCIDENT: f64 = 1e-9;
 pub struct Model {
     /// Title.
     pub title: String,
+    /// Which axis points up in a picture.
+    pub up: Up,
     /// Materials.
     pub materials: Vec<Material>,
     /// Edges.
@@ -60,6 +63,8 @@ pub struct Face {
     pub loops: Vec<Vec<EdgeUse>>,
     /// The material is on the side of the surface's own normal.
     pub reversed: bool,
+    /// Why its file's words make no face that could be drawn; its surface is then one that is named only.
+    pub refused: Option<String>,
 }
 
 /// Faces of one material.

@@ -2,7 +2,7 @@
 
 use super::arrangement::{Boundary, Sample};
 use super::compile::{
-    CONIC, Cell, Compiled, EDGE, Parting, beside, cuts, deviation, halving, terms, verdict,
+    CONIC, Cell, Compiled, EDGE, Parting, beside, cuts, deviation, halving, verdict,
 };
 use super::conics::{Conic, between};
 use super::courses::Courses;
@@ -11,6 +11,7 @@ use super::curve::Curve;
 use super::model::{EdgeUse, Model};
 use super::planes::Planes;
 use super::surface::Surface;
+use super::terms::{Rules, terms};
 use super::vector::{Vector, along, distance, dot, minus};
 use imogene_models::scene::MAX_CUTS;
 
@@ -58,7 +59,11 @@ pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
     let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
         refined(parting, terms, samples, &conics, &face.surface)
     };
-    match terms(model, &face.surface, &mut parting, planes, refine) {
+    let rules = Rules {
+        fits: &fits,
+        refine: &refine,
+    };
+    match terms(model, &face.surface, &mut parting, planes, &rules) {
         Err(reason) => Compiled::rejected(reason),
         Ok(terms) => Compiled {
             verdict: verdict(deviation),
@@ -94,6 +99,12 @@ fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
     }
 }
 
+/// One object has one conic and no more sides than there are cut planes.
+fn fits(parting: &Parting, term: &Term) -> bool {
+    let own = conics_of(parting, term).len();
+    own <= 1 && term.len() as usize - own <= SIDES
+}
+
 /// Planes that take apart what one object cannot be: two conics in one term, more sides than there are cut planes.
 fn refined(
     parting: &Parting,
@@ -115,14 +126,10 @@ fn refined(
         }
     }
     if new.is_empty() {
-        let large = |term: &&Term| {
-            let own = conics_of(parting, term).len();
-            own > 1 || term.len() as usize - own > SIDES
-        };
         new.extend(
             terms
                 .iter()
-                .filter(large)
+                .filter(|term| !fits(parting, term))
                 .map(|term| halving(term, samples, surface)),
         );
     }

@@ -57,7 +57,7 @@ impl Planes {
 }
 
 /// A direction without the dust that sines leave beside 0 and 1.
-fn clean(normal: Vector) -> Vector {
+pub fn clean(normal: Vector) -> Vector {
     normal.map(|value| {
         let nearest = value.round();
         if (value - nearest).abs() <= 1e-15 {

@@ -1,7 +1,7 @@
 //! The scene of a compiled part.
 
 use super::compile::{Cell, Compiled};
-use super::model::Model;
+use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
 use super::vector::{Vector, along, cross, dot, minus, unit};
 use imogene_models::scene::{
@@ -22,7 +22,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
     for (solid, compilation) in model.solids.iter().zip(solids) {
         match compilation {
             Compilation::Volume(cell) => {
-                objects.push(object(&solid.name, &solid.material, cell, planes));
+                objects.push(object(&solid.name, &solid.material, cell, planes, true));
             }
             Compilation::Faces(faces) => {
                 for (face, compiled) in solid.faces.iter().zip(faces) {
@@ -32,7 +32,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
                             1 => format!("{}/{face}", solid.name),
                             _ => format!("{}/{face}#{}", solid.name, index + 1),
                         };
-                        objects.push(object(&name, &solid.material, cell, planes));
+                        objects.push(object(&name, &solid.material, cell, planes, false));
                     }
                 }
             }
@@ -42,7 +42,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
-        lights: lights(),
+        lights: lights(model.up),
         materials: model.materials.clone(),
         objects,
         ..SceneFile::new(&model.title, camera(model))
@@ -50,8 +50,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
 }
 
 /// A cell of a quadric face is a patch, one of a plane face a solid without thickness, a volume a solid.
-fn object(name: &str, material: &str, cell: &Cell, planes: &Planes) -> Object {
-    let volume = name.find('/').is_none();
+fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool) -> Object {
     let mut cuts: Vec<Cut> = vec![];
     if let Some(flat) = cell.flat {
         cuts.extend([true, false].map(|positive| cut(planes.get(flat), positive)));
@@ -108,9 +107,9 @@ fn camera(model: &Model) -> Camera {
     let size = model.size();
     let target = model.middle().map(|v| rounded(v, size));
     let distance = rounded(2.2 * size, size);
-    let eye = along(target, distance, unit(FROM)).map(|v| rounded(v, size));
+    let eye = along(target, distance, turned(model.up, unit(FROM))).map(|v| rounded(v, size));
     let forward = unit(minus(target, eye));
-    let right = unit(cross(forward, [0.0, 1.0, 0.0]));
+    let right = unit(cross(forward, turned(model.up, [0.0, 1.0, 0.0])));
     let down = cross(forward, right);
     let ImageSize { width, height } = ImageSize::default();
     let shape = f64::from(height) / f64::from(width);
@@ -125,10 +124,19 @@ fn camera(model: &Model) -> Camera {
     Camera::Perspective {
         eye,
         target,
-        up: [0.0, 1.0, 0.0],
+        up: turned(model.up, [0.0, 1.0, 0.0]),
         viewer_distance: distance,
         view_height: rounded(2.0 * MARGIN * half, size),
         node: Node::default(),
+    }
+}
+
+/// A direction of a picture in which y points up, for a part with another axis up.
+fn turned(up: Up, [x, y, z]: Vector) -> Vector {
+    match up {
+        Up::Y => [x, y, z],
+        // Without the sign of a zero.
+        Up::Z => [x, 0.0 - z, y],
     }
 }
 
@@ -152,9 +160,9 @@ fn rounded(value: f64, size: f64) -> f64 {
     (value * step).round() / step + 0.0
 }
 
-fn lights() -> Vec<Light> {
+fn lights(up: Up) -> Vec<Light> {
     let light = |from, intensity| Light::Directional {
-        from,
+        from: turned(up, from),
         colour: [1.0; 3],
         intensity,
         shadows: false,

@@ -264,7 +264,7 @@ impl Surface {
 }
 
 /// The tangent of an angle, exactly 1 at 45 degrees: its square is a coefficient, and the rounding of pi does not belong in it.
-fn clean_tangent(angle: f64) -> f64 {
+pub fn clean_tangent(angle: f64) -> f64 {
     let tangent = angle.tan();
     let rounded = (tangent * 1e12).round() / 1e12;
     if (tangent - rounded).abs() <= 4.0 * f64::EPSILON * tangent {

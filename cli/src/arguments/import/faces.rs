@@ -1,11 +1,11 @@
-//! Options of `import` for face lists.
+//! Options of `import` for face lists and STEP files.
 
 use clap::Args;
 
-/// Options of face lists.
+/// Options of face lists and STEP files.
 #[derive(Clone, Debug, Args)]
 pub struct FaceOptions {
-    /// Most that an approximated border may be off, in units of the list; 0 rejects what is not exact. A thousandth of the part's size by default.
+    /// Most that an approximated border may be off, in units of the list, or mm of a STEP file; 0 rejects what is not exact. A thousandth of the part's size by default.
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     pub max_deviation: Option<f64>,
     /// Compile each face by itself, also where a whole solid is one cut quadric.

@@ -35,6 +35,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     let (kind, imported) = match kind {
         ImportKind::Pdb => ("pdb", molecule::import(&bytes, options)?),
         ImportKind::Faces => ("faces", faces::import(&bytes, options)?),
+        ImportKind::Step => ("step", faces::import_step(&bytes, options)?),
         ImportKind::Heights => ("heights", terrain::import(&bytes, options)?),
     };
     let text = imported.scene.to_toml().map_err(Failure::input)?;
@@ -67,15 +68,16 @@ fn print(options: &Import, kind: &'static str, imported: Imported, json: bool) {
 
 fn kind_of(file: &Path) -> Result<ImportKind, Failure> {
     let name = file.to_string_lossy().to_lowercase();
-    let kinds: [(&[&str], ImportKind); 3] = [
+    let kinds: [(&[&str], ImportKind); 4] = [
         (&[".pdb", ".ent"], ImportKind::Pdb),
         (&[".faces.toml"], ImportKind::Faces),
+        (&[".step", ".stp", ".p21"], ImportKind::Step),
         (&[".heights", ".asc"], ImportKind::Heights),
     ];
     let ends = |(endings, _): &&(&[&str], ImportKind)| endings.iter().any(|e| name.ends_with(e));
     kinds.iter().find(ends).map(|(_, kind)| *kind).ok_or_else(|| {
         Failure::Input(format!(
-            "'{}' has no extension that says what it is; .pdb, .ent, .faces.toml, .heights or .asc, or --as pdb, faces or heights",
+            "'{}' has no extension that says what it is; .pdb, .ent, .faces.toml, .step, .stp, .p21, .heights or .asc, or --as pdb, faces, step or heights",
             file.display()
         ))
     })

@@ -1,0 +1,98 @@
+//! A model from its parts: who uses an edge, and how far everything reaches.
+
+use super::build::hull;
+use super::curve::Curve;
+use super::model::{Edge, Face, Model, Solid};
+use super::surface::Surface;
+use super::vector::{Vector, distance};
+use imogene_models::scene::Material;
+
+/// Least diagonal of the box around a part, scene units.
+pub const SMALLEST_PART: f64 = 1e-6;
+
+/// Which axis of a part points up in a picture of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// y, as in scenes.
+    Y,
+    /// z, as in CAD systems.
+    Z,
+}
+
+/// What a reader has found.
+#[derive(Debug)]
+pub struct Parts {
+    /// Title.
+    pub title: String,
+    /// Which axis points up.
+    pub up: Up,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Edges.
+    pub edges: Vec<Edge>,
+    /// Faces.
+    pub faces: Vec<Face>,
+    /// Solids.
+    pub solids: Vec<Solid>,
+}
+
+/// For each edge, the faces that have it.
+pub fn users(edges: usize, faces: &[Face]) -> Vec<Vec<usize>> {
+    let mut users = vec![vec![]; edges];
+    for (index, face) in faces.iter().enumerate() {
+        for edge_use in face.loops.iter().flatten() {
+            let own: &mut Vec<usize> = &mut users[edge_use.edge];
+            if own.last() != Some(&index) {
+                own.push(index);
+            }
+        }
+    }
+    users
+}
+
+/// The model; nothing if its faces have no size.
+pub fn assemble(parts: Parts) -> Option<Model> {
+    let Parts {
+        title,
+        up,
+        materials,
+        edges,
+        faces,
+        solids,
+    } = parts;
+    let users = users(edges.len(), &faces);
+    let bounds = bounds(&edges, &faces, &users);
+    (distance(bounds[0], bounds[1]) >= SMALLEST_PART).then_some(Model {
+        title,
+        up,
+        materials,
+        edges,
+        faces,
+        solids,
+        users,
+        bounds,
+    })
+}
+
+fn bounds(edges: &[Edge], faces: &[Face], users: &[Vec<usize>]) -> [Vector; 2] {
+    let mut points: Vec<Vector> = vec![];
+    let used = edges
+        .iter()
+        .zip(users)
+        .filter(|(_, users)| !users.is_empty());
+    for (edge, _) in used {
+        let steps = if matches!(edge.curve, Curve::Line { .. }) {
+            1
+        } else {
+            32
+        };
+        points.extend(edge.curve.sampled(steps));
+    }
+    for face in faces {
+        if let (Surface::Sphere { centre, radius }, true) = (&face.surface, face.loops.is_empty()) {
+            points.push(centre.map(|v| v - radius));
+            points.push(centre.map(|v| v + radius));
+        }
+    }
+    hull(points.into_iter()).unwrap_or([[0.0; 3]; 2])
+}

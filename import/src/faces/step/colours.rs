@@ -1,0 +1,149 @@
+//! Colours of solids and faces (ISO 10303-46).
+
+use super::exchange::{Entity, Exchange, Kind, Value};
+use crate::ImportError;
+use imogene_models::scene::Material;
+use std::collections::HashMap;
+
+/// From red, green and blue, 0 to 1.
+pub type Colour = [f64; 3];
+
+/// What a part without a colour has.
+const GREY: Colour = [0.62, 0.66, 0.7];
+/// Most entities that are looked at for the colour of an item; seven are usual.
+const MOST_STEPS: usize = 64;
+
+/// Entities on the way to the colour of a surface.
+const ON_THE_WAY: [&str; 10] = [
+    "PRESENTATION_STYLE_ASSIGNMENT",
+    "PRESENTATION_STYLE_BY_CONTEXT",
+    "SURFACE_STYLE_USAGE",
+    "SURFACE_SIDE_STYLE",
+    "SURFACE_STYLE_FILL_AREA",
+    "SURFACE_STYLE_RENDERING",
+    "SURFACE_STYLE_RENDERING_WITH_PROPERTIES",
+    "FILL_AREA_STYLE",
+    "FILL_AREA_STYLE_COLOUR",
+    "COLOUR_RGB",
+];
+
+const PREDEFINED: [(&str, Colour); 8] = [
+    ("red", [1.0, 0.0, 0.0]),
+    ("green", [0.0, 1.0, 0.0]),
+    ("blue", [0.0, 0.0, 1.0]),
+    ("yellow", [1.0, 1.0, 0.0]),
+    ("magenta", [1.0, 0.0, 1.0]),
+    ("cyan", [0.0, 1.0, 1.0]),
+    ("black", [0.0, 0.0, 0.0]),
+    ("white", [1.0, 1.0, 1.0]),
+];
+
+/// The colours of a file by the number of what has them.
+pub fn colours(file: &Exchange) -> Result<HashMap<u64, Colour>, ImportError> {
+    let mut colours = HashMap::new();
+    for item in file.all(&["STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"]) {
+        // A complex one has the name of its item in another record, and its target in this.
+        let first = if item.entity.complex { 0 } else { 1 };
+        let Some(target) = item.maybe(first + 1)? else {
+            continue;
+        };
+        let mut steps = MOST_STEPS;
+        for style in item.entities(first)? {
+            if let Some(colour) = colour_of(file, style, &mut steps)? {
+                colours.insert(target.id, colour);
+                break;
+            }
+        }
+    }
+    Ok(colours)
+}
+
+/// The first colour of a surface that an entity leads to.
+fn colour_of(
+    file: &Exchange,
+    entity: &Entity,
+    steps: &mut usize,
+) -> Result<Option<Colour>, ImportError> {
+    if let Some(args) = file.find(entity, &["DRAUGHTING_PRE_DEFINED_COLOUR"]) {
+        let name = args.text(0);
+        let known = PREDEFINED.iter().find(|(word, _)| *word == name);
+        return Ok(known.map(|(_, colour)| *colour));
+    }
+    let Some(args) = file.find(entity, &ON_THE_WAY) else {
+        return Ok(None);
+    };
+    if args.record.name == "COLOUR_RGB" {
+        let colour = [args.number(1)?, args.number(2)?, args.number(3)?];
+        if colour.iter().any(|share| !(0.0..=1.0).contains(share)) {
+            return Err(args.error(
+                format!("the colour {colour:?}"),
+                "red, green and blue from 0 to 1 are possible",
+            ));
+        }
+        return Ok(Some(colour));
+    }
+    if *steps == 0 {
+        return Err(args.error(
+            "its colour is defined by itself, or by too many others",
+            &format!("at most {MOST_STEPS} steps to a colour are possible"),
+        ));
+    }
+    *steps -= 1;
+    // Lists of styles have several members; the first that leads to a colour is taken.
+    let mut named = vec![];
+    for value in &args.record.values {
+        references(value, &mut named);
+    }
+    for id in named {
+        if let Some(next) = file.get(id)
+            && let Some(colour) = colour_of(file, next, steps)?
+        {
+            return Ok(Some(colour));
+        }
+    }
+    Ok(None)
+}
+
+fn references(value: &Value, found: &mut Vec<u64>) {
+    match &value.kind {
+        Kind::Reference(id) => found.push(*id),
+        Kind::List(values) | Kind::Typed(_, values) => {
+            for value in values {
+                references(value, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The materials of a scene, one for every colour.
+#[derive(Debug, Default)]
+pub struct Palette {
+    /// The materials.
+    pub materials: Vec<Material>,
+}
+
+impl Palette {
+    /// The name of the material of a colour; grey without one.
+    pub fn material(&mut self, colour: Option<Colour>) -> String {
+        let rgb = colour.unwrap_or(GREY);
+        let name = match colour {
+            None => "grey".to_owned(),
+            Some(_) => {
+                let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
+                format!("#{r:02x}{g:02x}{b:02x}")
+            }
+        };
+        if !self.materials.iter().any(|m| m.name == name) {
+            self.materials.push(Material {
+                name: name.clone(),
+                colour: rgb,
+                ambient: 0.15,
+                diffuse: 0.8,
+                specular: 0.5,
+                exponent: 40,
+            });
+        }
+        name
+    }
+}

@@ -1,0 +1,306 @@
+//! Curves of edges (ISO 10303-42, clause 4.4), cut at their vertices.
+
+use super::args::Args;
+use super::exchange::{Entity, Exchange};
+use super::placement::{Placement, direction, placement, point};
+use super::spline::Spline;
+use super::units::Context;
+use crate::ImportError;
+use crate::faces::arc::{Ellipse, Tolerance};
+use crate::faces::build::MAX_NUMBER;
+use crate::faces::build_edge::MISSED;
+use crate::faces::curve::Curve;
+use crate::faces::model::COINCIDENT;
+use crate::faces::vector::{Vector, across, distance, dot, length, minus, unit};
+use crate::faces::words::with_article;
+
+/// Most curves that are defined by each other.
+const LONGEST_CHAIN: usize = 8;
+/// Steps of a hyperbola or parabola.
+const CONIC_STEPS: usize = 64;
+/// Steps of a spline: four to a piece.
+const SPLINE_STEPS: std::ops::RangeInclusive<usize> = 48..=256;
+
+/// An edge's kind and course, or why it has none.
+pub type Found = Result<(&'static str, Curve), String>;
+
+/// An edge between its vertices, in the space of its representation, millimetres.
+#[derive(Clone, Copy, Debug)]
+pub struct Span<'e, 'a> {
+    /// The file.
+    pub file: &'e Exchange<'a>,
+    /// What its numbers mean.
+    pub context: &'e Context,
+    /// Start and end.
+    pub ends: [Vector; 2],
+    /// Both are one vertex.
+    pub closed: bool,
+    /// The edge runs as its curve does.
+    pub forward: bool,
+}
+
+impl<'e, 'a> Span<'e, 'a> {
+    /// The part of a curve between the ends.
+    pub fn of(mut self, mut entity: &'e Entity<'a>) -> Result<Found, ImportError> {
+        let file = self.file;
+        for _ in 0..LONGEST_CHAIN {
+            let on_surface = ["SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"];
+            if let Some(args) = file.find(entity, &on_surface) {
+                entity = args.entity(1)?;
+            } else if let Some(args) = file.find(entity, &["TRIMMED_CURVE"]) {
+                self.forward ^= !args.flag(4)?;
+                entity = args.entity(1)?;
+            } else if Spline::is_one(file, entity) {
+                return self.spline(entity);
+            } else if let Some(args) = file.find(entity, &["LINE"]) {
+                return self.line(&args);
+            } else if let Some(args) = file.find(entity, &["CIRCLE", "ELLIPSE"]) {
+                return self.ellipse(&args);
+            } else if let Some(args) = file.find(entity, &["HYPERBOLA", "PARABOLA"]) {
+                return self.open_conic(&args);
+            } else {
+                let names = entity.name();
+                let other = names.contains("CURVE") || names.contains("POLYLINE");
+                if !other {
+                    return file
+                        .need(entity, &["LINE", "CIRCLE", "ELLIPSE", "curve"])
+                        .map(|_| Err(names));
+                }
+                return Ok(Err(format!("{} is not read", with_article(&names))));
+            }
+        }
+        Err(file.source.error(
+            entity.at,
+            format!(
+                "`#{}` {}: it is defined by itself, or by too many others",
+                entity.id,
+                entity.name()
+            ),
+            format!("at most {LONGEST_CHAIN} curves defined by each other are possible"),
+        ))
+    }
+
+    /// What numbers of this size are off by, and what the file takes for the same place.
+    fn tolerance(&self, size: f64) -> Tolerance {
+        let [from, to] = self.ends;
+        let numbers = COINCIDENT * length(from).max(length(to)).max(size);
+        Tolerance {
+            missed: (MISSED * size).max(self.context.uncertainty).max(numbers),
+            shortest: numbers,
+        }
+    }
+
+    fn line(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
+        let origin = point(self.file, args.entity(1)?, self.context)?;
+        let vector = args.named(2, &["VECTOR"])?;
+        let course = direction(self.file, vector.entity(1)?)?;
+        let [from, to] = self.ends;
+        let tolerance = self.tolerance(distance(from, to));
+        if distance(from, to) <= tolerance.shortest {
+            return Ok(Err("it is straight and has no length".into()));
+        }
+        let off = |p: Vector| length(across(minus(p, origin), course));
+        let missed = off(from).max(off(to));
+        Ok(if missed > tolerance.missed {
+            Err(format!("an end is {missed:e} off the curve"))
+        } else {
+            Ok(("line", Curve::Line { from, to }))
+        })
+    }
+
+    fn radius(&self, args: &Args, index: usize) -> Result<f64, ImportError> {
+        radius(args, index, self.context)
+    }
+
+    fn ellipse(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
+        let place = placement(self.file, args.entity(1)?, self.context)?;
+        let [x, _, z] = place.axes;
+        let first = self.radius(args, 2)?;
+        let circle = args.record.name == "CIRCLE";
+        let second = if circle { first } else { self.radius(args, 3)? };
+        let normal = if self.forward { z } else { z.map(|v| 0.0 - v) };
+        let towards = across(minus(self.ends[0], place.origin), normal);
+        let x = if circle && length(towards) > COINCIDENT * first {
+            unit(towards)
+        } else {
+            x
+        };
+        let ellipse = Ellipse {
+            centre: place.origin,
+            normal,
+            x,
+            radii: [first, second],
+        };
+        let tolerance = self.tolerance(first.max(second));
+        let arc = ellipse.arc(Some(self.ends), self.closed, tolerance);
+        let kind = if circle { "circle" } else { "ellipse" };
+        Ok(arc.map(|arc| (kind, arc)).map_err(|(problem, _)| problem))
+    }
+
+    /// A hyperbola or a parabola: points on it, evenly in its parameter.
+    fn open_conic(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
+        let place = placement(self.file, args.entity(1)?, self.context)?;
+        let first = self.radius(args, 2)?;
+        let hyperbola = args.record.name == "HYPERBOLA";
+        let second = if hyperbola {
+            self.radius(args, 3)?
+        } else {
+            first
+        };
+        let at = |t: f64| {
+            let (x, y) = if hyperbola {
+                (first * t.cosh(), second * t.sinh())
+            } else {
+                (first * t * t, 2.0 * first * t)
+            };
+            place.point([x, y, 0.0])
+        };
+        let parameter = |p: Vector| {
+            let y = dot(minus(p, place.origin), place.axes[1]);
+            if hyperbola {
+                (y / second).asinh()
+            } else {
+                y / (2.0 * first)
+            }
+        };
+        let [from, to] = self.ends.map(parameter);
+        let tolerance = self.tolerance(distance(self.ends[0], self.ends[1]));
+        let [off, other] = [0, 1].map(|k| distance(at([from, to][k]), self.ends[k]));
+        if off.max(other) > tolerance.missed {
+            return Ok(Err(format!("an end is {:e} off the curve", off.max(other))));
+        }
+        let step = |k: usize| from + (to - from) * k as f64 / CONIC_STEPS as f64;
+        let points = (0..=CONIC_STEPS).map(|k| at(step(k))).collect();
+        Ok(self.through(points, false))
+    }
+
+    fn spline(&self, entity: &Entity) -> Result<Found, ImportError> {
+        let spline = Spline::read(self.file, entity, self.context)?;
+        let [low, high] = spline.domain();
+        let [(start, off), (end, other)] = self.ends.map(|p| spline.nearest(p));
+        let reach = self.reach(&spline);
+        let tolerance = self.tolerance(reach);
+        if off.max(other) > tolerance.missed {
+            return Ok(Err(format!("an end is {:e} off the curve", off.max(other))));
+        }
+        let comes_back = distance(spline.at(low), spline.at(high)) <= tolerance.missed;
+        let (mut from, mut to) = if self.forward {
+            (start, end)
+        } else {
+            (end, start)
+        };
+        if self.closed || to <= from {
+            if !comes_back {
+                return Ok(Err(
+                    "its spline does not run from its start to its end".into()
+                ));
+            }
+            // Both ends of the parameter are one place.
+            if from >= high {
+                from = low;
+            }
+            if to <= from {
+                to += high - low;
+            }
+            if self.closed {
+                to = from + (high - low);
+            }
+        }
+        let steps = (4 * spline.pieces()).clamp(*SPLINE_STEPS.start(), *SPLINE_STEPS.end());
+        let place = |k: usize| {
+            let u = from + (to - from) * k as f64 / steps as f64;
+            if u > high { u - (high - low) } else { u }
+        };
+        let mut points: Vec<Vector> = (0..=steps).map(|k| spline.at(place(k))).collect();
+        if self.closed {
+            points.pop();
+        }
+        if !self.forward {
+            points.reverse();
+            // A closed one still begins at its vertex.
+            if self.closed {
+                points.rotate_right(1);
+            }
+        }
+        Ok(self.through(points, self.closed))
+    }
+
+    /// How far the curve goes from the start of the edge.
+    fn reach(&self, spline: &Spline) -> f64 {
+        let [low, high] = spline.domain();
+        (0..=32)
+            .map(|k| low + (high - low) * f64::from(k) / 32.0)
+            .map(|u| distance(spline.at(u), self.ends[0]))
+            .fold(0.0, f64::max)
+    }
+
+    /// The curve through points, of which those that repeat the one before are left out.
+    fn through(&self, mut points: Vec<Vector>, closed: bool) -> Found {
+        let first = points[0];
+        let size = points
+            .iter()
+            .fold(0.0_f64, |most, p| most.max(distance(*p, first)));
+        let least = self.tolerance(size).shortest;
+        if !closed {
+            let last = points.len() - 1;
+            points[0] = self.ends[0];
+            points[last] = self.ends[1];
+        }
+        points.dedup_by(|next, kept| distance(*next, *kept) <= least);
+        if points.len() < if closed { 3 } else { 2 }
+            || points.iter().flatten().any(|v| !v.is_finite())
+        {
+            return Err("it has no length".into());
+        }
+        Ok(("points", Curve::through(points, closed, COINCIDENT * size)))
+    }
+}
+
+/// A length above 0 and up to the largest coordinate, millimetres.
+pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64, ImportError> {
+    let written = args.number(index)?;
+    let radius = written * context.length;
+    if (1e-9..=MAX_NUMBER).contains(&radius) {
+        return Ok(radius);
+    }
+    Err(args.error(
+        format!("a radius of {written}"),
+        &format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed"),
+    ))
+}
+
+/// A curve where its part is placed.
+pub fn placed(curve: Curve, place: &Placement) -> Curve {
+    match curve {
+        Curve::Line { from, to } => Curve::Line {
+            from: place.point(from),
+            to: place.point(to),
+        },
+        Curve::Arc {
+            centre,
+            normal,
+            x,
+            radii,
+            start,
+            sweep,
+        } => Curve::Arc {
+            centre: place.point(centre),
+            normal: place.direction(normal),
+            x: place.direction(x),
+            radii,
+            start,
+            sweep,
+        },
+        Curve::Points {
+            points,
+            closed,
+            plane,
+            slack,
+        } => Curve::Points {
+            points: points.into_iter().map(|p| place.point(p)).collect(),
+            closed,
+            plane: plane.map(|(p, n)| (place.point(p), place.direction(n))),
+            slack,
+        },
+    }
+}

@@ -1,0 +1,160 @@
+//! Points, directions and placements (ISO 10303-42, clause 4.4).
+
+use super::args::Args;
+use super::exchange::{Entity, Exchange};
+use super::units::Context;
+use crate::ImportError;
+use crate::faces::build::MAX_NUMBER;
+use crate::faces::planes::clean;
+use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, times, unit};
+
+/// Turned and moved: coordinates along three axes become those of the space around.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Where the origin comes to be.
+    pub origin: Vector,
+    /// Where the axes come to be, right-handed and of length 1.
+    pub axes: [Vector; 3],
+}
+
+impl Placement {
+    /// Nothing is moved.
+    pub const IN_PLACE: Placement = Placement {
+        origin: [0.0; 3],
+        axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    };
+
+    /// A direction.
+    pub fn direction(&self, v: Vector) -> Vector {
+        if self.axes == Self::IN_PLACE.axes {
+            return v;
+        }
+        let [x, y, z] = self.axes;
+        plus(plus(times(v[0], x), times(v[1], y)), times(v[2], z))
+    }
+
+    /// A point.
+    pub fn point(&self, p: Vector) -> Vector {
+        plus(self.origin, self.direction(p))
+    }
+
+    /// First `inner`, then this.
+    pub fn after(&self, inner: &Placement) -> Placement {
+        Placement {
+            origin: self.point(inner.origin),
+            axes: inner.axes.map(|axis| clean(unit(self.direction(axis)))),
+        }
+    }
+
+    /// Back again.
+    pub fn inverse(&self) -> Placement {
+        let [x, y, z] = self.axes;
+        let rows = Placement {
+            origin: [0.0; 3],
+            axes: std::array::from_fn(|k| [x[k], y[k], z[k]]),
+        };
+        Placement {
+            origin: rows.direction(minus([0.0; 3], self.origin)),
+            ..rows
+        }
+    }
+}
+
+/// The numbers of a point or a direction.
+fn triple(args: &Args, index: usize) -> Result<Vector, ImportError> {
+    let numbers = args.numbers(index)?;
+    let count = numbers.len();
+    numbers.try_into().map_err(|_| {
+        args.error(
+            format!("it has {count} coordinates"),
+            "three coordinates are needed",
+        )
+    })
+}
+
+/// A point, millimetres.
+pub fn point(file: &Exchange, entity: &Entity, context: &Context) -> Result<Vector, ImportError> {
+    let args = file.need(entity, &["CARTESIAN_POINT"])?;
+    let point = triple(&args, 1)?.map(|value| value * context.length);
+    if point.iter().any(|value| value.abs() > MAX_NUMBER) {
+        return Err(args.error(
+            "it is too far off",
+            &format!(
+                "coordinates from {:e} to {MAX_NUMBER:e} mm are possible",
+                -MAX_NUMBER
+            ),
+        ));
+    }
+    Ok(point)
+}
+
+/// A direction of length 1.
+pub fn direction(file: &Exchange, entity: &Entity) -> Result<Vector, ImportError> {
+    let args = file.need(entity, &["DIRECTION"])?;
+    let numbers = triple(&args, 1)?;
+    if !(1e-9..=MAX_NUMBER).contains(&length(numbers)) {
+        return Err(args.error(
+            format!("{numbers:?} has no direction"),
+            "a vector with a number other than 0 is needed",
+        ));
+    }
+    Ok(clean(unit(numbers)))
+}
+
+/// An `AXIS2_PLACEMENT_3D` in the space of its own representation, millimetres.
+pub fn placement(
+    file: &Exchange,
+    entity: &Entity,
+    context: &Context,
+) -> Result<Placement, ImportError> {
+    let args = file.need(entity, &["AXIS2_PLACEMENT_3D"])?;
+    let origin = point(file, args.entity(1)?, context)?;
+    let given = |index| -> Result<Option<Vector>, ImportError> {
+        let entity = args.maybe(index)?;
+        entity.map(|entity| direction(file, entity)).transpose()
+    };
+    let z = given(2)?.unwrap_or([0.0, 0.0, 1.0]);
+    let wanted = given(3)?.unwrap_or([1.0, 0.0, 0.0]);
+    let x = across(wanted, z);
+    // The standard takes another axis of the frame if the wanted one is along z.
+    let x = if length(x) < 1e-9 {
+        let [_, y, _] = Placement::IN_PLACE.axes;
+        let other = across(if z[0].abs() > 0.9 { y } else { [1.0, 0.0, 0.0] }, z);
+        if length(other) < 1e-9 {
+            frame(z, 0.0)[0]
+        } else {
+            other
+        }
+    } else {
+        x
+    };
+    let x = clean(unit(x));
+    Ok(Placement {
+        origin,
+        axes: [x, clean(cross(z, x)), z],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faces::vector::distance;
+
+    #[test]
+    fn placements_follow_each_other_and_go_back() {
+        let z = unit([1.0, 2.0, -2.0]);
+        let [x, y] = frame(z, 0.7);
+        let one = Placement {
+            origin: [3.0, -1.0, 2.0],
+            axes: [x, y, z],
+        };
+        let two = Placement {
+            origin: [0.5, 4.0, -7.0],
+            axes: [y, z, x],
+        };
+        let p = [0.3, 1.9, -4.2];
+        assert!(distance(two.after(&one).point(p), two.point(one.point(p))) < 1e-14);
+        assert!(distance(one.inverse().point(one.point(p)), p) < 1e-14);
+        assert!(distance(one.point([0.0, 0.0, 2.0]), plus(one.origin, times(2.0, z))) < 1e-14);
+    }
+}

@@ -1,0 +1,273 @@
+//! B-spline curves, rational ones among them (ISO 10303-42, clause 4.4.34).
+
+use super::exchange::{Entity, Exchange};
+use super::knots::{implied_knots, weights, written_knots};
+use super::placement::point;
+use super::units::Context;
+use crate::ImportError;
+use crate::faces::vector::{Vector, distance};
+
+/// Highest degree.
+const HIGHEST_DEGREE: usize = 25;
+/// Most control points.
+const MOST_POLES: usize = 10_000;
+/// Places at which the nearest one to a point is looked for first.
+const PLACES: std::ops::RangeInclusive<usize> = 64..=2048;
+
+/// A curve over a range of its parameter.
+#[derive(Clone, Debug)]
+pub struct Spline {
+    degree: usize,
+    /// Each as often as it counts.
+    knots: Vec<f64>,
+    /// Control points times their weights, and the weights.
+    poles: Vec<[f64; 4]>,
+}
+
+/// Records that say what the knots are.
+const KINDS: [&str; 4] = [
+    "B_SPLINE_CURVE_WITH_KNOTS",
+    "BEZIER_CURVE",
+    "QUASI_UNIFORM_CURVE",
+    "UNIFORM_CURVE",
+];
+
+impl Spline {
+    /// Whether an entity is one.
+    pub fn is_one(file: &Exchange, entity: &Entity) -> bool {
+        file.find(entity, &KINDS).is_some()
+    }
+
+    /// From its words.
+    pub fn read(
+        file: &Exchange,
+        entity: &Entity,
+        context: &Context,
+    ) -> Result<Spline, ImportError> {
+        let kind = file.need(entity, &KINDS)?;
+        // In a complex entity every part has its own parameters, in a simple one they follow a name.
+        let (curve, first) = if entity.complex {
+            (file.need(entity, &["B_SPLINE_CURVE"])?, 0)
+        } else {
+            (kind, 1)
+        };
+        let degree = curve.whole(first)?;
+        let points = curve.entities(first + 1)?;
+        let count = points.len();
+        if !(1..=HIGHEST_DEGREE).contains(&degree) || !(degree + 1..=MOST_POLES).contains(&count) {
+            return Err(curve.error(
+                format!("{count} control points for degree {degree}"),
+                "degrees 1 to 25 and more control points than the degree, up to 10000, are possible",
+            ));
+        }
+        let weights = match file.find(entity, &["RATIONAL_B_SPLINE_CURVE"]) {
+            Some(args) => weights(&args, count)?,
+            None => vec![1.0; count],
+        };
+        let mut poles = vec![];
+        for (entity, weight) in points.into_iter().zip(weights) {
+            let [x, y, z] = point(file, entity, context)?.map(|value| value * weight);
+            poles.push([x, y, z, weight]);
+        }
+        let knots = match kind.record.name {
+            "B_SPLINE_CURVE_WITH_KNOTS" => {
+                let first = if entity.complex { 0 } else { 6 };
+                written_knots(&kind, first, degree, count)?
+            }
+            name => implied_knots(&kind, name, degree, count)?,
+        };
+        Ok(Spline {
+            degree,
+            knots,
+            poles,
+        })
+    }
+
+    /// First and last parameter.
+    pub fn domain(&self) -> [f64; 2] {
+        [self.knots[self.degree], self.knots[self.poles.len()]]
+    }
+
+    /// Number of pieces.
+    pub fn pieces(&self) -> usize {
+        let inside = &self.knots[self.degree..=self.poles.len()];
+        inside.windows(2).filter(|pair| pair[0] < pair[1]).count()
+    }
+
+    /// The point of a parameter (de Boor).
+    pub fn at(&self, parameter: f64) -> Vector {
+        let [low, high] = self.domain();
+        let u = parameter.clamp(low, high);
+        let after = self.knots.partition_point(|knot| *knot <= u);
+        // The last piece has its end.
+        let span = (after.max(1) - 1).clamp(self.degree, self.poles.len() - 1);
+        let mut points = self.poles[span - self.degree..=span].to_vec();
+        for round in 1..=self.degree {
+            for k in (round..=self.degree).rev() {
+                let left = self.knots[span - self.degree + k];
+                let right = self.knots[span + 1 + k - round];
+                let share = if right > left {
+                    (u - left) / (right - left)
+                } else {
+                    0.0
+                };
+                let before = points[k - 1];
+                for (value, before) in points[k].iter_mut().zip(before) {
+                    *value = (1.0 - share) * before + share * *value;
+                }
+            }
+        }
+        let [x, y, z, weight] = points[self.degree];
+        [x / weight, y / weight, z / weight]
+    }
+
+    /// The parameter of the point of the curve nearest to `p`, and their distance.
+    pub fn nearest(&self, p: Vector) -> (f64, f64) {
+        let [low, high] = self.domain();
+        let off = |u: f64| distance(self.at(u), p);
+        let steps = (16 * self.pieces()).clamp(*PLACES.start(), *PLACES.end());
+        let place = |k: usize| low + (high - low) * k as f64 / steps as f64;
+        let best = (0..=steps)
+            .min_by(|i, j| off(place(*i)).total_cmp(&off(place(*j))))
+            .unwrap_or(0);
+        let [mut a, mut b] = [place(best.saturating_sub(1)), place((best + 1).min(steps))];
+        // A third of the interval goes in every round.
+        for _ in 0..80 {
+            let [c, d] = [a + (b - a) / 3.0, b - (b - a) / 3.0];
+            if off(c) <= off(d) {
+                b = d;
+            } else {
+                a = c;
+            }
+        }
+        [low, high, place(best), 0.5 * (a + b)]
+            .map(|u| (u, off(u)))
+            .into_iter()
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+            .unwrap_or((low, off(low)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quarter of a circle of radius 2 as a rational curve of degree 2: weights 1, sqrt(1/2), 1.
+    fn quarter() -> Spline {
+        let weight = 0.5_f64.sqrt();
+        Spline {
+            degree: 2,
+            knots: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            poles: vec![
+                [2.0, 0.0, 0.0, 1.0],
+                [2.0 * weight, 2.0 * weight, 0.0, weight],
+                [0.0, 2.0, 0.0, 1.0],
+            ],
+        }
+    }
+
+    #[test]
+    fn a_rational_quarter_is_a_circle() {
+        let spline = quarter();
+        for k in 0..=100 {
+            let [x, y, z] = spline.at(f64::from(k) / 100.0);
+            assert!((x.hypot(y) - 2.0).abs() < 1e-14 && z == 0.0);
+        }
+        let (u, off) = spline.nearest([3.0, 3.0, 0.0]);
+        assert!((u - 0.5).abs() < 1e-7);
+        assert!((off - (18_f64.sqrt() - 2.0)).abs() < 1e-12);
+        assert_eq!(spline.nearest([2.0, 0.0, 0.0]), (0.0, 0.0));
+    }
+
+    /// A cubic through the powers of its parameter: x = u, y = u^2, z = u^3 over 0 to 3, by blossoms, with knots at 1 and 2.
+    #[test]
+    fn cubics_with_knots_are_the_polynomials_of_their_blossoms() {
+        let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0];
+        let pole = |k: usize| {
+            let [a, b, c] = [knots[k + 1], knots[k + 2], knots[k + 3]];
+            [
+                (a + b + c) / 3.0,
+                (a * b + b * c + c * a) / 3.0,
+                a * b * c,
+                1.0,
+            ]
+        };
+        let poles = (0..6).map(pole).collect();
+        let spline = Spline {
+            degree: 3,
+            knots: knots.clone(),
+            poles,
+        };
+        assert_eq!(spline.pieces(), 3);
+        for k in 0..=30 {
+            let u = f64::from(k) / 10.0;
+            assert!(distance(spline.at(u), [u, u * u, u * u * u]) < 1e-13);
+        }
+    }
+
+    fn read(text: &str) -> Result<Spline, String> {
+        let text = format!(
+            "ISO-10303-21;HEADER;ENDSEC;DATA;#2=CARTESIAN_POINT('',(0.,0.,0.));#3=CARTESIAN_POINT('',(1.,2.,0.));
+#4=CARTESIAN_POINT('',(2.,0.,0.));#5=CARTESIAN_POINT('',(3.,-2.,0.));#6=CARTESIAN_POINT('',(4.,0.,0.));#1={text};ENDSEC;END-ISO-10303-21;"
+        );
+        let source = super::super::source::Source {
+            file: "f",
+            bytes: text.as_bytes(),
+        };
+        let file = Exchange::parse(source).unwrap();
+        let entity = file.get(1).unwrap();
+        Spline::read(&file, entity, &Context::default()).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn knots_are_written_or_follow_from_the_kind() {
+        let written = read(
+            "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4,#5,#6),.UNSPECIFIED.,.F.,.F.,(3,2,3),(1.,2.,3.),.UNSPECIFIED.)",
+        );
+        let bezier = read("BEZIER_CURVE('',2,(#2,#3,#4,#5,#6),.UNSPECIFIED.,.F.,.F.)").unwrap();
+        assert_eq!(written.unwrap().knots, bezier.knots);
+        let quasi = read("( B_SPLINE_CURVE(2,(#2,#3,#4,#5,#6),.UNSPECIFIED.,.F.,.F.) QUASI_UNIFORM_CURVE() RATIONAL_B_SPLINE_CURVE((1.,2.,1.,2.,1.)) )").unwrap();
+        assert_eq!(quasi.knots, [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0]);
+        assert_eq!(quasi.poles[1], [2.0, 4.0, 0.0, 2.0]);
+        let uniform = read("UNIFORM_CURVE('',2,(#2,#3,#4,#5,#6),.UNSPECIFIED.,.F.,.F.)").unwrap();
+        assert_eq!(uniform.domain(), [2.0, 5.0]);
+    }
+
+    #[test]
+    fn knots_and_weights_that_do_not_fit_are_refused() {
+        for (text, part) in [
+            (
+                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,2),(0.,1.),.U.)",
+                "2 knots, 5 with",
+            ),
+            (
+                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,3),(1.,1.),.U.)",
+                "2 knots, 6 with",
+            ),
+            (
+                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(1000000000,3),(0.,1.),.U.)",
+                "1000000003 with",
+            ),
+            (
+                "BEZIER_CURVE('',3,(#2,#3,#4,#5,#6),.U.,.F.,.F.)",
+                "pieces of degree 3",
+            ),
+            (
+                "BEZIER_CURVE('',9,(#2,#3),.U.,.F.,.F.)",
+                "2 control points for degree 9",
+            ),
+            (
+                "( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.,0.)) )",
+                "a weight of 0",
+            ),
+            (
+                "( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.)) )",
+                "1 weights",
+            ),
+            ("( BEZIER_CURVE() )", "a B_SPLINE_CURVE is needed"),
+        ] {
+            let message = read(text).unwrap_err();
+            assert!(message.contains(part), "{message}");
+        }
+    }
+}

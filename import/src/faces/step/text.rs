@@ -1,0 +1,93 @@
+//! Strings as they are meant (ISO 10303-21, clause 6.4.3).
+
+/// A string from what stands between its quotes; a directive that is not understood stays as it is.
+pub fn decoded(bytes: &[u8]) -> String {
+    let raw = String::from_utf8_lossy(bytes).replace("''", "'");
+    let mut text = String::new();
+    let mut rest = raw.as_str();
+    while let Some(place) = rest.find('\\') {
+        text.push_str(&rest[..place]);
+        rest = &rest[place..];
+        let (taken, characters) = directive(rest).unwrap_or((1, "\\".into()));
+        text.push_str(&characters);
+        rest = &rest[taken..];
+    }
+    text.push_str(rest);
+    text.chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
+}
+
+/// A directive at the start of a text: its length and what it stands for.
+fn directive(text: &str) -> Option<(usize, String)> {
+    let hexadecimal = |digits: &str, width: usize| {
+        let groups = digits.as_bytes().chunks(width);
+        let units: Option<Vec<u32>> = groups
+            .map(|group| u32::from_str_radix(std::str::from_utf8(group).ok()?, 16).ok())
+            .collect();
+        units
+    };
+    if text.starts_with("\\\\") {
+        return Some((2, "\\".into()));
+    }
+    if text.starts_with("\\N\\") || text.starts_with("\\F\\") {
+        return Some((3, " ".into()));
+    }
+    if let Some(rest) = text.strip_prefix("\\S\\") {
+        let letter = rest.chars().next().filter(char::is_ascii)?;
+        let shifted = char::from_u32(u32::from(letter) + 128)?;
+        return Some((4, shifted.into()));
+    }
+    if text.starts_with("\\P") && text.get(3..4) == Some("\\") {
+        return Some((4, String::new()));
+    }
+    for (start, width) in [("\\X2\\", 4), ("\\X4\\", 8)] {
+        if let Some(rest) = text.strip_prefix(start) {
+            let end = rest.find("\\X0\\")?;
+            let units = hexadecimal(&rest[..end], width)?;
+            let characters = if width == 4 {
+                let units: Option<Vec<u16>> =
+                    units.into_iter().map(|u| u16::try_from(u).ok()).collect();
+                String::from_utf16(&units?).ok()?
+            } else {
+                units
+                    .into_iter()
+                    .map(char::from_u32)
+                    .collect::<Option<_>>()?
+            };
+            return Some((start.len() + end + 4, characters));
+        }
+    }
+    let code = text.strip_prefix("\\X\\")?.get(..2)?;
+    let unit = hexadecimal(code, 2)?;
+    Some((5, char::from_u32(unit[0])?.into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decoded;
+
+    #[test]
+    fn directives_are_letters() {
+        assert_eq!(decoded(b"it''s"), "it's");
+        assert_eq!(decoded(b"\\X2\\00E40041\\X0\\b"), "\u{e4}Ab");
+        assert_eq!(decoded(b"\\X4\\0001F600\\X0\\"), "\u{1f600}");
+        assert_eq!(decoded(b"\\X\\E4 \\S\\d \\\\"), "\u{e4} \u{e4} \\");
+        assert_eq!(decoded(b"\\PB\\x"), "x");
+    }
+
+    #[test]
+    fn what_is_no_directive_stays() {
+        for text in [
+            "\\",
+            "\\X2\\00",
+            "\\X2\\zz\\X0\\",
+            "\\X\\",
+            "\\S\\",
+            "\\X2\\D800\\X0\\",
+        ] {
+            assert_eq!(decoded(text.as_bytes()), text);
+        }
+        assert_eq!(decoded(b"\xff\n"), "\u{fffd} ");
+    }
+}

@@ -1,0 +1,245 @@
+//! Units of a representation (ISO 10303-41, clause 21).
+
+use super::args::Args;
+use super::exchange::{Entity, Exchange};
+use crate::ImportError;
+
+/// Most conversions of a unit by another.
+const LONGEST_CHAIN: usize = 8;
+
+/// What the numbers of a representation mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Context {
+    /// Millimetres in a unit of length.
+    pub length: f64,
+    /// Radians in a unit of plane angle.
+    pub angle: f64,
+    /// What the file takes for the same place, millimetres.
+    pub uncertainty: f64,
+}
+
+impl Default for Context {
+    fn default() -> Self {
+        Context {
+            length: 1.0,
+            angle: 1.0,
+            uncertainty: 0.0,
+        }
+    }
+}
+
+/// Most that a file may take for the same place, millimetres: more would hide what does not fit.
+const MOST_UNCERTAIN: f64 = 0.01;
+
+/// The context that a representation names; without units lengths are millimetres and angles radians.
+pub fn context(file: &Exchange, entity: &Entity) -> Result<Context, ImportError> {
+    let mut context = Context::default();
+    if let Some(args) = file.find(entity, &["GLOBAL_UNIT_ASSIGNED_CONTEXT"]) {
+        for unit in args.entities(0)? {
+            if let Some(length) = unit_of(file, unit, LENGTH, 0)? {
+                context.length = length;
+            }
+            if let Some(angle) = unit_of(file, unit, ANGLE, 0)? {
+                context.angle = angle;
+            }
+        }
+    }
+    if let Some(args) = file.find(entity, &["GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT"]) {
+        for measure in args.entities(0)? {
+            let args = file.need(measure, &["UNCERTAINTY_MEASURE_WITH_UNIT"])?;
+            if let Some(length) = unit_of(file, args.entity(1)?, LENGTH, 0)? {
+                let value = (args.number(0)? * length).clamp(0.0, MOST_UNCERTAIN);
+                context.uncertainty = context.uncertainty.max(value);
+            }
+        }
+    }
+    Ok(context)
+}
+
+/// A kind of unit.
+#[derive(Clone, Copy)]
+struct Quantity {
+    /// The part that says so.
+    part: &'static str,
+    /// Its name in the SI.
+    name: &'static str,
+    /// How many of what is returned one of it is, as a power of ten.
+    power: i32,
+}
+
+const LENGTH: Quantity = Quantity {
+    part: "LENGTH_UNIT",
+    name: "METRE",
+    power: 3,
+};
+
+const ANGLE: Quantity = Quantity {
+    part: "PLANE_ANGLE_UNIT",
+    name: "RADIAN",
+    power: 0,
+};
+
+/// How many millimetres or radians a unit is; nothing if it is one of another quantity.
+fn unit_of(
+    file: &Exchange,
+    entity: &Entity,
+    quantity: Quantity,
+    chain: usize,
+) -> Result<Option<f64>, ImportError> {
+    if file.find(entity, &[quantity.part]).is_none() {
+        return Ok(None);
+    }
+    if let Some(args) = file.find(entity, &["SI_UNIT"]) {
+        return si_unit(&args, quantity).map(Some);
+    }
+    let args = file.need(entity, &["SI_UNIT", "CONVERSION_BASED_UNIT"])?;
+    if chain == LONGEST_CHAIN {
+        return Err(args.error(
+            "it is defined by itself, or by too many others",
+            &format!("at most {LONGEST_CHAIN} conversions are possible"),
+        ));
+    }
+    let measure = file.find(
+        args.entity(1)?,
+        &[
+            "LENGTH_MEASURE_WITH_UNIT",
+            "PLANE_ANGLE_MEASURE_WITH_UNIT",
+            "MEASURE_WITH_UNIT",
+        ],
+    );
+    let Some(measure) = measure else {
+        return Err(args.error(
+            "it has no measure",
+            "a LENGTH_MEASURE_WITH_UNIT or a PLANE_ANGLE_MEASURE_WITH_UNIT is needed",
+        ));
+    };
+    let factor = measure.number(0)?;
+    let Some(base) = unit_of(file, measure.entity(1)?, quantity, chain + 1)? else {
+        return Err(measure.error(
+            "its unit is of another quantity",
+            &format!("a {} is needed", quantity.part),
+        ));
+    };
+    let value = factor * base;
+    if !(1e-9..=1e9).contains(&value) {
+        return Err(measure.error(
+            format!("{factor} of its unit is out of range"),
+            "a factor above 0 is needed, 1e-9 to 1e9 mm or radians",
+        ));
+    }
+    Ok(Some(value))
+}
+
+fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, ImportError> {
+    // As a part of a complex entity it has its own two parameters, alone also that of `NAMED_UNIT`.
+    let first = if args.record.values.len() > 2 { 1 } else { 0 };
+    if args.word(first + 1)? != Some(quantity.name) {
+        return Err(args.error(
+            format!("it is no unit of a {}", quantity.part),
+            &format!("`.{}.` is needed", quantity.name),
+        ));
+    }
+    let power = match args.word(first)? {
+        None => 0,
+        Some(prefix) => PREFIXES
+            .iter()
+            .find(|(name, _)| *name == prefix)
+            .map(|(_, power)| *power)
+            .ok_or_else(|| {
+                args.error(
+                    format!("`.{prefix}.` is no prefix of this program"),
+                    "`.NANO.` to `.KILO.` are possible, and `$`",
+                )
+            })?,
+    };
+    // A power of ten divides exactly where it would not multiply so.
+    let power = power + quantity.power;
+    let ten = 10_f64.powi(power.abs());
+    Ok(if power < 0 { 1.0 / ten } else { ten })
+}
+
+const PREFIXES: [(&str, i32); 8] = [
+    ("KILO", 3),
+    ("HECTO", 2),
+    ("DECA", 1),
+    ("DECI", -1),
+    ("CENTI", -2),
+    ("MILLI", -3),
+    ("MICRO", -6),
+    ("NANO", -9),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faces::step::source::Source;
+
+    fn read(units: &str) -> Result<Context, String> {
+        let text = format!(
+            "ISO-10303-21;HEADER;ENDSEC;DATA;#1=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#2,#3))
+GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9)) REPRESENTATION_CONTEXT('',''));
+{units}#9=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-4),#2,'','');ENDSEC;END-ISO-10303-21;"
+        );
+        let source = Source {
+            file: "f",
+            bytes: text.as_bytes(),
+        };
+        let file = Exchange::parse(source).map_err(|e| e.to_string())?;
+        context(&file, file.get(1).unwrap()).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn lengths_are_millimetres_and_angles_radians() {
+        let radian = "#3=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));";
+        for (prefix, length) in [
+            (".MILLI.", 1.0),
+            ("$", 1e3),
+            (".CENTI.", 10.0),
+            (".MICRO.", 1e-3),
+        ] {
+            let units =
+                format!("#2=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT({prefix},.METRE.));{radian}");
+            let context = read(&units).unwrap();
+            assert_eq!(context.length, length);
+            assert_eq!(context.angle, 1.0);
+            assert!((context.uncertainty - (1e-4 * length).min(0.01)).abs() < 1e-18);
+        }
+        let inch = "#2=(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(#5));
+#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(2.54),#6);#6=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));
+#3=(CONVERSION_BASED_UNIT('DEGREE',#7)NAMED_UNIT(#8)PLANE_ANGLE_UNIT());
+#7=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.0174532925199433),#10);
+#10=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));";
+        let context = read(inch).unwrap();
+        assert_eq!(context.length, 25.4);
+        assert!((context.angle - 1_f64.to_radians()).abs() < 1e-16);
+    }
+
+    #[test]
+    fn units_that_make_no_sense_are_refused() {
+        for (units, part) in [
+            (
+                "#2=(LENGTH_UNIT()SI_UNIT(.YOTTO.,.METRE.));#3=A();",
+                "`.YOTTO.`",
+            ),
+            (
+                "#2=(LENGTH_UNIT()SI_UNIT($,.SECOND.));#3=A();",
+                "`.METRE.` is needed",
+            ),
+            (
+                "#2=(LENGTH_UNIT()NAMED_UNIT(*));#3=A();",
+                "CONVERSION_BASED_UNIT",
+            ),
+            (
+                "#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(1.,#2);",
+                "defined by itself",
+            ),
+            (
+                "#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(0.,#4);#4=(LENGTH_UNIT()SI_UNIT($,.METRE.));",
+                "out of range",
+            ),
+        ] {
+            let message = read(units).unwrap_err();
+            assert!(message.contains(part), "{message}");
+        }
+    }
+}
