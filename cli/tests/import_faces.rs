@@ -68,6 +68,35 @@ fn shipped_scene_of_a_step_file_is_what_the_import_writes() {
     assert_eq!(std::fs::read_to_string(&output).unwrap(), shipped);
 }
 
+/// Whatever is imported can be drawn, and is what the tracer sees; `nut` has a cone that is seen nearly along its side from the usual place.
+#[test]
+fn every_shipped_step_file_is_drawn_as_the_tracer_sees_it() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in [
+        "cross-drilled",
+        "fillet",
+        "fixture",
+        "flange",
+        "hollow",
+        "nut",
+        "stand",
+    ] {
+        let output = folder.path().join(format!("{name}.toml"));
+        let mut import = imogene();
+        import.arg("import").arg(step(name)).arg("-o").arg(&output);
+        import.assert().success();
+        let mut trace = imogene();
+        trace
+            .arg("trace")
+            .arg(&output)
+            .args(["--size", "120x90", "--json"]);
+        let traced = trace.assert().success();
+        let value: serde_json::Value = serde_json::from_slice(&traced.get_output().stdout).unwrap();
+        let found = &value["scenes"][0]["comparison"];
+        assert!(found["covered"].as_u64() > Some(1000), "{name}: {found}");
+    }
+}
+
 #[test]
 fn step_files_are_known_by_their_extension_or_by_what_the_user_says() {
     let folder = tempfile::tempdir().unwrap();

@@ -212,11 +212,11 @@ fn pixel(
     Mark::Depth
 }
 
-/// How closely the tracer knows a depth, in depth words, and how closely words and their difference are told in floating point.
+/// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in floating point, and what the entries of rotations, which the
+/// preparation computes by other formulas, may differ by: some units in the last place of the depth range.
 fn slack(pixel: &TracedPixel, format: &Format) -> f64 {
     let z_max = format.z_max() as f64;
-    let size = (pixel.depth.middle() * z_max).abs().max(1.0);
-    0.5 * pixel.depth.width() * z_max + 4.0 * f64::EPSILON * size
+    0.5 * pixel.depth.width() * z_max + 16.0 * f64::EPSILON * z_max
 }
 
 /// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced one than both bounds.

@@ -79,14 +79,14 @@ pub fn read_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Impo
 }
 
 fn imported(part: &Part, file: &str) -> Result<Imported, ImportError> {
-    let (report, notes) = report::report(&part.model, &part.courses, &part.solids);
+    let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
     let unusable = |problem: String, accepted: &str| ImportError::Unusable {
         file: file.to_owned(),
         problem,
         accepted: accepted.to_owned(),
     };
-    let scene = scene.ok_or_else(|| {
+    let mut scene = scene.ok_or_else(|| {
         unusable(
             format!("no face can be drawn: {}", notes.join("; ")),
             "at least one face on a plane, cylinder, cone or sphere is needed",
@@ -95,6 +95,13 @@ fn imported(part: &Part, file: &str) -> Result<Imported, ImportError> {
     scene
         .validate()
         .map_err(|error| unusable(error.to_string(), "another part is needed"))?;
+    let too_large = scene::look_from_elsewhere(&mut scene, &part.model);
+    if !too_large.is_empty() {
+        notes.push(format!(
+            "too large for the words of the base format: {}",
+            too_large.join(", ")
+        ));
+    }
     Ok(Imported {
         scene,
         report: serde_json::to_value(report).expect("a report has plain keys"),

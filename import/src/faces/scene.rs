@@ -4,6 +4,8 @@ use super::compile::{Cell, Compiled};
 use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
 use super::vector::{Vector, along, cross, dot, minus, unit};
+use imogene_models::format::Format;
+use imogene_models::prepare::refused;
 use imogene_models::scene::{
     Camera, Cut, ImageSize, Light, Node, Object, SceneFile, Shape, Surface,
 };
@@ -45,8 +47,40 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
         lights: lights(model.up),
         materials: model.materials.clone(),
         objects,
-        ..SceneFile::new(&model.title, camera(model))
+        ..SceneFile::new(&model.title, camera(model, &VIEWS[0]))
     })
+}
+
+/// Moves the eye of a checked scene to where the words of all objects fit the base format; if it is nowhere, the scene stays as it is, and the names of the objects that do not
+/// fit are given.
+pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> {
+    let first = refusals(scene);
+    if first.is_empty() {
+        return first;
+    }
+    for view in &VIEWS[1..] {
+        let other = SceneFile {
+            camera: camera(model, view),
+            ..scene.clone()
+        };
+        if refusals(&other).is_empty() {
+            *scene = other;
+            return vec![];
+        }
+    }
+    first
+}
+
+/// The objects that the base format has no words for.
+fn refusals(scene: &SceneFile) -> Vec<String> {
+    let ImageSize { width, height } = scene.image;
+    let Ok(framed) = scene.frame(width, height) else {
+        return vec![];
+    };
+    let found = refused(&framed, Format::BASE).into_iter();
+    found
+        .map(|(index, _)| scene.objects[index].name.clone())
+        .collect()
 }
 
 /// A cell of a quadric face is a patch, one of a plane face a solid without thickness, a volume a solid.
@@ -97,17 +131,46 @@ fn cut(plane: SharedPlane, positive: bool) -> Cut {
     }
 }
 
-/// Where the part is looked at from: above on the right.
-const FROM: Vector = [0.55, 0.62, 0.85];
+/// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance in sizes of the part.
+struct View {
+    from: Vector,
+    sizes: f64,
+}
+
+/// The first from which all objects fit their words is taken, and the first of all, above on the right, if there is none. A cone that is seen nearly along its
+/// side has great words: the eye is near the endless cone.
+const VIEWS: [View; 5] = [
+    View {
+        from: [0.55, 0.62, 0.85],
+        sizes: 2.2,
+    },
+    View {
+        from: [0.5, 0.95, 0.75],
+        sizes: 2.2,
+    },
+    View {
+        from: [0.65, 0.35, 0.9],
+        sizes: 2.2,
+    },
+    View {
+        from: [0.5, 0.95, 0.75],
+        sizes: 5.0,
+    },
+    View {
+        from: [0.65, 0.35, 0.9],
+        sizes: 5.0,
+    },
+];
+
 /// What the picture shows of the part's box, and a margin around it.
 const MARGIN: f64 = 1.08;
 
 /// All of the part, as large as the picture lets it be.
-fn camera(model: &Model) -> Camera {
+fn camera(model: &Model, view: &View) -> Camera {
     let size = model.size();
     let target = model.middle().map(|v| rounded(v, size));
-    let distance = rounded(2.2 * size, size);
-    let eye = along(target, distance, turned(model.up, unit(FROM))).map(|v| rounded(v, size));
+    let distance = rounded(view.sizes * size, size);
+    let eye = along(target, distance, turned(model.up, unit(view.from))).map(|v| rounded(v, size));
     let forward = unit(minus(target, eye));
     let right = unit(cross(forward, turned(model.up, [0.0, 1.0, 0.0])));
     let down = cross(forward, right);
