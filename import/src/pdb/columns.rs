@@ -88,7 +88,8 @@ impl<'a> Columns<'a> {
                 file: self.file.to_owned(),
                 place: Place {
                     line: self.number,
-                    column: first + at,
+                    // Where the line ends if it ends before.
+                    column: (first + at).min(self.text.len() + 1),
                 },
                 problem,
                 accepted: format!(
@@ -121,6 +122,6 @@ mod tests {
             "{error}"
         );
         let error = columns.coordinate('z', 30, 38).unwrap_err().to_string();
-        assert!(error.starts_with("x:7:30: the line ends before"), "{error}");
+        assert!(error.starts_with("x:7:19: the line ends before"), "{error}");
     }
 }
