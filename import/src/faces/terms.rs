@@ -25,7 +25,7 @@ pub struct Rules<'a> {
 
 /// Terms of a parting, split until each is one object.
 ///
-/// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does not end, once more with the halves.
+/// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does not end on a plane, once more with the halves.
 pub fn terms(
     model: &Model,
     surface: &Surface,
@@ -35,7 +35,7 @@ pub fn terms(
 ) -> Result<Vec<Term>, String> {
     let start = parting.clone();
     match attempt(model, surface, parting, planes, rules, false) {
-        Err(Trouble::Unresolved(_)) => {
+        Err(Trouble::Unresolved(_)) if matches!(surface, Surface::Plane { .. }) => {
             *parting = start;
             attempt(model, surface, parting, planes, rules, true)
         }
