@@ -2,22 +2,13 @@
 
 use super::build::hull;
 use super::curve::Curve;
-use super::model::{Edge, Face, Model, Solid};
+use super::model::{Edge, Face, Model, Solid, Up};
 use super::surface::Surface;
 use super::vector::{Vector, distance};
 use imogene_models::scene::Material;
 
 /// Least diagonal of the box around a part, scene units.
 pub const SMALLEST_PART: f64 = 1e-6;
-
-/// Which axis of a part points up in a picture of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Up {
-    /// y, as in scenes.
-    Y,
-    /// z, as in CAD systems.
-    Z,
-}
 
 /// What a reader has found.
 #[derive(Debug)]

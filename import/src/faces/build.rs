@@ -1,10 +1,10 @@
 //! From the words of a face list to a model; every refusal names its line and column.
 
-use super::assemble::{Parts, Up, assemble};
+use super::assemble::{Parts, assemble};
 use super::build_edge::EdgeBuilder;
 use super::build_surface::surface;
 use super::keys::{FORMAT_VERSION, FaceKeys, ListKeys, SolidKeys};
-use super::model::{Edge, EdgeUse, Face, Model, Solid};
+use super::model::{Edge, EdgeUse, Face, Model, Solid, Up};
 use super::surface::Surface;
 use super::vector::{Vector, distance};
 use crate::{ImportError, Place};

@@ -1,6 +1,5 @@
 //! A face list that has been checked: faces on surfaces, bounded by edges that they share.
 
-pub use super::assemble::Up;
 use super::curve::Curve;
 use super::surface::Surface;
 use super::vector::{Vector, plus, times};
@@ -8,6 +7,15 @@ use imogene_models::scene::Material;
 
 /// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number of 15.
 pub const COINCIDENT: f64 = 1e-9;
+
+/// Which axis of a part points up in a picture of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// y, as in scenes.
+    Y,
+    /// z, as in CAD systems.
+    Z,
+}
 
 /// A face list.
 #[derive(Clone, Debug)]

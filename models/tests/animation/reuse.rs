@@ -147,6 +147,24 @@ fn only_what_moves_is_prepared() {
     }
 }
 
+/// Two halves meet in a plane; as one of them slides along it, the box in which the plane counts changes, and with it the words of the half that stays.
+#[test]
+fn what_shares_a_plane_with_what_moves_is_prepared() {
+    let half = |name: &str, x: f64| {
+        format!(
+            "[[objects]]\nname = \"{name}\"\nkind = \"ellipsoid\"\nradii = [1.5, 1, 1]\nmaterial = \"plain\"\n\
+             cuts = [{{ point = [0, 0, 0], normal = [{x}, 0, {:?}] }}]\n",
+            0.3 * x
+        )
+    };
+    let objects = half("west", 1.0) + &half("east", -1.0);
+    let images = "[[images]]\nname = \"slide\"\nsteps = 2\nactions = [{ target = \"east\", translate = [0, 0.8, 0] }]\n";
+    let file = parsed(CAMERA, &(objects + images));
+    let reuse = compare(&file, &[0, 1]);
+    let second = reuse[1].as_ref().expect("a frame");
+    assert_eq!((second.objects_prepared, second.objects_reused), (2, 0));
+}
+
 #[test]
 fn a_dimmed_light_or_a_still_frame_prepares_no_object() {
     let file = bodies(

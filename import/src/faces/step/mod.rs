@@ -19,8 +19,8 @@ mod token;
 mod topology;
 mod units;
 
-use super::assemble::{Parts, Up, assemble};
-use super::model::Model;
+use super::assemble::{Parts, assemble};
+use super::model::{Model, Up};
 use crate::ImportError;
 use args::Args;
 use assembly::{Assembly, Placed};
