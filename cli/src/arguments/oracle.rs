@@ -8,8 +8,14 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub struct Trace {
     /// Scene files; of several, those that the preparation refuses are listed as such.
-    #[arg(required = true, value_name = "SCENE")]
+    #[arg(required_unless_present = "random", value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
+    /// Look at N ordinary scenes made at random instead: how many are refused, fail their check, or differ.
+    #[arg(long, value_name = "N", conflicts_with_all = ["scenes", "size", "output", "table"])]
+    pub random: Option<u64>,
+    /// Seed of these scenes.
+    #[arg(long, default_value_t = 1, value_name = "SEED", requires = "random")]
+    pub seed: u64,
     /// Picture size in pixels; each scene's own if not given.
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
@@ -22,7 +28,7 @@ pub struct Trace {
     /// Picture (PNG) of one scene's comparison: the band blue, allowed differences orange, others red.
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
-    /// Folder for such a picture of every scene.
+    /// Folder for such a picture of every scene; of random scenes, for the files of those in which something is found.
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub out: Option<PathBuf>,
     /// Write the table of all scenes (Markdown) to this file.

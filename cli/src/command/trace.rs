@@ -8,8 +8,10 @@ use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use imogene_models::picture::{write_png, write_whole};
 use imogene_oracle::compare::{Comparison, Mark};
+use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::paint;
 use imogene_oracle::run::{Outcome, run as trace};
+use imogene_oracle::survey::{Finding, survey};
 use imogene_oracle::table::{Row, table};
 use serde::Serialize;
 use std::io::Write;
@@ -32,6 +34,9 @@ pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
         ));
     }
     let format = Format::new(options.format).map_err(Failure::input)?;
+    if let Some(scenes) = options.random {
+        return random(scenes, options, format, json);
+    }
     let (mut rows, mut files) = (vec![], vec![]);
     for path in &options.scenes {
         let (row, picture) = one(path, options, &format)?;
@@ -70,6 +75,47 @@ pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
         n => Err(Failure::Check(format!(
             "{n} of {} scenes differ from the traced picture where they must not",
             options.scenes.len()
+        ))),
+    }
+}
+
+/// Looks at scenes made at random.
+fn random(scenes: u64, options: &Trace, format: Format, json: bool) -> Result<(), Failure> {
+    let bar = output::progress(scenes, "random scenes");
+    let found = survey(options.seed, scenes, format, || bar.inc(1));
+    bar.finish_and_clear();
+    let lists = [
+        ("refused", &found.refused),
+        ("fails its check", &found.check_fails),
+        ("DIFFERS", &found.differing),
+    ];
+    if let Some(folder) = &options.out {
+        for finding in lists.iter().flat_map(|(_, list)| *list) {
+            let file = folder.join(format!("{}-{}.toml", options.seed, finding.number));
+            let text = scene_text(options.seed, finding.number);
+            write_whole(&file, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        }
+    }
+    if json {
+        output::json(&found);
+    } else {
+        for (what, list) in lists {
+            for Finding { number, what: why } in list {
+                output::text(format!("scene {number} {what}: {why}"));
+            }
+        }
+        output::text(format!(
+            "{scenes} scenes, {} pixels: {} refused, {} fail their check, {} differ from the traced picture where they must not",
+            found.pixels,
+            found.refused.len(),
+            found.check_fails.len(),
+            found.differing.len()
+        ));
+    }
+    match found.differing.len() {
+        0 => Ok(()),
+        n => Err(Failure::Check(format!(
+            "{n} of {scenes} scenes differ from the traced picture where they must not"
         ))),
     }
 }

@@ -1,0 +1,238 @@
+//! Ordinary scenes at random: one to six finite objects of every family, seen from 6 to 12 units away in both projections.
+//!
+//! A scene is the text of a scene file, so that what goes wrong with one can be kept as it is. The same seed gives the same text on every computer.
+
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+/// The text of the scene with this number in the sequence of a seed.
+pub fn scene_text(seed: u64, number: u64) -> String {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(number);
+    Author { random }.scene(seed, number)
+}
+
+/// Families that are bounded by two planes across their axis, as many numbers as each takes for its radii.
+const ROUND_AN_AXIS: [(&str, usize); 6] = [
+    ("cone", 3),
+    ("elliptic_cylinder", 2),
+    ("hyperboloid_one_sheet", 3),
+    ("hyperboloid_two_sheets", 3),
+    ("elliptic_paraboloid", 3),
+    ("cone", 3),
+];
+/// Families that need planes to all sides.
+const ENDLESS: [(&str, usize); 4] = [
+    ("hyperbolic_paraboloid", 3),
+    ("hyperbolic_cylinder", 2),
+    ("parabolic_cylinder", 2),
+    ("quadric", 0),
+];
+
+struct Author {
+    random: ChaCha8Rng,
+}
+
+impl Author {
+    fn scene(&mut self, seed: u64, number: u64) -> String {
+        let objects = self.random.random_range(1..=6);
+        let mut text = format!(
+            "format = 1\ntitle = \"ordinary scene {number} of seed {seed}\"\nimage = {{ width = 64, height = 48 }}\n"
+        );
+        self.camera(&mut text);
+        text += "\n[[lights]]\nkind = \"directional\"\nfrom = [-3, 5, 7]\n";
+        text += "\n[[materials]]\nname = \"clay\"\ncolour = [0.8, 0.5, 0.3]\n";
+        for index in 0..objects {
+            self.object(index, &mut text);
+        }
+        text
+    }
+
+    fn camera(&mut self, text: &mut String) {
+        let target = self.vector(0.4);
+        let distance = self.between(6.0, 12.0);
+        let (turn, up) = (self.between(0.0, TAU), self.between(-0.8, 0.8));
+        let level = f64::sqrt(1.0 - up * up);
+        let towards = [level * turn.cos(), up, level * turn.sin()];
+        let eye = [0, 1, 2].map(|k| rounded(target[k] + distance * towards[k]));
+        let height = self.between(2.0, 6.0);
+        let lens = match self.random.random_range(0..3) {
+            0 => format!("field_of_view = {}", self.between(20.0, 50.0)),
+            1 => format!("focal = {}", self.between(35.0, 80.0)),
+            _ => format!("view_height = {height}"),
+        };
+        let seen = if self.one_in(2) {
+            format!("kind = \"perspective\"\nviewer_distance = {distance}\n{lens}")
+        } else {
+            let depth = self.between(3.0, 8.0);
+            format!("kind = \"orthographic\"\nhalf_depth = {depth}\nview_height = {height}")
+        };
+        writeln!(
+            text,
+            "\n[camera]\neye = {}\ntarget = {}\n{seen}",
+            list(&eye),
+            list(&target)
+        )
+        .expect("a string takes all");
+    }
+
+    fn object(&mut self, index: usize, text: &mut String) {
+        let (shape, cuts, is_polyhedron) = match self.random.random_range(0..8) {
+            0 | 1 => (self.closed(), vec![], false),
+            2..=4 => {
+                let (shape, cuts) = self.round_an_axis();
+                (shape, cuts, false)
+            }
+            5 | 6 => {
+                let (shape, cuts) = self.endless();
+                (shape, cuts, false)
+            }
+            _ => ("kind = \"polyhedron\"".to_owned(), self.walls(), true),
+        };
+        let mut cuts = cuts;
+        if self.one_in(3) {
+            let (point, normal) = (self.vector(0.3), self.vector(1.0));
+            cuts.push(cut(point, normal));
+        }
+        let mode = match (is_polyhedron, self.one_in(2)) {
+            (true, _) => "",
+            (_, true) => "mode = \"solid\"\n",
+            _ if self.one_in(3) => "mode = \"patch\"\nprocessor = \"patch\"\n",
+            _ => "mode = \"patch\"\n",
+        };
+        let place = self.place();
+        writeln!(
+            text,
+            "\n[[objects]]\nname = \"o{index}\"\n{shape}\n{mode}material = \"clay\"\nplace = [{place}]\ncuts = [{}]",
+            cuts.join(", ")
+        )
+        .expect("a string takes all");
+    }
+
+    fn closed(&mut self) -> String {
+        if self.one_in(2) {
+            return format!("kind = \"sphere\"\nradius = {}", self.size());
+        }
+        format!("kind = \"ellipsoid\"\nradii = {}", self.sizes(3))
+    }
+
+    fn round_an_axis(&mut self) -> (String, Vec<String>) {
+        let (kind, count) = ROUND_AN_AXIS[self.random.random_range(0..ROUND_AN_AXIS.len())];
+        let shape = format!("kind = \"{kind}\"\nradii = {}", self.sizes(count));
+        let (from, to) = (-self.size(), self.size());
+        let from = match kind {
+            "cone" if self.one_in(2) => 0.0,
+            "elliptic_paraboloid" => 0.0,
+            _ => from,
+        };
+        let cuts = [(to, 1.0), (from, -1.0)]
+            .map(|(y, side)| cut([0.0, y, 0.0], [0.0, side, 0.0]))
+            .to_vec();
+        (shape, cuts)
+    }
+
+    fn endless(&mut self) -> (String, Vec<String>) {
+        let (kind, count) = ENDLESS[self.random.random_range(0..ENDLESS.len())];
+        let parameters = match count {
+            0 => {
+                let factors: Vec<f64> = (0..10).map(|_| self.between(-1.0, 1.0)).collect();
+                format!("coefficients = {}", list(&factors))
+            }
+            n => format!("radii = {}", self.sizes(n)),
+        };
+        (format!("kind = \"{kind}\"\n{parameters}"), self.walls())
+    }
+
+    /// A box of planes.
+    fn walls(&mut self) -> Vec<String> {
+        let reach = [self.size(), self.size(), self.size()];
+        let wall = |axis: usize, side: f64| {
+            let at = |length: f64| std::array::from_fn(|k| if k == axis { length } else { 0.0 });
+            cut(at(side * reach[axis]), at(side))
+        };
+        (0..3)
+            .flat_map(|axis| [wall(axis, 1.0), wall(axis, -1.0)])
+            .collect()
+    }
+
+    fn place(&mut self) -> String {
+        let mut steps = vec![];
+        if self.one_in(4) {
+            let factors: Vec<f64> = (0..3).map(|_| self.between(0.6, 1.5)).collect();
+            steps.push(format!("{{ scale = {} }}", list(&factors)));
+        }
+        for _ in 0..self.random.random_range(0..=2) {
+            let degrees = if self.one_in(2) {
+                f64::from(30 * self.random_turn())
+            } else {
+                self.between(-180.0, 180.0)
+            };
+            let axis = ["\"x\"", "\"y\"", "\"z\"", "[1, 1, 0.5]"][self.random.random_range(0..4)];
+            steps.push(format!(
+                "{{ rotate = {{ axis = {axis}, degrees = {degrees} }} }}"
+            ));
+        }
+        steps.push(format!("{{ translate = {} }}", list(&self.vector(1.5))));
+        steps.join(", ")
+    }
+
+    fn random_turn(&mut self) -> i32 {
+        self.random.random_range(0..12)
+    }
+
+    /// Half of 0.1 to 3.
+    fn size(&mut self) -> f64 {
+        self.between(0.05, 1.5)
+    }
+
+    fn sizes(&mut self, count: usize) -> String {
+        let sizes: Vec<f64> = (0..count).map(|_| self.size()).collect();
+        list(&sizes)
+    }
+
+    fn vector(&mut self, reach: f64) -> [f64; 3] {
+        std::array::from_fn(|_| self.between(-reach, reach))
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        rounded(self.random.random_range(low..high))
+    }
+
+    fn one_in(&mut self, count: u32) -> bool {
+        self.random.random_range(0..count) == 0
+    }
+}
+
+fn rounded(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
+fn list(values: &[f64]) -> String {
+    format!("{values:?}")
+}
+
+fn cut(point: [f64; 3], normal: [f64; 3]) -> String {
+    format!("{{ point = {}, normal = {} }}", list(&point), list(&normal))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_models::scene::SceneFile;
+
+    #[test]
+    fn every_scene_is_read_and_no_two_are_the_same() {
+        let texts: Vec<String> = (0..200).map(|number| scene_text(1, number)).collect();
+        for text in &texts {
+            SceneFile::parse(text, "random").expect("an ordinary scene");
+        }
+        assert_eq!(texts[7], scene_text(1, 7));
+        assert_ne!(texts[7], texts[8]);
+        assert_ne!(texts[7], scene_text(2, 7));
+        for kind in ["hyperbolic_cylinder", "quadric", "polyhedron", "cone"] {
+            assert!(texts.iter().any(|text| text.contains(kind)), "{kind}");
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! What becomes of many scenes: how many are refused, how many the check fails, and where golden and traced picture differ.
+
+use crate::ordinary::scene_text;
+use crate::run::{Compared, Outcome, run};
+use imogene_models::check::check;
+use imogene_models::format::Format;
+use imogene_models::prepare::prepare;
+use imogene_models::scene::SceneFile;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// One scene of a survey with which something is not as it should be.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// Its number in the sequence of the seed.
+    pub number: u64,
+    /// What was found.
+    pub what: String,
+}
+
+/// What became of the scenes.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Survey {
+    /// Seed of the sequence.
+    pub seed: u64,
+    /// Scenes looked at.
+    pub scenes: u64,
+    /// Pixels compared with the tracer.
+    pub pixels: usize,
+    /// Pixels that differ and that the check announces, or that are tied or in the band.
+    pub announced: usize,
+    /// Scenes that the preparation refuses, with the reason.
+    pub refused: Vec<Finding>,
+    /// Scenes that the check fails, with the number of their pixels that rounding leaves open.
+    pub check_fails: Vec<Finding>,
+    /// Scenes in which golden and traced picture differ where they must not.
+    pub differing: Vec<Finding>,
+}
+
+/// What became of one scene.
+enum Fate {
+    Refused(String),
+    Drawn {
+        compared: Box<Compared>,
+        is_ok: bool,
+        undecided: usize,
+    },
+}
+
+/// Looks at the first `scenes` ordinary scenes of a seed; `done` is called once for each, from any thread.
+pub fn survey(seed: u64, scenes: u64, format: Format, done: impl Fn() + Sync) -> Survey {
+    let fates: Vec<Fate> = (0..scenes)
+        .into_par_iter()
+        .map(|number| {
+            let fate = fate(&scene_text(seed, number), format);
+            done();
+            fate
+        })
+        .collect();
+    let mut survey = Survey {
+        seed,
+        scenes,
+        ..Survey::default()
+    };
+    for (number, fate) in (0..).zip(fates) {
+        survey.add(number, fate);
+    }
+    survey
+}
+
+fn fate(text: &str, format: Format) -> Fate {
+    let drawn = || -> Result<Fate, String> {
+        let scene = SceneFile::parse(text, "scene").map_err(|e| e.to_string())?;
+        let (width, height) = (scene.image.width, scene.image.height);
+        let compared = match run(&scene, width, height, format, &|_| ()) {
+            Ok(Outcome::Compared(compared)) => compared,
+            Ok(Outcome::Refused(reason)) => return Err(reason),
+            Err(error) => return Err(error.to_string()),
+        };
+        let framed = scene.frame(width, height).map_err(|e| e.to_string())?;
+        let prepared = prepare(&framed, format).map_err(|e| e.to_string())?;
+        let report = check(&framed, &prepared);
+        Ok(Fate::Drawn {
+            compared,
+            is_ok: report.ok,
+            undecided: report.undecided_pixels,
+        })
+    };
+    drawn().unwrap_or_else(Fate::Refused)
+}
+
+impl Survey {
+    fn add(&mut self, number: u64, fate: Fate) {
+        let finding = |what: String| Finding { number, what };
+        let (compared, is_ok, undecided) = match fate {
+            Fate::Refused(reason) => return self.refused.push(finding(reason)),
+            Fate::Drawn {
+                compared,
+                is_ok,
+                undecided,
+            } => (compared, is_ok, undecided),
+        };
+        let c = &compared.comparison;
+        self.pixels += c.pixels;
+        self.announced += c.announced + c.tied + c.differences_inside;
+        let wrong = c.announced + c.differences_outside + c.differences_inside;
+        if !is_ok {
+            self.check_fails.push(finding(format!(
+                "{undecided} pixels undecided, {wrong} differ from the traced picture"
+            )));
+        }
+        if !c.holds() {
+            self.differing.push(finding(format!(
+                "{} pixels show another face, {} depths are beyond their bound",
+                c.differences_outside, c.depths_beyond_bound
+            )));
+        }
+    }
+}
