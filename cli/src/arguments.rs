@@ -17,6 +17,7 @@ mod terrain;
 mod trade;
 mod unit;
 
+use crate::missing::Policy;
 pub use accuracy::{Bounds, Shading, Sweep};
 use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, EngineName, Speed};
@@ -44,9 +45,26 @@ pub struct Arguments {
     /// Print one JSON document on standard output and nothing else there.
     #[arg(long, global = true)]
     pub json: bool,
+    /// Refuse a scene if one of its objects cannot be drawn, with exit code 2, in the place of leaving the object out.
+    #[arg(long, global = true, conflicts_with = "allow_missing")]
+    pub strict: bool,
+    /// End with exit code 0 though an object that cannot be drawn is left out.
+    #[arg(long, global = true)]
+    pub allow_missing: bool,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Arguments {
+    /// What to do about objects that cannot be drawn.
+    pub fn policy(&self) -> Policy {
+        match (self.strict, self.allow_missing) {
+            (true, _) => Policy::Strict,
+            (_, true) => Policy::Allow,
+            _ => Policy::Warn,
+        }
+    }
 }
 
 /// The commands.

@@ -3,6 +3,7 @@
 mod arguments;
 mod command;
 mod failure;
+mod missing;
 mod output;
 
 use arguments::{Arguments, Command};
@@ -12,6 +13,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let json = arguments.json;
+    missing::set(arguments.policy());
     let outcome = match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),
         Command::Units => command::units::run(json),
@@ -44,7 +46,7 @@ fn main() -> ExitCode {
         Command::Prove(options) => command::prove::run(options, json),
         Command::Mutate(options) => command::mutate::run(options, json),
     };
-    match outcome {
+    match outcome.and_then(|()| missing::verdict()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("{failure}");

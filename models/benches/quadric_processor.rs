@@ -7,7 +7,9 @@ use imogene_models::object::line::for_each_present;
 use imogene_models::object::quadric::{QuadricWords, ScreenBox};
 use imogene_models::prepare::prepare;
 use imogene_models::rational::{integer, to_f64};
-use imogene_models::scene::{FramedQuadric, FramedScene, Plane, Projection, Quadric, Surface};
+use imogene_models::scene::{
+    DepthRange, FramedQuadric, FramedScene, Plane, Projection, Quadric, Surface,
+};
 use std::hint::black_box;
 
 const WIDTH: u32 = 720;
@@ -44,13 +46,15 @@ fn scene() -> FramedScene {
         material: 0,
         casts_shadow: true,
     };
+    let projection = Projection::Perspective {
+        distance: integer(DISTANCE),
+    };
     FramedScene {
         title: "benchmark".into(),
         width: WIDTH,
         height: HEIGHT,
-        projection: Projection::Perspective {
-            distance: integer(DISTANCE),
-        },
+        range: DepthRange::of_pixels(&projection),
+        projection,
         objects: vec![cut.into()],
         materials: vec![],
         lights: vec![],

@@ -53,13 +53,13 @@ impl Bounds {
                     Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
                 }
                 FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
-                FramedObject::Polyhedron(_) => match &prepared.objects[id] {
+                // Polyhedra and quotients state their own.
+                _ => match &prepared.objects[id] {
                     PreparedObject::Parts(parts) => {
-                        Bound::Level([parts.depth_bound.unwrap_or(0.0); 2])
+                        Bound::Level([parts.depth_bound.unwrap_or(GUARDED); 2])
                     }
                     _ => unreachable!("prepared for its processor"),
                 },
-                _ => Bound::Level([GUARDED; 2]),
             }
         };
         Ok(Bounds {

@@ -1,7 +1,7 @@
 //! Lines of sight in scene coordinates.
 //!
-//! The point at parameter t of the pixel (X, Y) is `from + t along`, both of first degree in X and Y. In perspective t is 1 on the screen plane and the depth
-//! of a point, as a share of the depth word's greatest value, is `1 - 1/t`; in parallel projection it is t itself.
+//! The point at parameter t of the pixel (X, Y) is `from + t along`, both of first degree in X and Y. In perspective t is 1 at twice the near end and the depth
+//! of a point, as a share of the depth word's greatest value, is `1 - 1/t`; in parallel projection it is t itself, -1 at the near end and 1 at the far end.
 //!
 //! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the exact scene with these numbers, so that a
 //! line of sight follows the dual axes: the cross products of the others over the determinant.
@@ -9,7 +9,7 @@
 use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;
 use imogene_models::rational::{from_decimal, from_f64_exact, integer, to_f64};
-use imogene_models::scene::{Camera, Step};
+use imogene_models::scene::{Camera, DepthRange, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
@@ -32,8 +32,8 @@ pub struct Sight {
 }
 
 impl Sight {
-    /// The lines of sight of a camera, for a picture of `width` x `height` pixels.
-    pub fn new(camera: &Camera, width: u32, height: u32) -> Sight {
+    /// The lines of sight of a camera, for a picture of `width` x `height` pixels whose depth words cover a range.
+    pub fn new(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
         let lines = integer(i64::from(height));
         match camera {
             Camera::Perspective {
@@ -43,11 +43,14 @@ impl Sight {
                 viewer_distance,
                 view_height,
                 node,
+                ..
             } => {
                 let observer = Observer::placed(eye, target, up, &node.place);
                 let [right, down, forward] = screen_axes(observer.view, observer.up);
-                let half_pixel = from_decimal(*view_height) / (lines * integer(2));
-                let distance = from_decimal(*viewer_distance);
+                let distance = integer(2) * &range.near;
+                // Of the window at that distance.
+                let half_pixel = from_decimal(*view_height) * &distance
+                    / (from_decimal(*viewer_distance) * lines * integer(2));
                 Sight {
                     width,
                     height,
@@ -65,21 +68,26 @@ impl Sight {
                 target,
                 up,
                 view_height,
-                half_depth,
                 node,
+                ..
             } => {
                 let observer = Observer::placed(eye, target, up, &node.place);
                 let [right, down, forward] = screen_axes(observer.view, observer.up);
                 let half_pixel = from_decimal(*view_height) / (lines * integer(2));
+                let far = range.far.as_ref().expect("a parallel view has a far end");
+                let (middle, half) = ((far + &range.near), (far - &range.near));
+                let [middle, half] = [middle, half].map(|length| length / integer(2));
+                let away = scaled(forward.clone(), &middle);
+                let origin = std::array::from_fn(|k| &observer.target[k] + &away[k]);
                 Sight {
                     width,
                     height,
                     from: [
                         scaled(right, &half_pixel),
                         scaled(down, &half_pixel),
-                        observer.target,
+                        origin,
                     ],
-                    along: [zero(), zero(), scaled(forward, &from_decimal(*half_depth))],
+                    along: [zero(), zero(), scaled(forward, &half)],
                     perspective: false,
                 }
             }

@@ -12,7 +12,7 @@
 
 use crate::trace::Tracer;
 use imogene_models::machine::frame::Frame;
-use imogene_models::scene::Camera;
+use imogene_models::scene::{Camera, DepthRange};
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -76,18 +76,12 @@ pub fn mark_openings(found: &mut [Crack], tracer: &Tracer) {
 
 impl Buffers {
     /// Those of a frame with depth words up to `z_max`.
-    pub fn new(frame: &Frame, camera: &Camera, z_max: i64) -> Buffers {
+    pub fn new(frame: &Frame, range: &DepthRange, z_max: i64) -> Buffers {
         let distance = |(word, id): (&i64, &i32)| {
             if *id < 0 {
                 return f64::INFINITY;
             }
-            let share = *word as f64 / z_max as f64;
-            match camera {
-                Camera::Perspective {
-                    viewer_distance, ..
-                } => viewer_distance / (1.0 - share),
-                Camera::Orthographic { half_depth, .. } => half_depth * share,
-            }
+            range.distance(*word as f64 / z_max as f64)
         };
         Buffers {
             width: frame.width,

@@ -9,7 +9,7 @@ use imogene_models::machine::beam;
 use imogene_models::machine::frame::Frame;
 use imogene_models::object::slot::Slot;
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::Camera;
+use imogene_models::scene::DepthRange;
 use serde::Serialize;
 use std::collections::HashSet;
 
@@ -166,13 +166,13 @@ impl Breakable {
     /// Makes cracks and looks for them.
     pub fn score(
         &self,
-        camera: &Camera,
+        range: &DepthRange,
         sort: Sort,
         count: usize,
         seed: u64,
         rule: &Rule,
     ) -> Score {
-        let buffers = |frame: &Frame| Buffers::new(frame, camera, self.z_max);
+        let buffers = |frame: &Frame| Buffers::new(frame, range, self.z_max);
         let (broken, made) = self.broken(sort, count, seed);
         let searched = buffers(&broken);
         let flagged: HashSet<usize> = cracks(&searched, rule)

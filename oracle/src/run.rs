@@ -48,7 +48,7 @@ pub fn run(
         Err(reason) => return Ok(Outcome::Refused(reason.to_string())),
     };
     let started = Instant::now();
-    let tracer = Tracer::new(scene, width, height);
+    let tracer = Tracer::new(scene, &framed.range, width, height);
     let steps = tracer.steps();
     let traced = tracer.draw(|| progress(steps));
     let trace_seconds = started.elapsed().as_secs_f64();

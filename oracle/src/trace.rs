@@ -8,7 +8,7 @@ use crate::camera::Sight;
 use crate::decide::{Cell, Verdict};
 use crate::interval::Interval;
 use crate::solve::Solved;
-use imogene_models::scene::SceneFile;
+use imogene_models::scene::{DepthRange, SceneFile};
 use num_rational::BigRational;
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -59,10 +59,10 @@ pub struct Tracer {
 type Drawn = (Option<TracedPixel>, bool);
 
 impl Tracer {
-    /// A scene that was read and checked, for a picture of `width` x `height` pixels.
-    pub fn new(scene: &SceneFile, width: u32, height: u32) -> Tracer {
+    /// A scene that was read and checked, for a picture of `width` x `height` pixels whose depth words cover a range.
+    pub fn new(scene: &SceneFile, range: &DepthRange, width: u32, height: u32) -> Tracer {
         let scene = scene.flattened();
-        let sight = Sight::new(&scene.camera, width, height);
+        let sight = Sight::new(&scene.camera, range, width, height);
         let bodies: Vec<Vec<(u32, Body)>> = scene
             .objects
             .par_iter()

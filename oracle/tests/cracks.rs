@@ -6,7 +6,7 @@ use common::scene;
 use imogene_models::format::Format;
 use imogene_models::machine::beam;
 use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::SceneFile;
+use imogene_models::scene::{DepthRange, SceneFile};
 use imogene_oracle::crack::{Buffers, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Sort};
 use imogene_oracle::trace::Tracer;
@@ -47,7 +47,11 @@ fn convex_solids_have_no_cracks_from_any_side() {
                 let prepared = prepared(&scene, 160, 120);
                 let frame = beam::render(&prepared.slots(), &Format::BASE, 160, 120, || ());
                 assert!(frame.covered() > 100, "{object} from {x} {y} {z}");
-                let buffers = Buffers::new(&frame, &scene.camera, Format::BASE.z_max());
+                let buffers = Buffers::new(
+                    &frame,
+                    &DepthRange::of_camera(&scene.camera),
+                    Format::BASE.z_max(),
+                );
                 // A thousandth of a pixel is far above the depth error.
                 let least = two_pixels(&scene.camera, 120) / 2000.0;
                 for (min_distance, width) in [(1000.0 * least, 1), (least, 1), (least, 3)] {
@@ -77,7 +81,8 @@ fn every_crack_of_a_convex_solid_is_found() {
                     min_distance,
                     width: 1,
                 };
-                let score = breakable.score(&scene.camera, sort, 100, 7, &rule);
+                let score =
+                    breakable.score(&DepthRange::of_camera(&scene.camera), sort, 100, 7, &rule);
                 assert!(score.made > 5, "{object} {score:?}");
                 assert_eq!(
                     (score.found, score.others),
@@ -103,7 +108,7 @@ fn every_deep_crack_of_the_teapot_is_found() {
             min_distance: two_pixels(&scene.camera, 150),
             width: 1,
         };
-        let score = breakable.score(&scene.camera, sort, 60, 3, &rule);
+        let score = breakable.score(&DepthRange::of_camera(&scene.camera), sort, 60, 3, &rule);
         assert!(score.deep > 10, "{score:?}");
         assert_eq!(score.deep, score.deep_found, "{score:?}");
     }
@@ -127,7 +132,7 @@ fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
             let prepared = prepare(&alone, Format::BASE).expect("prepared");
             apart.objects[index] = prepared.objects[0].clone();
         }
-        let tracer = Tracer::new(&scene, width, height);
+        let tracer = Tracer::new(&scene, &framed.range, width, height);
         let rule = Rule {
             min_distance: two_pixels(&scene.camera, height as usize),
             width: 1,
@@ -135,7 +140,11 @@ fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
         let count = |prepared: &PreparedScene| {
             let (columns, lines) = (width as usize, height as usize);
             let frame = beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ());
-            let buffers = Buffers::new(&frame, &scene.camera, Format::BASE.z_max());
+            let buffers = Buffers::new(
+                &frame,
+                &DepthRange::of_camera(&scene.camera),
+                Format::BASE.z_max(),
+            );
             let mut found = cracks(&buffers, &rule);
             mark_openings(&mut found, &tracer);
             found.iter().filter(|c| c.is_of_the_drawing()).count()

@@ -106,7 +106,7 @@ fn wrong_pictures_are_noticed() {
         h as usize,
         || (),
     );
-    let tracer = imogene_oracle::trace::Tracer::new(&scene, w, h);
+    let tracer = imogene_oracle::trace::Tracer::new(&scene, &framed.range, w, h);
     let bounds =
         imogene_oracle::bounds::Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds");
     let traced = tracer.draw(|| ());

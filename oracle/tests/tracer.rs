@@ -4,7 +4,7 @@ mod common;
 
 use common::{PARALLEL, PERSPECTIVE, scene};
 use imogene_models::object::facet::FACE_FACET;
-use imogene_models::scene::{Plane, Quadric, SceneFile, Transform};
+use imogene_models::scene::{DepthRange, Plane, Quadric, SceneFile, Transform};
 use imogene_oracle::body::Body;
 use imogene_oracle::camera::Sight;
 use imogene_oracle::decide::{Cell, Verdict};
@@ -26,7 +26,7 @@ struct Rays {
 
 impl Rays {
     fn new(scene: &SceneFile) -> Rays {
-        let sight = Sight::new(&scene.camera, 64, 48);
+        let sight = Sight::new(&scene.camera, &DepthRange::of_camera(&scene.camera), 64, 48);
         let bodies = scene.objects.iter().flat_map(|o| Body::of(o, &sight));
         Rays {
             bodies: bodies.collect(),
@@ -146,7 +146,7 @@ fn a_camera_that_looks_askew_sees_the_screen_plane_at_depth_zero() {
     let cut = "kind = \"polyhedron\"\ncuts = [{ point = [0, 1, 0], normal = [4, 4, 20] }]";
     let scene = scene(camera, &[cut]);
     let length = (16.0f64 + 16.0 + 400.0).sqrt();
-    let traced = Tracer::new(&scene, 64, 48).draw(|| ());
+    let traced = Tracer::new(&scene, &DepthRange::of_camera(&scene.camera), 64, 48).draw(|| ());
     for pixel in &traced.pixels {
         let depth = pixel.expect("the plane fills the picture").depth.middle();
         assert!((depth - (1.0 - 21.0 / length)).abs() < 1e-13, "{depth}");
@@ -170,7 +170,7 @@ fn the_picture_is_that_of_every_object_at_every_pixel() {
     for camera in [PERSPECTIVE, PARALLEL] {
         let scene = scene(camera, &objects);
         let rays = Rays::new(&scene);
-        let tracer = Tracer::new(&scene, 64, 48);
+        let tracer = Tracer::new(&scene, &DepthRange::of_camera(&scene.camera), 64, 48);
         let traced = tracer.draw(|| ());
         let mut seen = [false; 6];
         for line in 0..48u32 {

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::{write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::Camera;
+use imogene_models::scene::DepthRange;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
@@ -44,7 +44,7 @@ struct ScoreRow {
 /// Searches the golden picture for cracks.
 pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
-    let (_, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
+    let (framed, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
     let least = options.min_distance;
     let rule = Rule {
         min_distance: least.unwrap_or_else(|| two_pixels(file.active(), prepared.height as usize)),
@@ -52,9 +52,9 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     };
     let frame = golden_frame(&prepared);
     let z_max = prepared.format.z_max();
-    let mut found = cracks(&Buffers::new(&frame, file.active(), z_max), &rule);
+    let mut found = cracks(&Buffers::new(&frame, &framed.range, z_max), &rule);
     if found.iter().any(|crack| !crack.notch) {
-        let tracer = Tracer::new(&file, prepared.width, prepared.height);
+        let tracer = Tracer::new(&file, &framed.range, prepared.width, prepared.height);
         mark_openings(&mut found, &tracer);
     }
     let mut files = vec![];
@@ -65,7 +65,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         files.push(path.clone());
     }
     let scores = options.inject.map_or(vec![], |count| {
-        scores(options, count, &prepared, file.active(), rule)
+        scores(options, count, &prepared, &framed.range, rule)
     });
     if let Some(path) = &options.plot {
         let scores: Vec<Score> = scores.iter().map(|row| row.score).collect();
@@ -113,7 +113,7 @@ fn scores(
     options: &Cracks,
     count: u32,
     prepared: &PreparedScene,
-    camera: &Camera,
+    range: &DepthRange,
     rule: Rule,
 ) -> Vec<ScoreRow> {
     let breakable = Breakable::new(prepared);
@@ -126,7 +126,7 @@ fn scores(
             min_distance: rule.min_distance * 2f64.powi(power),
             ..rule
         };
-        let score = breakable.score(camera, sort, count as usize, options.seed, &rule);
+        let score = breakable.score(range, sort, count as usize, options.seed, &rule);
         ScoreRow {
             recall: score.recall(),
             precision: score.precision(),

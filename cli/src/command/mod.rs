@@ -35,10 +35,10 @@ pub mod units;
 
 use crate::arguments::{Guards, Scene, Shape, Size, View, Widths};
 use crate::failure::Failure;
-use crate::output;
+use crate::{missing, output};
 use imogene_models::animation::Playback;
 use imogene_models::format::Format;
-use imogene_models::prepare::{Options, PreparedScene, prepare_reporting, steps};
+use imogene_models::prepare::{PreparedScene, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, SceneFile};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
@@ -112,9 +112,10 @@ fn frame_in(
     let (width, height) = size_of(file, size);
     let framed = file.frame(width, height).map_err(Failure::input)?;
     let bar = output::progress(steps(&framed), "preparation");
-    let prepared = prepare_reporting(&framed, format, Options::default(), &|| bar.inc(1));
+    let prepared = prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1));
     bar.finish_and_clear();
     let prepared = prepared.map_err(Failure::input)?;
+    missing::tell("", &framed, &prepared)?;
     Ok((framed, prepared))
 }
 

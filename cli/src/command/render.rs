@@ -13,7 +13,7 @@ use imogene_models::machine::split::Division;
 use imogene_models::machine::{beam, shading};
 use imogene_models::metrics::Drawing;
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::{FramedScene, FramedSource};
+use imogene_models::scene::{FramedScene, FramedSource, RangeReport};
 use imogene_models::trade::measure::zones;
 use imogene_models::{exact, picture};
 use imogene_verif::engine::rust_hdl::RustHdl;
@@ -34,6 +34,8 @@ struct RenderReport {
     pixels_per_second: f64,
     covered_pixels: usize,
     volumes: usize,
+    /// The range of the depth word.
+    range: RangeReport,
     #[serde(skip_serializing_if = "Option::is_none")]
     split: Option<split::SplitReport>,
     files: Vec<PathBuf>,
@@ -76,6 +78,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
             pixels_per_second: per_second(&prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            range: framed.range.report(prepared.format.z_max()),
             split: None,
             files,
         },
@@ -115,6 +118,7 @@ fn zoned(
             pixels_per_second: per_second(prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            range: framed.range.report(prepared.format.z_max()),
             split: None,
             files,
         },
@@ -146,6 +150,7 @@ fn divided(
             pixels_per_second: per_second(prepared, seconds),
             covered_pixels: divided.frame.covered(),
             volumes: prepared.volumes.len(),
+            range: framed.range.report(prepared.format.z_max()),
             split: Some(split),
             files,
         },

@@ -190,6 +190,7 @@ fn camera(model: &Model, view: &View) -> Camera {
         up: turned(model.up, [0.0, 1.0, 0.0]),
         viewer_distance: distance,
         view_height: rounded(2.0 * MARGIN * half, size),
+        near: None,
         node: Node::default(),
     }
 }

@@ -96,6 +96,7 @@ pub fn frame(balls: &[Ball]) -> Framing {
             up,
             viewer_distance: distance,
             view_height: five_digits_up(2.0 * half_height),
+            near: None,
             node: Node::default(),
         },
         axes: [right, up, towards],

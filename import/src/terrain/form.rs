@@ -122,13 +122,13 @@ impl Map<'_> {
             let framed = framed
                 .map_err(|e| unusable(self.file, e.to_string(), "see docs/scene-format.md"))?;
             let mut again = vec![];
-            for (object, problem) in refused(&framed, Format::BASE) {
+            for (object, _) in refused(&framed, Format::BASE) {
                 let cell = owners[object];
                 if again.last() == Some(&cell) {
                     continue;
                 }
-                let form = match (&problem, cells[cell].form) {
-                    (PrepareError::BehindViewer { .. }, _) | (_, Form::Facets) => Form::LeftOut,
+                let form = match cells[cell].form {
+                    Form::Facets => Form::LeftOut,
                     _ => Form::Facets,
                 };
                 again.push(cell);

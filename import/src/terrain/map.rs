@@ -98,6 +98,7 @@ impl<'a> Map<'a> {
             up: [0.0, 1.0, 0.0],
             viewer_distance: self.viewer_distance,
             view_height: short(VIEW * self.viewer_distance),
+            near: None,
             node: Node::default(),
         };
         SceneFile {

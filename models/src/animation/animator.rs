@@ -3,8 +3,9 @@
 use super::playback::{FrameOf, Playback, PlaybackError};
 use crate::format::Format;
 use crate::prepare::error::PrepareError;
+use crate::prepare::range::frame_keeping;
 use crate::prepare::{Kept, Options, PreparedScene, Reuse, prepare_again};
-use crate::scene::{Camera, FramedObject, FramedScene, Object, SceneError, SceneFile};
+use crate::scene::{Camera, FramedObject, FramedScene, Object, RangeOrigin, SceneError, SceneFile};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -13,6 +14,7 @@ pub struct Animator<'a> {
     playback: Playback<'a>,
     size: (u32, u32),
     format: Format,
+    options: Options,
     before: Option<Before>,
     kept: Kept,
 }
@@ -20,6 +22,8 @@ pub struct Animator<'a> {
 /// The frame before, as it is compared with the next: in the numbers of the file, without any arithmetic.
 struct Before {
     camera: Camera,
+    /// Its objects are framed in the range that the camera suggests or names.
+    is_suggested: bool,
     /// Objects and the indices of their materials, by their names.
     objects: HashMap<String, (Object, usize)>,
 }
@@ -87,9 +91,16 @@ impl<'a> Animator<'a> {
             playback: Playback::new(file)?,
             size,
             format,
+            options: Options::default(),
             before: None,
             kept: Kept::default(),
         })
+    }
+
+    /// The same animation, its frames prepared in another way.
+    pub fn with_options(mut self, options: Options) -> Animator<'a> {
+        self.options = options;
+        self
     }
 
     /// The frames.
@@ -135,13 +146,13 @@ impl<'a> Animator<'a> {
         let scene = self.playback.scene(index)?;
         let flat = scene.flattened();
         let (width, height) = self.size;
-        let framed = flat.frame_keeping(width, height, |object, material| {
+        let framed = frame_keeping(&flat, (width, height), |object, material| {
             match self.framed_before(object, material, &flat.camera) {
                 Some(kept) => Ok(Some(kept.clone())),
                 None => flat.check_moved(object).map(|()| None),
             }
         })?;
-        let options = Options::default();
+        let options = self.options;
         let (prepared, reuse) = prepare_again(&framed, self.format, options, &mut self.kept, done)?;
         self.before = Some(Before::of(flat.into_owned(), &framed));
         Ok((framed, prepared, reuse))
@@ -154,7 +165,9 @@ impl<'a> Animator<'a> {
         material: usize,
         camera: &Camera,
     ) -> Option<&FramedObject> {
-        let before = self.before.as_ref().filter(|b| b.camera == *camera)?;
+        // Objects are handed on in the range that the camera suggests alone.
+        let before = self.before.as_ref();
+        let before = before.filter(|b| b.camera == *camera && b.is_suggested)?;
         let (known, known_material) = before.objects.get(&object.name)?;
         let same = *known_material == material && known == object;
         same.then(|| self.kept.framed(&object.name)).flatten()
@@ -166,6 +179,7 @@ impl Before {
         let materials = framed.objects.iter().map(FramedObject::material);
         let objects = flat.objects.into_iter().zip(materials);
         Before {
+            is_suggested: framed.range.origin != RangeOrigin::Scene,
             camera: flat.camera,
             objects: objects
                 .map(|(object, material)| (object.name.clone(), (object, material)))

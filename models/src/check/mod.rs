@@ -36,7 +36,7 @@ pub use summary::{Shows, Summary};
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::prepare::{NeededWidths, PreparedScene};
-use crate::scene::FramedScene;
+use crate::scene::{FramedScene, RangeReport};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -50,6 +50,8 @@ pub struct CheckReport {
     pub bounds: SceneBounds,
     /// Widths of the format, and those that the scene needs.
     pub widths: Widths,
+    /// The range of the depth word: which distances it tells apart, and what a word is.
+    pub range: RangeReport,
     /// Pixels of the picture at which rounding could change the visible object or face, among the objects that have bounds.
     pub undecided_pixels: usize,
     /// What the scene needs and has, in short.
@@ -174,6 +176,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
             format: prepared.format,
             needed,
         },
+        range: scene.range.report(prepared.format.z_max()),
         summary: summary::summary(scene, prepared, &objects),
         undecided_pixels: undecided_pixels(prepared).iter().filter(|&&u| u).count(),
         objects,

@@ -4,13 +4,20 @@
 //! Along a line of sight the equation of such a quadric is of first degree, `2 B(x, y) z + T(x, y) = 0`, so the depth is one quotient and no root. A pe2 gives
 //! the numerator `-T`, a pe1 the denominator `2 B`, and the array of [`crate::unit::quotient`] the depth word. The planes cut it as they cut any other object.
 //!
+//! A quadric that the eye *nearly* lies on has two depths, of which one is too great for any word wherever it cannot be seen: `C z^2 + 2 B z + T = 0` with a small C.
+//! With the root of the discriminant the denominator becomes `2 B +- 2 sqrt(B^2 - C T)`, of the sign of B, so that nothing cancels; `-2 T` over it is the depth
+//! that stays, and it over `-2 C` the one that leaves. Both saturate, and from there on the object is one of two roots like any other.
+//!
 //! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a solid everywhere or nowhere. Quotients outside
 //! the depth word lie nearer than the near end, or behind the eye.
 
 use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
 use crate::format::Format;
 use crate::unit::cut_plane::cut;
-use crate::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval};
+use crate::unit::interval::{
+    Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval, halves,
+};
+use crate::unit::merge::merge;
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::pe1::{Linear, Pe1};
 use crate::unit::pe2::{Pe2, Quadratic};
@@ -18,14 +25,25 @@ use crate::unit::plane_depth::saturate;
 use crate::unit::quotient::{Quotient, restoring_quotient};
 use serde::{Deserialize, Serialize};
 
-/// Width of the numerator's processor: every depth word times every denominator.
-pub const fn numerator_width(format: &Format) -> u32 {
-    format.depth + denominator_width(format)
+/// Widths of the processors of a quotient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuotientWidths {
+    /// Of the denominator: that of a plane, or eight bits more if a root is added to it.
+    pub denominator: u32,
+    /// Of the numerator: every depth word times every denominator.
+    pub numerator: u32,
+    /// Of the discriminant: the square of the denominator.
+    pub discriminant: u32,
 }
 
-/// Width of the denominator's processor: that of a plane.
-pub const fn denominator_width(format: &Format) -> u32 {
-    format.plane
+/// Widths of the processors in a format.
+pub const fn widths(format: &Format, has_root: bool) -> QuotientWidths {
+    let denominator = format.plane + if has_root { 8 } else { 0 };
+    QuotientWidths {
+        denominator,
+        numerator: format.depth + denominator,
+        discriminant: 2 * denominator,
+    }
 }
 
 /// All coefficient words of one object for one zone.
@@ -35,18 +53,99 @@ pub struct QuotientWords {
     pub screen_box: ScreenBox,
     /// The volume where `denominator z <= numerator`, not only the surface.
     pub solid: bool,
-    /// Number of the surface's face: that of the near root, or that of the far one if the other root has gone to the near side.
-    pub face: u8,
     /// `-T`, in depth words times the unit of the denominator.
     pub numerator: Quadratic,
     /// `2 B`, in a unit of its own.
     pub denominator: Linear,
+    /// What a quadric of two depths has besides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<QuotientRoot>,
     /// Normal at the depth `normal_from`, and its change with the depth behind that, negated for a near face as the normal unit takes it.
     pub normal: NormalWords,
     /// No point of the object that is seen is nearer.
     pub normal_from: i64,
     /// Cut planes in the order of the chain.
     pub planes: Vec<PlaneWords>,
+}
+
+/// What makes two depths of one quotient.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct QuotientRoot {
+    /// `4 (B^2 - C T)`, in the square of the denominator's unit.
+    pub discriminant: Quadratic,
+    /// `2 C`, in denominators to the depth word, with `fraction` binary places; not zero, its sign is that of the quadric at the eye.
+    pub leading: i64,
+    /// Binary places of `leading`.
+    pub fraction: u32,
+}
+
+/// Both depths of a quadric at a pixel, and the denominator that they have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuotientDepths {
+    /// The depth that stays however small C is, saturated.
+    pub inner: i64,
+    /// The one that leaves, saturated.
+    pub outer: i64,
+    /// `2 B +- sqrt(4 (B^2 - C T))`.
+    pub denominator: i128,
+}
+
+impl QuotientRoot {
+    /// The depths where the processors hand on these values; nothing if the line of sight misses the quadric.
+    pub fn depths(
+        &self,
+        numerator: i128,
+        denominator: i128,
+        discriminant: i128,
+        format: &Format,
+    ) -> Option<QuotientDepths> {
+        let root = u128::try_from(discriminant).ok()?.isqrt() as i128;
+        let both = if denominator < 0 {
+            denominator - root
+        } else {
+            denominator + root
+        };
+        let word = |quotient| match quotient {
+            Quotient::Below => format.plane_low(),
+            Quotient::Word(z) => z.clamp(format.plane_low(), format.z_max()),
+            Quotient::Above => format.z_max(),
+            // Both depths are where the denominator vanishes.
+            Quotient::None => 0,
+        };
+        let of = |n, d| word(restoring_quotient(n, d, format.depth));
+        Some(QuotientDepths {
+            inner: of(2 * numerator, both),
+            outer: of(-(both << self.fraction), i128::from(self.leading)),
+            denominator: both,
+        })
+    }
+}
+
+impl QuotientWords {
+    /// Widths of its processors.
+    pub fn widths(&self, format: &Format) -> QuotientWidths {
+        widths(format, self.root.is_some())
+    }
+
+    /// How an object of two depths lies to the viewer.
+    fn class(&self, root: &QuotientRoot) -> Class {
+        match (self.solid, root.leading > 0) {
+            (false, _) => Class::Patch,
+            (true, true) => Class::Side,
+            (true, false) => Class::Front,
+        }
+    }
+
+    /// Both depths at a pixel of an object that has two; nothing if the line of sight misses it.
+    pub fn depths_at(&self, x: i64, y: i64, format: &Format) -> Option<QuotientDepths> {
+        let (root, widths) = (self.root.as_ref()?, self.widths(format));
+        root.depths(
+            self.numerator.wrapped_at(x, y, widths.numerator),
+            self.denominator.wrapped_at(x, y, widths.denominator),
+            root.discriminant.wrapped_at(x, y, widths.discriminant),
+            format,
+        )
+    }
 }
 
 impl QuotientWords {
@@ -56,6 +155,9 @@ impl QuotientWords {
         words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
         words.numerator = self.numerator.from_zone(x0, y0);
         words.denominator = self.denominator.from_zone(x0, y0);
+        if let Some(root) = &mut words.root {
+            root.discriminant = root.discriminant.from_zone(x0, y0);
+        }
         words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
         for plane in &mut words.planes {
             plane.depth = plane.depth.from_zone(x0, y0);
@@ -71,6 +173,9 @@ impl QuotientWords {
         words.screen_box = self.screen_box.every_line(step, first);
         words.numerator = self.numerator.every_line(step, first);
         words.denominator = self.denominator.every_line(step, first);
+        if let Some(root) = &mut words.root {
+            root.discriminant = root.discriminant.every_line(step, first);
+        }
         words.normal.g = self.normal.g.map(|g| g.every_line(step, first));
         for plane in &mut words.planes {
             plane.depth = plane.depth.every_line(step, first);
@@ -87,6 +192,7 @@ pub struct QuotientProcessor {
     normals: Vec<[i16; 3]>,
     numerator: Pe2,
     denominator: Pe1,
+    discriminant: Option<Pe2>,
     planes: Vec<Pe1>,
     g: [Pe1; 3],
     x: i64,
@@ -96,13 +202,18 @@ pub struct QuotientProcessor {
 impl QuotientProcessor {
     /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
     pub fn zone_start(words: &QuotientWords, format: &Format) -> QuotientProcessor {
+        let widths = words.widths(format);
         let plane = |p: &PlaneWords| Pe1::object_start(&p.depth, format.plane);
         let g = |g: &Linear| Pe1::object_start(g, format.normal_linear);
         QuotientProcessor {
             format: *format,
             normals: words.planes.iter().map(|p| p.normal).collect(),
-            numerator: Pe2::object_start(&words.numerator, numerator_width(format)),
-            denominator: Pe1::object_start(&words.denominator, denominator_width(format)),
+            numerator: Pe2::object_start(&words.numerator, widths.numerator),
+            denominator: Pe1::object_start(&words.denominator, widths.denominator),
+            discriminant: words
+                .root
+                .as_ref()
+                .map(|root| Pe2::object_start(&root.discriminant, widths.discriminant)),
             planes: words.planes.iter().map(plane).collect(),
             g: words.normal.g.each_ref().map(g),
             words: words.clone(),
@@ -115,6 +226,7 @@ impl QuotientProcessor {
     pub fn line_step(&mut self) {
         self.numerator.line_step();
         self.denominator.line_step();
+        self.discriminant.iter_mut().for_each(Pe2::line_step);
         self.planes.iter_mut().for_each(Pe1::line_step);
         self.g.iter_mut().for_each(Pe1::line_step);
         self.x = 0;
@@ -124,19 +236,15 @@ impl QuotientProcessor {
     /// What the processor hands on for the next pixel of the line.
     pub fn pixel(&mut self) -> ObjectPixel {
         let format = self.format;
-        let (numerator, denominator) = (self.numerator.pixel(), self.denominator.pixel());
-        let quotient = restoring_quotient(numerator, denominator, format.depth);
-        let mut face = match self.words.screen_box.contains(self.x, self.y) {
-            true if self.words.solid => solid(quotient, numerator, denominator, &format),
-            true => surface(quotient, self.words.face, &format),
-            false => Interval::absent(&format),
-        };
+        let (mut a, mut b) = self.interval();
         self.x += 1;
         for (i, plane) in self.words.planes.iter().enumerate() {
             let depth = saturate(self.planes[i].pixel() as i64, &format);
             let number = FACE_PLANE + i as u8;
-            face = cut(face, plane.kind, depth, number, !self.words.solid, &format);
+            let one = |half| cut(half, plane.kind, depth, number, !self.words.solid, &format);
+            (a, b) = (one(a), one(b));
         }
+        let face = merge(a, b);
         let g = std::array::from_fn(|k| self.g[k].pixel() as i64);
         let behind = (face.zf - self.words.normal_from).max(0);
         let present = face.is_present(&format);
@@ -149,22 +257,59 @@ impl QuotientProcessor {
                 present,
                 g,
                 behind,
-                &self.words.normal,
+                &self.normal_of(face.nf),
                 &self.normals,
                 &format,
             ),
         }
     }
+
+    /// The depth interval of the next pixel before the planes, both halves.
+    fn interval(&mut self) -> (Interval, Interval) {
+        let format = self.format;
+        let (numerator, denominator) = (self.numerator.pixel(), self.denominator.pixel());
+        let discriminant = self.discriminant.as_mut().map(Pe2::pixel);
+        let absent = Interval::absent(&format);
+        if !self.words.screen_box.contains(self.x, self.y) {
+            return (absent, absent);
+        }
+        if let (Some(root), Some(discriminant)) = (&self.words.root, discriminant) {
+            let depths = root.depths(numerator, denominator, discriminant, &format);
+            let class = self.words.class(root);
+            return match depths {
+                None => halves(class, 0, 0, true, &format),
+                Some(QuotientDepths { inner, outer, .. }) => {
+                    halves(class, inner.min(outer), inner.max(outer), false, &format)
+                }
+            };
+        }
+        let quotient = restoring_quotient(numerator, denominator, format.depth);
+        let face = if self.words.solid {
+            solid(quotient, numerator, denominator, &format)
+        } else {
+            surface(quotient, &format)
+        };
+        (face, absent)
+    }
+
+    /// The words of the normal as the normal unit takes them for a face: of two depths it is asked for the change behind `normal_from` of either.
+    fn normal_of(&self, face: u8) -> NormalWords {
+        let mut words = self.words.normal;
+        if face == FACE_FAR && self.words.root.is_some() {
+            words.k = words.k.map(|k| -k);
+        }
+        words
+    }
 }
 
 /// The one face of a surface.
-fn surface(quotient: Quotient, face: u8, format: &Format) -> Interval {
+fn surface(quotient: Quotient, format: &Format) -> Interval {
     match quotient {
         Quotient::Word(z) if z >= format.z_low() && z < format.z_max() => Interval {
             zf: z,
             zb: z,
-            nf: face,
-            nb: face,
+            nf: FACE_NEAR,
+            nb: FACE_NEAR,
         },
         _ => Interval::absent(format),
     }
@@ -236,9 +381,9 @@ mod tests {
                         y1: SIDE - 1,
                     },
                     solid,
-                    face: FACE_NEAR,
                     numerator: Quadratic { a, b, c, d, e, f },
                     denominator: Linear::new(p, q, r),
+                    root: None,
                     normal: NormalWords::default(),
                     normal_from: 0,
                     planes: planes

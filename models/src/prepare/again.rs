@@ -197,16 +197,23 @@ pub fn prepare_again(
     let mut known = kept.known(scene, &context);
     let located = Located::new(scene, &context, &known);
     known.forget_moved(&located.places);
-    let mut objects = prepare_objects(scene, &located, &context, &known, done)?;
+    let mut missing = vec![];
+    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
     let fresh: Vec<Option<PreparedObject>> = objects
         .iter()
         .zip(&known.objects)
         .map(|(object, known)| known.is_none().then(|| object.clone()))
         .collect();
-    let volumes = prepare_volumes(scene, &mut objects, &context, &known, done)?;
+    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
     let reuse = Reuse::of(&fresh, &volumes);
-    kept.keep(scene, located.places, fresh, &volumes, &context);
-    Ok((prepared_scene(context, objects, volumes), reuse))
+    if missing.is_empty() {
+        kept.keep(scene, located.places, fresh, &volumes, &context);
+    } else {
+        // What is left out must be named again.
+        *kept = Kept::default();
+    }
+    let prepared = prepared_scene(scene, context, objects, volumes, missing);
+    Ok((prepared, reuse))
 }
 
 impl Reuse {

@@ -3,25 +3,8 @@
 use thiserror::Error;
 
 /// One clear refusal: which object, what is wrong, what would be accepted.
-#[derive(Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum PrepareError {
-    /// The eye lies in the cut solid.
-    #[error(
-        "object '{object}': the viewer is inside this solid; move the camera outside it, or draw it as `mode = \"patch\"`"
-    )]
-    ViewerInside {
-        /// Name of the object.
-        object: String,
-    },
-    /// The eye lies on the surface of the cut solid, which begins at the eye itself along half of the lines of sight.
-    #[error(
-        "object '{object}': the viewer lies exactly on the surface of this solid, so that no line of sight into it has a front; \
-         move the camera outside it, or draw it as `mode = \"patch\"`"
-    )]
-    ViewerOnSolid {
-        /// Name of the object.
-        object: String,
-    },
     /// The factor of z^2 is zero: depth is no square root. The quotient processor draws it, unless the machine has none.
     #[error(
         "object '{object}': the viewer lies exactly on this quadric, whose depth is then no square root; \
@@ -40,19 +23,10 @@ pub enum PrepareError {
         /// Name of the object.
         object: String,
     },
-    /// Nothing of the object lies in front of the eye.
-    #[error(
-        "object '{object}': lies wholly behind the viewer; move it or turn the camera (the viewer looks from `eye` towards `target`)"
-    )]
-    BehindViewer {
-        /// Name of the object.
-        object: String,
-    },
     /// An accumulator would leave its width on the object's screen box.
     #[error(
         "object '{object}': too large for the format: {word} reaches 2^{log2:.1} on the object's screen box \
-         (columns {x0}..{x1}, lines {y0}..{y1}) and would need {needed} bits, the word has {available}; \
-         cut the object nearer, make it smaller, or increase `viewer_distance` (perspective) or `half_depth` (orthographic)"
+         (columns {x0}..{x1}, lines {y0}..{y1}) and would need {needed} bits, the word has {available}{remedy}"
     )]
     TooLarge {
         /// Name of the object.
@@ -73,6 +47,8 @@ pub enum PrepareError {
         y0: i64,
         /// Last line of the box.
         y1: i64,
+        /// What would do, if anything is known: a clause of its own.
+        remedy: String,
     },
     /// A fitted machine has quadric processors alone.
     #[error(
@@ -80,12 +56,6 @@ pub enum PrepareError {
          take a format of the catalogue, or draw it by the processor \"quadric\" or \"patch\""
     )]
     NotFitted {
-        /// Name of the object.
-        object: String,
-    },
-    /// The eye lies in a polyhedron.
-    #[error("object '{object}': the viewer is inside this polyhedron; move the camera outside it")]
-    ViewerInsidePolyhedron {
         /// Name of the object.
         object: String,
     },
@@ -157,9 +127,8 @@ pub enum PrepareError {
     /// An accumulator of a volume would leave its width on the volume's screen box.
     #[error(
         "{volume}: too large for the format: {word} reaches 2^{log2:.1} on its screen box (columns {x0}..{x1}, lines {y0}..{y1}) \
-         and would need {needed} bits, the word has {available}; \
-         move the light or the camera, increase `viewer_distance` (perspective) or `half_depth` (orthographic), \
-         or leave the volume out (`shadows` of the light, `casts_shadow` of the object)"
+         and would need {needed} bits, the word has {available}{remedy}; \
+         or leave the volume out: `shadows = false` at the light, `casts_shadow = false` at the object"
     )]
     VolumeTooLarge {
         /// The volume.
@@ -180,6 +149,8 @@ pub enum PrepareError {
         y0: i64,
         /// Last line of the box.
         y1: i64,
+        /// What would do, if anything is known: a clause of its own.
+        remedy: String,
     },
     /// A plane of a volume too steep for the plane word, and not provably a perpendicular one.
     #[error(

@@ -80,7 +80,7 @@ fn place(vertex: &[BigRational; 3], context: &Context) -> Result<Seen, &'static 
     }
     let depth = z / &divisor;
     if context.perspective && depth < -&context.full_depth {
-        return Err("is nearer to the viewer than half of `viewer_distance`");
+        return Err("is nearer to the viewer than the near end of the depth");
     }
     let (x0, y0) = context.first_pixel();
     let steps = integer(1 << SUBPIXEL);

@@ -18,6 +18,7 @@ pub mod perspective;
 mod planes;
 mod polyhedron;
 mod quotient;
+pub(crate) mod range;
 mod round;
 pub mod rounding;
 pub mod screen_box;
@@ -29,7 +30,7 @@ use crate::format::{FittedWidths, Format};
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
-use crate::scene::{FramedScene, Projection};
+use crate::scene::{CutOff, DepthRange, End, FramedScene, Projection};
 use crate::unit::root::fast_root;
 use again::Known;
 pub use again::{Kept, Reuse, prepare_again};
@@ -61,6 +62,19 @@ pub struct PreparedScene {
     pub objects: Vec<PreparedObject>,
     /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
     pub volumes: Vec<PreparedVolume>,
+    /// What is left out of a picture that is drawn without what cannot be prepared ([`Options::without_refused`]), objects first.
+    pub missing: Vec<Missing>,
+}
+
+/// What is left out of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Missing {
+    /// Index of the object, or of the object whose shadow it is; nothing for the cone of a spot.
+    pub object: Option<usize>,
+    /// True if only a shadow or a cone is missing.
+    pub is_volume: bool,
+    /// Why.
+    pub reason: PrepareError,
 }
 
 impl PreparedScene {
@@ -200,6 +214,8 @@ pub struct Options {
     pub anchor: Option<Anchor>,
     /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the quotient processor.
     pub roots_only: bool,
+    /// Leave out what cannot be drawn, and name it, in the place of refusing the scene.
+    pub without_refused: bool,
 }
 
 /// What all objects of a scene share.
@@ -213,6 +229,8 @@ struct Context {
     full_depth: BigRational,
     depth_scale: BigRational,
     perspective: bool,
+    /// Without the objects that it cuts.
+    range: DepthRange,
 }
 
 impl Context {
@@ -227,6 +245,7 @@ impl Context {
             depth_scale: integer(format.z_max()) / &full_depth,
             full_depth,
             perspective: matches!(scene.projection, Projection::Perspective { .. }),
+            range: scene.range.scaled(0),
         }
     }
 
@@ -293,6 +312,12 @@ fn integer_scale<const N: usize>(coefficients: [&BigRational; N]) -> BigRational
     }
 }
 
+/// The note on an object of which something lies before the range of the depth word.
+const NEAR_END_CUTS: &str = "reaches nearer than the near end of the depth: what is nearer is cut off, and a solid is seen open there";
+/// The same behind it.
+const FAR_END_CUTS: &str =
+    "reaches farther than the far end of the depth: what is farther is cut off";
+
 /// Prepares a scene for a format.
 pub fn prepare(scene: &FramedScene, format: Format) -> Result<PreparedScene, PrepareError> {
     prepare_with(scene, format, Options::default())
@@ -343,9 +368,10 @@ pub fn prepare_reporting(
     let context = Context::of(scene, format, options);
     let known = Known::nothing(scene);
     let located = Located::new(scene, &context, &known);
-    let mut objects = prepare_objects(scene, &located, &context, &known, done)?;
-    let volumes = prepare_volumes(scene, &mut objects, &context, &known, done)?;
-    Ok(prepared_scene(context, objects, volumes))
+    let mut missing = vec![];
+    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
+    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
+    Ok(prepared_scene(scene, context, objects, volumes, missing))
 }
 
 /// The objects, those that are known taken over.
@@ -354,6 +380,7 @@ fn prepare_objects(
     located: &Located,
     context: &Context,
     known: &Known,
+    missing: &mut Vec<Missing>,
     done: &(impl Fn() + Sync),
 ) -> Result<Vec<PreparedObject>, PrepareError> {
     // Collected before the first error is taken, so that the same object is named in every run.
@@ -370,15 +397,55 @@ fn prepare_objects(
             prepared
         })
         .collect();
-    objects.into_iter().collect()
+    let named = objects.into_iter().zip(&scene.objects).enumerate();
+    named
+        .map(|(index, (prepared, object))| {
+            prepared.or_else(|reason| {
+                leave_out(context, missing, Some(index), false, reason)?;
+                let parts = PreparedParts::unseen(object.name(), "left out: it cannot be drawn");
+                Ok(PreparedObject::Parts(parts))
+            })
+        })
+        .collect()
+}
+
+/// Records what is left out, or refuses the scene.
+fn leave_out(
+    context: &Context,
+    missing: &mut Vec<Missing>,
+    object: Option<usize>,
+    is_volume: bool,
+    reason: PrepareError,
+) -> Result<(), PrepareError> {
+    if !context.options.without_refused {
+        return Err(reason);
+    }
+    missing.push(Missing {
+        object,
+        is_volume,
+        reason,
+    });
+    Ok(())
 }
 
 fn prepared_scene(
+    scene: &FramedScene,
     context: Context,
-    objects: Vec<PreparedObject>,
+    mut objects: Vec<PreparedObject>,
     volumes: Volumes,
+    missing: Vec<Missing>,
 ) -> PreparedScene {
+    for CutOff { object, end } in &scene.range.cut {
+        let cut = objects.iter_mut().find(|o| o.name() == object);
+        if let Some(cut) = cut.filter(|o| !o.screen_box().is_empty()) {
+            cut.add_note(match end {
+                End::Near => NEAR_END_CUTS,
+                End::Far => FAR_END_CUTS,
+            });
+        }
+    }
     PreparedScene {
+        missing,
         format: context.format,
         width: context.width,
         height: context.height,

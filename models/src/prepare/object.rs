@@ -5,6 +5,7 @@ use super::extent::Extent;
 use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
 use super::perspective::{ScreenQuadric, project_plane};
 use super::planes::{prepare_plane, signed_bits};
+use super::range;
 use super::rounding::{
     Anchor, Unrepresentable, linear_error, quadratic_error, round_contour, round_linear,
     round_quadratic,
@@ -59,10 +60,10 @@ pub(super) fn prepare_quadric(
         region,
         window,
     } = projected;
-    let class = classify(object, quadric, planes, context)?;
+    let class = classify(object, quadric, context)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
-        return unseen(object, class, edge_on, context);
+        return Ok(unseen(object, class, edge_on, context));
     }
     let at = (window, &place.quadric);
     let (mut prepared, root_max) = depth_words(&object.name, quadric, class, at, context)?;
@@ -113,16 +114,10 @@ fn window_of(
 fn classify(
     object: &FramedQuadric,
     quadric: &ScreenQuadric,
-    planes: &[Plane],
     context: &Context,
 ) -> Result<Class, PrepareError> {
     let name = || object.name.clone();
     let eye = quadric.eye_value();
-    // A plane keeps the eye iff its depth factor is not negative: that factor is minus the plane's value at the eye over D.
-    let eye_kept = planes.iter().all(|p| !p.c.is_negative());
-    if context.perspective && object.surface == Surface::Solid && !eye.is_positive() && eye_kept {
-        return Err(PrepareError::ViewerInside { object: name() });
-    }
     if eye.is_zero() {
         return if quadric.is_free_of_depth() {
             Ok(Class::Prism)
@@ -139,15 +134,15 @@ fn classify(
     })
 }
 
-/// An object of which nothing is on the screen: off to a side, or an error if it is wholly behind the viewer.
+/// An object of which nothing is on the screen.
 fn unseen(
     object: &FramedQuadric,
     class: Class,
     edge_on: bool,
     context: &Context,
-) -> Result<PreparedQuadric, PrepareError> {
-    let note = unseen_note(object, edge_on, context)?;
-    Ok(PreparedQuadric {
+) -> PreparedQuadric {
+    let note = unseen_note(object, edge_on, context);
+    PreparedQuadric {
         name: object.name.clone(),
         words: empty_words(class, ScreenBox::EMPTY),
         exact: ExactForms {
@@ -159,26 +154,28 @@ fn unseen(
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec![note.to_string()],
-    })
+    }
 }
 
-/// Why nothing of an object is on the screen, or an error if it is wholly behind the viewer.
+/// The note on an object that can only be seen from a camera that looks the other way.
+pub const BEHIND_VIEWER: &str =
+    "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw";
+
+/// Why nothing of an object is on the screen.
 pub(super) fn unseen_note(
     object: &FramedQuadric,
     edge_on: bool,
     context: &Context,
-) -> Result<&'static str, PrepareError> {
-    Ok(if edge_on {
+) -> &'static str {
+    if edge_on {
         "a patch seen exactly edge-on: nothing to draw"
     } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
         "outside the screen or its depth range: nothing to draw"
     } else if is_empty_between(object, -64.0, -1.0, context) {
         "its planes leave nothing of it: nothing to draw"
     } else {
-        return Err(PrepareError::BehindViewer {
-            object: object.name.clone(),
-        });
-    })
+        BEHIND_VIEWER
+    }
 }
 
 fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
@@ -202,7 +199,7 @@ fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Conte
         [side, side, far * distance],
     );
     let region = Region::new(&object.quadric, &object.planes, object.surface);
-    region.existence(cell, 1e-3 * distance) == Existence::Empty
+    region.existence(cell, [1e-3 * distance; 3]) == Existence::Empty
 }
 
 /// The words of the quadric itself, without planes and normals, and its greatest root; proven on a box, rounded and scaled for one around it.
@@ -215,7 +212,11 @@ pub(super) fn depth_words(
 ) -> Result<(PreparedQuadric, BigInt), PrepareError> {
     let scale = &context.depth_scale;
     let refusal = |word: &str, magnitude: &BigRational, available: u32| {
-        too_large(name, word, magnitude, available, window)
+        let mut refusal = too_large(name, word, magnitude, available, window);
+        if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
+            *remedy = range::remedy(quadric, window, context);
+        }
+        refusal
     };
     let mut prepared = PreparedQuadric {
         name: name.to_string(),
@@ -408,6 +409,7 @@ pub(super) fn too_large(
         x1: window.x1,
         y0: window.y0,
         y1: window.y1,
+        remedy: String::new(),
     }
 }
 

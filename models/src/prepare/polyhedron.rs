@@ -12,7 +12,6 @@ use crate::object::quadric::PlaneWords;
 use crate::object::slot::ProcessorWords;
 use crate::scene::FramedQuadric;
 use crate::unit::cut_plane::PlaneKind;
-use num_traits::Signed;
 
 pub(super) fn prepare_polyhedron(
     object: &FramedQuadric,
@@ -27,14 +26,8 @@ pub(super) fn prepare_polyhedron(
         window,
         ..
     } = projected;
-    // A plane keeps the eye iff its depth factor is not negative.
-    if context.perspective && planes.iter().all(|p| !p.c.is_negative()) {
-        return Err(PrepareError::ViewerInsidePolyhedron {
-            object: object.name.clone(),
-        });
-    }
     if window.is_empty() {
-        let note = unseen_note(object, false, context)?;
+        let note = unseen_note(object, false, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let mut words = PolyhedronWords {

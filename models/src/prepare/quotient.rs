@@ -1,7 +1,7 @@
 //! A quadric whose depth is a quotient: the eye lies on it, or looks along an asymptotic direction (thesis section 2.1.1: c' = 0).
 //!
 //! The equation on the screen is then `2 B z + T = 0` with B of first and T of second degree. Numerator and denominator share a scale that is free, so each fills half
-//! of its word. A quadric that passes the eye so closely that its z^2 term changes no depth by more than half a depth word is drawn in the same way.
+//! of its word. A quadric that passes the eye so closely that one of its depths leaves the words of roots is drawn in the same way, with a root in its denominator.
 
 use super::Context;
 use super::error::PrepareError;
@@ -15,21 +15,19 @@ use super::rounding::{linear_error, quadratic_error, round_linear, round_quadrat
 use super::seams::Place;
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
-use crate::object::quotient::{QuotientWords, denominator_width, numerator_width};
+use crate::object::quotient::{QuotientRoot, QuotientWidths, QuotientWords, widths};
 use crate::object::slot::ProcessorWords;
-use crate::rational::{floor, fraction, from_f64_exact, integer, power_of_two, to_f64, to_f64_up};
+use crate::rational::{
+    floor, from_f64_exact, integer, power_of_two, round_half_up, to_f64, to_f64_up,
+};
 use crate::scene::{FramedQuadric, Surface};
 use crate::unit::interval::{FACE_FAR, FACE_NEAR};
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-
-/// Most that the neglected z^2 term of a quadric that the eye nearly lies on may change a depth, in depth words.
-fn greatest_neglect() -> BigRational {
-    fraction(1, 2)
-}
 
 /// Fitted machines, and those of one type of processor, have none for a quotient.
 fn is_possible(context: &Context) -> bool {
@@ -43,82 +41,32 @@ pub(super) fn prepare_on_eye(
     place: &Place,
     context: &Context,
 ) -> Result<Option<PreparedParts>, PrepareError> {
-    let Projected {
-        quadric, planes, ..
-    } = projected;
+    let quadric = &projected.quadric;
     let is_quotient = quadric.eye_value().is_zero() && !quadric.is_free_of_depth();
     if !is_quotient || !is_possible(context) {
         return Ok(None);
     }
-    // A plane keeps the eye iff its depth factor is not negative.
-    let eye_kept = planes.iter().all(|p| !p.c.is_negative());
-    if context.perspective && object.surface == Surface::Solid && eye_kept {
-        return Err(PrepareError::ViewerOnSolid {
-            object: object.name.clone(),
-        });
-    }
-    prepare(object, projected, place, FACE_NEAR, context).map(Some)
+    prepare(object, projected, place, context).map(Some)
 }
 
-/// The words of a surface that the eye lies on but for a distance that changes no depth by more than [`greatest_neglect`]; nothing for any other.
+/// The words of an object one of whose depths leaves the words of roots: one that the eye nearly lies on. Nothing where there is no quotient processor.
 pub(super) fn prepare_near_eye(
     object: &FramedQuadric,
     projected: &Projected,
     place: &Place,
     context: &Context,
 ) -> Result<Option<PreparedParts>, PrepareError> {
-    let Projected {
-        quadric, window, ..
-    } = projected;
-    let possible = object.surface == Surface::Patch
-        && is_possible(context)
-        && !quadric.polar().is_zero_everywhere();
-    if !possible || window.is_empty() {
+    let is_quadric = !object.quadric.is_everywhere() && !projected.quadric.eye_value().is_zero();
+    if !is_quadric || !is_possible(context) || projected.window.is_empty() {
         return Ok(None);
     }
-    // With c z^2 + 2 B z + T = 0 and |z| <= full: the depth differs from -T / (2 B) by c z^2 / (2 B), and the other root lies beyond every depth.
-    let polar = context.to_pixels_linear(&quadric.polar());
-    let Some(least) = least_magnitude(&polar, window) else {
-        return Ok(None);
-    };
-    let full = &context.full_depth;
-    let neglect =
-        quadric.eye_value().abs() * full * full * &context.depth_scale / (integer(2) * &least);
-    if neglect > greatest_neglect() {
-        return Ok(None);
-    }
-    // The other root is about -2 B / c, of one sign on the box.
-    let at_corner = polar.at(&integer(window.x0), &integer(window.y0));
-    let other_is_nearer = at_corner.is_positive() == quadric.eye_value().is_positive();
-    let face = if other_is_nearer { FACE_FAR } else { FACE_NEAR };
-    let mut parts = prepare(object, projected, place, face, context)?;
-    let neglect = to_f64_up(&neglect);
-    parts.depth_bound = parts.depth_bound.map(|bound| bound + neglect);
-    parts.notes.push(format!(
-        "the viewer lies so nearly on this quadric that its z^2 term is left out, which changes no depth by more than {:.1e} depth words",
-        neglect
-    ));
-    Ok(Some(parts))
-}
-
-/// Least magnitude of an expression on the box; nothing if it is zero somewhere.
-fn least_magnitude(form: &LinearForm, window: &ScreenBox) -> Option<BigRational> {
-    let corners = [
-        (window.x0, window.y0),
-        (window.x0, window.y1),
-        (window.x1, window.y0),
-        (window.x1, window.y1),
-    ];
-    let values = corners.map(|(x, y)| form.at(&integer(x), &integer(y)));
-    let one_sign = values.iter().all(|v| v.is_positive()) || values.iter().all(|v| v.is_negative());
-    one_sign.then(|| values.iter().map(|v| v.abs()).min().expect("four corners"))
+    prepare(object, projected, place, context).map(Some)
 }
 
 fn prepare(
     object: &FramedQuadric,
     projected: &Projected,
     place: &Place,
-    face: u8,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
     let Projected {
@@ -128,22 +76,19 @@ fn prepare(
         window,
     } = projected;
     if window.is_empty() {
-        let note = unseen_note(object, false, context)?;
+        let note = unseen_note(object, false, context);
         return Ok(PreparedParts::unseen(&object.name, note));
     }
     let mut ledger = Ledger::new(&object.name, *window, context);
     let at = (window, &place.quadric);
     let depth = Depth::new(quadric, at, &mut ledger, context)?;
-    let (mut normal, normal_from) = normal(projected, context);
-    if face == FACE_FAR {
-        normal.k = normal.k.map(|k| -k);
-    }
+    let (normal, normal_from) = normal(projected, context);
     let mut words = QuotientWords {
         screen_box: *window,
         solid: object.surface == Surface::Solid,
-        face,
         numerator: depth.numerator,
         denominator: depth.denominator,
+        root: depth.root.clone(),
         normal,
         normal_from,
         planes: vec![],
@@ -158,7 +103,7 @@ fn prepare(
         words.planes.push(plane.words);
     }
     let (bound, unbounded) = depth.bound(&words, &context.format);
-    notes.insert(0, note(bound, unbounded));
+    notes.insert(0, note(&words, bound, unbounded));
     Ok(PreparedParts {
         name: object.name.clone(),
         screen_box: *window,
@@ -169,12 +114,14 @@ fn prepare(
     })
 }
 
-/// Numerator and denominator, and how far rounding carries them on the box.
+/// The words of the depth, and how far rounding carries them on the box.
 struct Depth {
-    numerator: crate::unit::pe2::Quadratic,
+    numerator: Quadratic,
     denominator: Linear,
+    root: Option<QuotientRoot>,
     off_numerator: f64,
     off_denominator: f64,
+    off_discriminant: f64,
 }
 
 impl Depth {
@@ -184,81 +131,171 @@ impl Depth {
         ledger: &mut Ledger,
         context: &Context,
     ) -> Result<Depth, PrepareError> {
-        let (wide, narrow) = (
-            numerator_width(&context.format),
-            denominator_width(&context.format),
-        );
+        let leading = quadric.eye_value() * integer(2);
+        let widths = widths(&context.format, !leading.is_zero());
         let t = context.to_pixels_quadratic(&quadric.depth_free_part());
         let t = t.scaled(&-&context.depth_scale);
         let b = context
             .to_pixels_linear(&quadric.polar())
             .scaled(&integer(2));
-        // Half of each word, so that rounding has room.
-        let fill = |width: u32, most: BigRational| {
-            (!most.is_zero()).then(|| power_of_two(width - 2) / most)
-        };
-        let scales = [
-            fill(wide, t.max_abs_on(shared)),
-            fill(narrow, b.max_abs_on(shared)),
-        ];
-        let anchor = context.anchor_of(shared);
-        let scale = scales.into_iter().flatten().min().unwrap_or(integer(1));
+        // 4 (B^2 - C T) is f2 times the square of 2 C.
+        let discriminant = (!leading.is_zero()).then(|| {
+            let f2 = context.to_pixels_quadratic(&quadric.f2());
+            f2.scaled(&(&leading * &leading))
+        });
+        let scale = scale(&t, &b, discriminant.as_ref(), shared, &widths);
         let (t, b) = (t.scaled(&scale), b.scaled(&scale));
-        let refuse = |word: &str, value: &BigRational, width| {
-            too_large(ledger.object(), word, &value.abs(), width, window)
+        let anchor = context.anchor_of(shared);
+        let mut quadratic = |word: &str, exact: &QuadraticForm, width: u32| {
+            let rounded = round_quadratic(exact, anchor)
+                .map_err(|u| too_large(ledger.object(), word, &u.value.abs(), width, window))?;
+            let greatest = QuadraticForm::of_words(&rounded).max_abs_on(window);
+            ledger.prove(word, &greatest, width)?;
+            let off = to_f64_up(&quadratic_error(&rounded, exact, 0, window));
+            Ok((rounded.wrapped(width), off))
         };
-        let numerator =
-            round_quadratic(&t, anchor).map_err(|u| refuse("numerator", &u.value, wide))?;
-        let denominator =
-            round_linear(&b, anchor).map_err(|u| refuse("denominator", &u.value, narrow))?;
-        let greatest = QuadraticForm::of_words(&numerator).max_abs_on(window);
-        ledger.prove("numerator", &greatest, wide)?;
+        let (numerator, off_numerator) = quadratic("numerator", &t, widths.numerator)?;
+        let root = match discriminant {
+            None => None,
+            Some(exact) => {
+                let exact = exact.scaled(&(&scale * &scale));
+                Some(quadratic("discriminant", &exact, widths.discriminant)?)
+            }
+        };
+        let denominator = round_linear(&b, anchor).map_err(|u| {
+            let (object, width) = (ledger.object(), widths.denominator);
+            too_large(object, "denominator", &u.value.abs(), width, window)
+        })?;
         let greatest = LinearForm::of_words(&denominator).max_abs_on(window);
-        ledger.prove("denominator", &greatest, narrow)?;
+        ledger.prove("denominator", &greatest, widths.denominator)?;
+        let off_discriminant = root.as_ref().map_or(0.0, |(_, off)| *off);
         Ok(Depth {
-            off_numerator: to_f64_up(&quadratic_error(&numerator, &t, 0, window)),
+            off_numerator,
             off_denominator: to_f64_up(&linear_error(&denominator, &b, 0, window)),
-            numerator: numerator.wrapped(wide),
-            denominator: denominator.wrapped(narrow),
+            off_discriminant,
+            numerator,
+            denominator: denominator.wrapped(widths.denominator),
+            root: root.map(|(discriminant, _)| {
+                let (leading, fraction) = leading_word(&(leading * scale / &context.depth_scale));
+                QuotientRoot {
+                    discriminant,
+                    leading,
+                    fraction,
+                }
+            }),
         })
     }
 
     /// Greatest distance of a drawn depth of the surface from the true one, in depth words, and the pixels at which there is no bound because rounding can
     /// change the sign of the denominator.
-    ///
-    /// With the true `N / M`, the words `n`, `m` and `z = floor(n / m)`: the distance of `N / M` from `n / m` is at most
-    /// `(off_n + |n / m| off_m) / (|m| - off_m)`, and the floor takes up to one.
-    pub(super) fn bound(&self, words: &QuotientWords, format: &Format) -> (f64, usize) {
+    fn bound(&self, words: &QuotientWords, format: &Format) -> (f64, usize) {
         let (mut bound, mut unbounded) = (0f64, 0);
         let drawn = ProcessorWords::Quotient(words.clone());
         for y in words.screen_box.y0..=words.screen_box.y1 {
             drawn.for_each_present(format, y, |x, pixel| {
-                let m = words
-                    .denominator
-                    .wrapped_at(x, y, denominator_width(format));
-                let least = m.unsigned_abs() as f64 - self.off_denominator;
-                if least <= 0.0 {
-                    unbounded += 1;
+                if pixel.number != FACE_NEAR && pixel.number != FACE_FAR {
                     return;
                 }
-                let z = pixel.zf.unsigned_abs() as f64 + 1.0;
-                let off = (self.off_numerator + z * self.off_denominator) / least;
-                bound = bound.max(1.0 + off * (1.0 + 1e-12));
+                match self.bound_at(words, (x, y), pixel.zf, format) {
+                    Some(at) => bound = bound.max(at * (1.0 + 1e-12)),
+                    None => unbounded += 1,
+                }
             });
         }
         (bound, unbounded)
     }
+
+    /// The same of a depth that is drawn at a pixel.
+    ///
+    /// With the true `N / M`, the words `n`, `m` and `z = floor(n / m)`: the distance of `N / M` from `n / m` is at most
+    /// `(off_n + |n / m| off_m) / (|m| - off_m)`, and the floor takes up to one. If m holds a root, off_m is what is off the discriminant through the root, and its
+    /// floor, besides; the other depth is m over a constant that is rounded by half.
+    fn bound_at(
+        &self,
+        words: &QuotientWords,
+        (x, y): (i64, i64),
+        depth: i64,
+        format: &Format,
+    ) -> Option<f64> {
+        let widths = words.widths(format);
+        let z = depth.unsigned_abs() as f64 + 1.0;
+        let ratio = |off_n: f64, m: f64, off_m: f64| {
+            let least = m - off_m;
+            (least > 0.0).then(|| 1.0 + (off_n + z * off_m) / least)
+        };
+        let Some(root) = &words.root else {
+            let m = words.denominator.wrapped_at(x, y, widths.denominator);
+            let m = m.unsigned_abs() as f64;
+            return ratio(self.off_numerator, m, self.off_denominator);
+        };
+        let depths = words.depths_at(x, y, format)?;
+        let d = root.discriminant.wrapped_at(x, y, widths.discriminant) as f64;
+        let low = (d - self.off_discriminant).max(0.0).sqrt();
+        let high = (d + 1.0 + self.off_discriminant).sqrt();
+        let off_root = (high - d.sqrt()).max(d.sqrt() - low) + 1.0;
+        let off = self.off_denominator + off_root;
+        let m = depths.denominator.unsigned_abs() as f64;
+        if depth == depths.inner {
+            return ratio(2.0 * self.off_numerator, m, off);
+        }
+        let off = off * f64::exp2(f64::from(root.fraction));
+        ratio(off, root.leading.unsigned_abs() as f64, 0.5)
+    }
+}
+
+/// The scale at which every expression fills at most half of its word on a box, so that rounding has room.
+fn scale(
+    t: &QuadraticForm,
+    b: &LinearForm,
+    discriminant: Option<&QuadraticForm>,
+    window: &ScreenBox,
+    widths: &QuotientWidths,
+) -> BigRational {
+    let fill =
+        |width: u32, most: BigRational| (!most.is_zero()).then(|| power_of_two(width - 2) / most);
+    let square = discriminant.and_then(|d| fill(widths.discriminant - 2, d.max_abs_on(window)));
+    // A power of two below the square root.
+    let root = square.map(|square| {
+        let bits = |n: &BigInt| n.bits() as i64;
+        let log2 = bits(square.numer()) - bits(square.denom()) - 1;
+        let half = log2.div_euclid(2);
+        let power = power_of_two(half.unsigned_abs() as u32);
+        if half < 0 { power.recip() } else { power }
+    });
+    let scales = [
+        fill(widths.numerator, t.max_abs_on(window)),
+        fill(widths.denominator, b.max_abs_on(window)),
+        root,
+    ];
+    scales.into_iter().flatten().min().unwrap_or(integer(1))
+}
+
+/// A constant of about 44 bits with its binary places, as many as its magnitude asks for and at most 50; its sign stays.
+fn leading_word(value: &BigRational) -> (i64, u32) {
+    const BITS: i64 = 44;
+    const MOST: i64 = 50;
+    let size = value.numer().bits() as i64 - value.denom().bits() as i64;
+    let fraction = (BITS - size).clamp(0, MOST) as u32;
+    let rounded = round_half_up(&(value * power_of_two(fraction)));
+    let least = if value.is_negative() { -1 } else { 1 };
+    let word = rounded.to_i64().filter(|word| *word != 0).unwrap_or(least);
+    (word, fraction)
 }
 
 /// What is known of the depths that are drawn.
-fn note(bound: f64, unbounded: usize) -> String {
+fn note(words: &QuotientWords, bound: f64, unbounded: usize) -> String {
     let lying = match unbounded {
         0 => String::new(),
         n => format!("; at {n} more pixels the line of sight lies in the surface but for rounding"),
     };
+    let why = match words.root {
+        None => "the viewer lies on this quadric (or looks along an asymptotic direction of it)",
+        Some(_) => {
+            "the viewer lies so nearly on this quadric that one of its two depths leaves every word"
+        }
+    };
     format!(
-        "the viewer lies on this quadric (or looks along an asymptotic direction of it): its depth is a quotient, \
-         within {bound:.3} depth words of the true one where it is drawn{lying}"
+        "{why}: its depth is a quotient, within {bound:.3} depth words of the true one where it is drawn{lying}"
     )
 }
 
@@ -288,23 +325,4 @@ fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
     });
     let (words, _) = normals(&parts, &reach, window, context);
     (words, from)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_form_without_zero_has_its_least_magnitude_in_a_corner() {
-        let window = ScreenBox {
-            x0: 0,
-            x1: 9,
-            y0: 0,
-            y1: 4,
-        };
-        let form = |a, b, c| LinearForm::new(integer(a), integer(b), integer(c));
-        assert_eq!(least_magnitude(&form(-1, 2, 10), &window), Some(integer(1)));
-        assert_eq!(least_magnitude(&form(-1, 0, -3), &window), Some(integer(3)));
-        assert_eq!(least_magnitude(&form(-1, 0, 3), &window), None);
-    }
 }

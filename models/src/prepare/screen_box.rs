@@ -63,14 +63,18 @@ impl Cell {
         }
     }
 
-    fn widest(&self) -> usize {
-        (0..3)
-            .max_by(|&i, &j| self.half[i].total_cmp(&self.half[j]))
-            .expect("three axes")
+    /// Its extent along each axis, in units of that axis.
+    fn relative_size(&self, units: &[f64; 3]) -> impl Iterator<Item = f64> {
+        std::array::from_fn::<f64, 3, _>(|k| 2.0 * self.half[k] / units[k]).into_iter()
     }
 
-    fn halves(&self) -> [Cell; 2] {
-        let axis = self.widest();
+    /// Halves along the axis on which it is widest in these units.
+    fn halves(&self, units: &[f64; 3]) -> [Cell; 2] {
+        let (axis, _) = self
+            .relative_size(units)
+            .enumerate()
+            .max_by(|(_, a), (_, b)| a.total_cmp(b))
+            .expect("three axes");
         [-0.5, 0.5].map(|side| {
             let mut cell = *self;
             cell.half[axis] *= 0.5;
@@ -143,18 +147,18 @@ impl Region {
         )
     }
 
-    /// Searches the cell for a point of the region, down to cells of `resolution`.
-    pub fn existence(&self, cell: Cell, resolution: f64) -> Existence {
+    /// Searches the cell for a point of the region, down to cells of `resolution` along each axis.
+    pub fn existence(&self, cell: Cell, resolution: [f64; 3]) -> Existence {
         let mut open = vec![cell];
         for _ in 0..Search::FINE.budget {
             let Some(cell) = open.pop() else {
                 return Existence::Empty;
             };
             if self.may_meet(&cell) {
-                if cell.half.iter().all(|&h| 2.0 * h <= resolution) {
+                if cell.relative_size(&resolution).all(|size| size <= 1.0) {
                     return Existence::Possible;
                 }
-                open.extend(cell.halves());
+                open.extend(cell.halves(&resolution));
             }
         }
         Existence::Possible
@@ -176,7 +180,7 @@ impl Region {
             if cell.half.iter().all(|&h| 2.0 * h <= search.resolution) {
                 return Some(bound);
             }
-            for half in cell.halves() {
+            for half in cell.halves(&[1.0; 3]) {
                 open.push(Entry {
                     key: key(&half),
                     cell: half,

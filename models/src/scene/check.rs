@@ -19,6 +19,8 @@ pub const MAX_CUTS: usize = 12;
 pub const MAX_IMAGE_SIDE: u32 = 4096;
 /// Most light sources: a pixel carries one flag for each (thesis section 4.1.3).
 pub const MAX_LIGHTS: usize = 16;
+/// Shortest length of a camera, in scene units; below it `f64` pictures of it lose their meaning.
+const SHORTEST_LENGTH: f64 = 1e-30;
 /// Largest magnitude of any number of a scene; beyond it `f64` directions lose their meaning.
 pub const MAX_MAGNITUDE: f64 = 1e12;
 /// Largest exponent of a highlight.
@@ -175,10 +177,14 @@ fn check_camera(camera: &Camera) -> Checked {
             up,
             viewer_distance,
             view_height,
+            near,
             ..
         } => {
-            check_positive(&key("viewer_distance"), *viewer_distance)?;
-            check_positive(&key("view_height"), *view_height)?;
+            check_length(&key("viewer_distance"), *viewer_distance)?;
+            check_length(&key("view_height"), *view_height)?;
+            if let Some(near) = near {
+                check_length(&key("near"), *near)?;
+            }
             (*eye, *target, *up)
         }
         Camera::Orthographic {
@@ -187,10 +193,24 @@ fn check_camera(camera: &Camera) -> Checked {
             up,
             view_height,
             half_depth,
+            ends,
             ..
         } => {
-            check_positive(&key("view_height"), *view_height)?;
-            check_positive(&key("half_depth"), *half_depth)?;
+            check_length(&key("view_height"), *view_height)?;
+            if let Some(half_depth) = half_depth {
+                check_length(&key("half_depth"), *half_depth)?;
+            }
+            if let Some([near, far]) = ends {
+                check_numbers(&key("near"), &[*near])?;
+                check_numbers(&key("far"), &[*far])?;
+                if near >= far {
+                    return Err(SceneError::value(
+                        key("far"),
+                        format!("{far} is not behind `near`, which is {near}"),
+                        "a greater number is needed: both are distances from the screen plane away from the observer",
+                    ));
+                }
+            }
             (*eye, *target, *up)
         }
     };
@@ -208,6 +228,19 @@ fn check_camera(camera: &Camera) -> Checked {
     check_up(&key("up"), view, up)?;
     let place = name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
     check_place(&place, &camera.node().place)
+}
+
+/// Refuses a length of the camera that is not above 0, or so short that nothing could be told apart in it.
+fn check_length(place: &str, value: f64) -> Checked {
+    check_positive(place, value)?;
+    if value < SHORTEST_LENGTH {
+        return Err(SceneError::value(
+            place,
+            format!("{value} is too small"),
+            format!("at least {SHORTEST_LENGTH:e} is possible"),
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses a direction upwards along the view.

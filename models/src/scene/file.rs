@@ -82,6 +82,8 @@ pub enum Camera {
         viewer_distance: f64,
         /// Height, in scene units, of the window that the picture shows of the screen plane.
         view_height: f64,
+        /// Distance from the eye at which the depth word begins; chosen for the scene if not given.
+        near: Option<f64>,
         /// Name, group and place.
         node: Node,
     },
@@ -95,8 +97,10 @@ pub enum Camera {
         up: [f64; 3],
         /// Height of the picture in scene units.
         view_height: f64,
-        /// Depth, in scene units, covered in front of and behind the screen plane.
-        half_depth: f64,
+        /// Depth, in scene units, to be covered in front of and behind the screen plane, or more if the objects need it; chosen for the scene if not given.
+        half_depth: Option<f64>,
+        /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of `half_depth`.
+        ends: Option<[f64; 2]>,
         /// Name, group and place.
         node: Node,
     },

@@ -18,6 +18,7 @@ use super::framed::{FramedObject, FramedQuadric};
 use super::mesh::FramedMesh;
 use super::plane::Plane;
 use super::quadric::Quadric;
+use super::range::DepthRange;
 use super::round::{FramedCylinder, FramedSphere};
 use super::source::FramedSource;
 use super::tetrahedron::implicit;
@@ -35,6 +36,8 @@ pub struct FramedScene {
     pub height: u32,
     /// How depth is projected.
     pub projection: Projection,
+    /// Which distances the depth word tells apart.
+    pub range: DepthRange,
     /// Objects in the order of the file.
     pub objects: Vec<FramedObject>,
     /// Materials in the order of the file.
@@ -84,27 +87,22 @@ pub enum FramedLight {
 }
 
 impl SceneFile {
-    /// The scene in the camera frame of a picture of `width` by `height` pixels.
-    pub fn frame(&self, width: u32, height: u32) -> Result<FramedScene, SceneError> {
-        self.validate()?;
-        self.flattened()
-            .frame_keeping(width, height, |_, _| Ok(None))
-    }
-
-    /// The same of a checked and flattened scene, taking over the objects that `kept` hands out for an object and its material.
-    pub(crate) fn frame_keeping(
+    /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth word of a range, taking over the objects that
+    /// `kept` hands out for an object and its material.
+    pub(crate) fn frame_within(
         &self,
-        width: u32,
-        height: u32,
+        range: &DepthRange,
+        (width, height): (u32, u32),
         kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
     ) -> Result<FramedScene, SceneError> {
         check_image_size(width, height)?;
-        let (camera, projection) = camera_frame(&self.camera, height)?;
+        let (camera, projection) = camera_frame(&self.camera, height, range)?;
         Ok(FramedScene {
             title: self.title.clone(),
             width,
             height,
             projection,
+            range: range.clone(),
             objects: self.framed_objects(&camera, kept)?,
             materials: self.materials.clone(),
             lights: self
@@ -149,7 +147,14 @@ impl SceneFile {
 }
 
 /// The change from scene to camera coordinates.
-fn camera_frame(camera: &Camera, height: u32) -> Result<(Transform, Projection), SceneError> {
+///
+/// A perspective picture does not change when the scene grows about the eye. So the frame is scaled until the point at twice the near end lies on the screen plane,
+/// where depth is zero; an orthographic frame is moved until the middle of the range does.
+fn camera_frame(
+    camera: &Camera,
+    height: u32,
+    range: &DepthRange,
+) -> Result<(Transform, Projection), SceneError> {
     let height = integer(i64::from(height));
     let sight = Sight::of(camera)?;
     match camera {
@@ -158,22 +163,24 @@ fn camera_frame(camera: &Camera, height: u32) -> Result<(Transform, Projection),
             view_height,
             ..
         } => {
-            let pixels_per_unit = height / from_decimal(*view_height);
-            let distance = from_decimal(*viewer_distance) * &pixels_per_unit;
+            let distance = from_decimal(*viewer_distance) * (height / from_decimal(*view_height));
+            let pixels_per_unit = &distance / (integer(2) * &range.near);
             // The eye, not the screen plane, is the fixed point: it then stands exactly at (0, 0, -D).
             let behind = [integer(0), integer(0), -distance.clone()];
             let looking = sight.frame(&sight.eye, &pixels_per_unit);
             let frame = Transform::translation(behind).after(&looking);
             Ok((frame, Projection::Perspective { distance }))
         }
-        Camera::Orthographic {
-            view_height,
-            half_depth,
-            ..
-        } => {
+        Camera::Orthographic { view_height, .. } => {
             let pixels_per_unit = height / from_decimal(*view_height);
-            let half_depth = from_decimal(*half_depth) * &pixels_per_unit;
+            let half_depth = range.half_length() * &pixels_per_unit;
             let frame = sight.frame(&sight.target, &pixels_per_unit);
+            let middle = range.middle() * &pixels_per_unit;
+            let frame = if middle.is_zero() {
+                frame
+            } else {
+                Transform::translation([integer(0), integer(0), -middle]).after(&frame)
+            };
             Ok((frame, Projection::Orthographic { half_depth }))
         }
     }

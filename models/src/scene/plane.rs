@@ -33,6 +33,16 @@ impl Plane {
         Self { a, b, c, d }
     }
 
+    /// The plane that keeps the other side.
+    pub(crate) fn opposite(&self) -> Plane {
+        Plane {
+            a: -&self.a,
+            b: -&self.b,
+            c: -&self.c,
+            d: -&self.d,
+        }
+    }
+
     /// The value of `a x + b y + c z + d` at a point, exactly.
     pub fn value_at(&self, x: &BigRational, y: &BigRational, z: &BigRational) -> BigRational {
         &self.a * x + &self.b * y + &self.c * z + &self.d

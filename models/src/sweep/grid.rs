@@ -72,7 +72,8 @@ pub fn orthographic(half_depth: f64) -> Camera {
         target: [0.0; 3],
         up: [0.0, 1.0, 0.0],
         view_height: f64::from(SCREEN.1),
-        half_depth,
+        half_depth: None,
+        ends: Some([-half_depth, half_depth]),
         node: Node::default(),
     }
 }
@@ -85,6 +86,7 @@ pub fn perspective(distance: f64) -> Camera {
         up: [0.0, 1.0, 0.0],
         viewer_distance: distance,
         view_height: f64::from(SCREEN.1),
+        near: Some(0.5 * distance),
         node: Node::default(),
     }
 }

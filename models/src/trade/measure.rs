@@ -192,6 +192,7 @@ pub fn zones(
             let options = Options {
                 anchor: Some(anchor),
                 roots_only: true,
+                ..Options::default()
             };
             all.push(ZoneScene {
                 first: (x, y),

@@ -10,8 +10,8 @@ use imogene_models::prepare::rounding::Anchor;
 use imogene_models::prepare::{Options, PreparedQuadric, PreparedScene, prepare_with};
 use imogene_models::rational::integer;
 use imogene_models::scene::{
-    FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric, SceneFile,
-    Surface,
+    DepthRange, FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric,
+    SceneFile, Surface,
 };
 use num_rational::BigRational;
 use std::path::{Path, PathBuf};
@@ -100,6 +100,7 @@ pub fn scene_of(
         title: "test".into(),
         width,
         height,
+        range: DepthRange::of_pixels(&projection),
         projection,
         objects: objects.into_iter().map(FramedObject::from).collect(),
         materials: vec![Material {

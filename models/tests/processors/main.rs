@@ -313,7 +313,8 @@ fn parallel_view(eye: [f64; 3]) -> imogene_models::scene::Camera {
         target: [0.0, 0.1, 0.0],
         up: [0.0, 1.0, 0.0],
         view_height: 4.0,
-        half_depth: 4.0,
+        half_depth: Some(4.0),
+        ends: None,
         node: imogene_models::scene::Node::default(),
     }
 }

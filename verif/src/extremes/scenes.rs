@@ -22,46 +22,46 @@ pub const CASES: &[Extreme] = &[
     Extreme {
         name: "eye-barely-outside",
         item: "17.1",
-        outcome: "Refused: a hundredth of a pixel from the surface the factors e / c and 1 / c^2 make f2 79 bits wide; the message gives the bits.",
-        case: Case::Refused {
+        outcome: "A hundredth of a pixel from the surface one of two depths leaves every word, and f2 would need 79 bits: the depth is a quotient with a root in its denominator.",
+        case: Case::Modelled {
             text: text!("eye-barely-outside"),
-            says: &["'ball'", "too large for the format", "79 bits"],
+            claim: |p| count("covered pixels", p.frame.covered(), p.pixels()),
         },
     },
     Extreme {
         name: "eye-barely-inside",
         item: "17.1",
-        outcome: "Refused for the same reason from the other side.",
-        case: Case::Refused {
+        outcome: "The same from the other side.",
+        case: Case::Modelled {
             text: text!("eye-barely-inside"),
-            says: &["'shell'", "too large for the format", "79 bits"],
+            claim: |p| count("covered pixels", p.frame.covered(), p.pixels()),
         },
     },
     Extreme {
         name: "eye-inside-solid",
         item: "17.1",
-        outcome: "Refused: from within a solid there is nothing to see; as a patch the inner wall would be drawn.",
-        case: Case::Refused {
+        outcome: "The ball is open at the near end, which lies within it: a cap, face 15, at every pixel.",
+        case: Case::Drawn {
             text: text!("eye-inside-solid"),
-            says: &["'ball'", "inside this solid", "mode = \"patch\""],
+            claim: |p| count("pixels of the cap", p.pixels_of_face(15), p.pixels()),
         },
     },
     Extreme {
         name: "behind-the-eye",
         item: "17.4",
-        outcome: "Refused: the whole object lies behind the eye, which is more likely a slip of the camera than a wish.",
-        case: Case::Refused {
+        outcome: "Nothing is drawn, and a note says that the whole object lies behind the viewer.",
+        case: Case::Drawn {
             text: text!("behind-the-eye"),
-            says: &["'ball'", "behind the viewer"],
+            claim: |p| count("covered pixels", p.frame.covered(), 0),
         },
     },
     Extreme {
         name: "axis-too-nearly-along-the-ray",
         item: "13.8",
-        outcome: "Refused: the ends of the cylinder lie beyond the range of depth, and f2 needs 54 bits; the message says which range to widen.",
-        case: Case::Refused {
+        outcome: "The ends of the cylinder lie beyond the range that is asked for, and f2 would need 54 bits: the range grows by the power of two that it takes.",
+        case: Case::Drawn {
             text: text!("axis-too-nearly-along-the-ray"),
-            says: &["'rod'", "54 bits", "half_depth"],
+            claim: |p| some("pixels of the rod", p.frame.covered()),
         },
     },
     Extreme {

@@ -4,7 +4,7 @@ use super::{exact_frame, exact_lighting};
 use crate::arguments::{FrameRange, Model, Render};
 use crate::command::{format_of, read_scene, size_of};
 use crate::failure::Failure;
-use crate::output;
+use crate::{missing, output};
 use imogene_models::animation::{Animator, PreparedFrame, Preview};
 use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::{beam, shading};
@@ -64,6 +64,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let size = size_of(&file, options.scene.size);
     let format = format_of(&options.scene)?;
     let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
+    let animator = animator.with_options(missing::options());
     let range = range
         .of("--frames", animator.playback().count())
         .map_err(|e| named(e.to_string()))?;
@@ -117,6 +118,9 @@ fn draw(
             bar.finish_and_clear();
             let path = options.scene.scene.display();
             Failure::Input(format!("{path}: frame {number}: {error}"))
+        })?;
+        bar.suspend(|| {
+            missing::tell(&format!("frame {number}: "), &frame.framed, &frame.prepared)
         })?;
         let prepare_seconds = started.elapsed().as_secs_f64();
         let file = options.output.join(format!("frame-{number:04}.png"));

@@ -12,7 +12,9 @@ use super::error::PrepareError;
 use super::extent::Extent;
 use super::perspective::{ScreenQuadric, project_plane};
 use super::screen_box::{Cell, Region, Search, screen_domain};
-use super::{Context, ExactForms, NeededWidths, PreparedObject, RoundingBounds};
+use super::{
+    Context, ExactForms, Missing, NeededWidths, PreparedObject, RoundingBounds, leave_out,
+};
 use crate::object::volume::{VolumeKind, VolumeWords};
 use crate::rational::to_f64;
 use crate::scene::{FramedObject, FramedQuadric, FramedScene, Plane, Surface};
@@ -87,6 +89,7 @@ pub(super) fn prepare_volumes(
     objects: &mut [PreparedObject],
     context: &Context,
     known: &Known,
+    missing: &mut Vec<Missing>,
     done: &(impl Fn() + Sync),
 ) -> Result<Volumes, PrepareError> {
     let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
@@ -96,7 +99,7 @@ pub(super) fn prepare_volumes(
     }
     let seen = seen(scene, objects, context, known);
     let receivers = around(&seen);
-    let spots = spots(scene, receivers.as_ref(), context)?;
+    let spots = spots(scene, receivers.as_ref(), context, missing)?;
     let mut volumes = Volumes {
         spots,
         shadows: vec![],
@@ -108,7 +111,7 @@ pub(super) fn prepare_volumes(
     };
     let prepared: &[PreparedObject] = objects;
     // Collected before the first error is taken, so that the same volume is named in every run.
-    let shadows: Vec<Result<Shadow, PrepareError>> = pairs
+    let shadows: Vec<(usize, Result<Shadow, PrepareError>)> = pairs
         .par_iter()
         .filter_map(|&(source, object)| {
             let framed = scene.objects[object].caster()?;
@@ -134,11 +137,14 @@ pub(super) fn prepare_volumes(
                 })
             });
             done();
-            found
+            found.map(|found| (object, found))
         })
         .collect();
-    for shadow in shadows {
-        volumes.shadows.push(shadow?);
+    for (object, shadow) in shadows {
+        match shadow {
+            Ok(shadow) => volumes.shadows.push(shadow),
+            Err(reason) => leave_out(context, missing, Some(object), true, reason)?,
+        }
     }
     for (object, prepared) in scene.objects.iter().zip(objects) {
         let caster = object.caster();
@@ -231,6 +237,7 @@ fn spots(
     scene: &FramedScene,
     receivers: Option<&Cell>,
     context: &Context,
+    missing: &mut Vec<Missing>,
 ) -> Result<Vec<PreparedVolume>, PrepareError> {
     let mut volumes = Vec::new();
     for (source, framed) in scene.sources.iter().enumerate() {
@@ -246,7 +253,10 @@ fn spots(
             caster: None,
             face_error: 0.0,
         };
-        volumes.push(volume_words(&shape, receivers, context)?);
+        match volume_words(&shape, receivers, context) {
+            Ok(volume) => volumes.push(volume),
+            Err(reason) => leave_out(context, missing, None, true, reason)?,
+        }
     }
     Ok(volumes)
 }

@@ -246,6 +246,7 @@ fn error_in_volume(shape: &Shape, error: PrepareError) -> PrepareError {
             x1,
             y0,
             y1,
+            remedy,
             ..
         } => PrepareError::VolumeTooLarge {
             volume,
@@ -257,6 +258,7 @@ fn error_in_volume(shape: &Shape, error: PrepareError) -> PrepareError {
             x1,
             y0,
             y1,
+            remedy,
         },
         PrepareError::SteepPlane {
             plane,

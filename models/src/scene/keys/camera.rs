@@ -30,6 +30,10 @@ pub(in crate::scene) struct CameraKeys {
     #[serde(skip_serializing_if = "Option::is_none")]
     half_depth: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    near: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    far: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     group: Option<String>,
@@ -88,6 +92,26 @@ impl Window {
     }
 }
 
+/// Both ends of the depth of an orthographic camera, or none.
+fn ends(
+    near: Option<f64>,
+    far: Option<f64>,
+    half_depth: Option<f64>,
+) -> Result<Option<[f64; 2]>, String> {
+    match (near, far, half_depth) {
+        (None, None, _) => Ok(None),
+        (Some(near), Some(far), None) => Ok(Some([near, far])),
+        (Some(_), Some(_), Some(_)) => Err(
+            "an orthographic camera takes `half_depth`, or `near` and `far`; found all three"
+                .into(),
+        ),
+        _ => Err(
+            "an orthographic camera takes both `near` and `far`, distances from the screen plane away from the observer, or none of them"
+                .into(),
+        ),
+    }
+}
+
 fn within(
     key: &str,
     [what, unit]: [&str; 2],
@@ -117,7 +141,10 @@ impl TryFrom<CameraKeys> for Camera {
             target,
             up,
             viewer_distance,
+            view_height,
             half_depth,
+            near,
+            far,
             ..
         } = keys;
         let node = Node {
@@ -134,17 +161,30 @@ impl TryFrom<CameraKeys> for Camera {
                     "a perspective camera",
                     "`viewer_distance`",
                 )?;
-                let viewer_distance = require(
-                    viewer_distance,
+                refuse_key(
+                    far.is_some(),
+                    "far",
                     "a perspective camera",
-                    "`viewer_distance`, from the eye to the screen plane",
+                    "`near` alone; its depth reaches to infinity",
                 )?;
+                let viewer_distance = match (viewer_distance, view_height) {
+                    (Some(distance), _) => distance,
+                    // Seen under an angle, the window may stand anywhere.
+                    (None, None) => 1.0,
+                    (None, Some(_)) => {
+                        return Err("missing field `viewer_distance`: a perspective camera with `view_height` needs the distance \
+                                    from the eye to the screen plane, on which that height is measured; \
+                                    `field_of_view` or `focal` need none"
+                            .into());
+                    }
+                };
                 Ok(Self::Perspective {
                     eye,
                     target,
                     up,
                     viewer_distance,
                     view_height: window.of_perspective(viewer_distance)?,
+                    near,
                     node,
                 })
             }
@@ -160,11 +200,8 @@ impl TryFrom<CameraKeys> for Camera {
                     target,
                     up,
                     view_height: window.of_parallel_view()?,
-                    half_depth: require(
-                        half_depth,
-                        "an orthographic camera",
-                        "`half_depth`, the depth covered on each side of the screen plane",
-                    )?,
+                    half_depth,
+                    ends: ends(near, far, half_depth)?,
                     node,
                 })
             }
@@ -181,6 +218,7 @@ impl From<Camera> for CameraKeys {
                 up,
                 viewer_distance,
                 view_height,
+                near,
                 node,
             } => Self {
                 kind: CameraKind::Perspective,
@@ -192,6 +230,8 @@ impl From<Camera> for CameraKeys {
                 focal: None,
                 field_of_view: None,
                 half_depth: None,
+                near,
+                far: None,
                 name: node.name,
                 group: node.group,
                 place: node.place,
@@ -202,6 +242,7 @@ impl From<Camera> for CameraKeys {
                 up,
                 view_height,
                 half_depth,
+                ends,
                 node,
             } => Self {
                 kind: CameraKind::Orthographic,
@@ -212,7 +253,9 @@ impl From<Camera> for CameraKeys {
                 view_height: Some(view_height),
                 focal: None,
                 field_of_view: None,
-                half_depth: Some(half_depth),
+                half_depth,
+                near: ends.map(|[near, _]| near),
+                far: ends.map(|[_, far]| far),
                 name: node.name,
                 group: node.group,
                 place: node.place,

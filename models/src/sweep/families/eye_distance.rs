@@ -64,7 +64,8 @@ fn ball(series: usize, distance: &BigRational) -> SceneFile {
         target: [0.0, 0.0, -f64::from(RADIUS as i32)],
         up: [0.0, 1.0, 0.0],
         viewer_distance: decimal(&screen),
-        view_height: decimal(&(screen * fraction(3, 4))),
+        view_height: decimal(&(&screen * fraction(3, 4))),
+        near: Some(decimal(&(screen / integer(2)))),
         node: Node::default(),
     };
     let shape = Shape::Sphere {

@@ -43,6 +43,7 @@ fn ellipsoid(_series: usize, offset: &BigRational) -> SceneFile {
         up: [0.0, 1.0, 0.0],
         viewer_distance: 200.0,
         view_height: f64::from(SCREEN.1),
+        near: Some(100.0),
         node: Node::default(),
     };
     let shape = Shape::Ellipsoid {

@@ -1,0 +1,93 @@
+//! What a picture lacks: objects that cannot be drawn cost themselves, not the scene.
+//!
+//! By default they are left out with a warning, and the command ends with exit code 1; with `--strict` the scene is refused, and with `--allow-missing` the command ends as if
+//! nothing were missing.
+
+use crate::failure::Failure;
+use imogene_models::prepare::{Options, PreparedScene};
+use imogene_models::scene::{DepthRange, FramedScene};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What to do about objects that cannot be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Policy {
+    /// Refuse the scene.
+    Strict,
+    /// Warn, and fail at the end.
+    Warn,
+    /// Warn.
+    Allow,
+}
+
+static POLICY: OnceLock<Policy> = OnceLock::new();
+static MISSING: AtomicUsize = AtomicUsize::new(0);
+
+/// Sets the policy of this run, once.
+pub fn set(policy: Policy) {
+    POLICY
+        .set(policy)
+        .expect("set once, when the arguments are read");
+}
+
+fn policy() -> Policy {
+    *POLICY.get().unwrap_or(&Policy::Strict)
+}
+
+/// How scenes are prepared under the policy.
+pub fn options() -> Options {
+    Options {
+        without_refused: policy() != Policy::Strict,
+        ..Options::default()
+    }
+}
+
+/// Warns of everything that a prepared scene lacks, and of what an end of its depth cuts off; `place` says in which frame, if in any.
+///
+/// # Errors
+///
+/// If nothing is left to draw.
+pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Result<(), Failure> {
+    let objects = prepared.missing.iter().filter(|missing| !missing.is_volume);
+    if let Some(first) = prepared.missing.first()
+        && objects.count() == framed.objects.len()
+    {
+        return Err(Failure::Input(format!("{place}{}", first.reason)));
+    }
+    for missing in &prepared.missing {
+        eprintln!("warning: {place}left out: {}", missing.reason);
+    }
+    tell_ends(place, &framed.range);
+    MISSING.fetch_add(prepared.missing.len(), Ordering::Relaxed);
+    Ok(())
+}
+
+/// Says which objects an end of the depth cuts.
+fn tell_ends(place: &str, range: &DepthRange) {
+    for cut in &range.cut {
+        let report = range.report(1);
+        let (end, at) = match cut.end {
+            imogene_models::scene::End::Near => ("near", report.near_units),
+            imogene_models::scene::End::Far => ("far", report.far_units.unwrap_or(f64::INFINITY)),
+        };
+        let from = match range.far {
+            None => "from the eye",
+            Some(_) => "from the screen plane",
+        };
+        eprintln!(
+            "note: {place}object '{}' passes the {end} end of the depth, {at} units {from}: it is cut off there",
+            cut.object
+        );
+    }
+}
+
+/// The failure that a run ends with which has succeeded otherwise.
+pub fn verdict() -> Result<(), Failure> {
+    match (MISSING.load(Ordering::Relaxed), policy()) {
+        (0, _) | (_, Policy::Allow) => Ok(()),
+        (n, _) => Err(Failure::Check(format!(
+            "{n} of the scene's objects or shadows could not be drawn and are missing; \
+             --allow-missing accepts that, --strict refuses such scenes"
+        ))),
+    }
+}
