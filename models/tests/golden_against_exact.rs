@@ -83,7 +83,7 @@ fn pictures(file: &Path, format: Format) -> Pictures {
             || (),
         ),
         exact: imogene_models::exact::render::render(&scene, &format, || ()),
-        undecided: undecided_pixels(&prepared),
+        undecided: undecided_pixels(&scene, &prepared),
         scene,
         prepared,
     }

@@ -13,7 +13,7 @@
 
 use crate::bounds::Bounds;
 use crate::trace::{Traced, TracedPixel, Tracer};
-use imogene_models::check::is_undecided;
+use imogene_models::check::Jury;
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::PreparedScene;
@@ -124,6 +124,7 @@ pub fn compare(
         solved_exactly: traced.solved,
         ..Comparison::default()
     };
+    let jury = Jury::of_words(prepared);
     let mut marks = Vec::with_capacity(traced.pixels.len());
     for y in 0..traced.height {
         for x in 0..traced.width {
@@ -133,7 +134,8 @@ pub fn compare(
                 if traced.is_some_and(is_tied) {
                     Some(Mark::Tied)
                 } else {
-                    is_undecided(prepared, x as i64, y as i64).then_some(Mark::Announced)
+                    jury.is_undecided(x as i64, y as i64)
+                        .then_some(Mark::Announced)
                 }
             };
             let mark = pixel(&mut found, traced, golden, bounds, format, &allowed, (x, y));

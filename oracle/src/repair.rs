@@ -1,10 +1,10 @@
 //! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4 and IV.2.5).
 //!
-//! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding ([`undecided_pixels`]), or if an object of
+//! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding ([`Jury`]), or if an object of
 //! a processor without such bounds can be on it. Open pixels are solved exactly and replace those of the first pass; all others keep its words bit for bit.
 //! Then object and face are the true ones at every pixel: by proof where the words decided, by computation where they did not.
 
-use imogene_models::check::undecided_pixels;
+use imogene_models::check::Jury;
 use imogene_models::exact::render::{render_where, to_frame};
 use imogene_models::machine::beam;
 use imogene_models::machine::frame::Frame;
@@ -82,7 +82,7 @@ pub fn repair(scene: &FramedScene, prepared: &PreparedScene, done: impl Fn() + S
 
 /// The pixels that the words do not decide.
 pub fn open_pixels(prepared: &PreparedScene) -> Vec<bool> {
-    let mut open = undecided_pixels(prepared);
+    let mut open = Jury::of_words(prepared).undecided();
     for object in prepared.objects.iter().filter(|o| o.quadric().is_none()) {
         let window = object.screen_box();
         if window.is_empty() {

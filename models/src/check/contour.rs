@@ -12,10 +12,16 @@
 //! plane removes the contour with a pixel to spare do not count, as long as the displacement found is below one pixel.
 //!
 //! Cells that stay inconclusive to the last surround the point where the gradient vanishes. If it is a saddle, as at the apex of a double
-//! cone, the slope lines pass by: along a slope line of a second-degree expression both coordinates on its principal axes change
+//! cone seen from the side, the slope lines pass by: along a slope line of a second-degree expression both coordinates on its principal axes change
 //! monotonically, so a line spends at most twice the diagonal of the rectangle around these cells inside it, which is added to e2 / G.
-//! (The lines that end in the saddle itself are limits of lines that pass by.) At a summit the contour may be missing from one of
-//! the two pictures, and only the box bounds the displacement.
+//! (The lines that end in the saddle itself are limits of lines that pass by.)
+//!
+//! If it is a summit or a pit of value m, as at the apex of a cone that is looked into, let h be the smaller eigenvalue of the second derivatives.
+//! At a distance t from it f2' differs from m by at least `h t^2 / 2`, and its gradient is at least `sqrt(2 h |f2' - m|)` long.
+//!
+//! * Where m is beyond the band on the side of its own sign, both contours go around it, and G is at least `sqrt(2 h (|m| - e2))`.
+//! * Where m is in the band, the whole band is a spot within `t = sqrt(2 (e2 + |m|) / h)` of it. Either contour may be missing
+//!   there, so the displacement that is stated is the width 2t of the spot: nothing wider can appear or vanish.
 
 use crate::format::Format;
 use crate::object::quadric::QuadricWords;
@@ -175,17 +181,48 @@ impl<'a> Contour<'a> {
         };
         let window = self.words.screen_box;
         let diagonal = ((window.x1 - window.x0) as f64).hypot((window.y1 - window.y0) as f64);
+        let middle = [0, 1].map(|k| (0.5 * (low[k] + high[k])).round() as i64);
         let [a, b, c] = self.second;
-        let pixels = if 4.0 * a * b < c * c * (1.0 - FLOAT_MARGIN) {
-            diagonal.min(steep + 2.0 * (high[0] - low[0]).hypot(high[1] - low[1]))
+        let determinant = 4.0 * a * b - c * c;
+        let surely = FLOAT_MARGIN * c * c;
+        let bound = if determinant < -surely {
+            steep + 2.0 * (high[0] - low[0]).hypot(high[1] - low[1])
+        } else if determinant > surely {
+            self.spot(middle)
         } else {
             diagonal
         };
-        let middle = [0, 1].map(|k| (0.5 * (low[k] + high[k])).round() as i64);
         Displacement {
-            pixels,
+            pixels: diagonal.min(bound),
             singular: Some((middle[0], middle[1])),
         }
+    }
+
+    /// Displacement around a summit or a pit, which is near a pixel.
+    fn spot(&self, [x, y]: [i64; 2]) -> f64 {
+        let [a, b, c] = self.second;
+        let least_curvature = ((a + b).abs() - (a - b).hypot(c)) - FLOAT_MARGIN * (a + b).abs();
+        if least_curvature <= 0.0 {
+            return f64::INFINITY;
+        }
+        let Local {
+            value,
+            gradient: [gx, gy],
+        } = self.local(x, y);
+        let determinant = 4.0 * a * b - c * c;
+        let (u, v) = (
+            (c * gy - 2.0 * b * gx) / determinant,
+            (c * gx - 2.0 * a * gy) / determinant,
+        );
+        // Counted from the side to which the summit or pit points; beyond -e2 both contours go around it.
+        let extreme = (value + 0.5 * (gx * u + gy * v)) * a.signum();
+        let margin = FLOAT_MARGIN * (value.abs() + (gx * u).abs() + (gy * v).abs() + self.error);
+        let beyond = -extreme - self.error - margin;
+        if beyond > 0.0 {
+            return self.error / (2.0 * least_curvature * beyond).sqrt() * (1.0 + FLOAT_MARGIN);
+        }
+        let reach = (self.error - extreme + margin).max(0.0);
+        2.0 * (2.0 * reach / least_curvature).sqrt() * (1.0 + FLOAT_MARGIN)
     }
 
     fn local(&self, x: i64, y: i64) -> Local {

@@ -1,23 +1,26 @@
 //! The check of a prepared scene: what it needs, what can go wrong, and how far the golden picture can be from the true one.
 //!
 //! Every bound is derived, not sampled: from the rounding bounds of the coefficients ([`crate::prepare::RoundingBounds`]) and the integers at each
-//! pixel. [`depth_bound`] and [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which
-//! they might not are counted and can be listed ([`undecided_pixels`]).
+//! pixel, or the truth itself. [`depth_bound`] and [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which
+//! they might not are counted and can be listed ([`Jury`]), whatever processor draws them.
 
 mod accumulators;
 mod contour;
 mod depth;
 mod guards;
 pub mod headroom;
+mod jury;
 mod kind;
 mod needs;
 mod normal;
 mod object;
+mod outline;
 mod parts;
 pub mod shading;
 mod silhouette;
 mod summary;
 pub mod trial;
+mod truth;
 mod verdict;
 
 pub use accumulators::{
@@ -25,26 +28,25 @@ pub use accumulators::{
 };
 pub use depth::{DepthTerms, depth_bound, depth_terms};
 pub use guards::{ExactGuards, exact_guards};
+pub use jury::Jury;
 pub use kind::quadric_kind;
 pub use needs::{MachineNeeds, machine_needs};
 pub use normal::normal_bound;
 pub use object::{ObjectBounds, QuadricReport, Undecided};
-pub use parts::PartsReport;
+pub use parts::{PartsBounds, PartsReport};
 pub use silhouette::displacement_at;
 pub use summary::{Shows, Summary};
 
 use crate::format::Format;
-use crate::object::quadric::ScreenBox;
 use crate::prepare::{NeededWidths, PreparedScene};
 use crate::scene::{FramedScene, RangeReport};
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// What a scene needs of a machine, and the bounds that hold for its picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckReport {
-    /// True if every accumulator is wide enough and no silhouette can be displaced by a pixel or more. Other problems are for a person
-    /// to judge and do not make a check fail.
+    /// True if every accumulator is wide enough and no outline that is seen may be a pixel or more away from the true one. Other problems are
+    /// for a person to judge and do not make a check fail.
     pub ok: bool,
     /// Bounds of the whole picture.
     pub bounds: SceneBounds,
@@ -52,7 +54,7 @@ pub struct CheckReport {
     pub widths: Widths,
     /// The range of the depth word: which distances it tells apart, and what a word is.
     pub range: RangeReport,
-    /// Pixels of the picture at which rounding could change the visible object or face, among the objects that have bounds.
+    /// Pixels of the picture at which rounding could change the visible object or face, or decides between two that are equally far.
     pub undecided_pixels: usize,
     /// What the scene needs and has, in short.
     pub summary: Summary,
@@ -121,6 +123,30 @@ impl ObjectReport {
         }
     }
 
+    /// Greatest depth error, in depth words.
+    pub fn depth_lsb(&self) -> f64 {
+        match self {
+            Self::Quadric(report) => report.bounds.depth_lsb,
+            Self::Parts(report) => report.bounds.depth_lsb,
+        }
+    }
+
+    /// Pixels that rounding could change.
+    pub fn undecided(&self) -> Undecided {
+        match self {
+            Self::Quadric(report) => report.undecided,
+            Self::Parts(report) => report.undecided,
+        }
+    }
+
+    /// What a person should know.
+    pub fn problems(&self) -> &[String] {
+        match self {
+            Self::Quadric(report) => &report.problems,
+            Self::Parts(report) => &report.problems,
+        }
+    }
+
     /// Whether its material mirrors light.
     pub fn highlights(&self) -> bool {
         match self {
@@ -133,16 +159,18 @@ impl ObjectReport {
 /// Checks a prepared scene; `prepared` must come from `scene`.
 pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
     let seen = summary::visible_pixels(prepared);
+    let jury = Jury::new(scene, prepared);
     let mut reviews: Vec<object::Review> = vec![];
     let objects: Vec<ObjectReport> = scene
         .objects
         .iter()
         .zip(prepared.objects.iter().zip(seen))
-        .map(|(framed, (object, seen))| {
+        .enumerate()
+        .map(|(id, (framed, (object, seen)))| {
             let highlights = scene.materials[framed.material()].specular > 0.0;
             match (framed.quadric(), object.quadric()) {
                 (Some(framed_quadric), Some(quadric)) => {
-                    let review = object::review(framed_quadric, quadric, prepared);
+                    let review = object::review(framed_quadric, quadric, prepared, &jury);
                     let mut report = review.report.clone();
                     report.processor = framed.processor();
                     report.visible_pixels = seen;
@@ -152,7 +180,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
                     ObjectReport::Quadric(Box::new(report))
                 }
                 _ => {
-                    let mut report = parts::report(framed, object, &prepared.format);
+                    let judge = jury.judge(id);
+                    let mut report = parts::report(framed, object, judge, prepared, &jury);
                     report.visible_pixels = seen;
                     report.shows = Shows::of(&report.screen_box, report.pixels, seen);
                     report.highlights = highlights;
@@ -161,7 +190,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
             }
         })
         .collect();
-    let bounds = scene_bounds(&reviews);
+    let bounds = scene_bounds(&reviews, &objects);
+    let held = objects.iter().all(|object| object.undecided().adrift == 0);
     let needed = prepared.needed();
     let fits = needed.sum <= prepared.format.sum
         && needed.quadratic <= prepared.format.quadratic
@@ -170,7 +200,7 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
             .iter()
             .all(|object| planes_fit(object, &prepared.format));
     CheckReport {
-        ok: fits && bounds.silhouette_px < 1.0,
+        ok: fits && held,
         bounds,
         widths: Widths {
             format: prepared.format,
@@ -178,44 +208,14 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         },
         range: scene.range.report(prepared.format.z_max()),
         summary: summary::summary(scene, prepared, &objects),
-        undecided_pixels: undecided_pixels(prepared).iter().filter(|&&u| u).count(),
+        undecided_pixels: jury.undecided().into_iter().filter(|&open| open).count(),
         objects,
     }
 }
 
-/// For every pixel of the picture, row-major, whether rounding could change the visible object or face; everywhere else golden and
-/// true picture are proven to show the same face of the same object. Objects without bounds, those of other processors than quadric and patch, are left out.
-pub fn undecided_pixels(prepared: &PreparedScene) -> Vec<bool> {
-    let line = |y: i64| {
-        let crossing =
-            |window: &ScreenBox| !window.is_empty() && (window.y0..=window.y1).contains(&y);
-        let objects: Vec<_> = prepared
-            .quadrics()
-            .map(|(_, object)| object)
-            .filter(|o| crossing(&o.words.screen_box))
-            .collect();
-        (0..i64::from(prepared.width)).map(move |x| {
-            let verdicts: Vec<_> = objects
-                .iter()
-                .map(|o| verdict::decide(o, &prepared.format, x, y))
-                .collect();
-            !verdict::decides_picture(&verdicts)
-        })
-    };
-    (0..i64::from(prepared.height))
-        .into_par_iter()
-        .flat_map_iter(line)
-        .collect()
-}
-
-/// The same for one pixel of the picture.
-pub fn is_undecided(prepared: &PreparedScene, x: i64, y: i64) -> bool {
-    let objects = prepared.quadrics().map(|(_, object)| object);
-    let verdicts: Vec<_> = objects
-        .filter(|object| object.words.screen_box.contains(x, y))
-        .map(|object| verdict::decide(object, &prepared.format, x, y))
-        .collect();
-    !verdict::decides_picture(&verdicts)
+/// For every pixel of the picture, row-major, whether rounding could change the visible object or face ([`Jury::undecided`]).
+pub fn undecided_pixels(scene: &FramedScene, prepared: &PreparedScene) -> Vec<bool> {
+    Jury::new(scene, prepared).undecided()
 }
 
 /// The preparation proves the exact depth of a plane; what the rounded words reach is checked here.
@@ -224,7 +224,8 @@ fn planes_fit(object: &ObjectReport, format: &Format) -> bool {
     accumulators.is_none_or(|a| a.planes.iter().all(|&bits| bits <= format.plane))
 }
 
-fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
+fn scene_bounds(reviews: &[object::Review], objects: &[ObjectReport]) -> SceneBounds {
+    let depth = objects.iter().map(ObjectReport::depth_lsb);
     let greatest = |of: fn(&ObjectBounds) -> f64| {
         reviews
             .iter()
@@ -236,7 +237,7 @@ fn scene_bounds(reviews: &[object::Review]) -> SceneBounds {
         .flat_map(|r| r.angles.iter().copied())
         .collect();
     SceneBounds {
-        depth_lsb: greatest(|b| b.depth_lsb),
+        depth_lsb: depth.fold(0.0, f64::max),
         depth_lsb_closed_form: greatest(|b| b.depth_lsb_closed_form),
         silhouette_px: greatest(|b| b.silhouette_px),
         normal_deg: greatest(|b| b.normal_deg),

@@ -3,8 +3,10 @@
 use super::accumulators::{Accumulators, accumulators, plane_bits};
 use super::contour::{Displacement, displacement};
 use super::depth::{DepthTerms, depth_bound, worst_case, worst_terms};
+use super::jury::Jury;
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
+use super::outline::{Presence, Silhouette};
 use super::summary::Shows;
 use super::verdict::{Verdict, decide};
 use crate::format::Format;
@@ -98,6 +100,31 @@ pub struct Undecided {
     pub silhouette: usize,
     /// A comparison with a plane, or with the near or far end, is open.
     pub edge: usize,
+    /// Pixels of the picture at which the outline may be a pixel or more away from the true one.
+    pub adrift: usize,
+}
+
+impl Undecided {
+    /// Counts what is open at a pixel.
+    pub(super) fn count(&mut self, verdict: &Verdict) {
+        if let Verdict::Undecided { silhouette, .. } = verdict {
+            let open = if *silhouette {
+                &mut self.silhouette
+            } else {
+                &mut self.edge
+            };
+            *open += 1;
+        }
+    }
+}
+
+/// What a person should know of an outline that is adrift.
+pub(super) fn adrift_problem(adrift: &[(i64, i64)]) -> Option<String> {
+    let (x, y) = adrift.get(adrift.len() / 2)?;
+    Some(format!(
+        "rounding decides whether it is there at {} pixels, as at ({x}, {y}), where its outline may be a pixel or more away from the true one",
+        adrift.len()
+    ))
 }
 
 /// A report, and the normal bounds that the scene's quantile is taken of.
@@ -115,6 +142,8 @@ struct Findings {
     depth: f64,
     angles: Vec<f32>,
     undecided: Undecided,
+    /// Line by line.
+    presence: Vec<Presence>,
 }
 
 impl Findings {
@@ -126,6 +155,7 @@ impl Findings {
         self.angles.extend(other.angles);
         self.undecided.silhouette += other.undecided.silhouette;
         self.undecided.edge += other.undecided.edge;
+        self.presence.extend(other.presence);
         self
     }
 }
@@ -134,6 +164,7 @@ pub(super) fn review(
     framed: &FramedQuadric,
     object: &PreparedQuadric,
     prepared: &PreparedScene,
+    jury: &Jury,
 ) -> Review {
     let format = &prepared.format;
     let window = object.words.screen_box;
@@ -145,6 +176,17 @@ pub(super) fn review(
     } else {
         displacement(object, format)
     };
+    let size = (prepared.width, prepared.height);
+    let adrift = match silhouette.pixels {
+        // No outline can be a pixel away, whatever its pixels show.
+        pixels if pixels < 1.0 => vec![],
+        _ => jury.adrift(&Silhouette {
+            window,
+            presence: &found.presence,
+            size,
+        }),
+    };
+    found.undecided.adrift = adrift.len();
     let bounds = ObjectBounds {
         f1: object.bounds.f1,
         f2: object.bounds.f2,
@@ -177,10 +219,10 @@ pub(super) fn review(
         degenerate: is_degenerate(quadric_kind(&framed.quadric)),
         perpendicular_planes: perpendicular_planes(&object.words),
         needed: object.needed.clone(),
-        accumulators: accumulators(object, (prepared.width, prepared.height), format),
+        accumulators: accumulators(object, size, format),
         bounds,
         undecided: found.undecided,
-        problems: problems(object, format, &without_effect, &found, silhouette),
+        problems: problems(object, format, &without_effect, &found, silhouette, &adrift),
         planes_without_effect: without_effect,
     };
     Review {
@@ -223,14 +265,9 @@ fn pass_line(object: &PreparedQuadric, format: &Format, y: i64) -> Findings {
         }
     });
     for x in words.screen_box.x0..=words.screen_box.x1 {
-        if let Verdict::Undecided { silhouette, .. } = decide(object, format, x, y) {
-            let undecided = &mut found.undecided;
-            *if silhouette {
-                &mut undecided.silhouette
-            } else {
-                &mut undecided.edge
-            } += 1;
-        }
+        let verdict = decide(object, format, x, y);
+        found.undecided.count(&verdict);
+        found.presence.push(Presence::of(&verdict));
     }
     found
 }
@@ -241,6 +278,7 @@ fn problems(
     without_effect: &[usize],
     found: &Findings,
     silhouette: Displacement,
+    adrift: &[(i64, i64)],
 ) -> Vec<String> {
     let mut problems = object.notes.clone();
     let window = &object.words.screen_box;
@@ -270,10 +308,11 @@ fn problems(
     }
     if let Some((x, y)) = silhouette.singular {
         problems.push(format!(
-            "the silhouette has no direction near pixel ({x}, {y}), as at the apex of a double cone; it is displaced by at most {:.2} pixels",
+            "the silhouette has no direction near pixel ({x}, {y}), as at the apex of a cone; it is displaced by at most {:.2} pixels",
             silhouette.pixels
         ));
     }
+    problems.extend(adrift_problem(adrift));
     if found.undetermined > 0 {
         problems.push(format!(
             "the normal vanishes, or nearly, at {} pixels; its direction is not determined there",

@@ -1,12 +1,15 @@
-//! What is reported of an object whose processor has no bounds that are proven pixel by pixel.
+//! What is reported of an object of another processor than quadric or patch, which is held against the truth at every pixel.
 
+use super::jury::{Comparison, Judge, Jury};
 use super::kind::quadric_kind;
+use super::object::{Undecided, adrift_problem};
+use super::outline::{Presence, Silhouette};
 use super::summary::Shows;
-use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::object::slot::ProcessorWords;
-use crate::prepare::{NeededWord, PreparedObject};
+use crate::prepare::{NeededWord, PreparedObject, PreparedScene};
 use crate::scene::FramedObject;
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// One object of a checked scene that another processor than quadric or patch draws.
@@ -32,24 +35,67 @@ pub struct PartsReport {
     pub highlights: bool,
     /// Bits that each accumulator needs.
     pub needed: Vec<NeededWord>,
+    /// Bounds that hold at every pixel of the picture.
+    pub bounds: PartsBounds,
+    /// Pixels at which the golden object is not the true one.
+    pub undecided: Undecided,
     /// What a person should know.
     pub problems: Vec<String>,
+}
+
+/// Bounds of one object.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct PartsBounds {
+    /// Greatest depth error at any pixel at which both pictures show the same face, in depth words.
+    pub depth_lsb: f64,
+}
+
+/// What one line finds.
+#[derive(Default)]
+struct Findings {
+    pixels: usize,
+    depth: f64,
+    undecided: Undecided,
+    presence: Vec<Presence>,
+}
+
+impl Findings {
+    fn merged(mut self, other: Findings) -> Findings {
+        self.pixels += other.pixels;
+        self.depth = self.depth.max(other.depth);
+        self.undecided.silhouette += other.undecided.silhouette;
+        self.undecided.edge += other.undecided.edge;
+        self.presence.extend(other.presence);
+        self
+    }
 }
 
 pub(super) fn report(
     framed: &FramedObject,
     object: &PreparedObject,
-    format: &Format,
+    judge: &Judge,
+    prepared: &PreparedScene,
+    jury: &Jury,
 ) -> PartsReport {
     let words = object.words();
-    let window = *object.screen_box();
-    let pixels = pixels(&words, &window, format);
+    let mut found = match judge {
+        Judge::Truth(comparison) => findings(comparison, &judge.window()),
+        Judge::Words(..) | Judge::Nothing => Findings::default(),
+    };
+    let adrift = jury.adrift(&Silhouette {
+        window: judge.window(),
+        presence: &found.presence,
+        size: (prepared.width, prepared.height),
+    });
+    found.undecided.adrift = adrift.len();
     let mut problems = object.notes().to_vec();
-    if pixels == 0 && !window.is_empty() {
+    let window = *object.screen_box();
+    if found.pixels == 0 && !window.is_empty() {
         problems.push(
             "no pixel shows it: it falls between the pixels, or its planes leave nothing".into(),
         );
     }
+    problems.extend(adrift_problem(&adrift));
     PartsReport {
         name: object.name().to_owned(),
         kind: kind(framed),
@@ -59,7 +105,7 @@ pub(super) fn report(
         },
         processors: words.len(),
         screen_box: window,
-        pixels,
+        pixels: found.pixels,
         // Of the whole picture, which the caller knows.
         visible_pixels: 0,
         shows: Shows::EmptyBox,
@@ -68,20 +114,28 @@ pub(super) fn report(
             PreparedObject::Parts(parts) => parts.needed.clone(),
             PreparedObject::Quadric(_) | PreparedObject::Patch(_) => vec![],
         },
+        bounds: PartsBounds {
+            depth_lsb: found.depth,
+        },
+        undecided: found.undecided,
         problems,
     }
 }
 
-fn pixels(words: &[ProcessorWords], window: &ScreenBox, format: &Format) -> usize {
-    let mut count = 0;
-    for y in window.y0..=window.y1 {
-        let mut line = vec![false; (window.x1 - window.x0 + 1).max(0) as usize];
-        for one in words {
-            one.for_each_present(format, y, |x, _| line[(x - window.x0) as usize] = true);
+fn findings(comparison: &Comparison, window: &ScreenBox) -> Findings {
+    let line = |y: i64| {
+        let mut found = Findings::default();
+        for compared in comparison.line(y, window.x0..=window.x1) {
+            let verdict = compared.verdict();
+            found.pixels += usize::from(compared.is_drawn());
+            found.depth = found.depth.max(compared.depth_error().unwrap_or(0.0));
+            found.undecided.count(&verdict);
+            found.presence.push(Presence::of(&verdict));
         }
-        count += line.into_iter().filter(|&seen| seen).count();
-    }
-    count
+        found
+    };
+    let lines = (window.y0..window.y1 + 1).into_par_iter();
+    lines.map(line).reduce(Findings::default, Findings::merged)
 }
 
 fn kind(framed: &FramedObject) -> &'static str {

@@ -5,8 +5,8 @@
 
 use super::depth::{Range, face_ranges};
 use crate::format::Format;
-use crate::object::quadric::QuadricWords;
-use crate::prepare::{PreparedQuadric, RoundingBounds};
+use crate::object::quadric::PlaneWords;
+use crate::prepare::PreparedQuadric;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::{Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 
@@ -32,47 +32,58 @@ struct Bounded {
     depth: Range,
 }
 
-/// The values of one object at one pixel.
-struct Pixel<'a> {
-    words: &'a QuadricWords,
-    bounds: &'a RoundingBounds,
-    format: &'a Format,
-    x: i64,
-    y: i64,
-    f2: i64,
-    near: Range,
-    far: Range,
+/// The values of one object at one pixel, each with the range in which true and computed one lie.
+pub(super) struct Pixel {
+    pub class: Class,
+    /// Some(true) if the line of sight certainly meets the quadric, Some(false) if it certainly does not.
+    pub seen: Option<bool>,
+    pub near: Range,
+    pub far: Range,
+    pub planes: Vec<(PlaneKind, Range)>,
+    /// The near end, and the far end, at which nothing is drawn any more.
+    pub ends: [f64; 2],
 }
 
 /// Decides a pixel of the object's screen box; outside the box the object is proven absent.
 pub(super) fn decide(object: &PreparedQuadric, format: &Format, x: i64, y: i64) -> Verdict {
-    if !object.words.screen_box.contains(x, y) {
+    let (words, bounds) = (&object.words, &object.bounds);
+    if !words.screen_box.contains(x, y) {
         return Verdict::Absent;
     }
-    let words = &object.words;
-    let f1 = words.f1_at(x, y, format);
     let f2 = words.f2_at(x, y, format);
-    let (near, far) = face_ranges(f1, f2, &object.bounds);
-    let pixel = Pixel {
-        words,
-        bounds: &object.bounds,
-        format,
-        x,
-        y,
-        f2,
+    let radicand = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2);
+    let seen = if radicand.low >= 0.0 {
+        Some(true)
+    } else {
+        (radicand.high < 0.0).then_some(false)
+    };
+    if seen == Some(false) && words.class != Class::Front {
+        return Verdict::Absent;
+    }
+    let (near, far) = face_ranges(words.f1_at(x, y, format), f2, bounds);
+    let planes = words.planes.iter().zip(&bounds.planes);
+    let plane = |(plane, &bound): (&PlaneWords, &f64)| {
+        let value = plane.depth.wrapped_at(x, y, format.plane);
+        (plane.kind, Range::around(value as i64, bound))
+    };
+    Pixel {
+        class: words.class,
+        seen,
         near,
         far,
-    };
-    pixel.decide()
+        planes: planes.map(plane).collect(),
+        ends: [format.z_low() as f64, format.z_max() as f64],
+    }
+    .decide()
 }
 
-impl Pixel<'_> {
-    fn decide(&self) -> Verdict {
+impl Pixel {
+    pub fn decide(&self) -> Verdict {
         let sides = self.half_planes();
         if sides == Some(false) {
             return Verdict::Absent;
         }
-        let verdict = match self.words.class {
+        let verdict = match self.class {
             Class::Side => self.side(),
             Class::Front => self.front(),
             Class::Patch => self.patch(),
@@ -84,34 +95,17 @@ impl Pixel<'_> {
         }
     }
 
-    /// Some(true) if f2 is certainly not negative, Some(false) if it certainly is.
-    fn seen(&self) -> Option<bool> {
-        let f2 = Range::of_dropped(self.f2, self.bounds.f2, self.bounds.dropped_f2);
-        if f2.low >= 0.0 {
-            Some(true)
-        } else {
-            (f2.high < 0.0).then_some(false)
-        }
-    }
-
     fn undecided(&self, nearest: f64) -> Verdict {
         Verdict::Undecided {
             nearest,
-            silhouette: self.seen().is_none(),
+            silhouette: self.seen.is_none(),
         }
     }
 
-    fn plane_range(&self, index: usize) -> Range {
-        let value = self.words.planes[index]
-            .depth
-            .wrapped_at(self.x, self.y, self.format.plane);
-        Range::around(value as i64, self.bounds.planes[index])
-    }
-
     fn planes_of(&self, kind: PlaneKind) -> impl Iterator<Item = (usize, Range)> + '_ {
-        (0..self.words.planes.len())
-            .filter(move |&i| self.words.planes[i].kind == kind)
-            .map(|i| (i, self.plane_range(i)))
+        let planes = self.planes.iter().enumerate();
+        let of_kind = planes.filter(move |(_, plane)| plane.0 == kind);
+        of_kind.map(|(i, plane)| (i, plane.1))
     }
 
     /// Whether all perpendicular planes keep the pixel.
@@ -136,7 +130,7 @@ impl Pixel<'_> {
         });
         let near_end = Bounded {
             number: FACE_NEAR_END,
-            depth: Range::around(self.format.z_low(), 0.0),
+            depth: Range::new(self.ends[0], self.ends[0]),
         };
         std::iter::once(near_end).chain(planes).collect()
     }
@@ -150,7 +144,7 @@ impl Pixel<'_> {
     }
 
     fn far_end(&self) -> f64 {
-        self.format.z_max() as f64
+        self.ends[1]
     }
 
     /// The solid between the farthest of `entries` and `exit`.
@@ -167,7 +161,7 @@ impl Pixel<'_> {
     }
 
     fn side(&self) -> Verdict {
-        if self.seen() == Some(false) {
+        if self.seen == Some(false) {
             return Verdict::Absent;
         }
         // Near and far root share the error of f1 and are never compared with each other.
@@ -180,7 +174,7 @@ impl Pixel<'_> {
             number: FACE_NEAR,
             depth: self.near,
         });
-        let certain = self.seen() == Some(true) && ends.not_above(&self.far);
+        let certain = self.seen == Some(true) && ends.not_above(&self.far);
         match self.convex(&entries, self.exit()) {
             Verdict::Face(_, depth) if !certain => self.undecided(depth.low),
             other => other,
@@ -193,11 +187,11 @@ impl Pixel<'_> {
         let line = self.convex(&entries, self.exit());
         let entry = farthest(&entries);
         let before_or_behind = entry.not_above(&self.near) || self.far.below(&entry);
-        if line == Verdict::Absent || self.seen() == Some(false) || before_or_behind {
+        if line == Verdict::Absent || self.seen == Some(false) || before_or_behind {
             return line;
         }
         let between = self.near.below(&entry) && entry.below(&self.far);
-        if self.seen() == Some(true) && between {
+        if self.seen == Some(true) && between {
             let mut behind = entries;
             behind.push(Bounded {
                 number: FACE_FAR,
@@ -210,7 +204,7 @@ impl Pixel<'_> {
 
     fn prism(&self) -> Verdict {
         let line = self.convex(&self.entries(), self.exit());
-        match (self.seen(), line) {
+        match (self.seen, line) {
             (Some(false), _) => Verdict::Absent,
             (None, Verdict::Face(_, depth)) => self.undecided(depth.low),
             _ => line,
@@ -219,11 +213,11 @@ impl Pixel<'_> {
 
     /// The first of the two roots that every plane and both ends keep.
     fn patch(&self) -> Verdict {
-        if self.seen() == Some(false) {
+        if self.seen == Some(false) {
             return Verdict::Absent;
         }
         let keeps = [self.near, self.far].map(|face| self.keeps_face(face));
-        match (keeps, self.seen()) {
+        match (keeps, self.seen) {
             ([Some(false), Some(false)], _) => Verdict::Absent,
             ([Some(true), _], Some(true)) => Verdict::Face(FACE_NEAR, self.near),
             ([Some(false), Some(true)], Some(true)) => Verdict::Face(FACE_FAR, self.far),
@@ -265,26 +259,47 @@ fn winner(faces: &[Bounded]) -> Option<Bounded> {
     alone.then_some(*best)
 }
 
-/// What is proven of the whole picture at one pixel: `true` if object and face are decided.
+/// What is proven of the whole picture at one pixel, object by object.
 ///
-/// The nearest decided face wins if every other object is certainly farther.
-pub(super) fn decides_picture(verdicts: &[Verdict]) -> bool {
-    let nearest = |verdict: &Verdict| match verdict {
-        Verdict::Absent => None,
-        Verdict::Face(_, depth) => Some(depth.low),
-        Verdict::Undecided { nearest, .. } => Some(*nearest),
+/// The nearest decided face wins if every other object is certainly farther; two that may be equally far are open, as a tie is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contest {
+    /// The decided face whose depth is surely the least, and how far it is at most.
+    winner: Option<(usize, f64)>,
+    /// The two objects that may be the nearest ones, and how near.
+    nearest: [(f64, usize); 2],
+}
+
+impl Contest {
+    pub const EMPTY: Contest = Contest {
+        winner: None,
+        nearest: [(f64::INFINITY, usize::MAX); 2],
     };
-    let front = verdicts
-        .iter()
-        .enumerate()
-        .filter_map(|(i, v)| match v {
-            Verdict::Face(_, depth) => Some((i, depth.high)),
-            _ => None,
-        })
-        .min_by(|a, b| a.1.total_cmp(&b.1));
-    let (winner, limit) = front.unwrap_or((usize::MAX, f64::INFINITY));
-    verdicts
-        .iter()
-        .enumerate()
-        .all(|(i, v)| i == winner || nearest(v).is_none_or(|low| low > limit))
+
+    /// Takes part with what is known of object `id`.
+    pub fn enter(&mut self, id: usize, verdict: &Verdict) {
+        let low = match verdict {
+            Verdict::Absent => return,
+            Verdict::Face(_, depth) => {
+                if self.winner.is_none_or(|(_, high)| depth.high < high) {
+                    self.winner = Some((id, depth.high));
+                }
+                depth.low
+            }
+            Verdict::Undecided { nearest, .. } => *nearest,
+        };
+        let [first, second] = &mut self.nearest;
+        if low < first.0 || first.1 == usize::MAX {
+            (*second, *first) = (*first, (low, id));
+        } else if low < second.0 || second.1 == usize::MAX {
+            *second = (low, id);
+        }
+    }
+
+    /// True if object and face are the same in the true and in the golden picture.
+    pub fn is_decided(&self) -> bool {
+        let (winner, limit) = self.winner.unwrap_or((usize::MAX, f64::INFINITY));
+        let mut others = self.nearest.iter().filter(|(_, id)| *id != winner);
+        others.all(|&(low, id)| id == usize::MAX || low > limit)
+    }
 }

@@ -16,16 +16,16 @@ type Point = [BigRational; 3];
 /// The facets of a mesh along the rays of a screen.
 #[derive(Clone, Debug)]
 pub struct RayMesh {
-    facets: Vec<RayFacet>,
+    pub(crate) facets: Vec<RayFacet>,
 }
 
 /// One facet: on its inner side no edge is negative, and its plane is met where `slope w + constant` is zero.
 #[derive(Clone, Debug)]
-struct RayFacet {
+pub(crate) struct RayFacet {
     index: usize,
-    window: ScreenBox,
-    edges: Vec<[BigInt; 3]>,
-    plane: [[BigInt; 3]; 2],
+    pub window: ScreenBox,
+    pub edges: Vec<[BigInt; 3]>,
+    pub plane: [[BigInt; 3]; 2],
 }
 
 impl RayMesh {
@@ -62,14 +62,10 @@ impl RayMesh {
     pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
         for facet in &self.facets {
-            if let Some(w) = facet.met(x, y)
-                && nearest.as_ref().is_none_or(|best| w < best.w)
+            if let Some(hit) = facet.hit(x, y)
+                && nearest.as_ref().is_none_or(|best| hit.w < best.w)
             {
-                nearest = Some(Hit {
-                    w,
-                    number: FACE_FACET,
-                    part: facet.index,
-                });
+                nearest = Some(hit);
             }
         }
         nearest
@@ -77,6 +73,16 @@ impl RayMesh {
 }
 
 impl RayFacet {
+    /// The visible point of this facet alone.
+    pub fn hit(&self, x: i64, y: i64) -> Option<Hit> {
+        let hit = |w| Hit {
+            w,
+            number: FACE_FACET,
+            part: self.index,
+        };
+        self.met(x, y).map(hit)
+    }
+
     fn met(&self, x: i64, y: i64) -> Option<SurdReal> {
         let inside = self.window.contains(x, y)
             && self

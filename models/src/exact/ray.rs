@@ -27,11 +27,11 @@ pub struct Hit {
 /// An object's equation along the rays of a screen: polynomials in pixel column and line with integer coefficients.
 #[derive(Clone, Debug)]
 pub struct RayObject {
-    pub(super) surface: Surface,
+    pub(crate) surface: Surface,
     /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator dropped.
-    along: [[BigInt; 6]; 3],
+    pub(crate) along: [[BigInt; 6]; 3],
     /// Per plane the factors of w and 1, each `a x + b y + c`; kept where their sum is not positive.
-    planes: Vec<[[BigInt; 3]; 2]>,
+    pub(crate) planes: Vec<[[BigInt; 3]; 2]>,
 }
 
 /// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in w.

@@ -21,6 +21,7 @@ use crate::rational::{
     floor, from_f64_exact, integer, power_of_two, round_half_up, to_f64, to_f64_up,
 };
 use crate::scene::{FramedQuadric, Surface};
+use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::{FACE_FAR, FACE_NEAR};
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
@@ -93,24 +94,27 @@ fn prepare(
         normal_from,
         planes: vec![],
     };
-    let mut notes = vec![];
+    let (mut notes, mut of_cuts) = (vec![], 0f64);
     for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
         let place = (region, window, &place.planes[index]);
         let plane = prepare_plane(&object.name, index, original, projected, place, context)?;
         let magnitude = power_of_two(plane.needed - 1) - integer(1);
         ledger.prove(&format!("cut {index}"), &magnitude, context.format.plane)?;
         notes.extend(plane.note(index));
+        if plane.words.kind != PlaneKind::Perpendicular {
+            of_cuts = of_cuts.max(plane.bound);
+        }
         words.planes.push(plane.words);
     }
     let (bound, unbounded) = depth.bound(&words, &context.format);
-    notes.insert(0, note(&words, bound, unbounded));
+    notes.insert(0, note(&words, bound, of_cuts, unbounded));
     Ok(PreparedParts {
         name: object.name.clone(),
         screen_box: *window,
         words: vec![ProcessorWords::Quotient(words)],
         needed: most(ledger.needed),
         notes,
-        depth_bound: Some(bound),
+        depth_bound: Some(bound.max(of_cuts)),
     })
 }
 
@@ -283,7 +287,11 @@ fn leading_word(value: &BigRational) -> (i64, u32) {
 }
 
 /// What is known of the depths that are drawn.
-fn note(words: &QuotientWords, bound: f64, unbounded: usize) -> String {
+fn note(words: &QuotientWords, bound: f64, of_cuts: f64, unbounded: usize) -> String {
+    let cuts = match of_cuts {
+        0.0 => String::new(),
+        words => format!("; cut faces are within {words:.3}"),
+    };
     let lying = match unbounded {
         0 => String::new(),
         n => format!("; at {n} more pixels the line of sight lies in the surface but for rounding"),
@@ -295,7 +303,7 @@ fn note(words: &QuotientWords, bound: f64, unbounded: usize) -> String {
         }
     };
     format!(
-        "{why}: its depth is a quotient, within {bound:.3} depth words of the true one where it is drawn{lying}"
+        "{why}: its depth is a quotient, within {bound:.3} depth words of the true one where it is drawn{cuts}{lying}"
     )
 }
 

@@ -195,7 +195,7 @@ fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &Prepare
     let format = &prepared.format;
     let (width, height) = (prepared.width as usize, prepared.height as usize);
     let golden = beam::render(&prepared.slots(), format, width, height, || ());
-    let undecided = undecided_pixels(prepared);
+    let undecided = undecided_pixels(scene, prepared);
     let truth = Truth::new(scene, format.z_max());
     let line = |y: usize| (0..width).map(move |x| (x, y));
     let pixels: Vec<(usize, usize)> = (0..height).flat_map(line).collect();

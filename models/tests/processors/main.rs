@@ -162,7 +162,7 @@ fn polyhedra_are_within_the_rounding_of_their_planes() {
 fn patches_are_within_their_proven_bounds() {
     for name in ["patch-processor", "tetrahedra"] {
         let pictures = Pictures::of(name, Format::BASE);
-        let undecided = undecided_pixels(&pictures.prepared);
+        let undecided = undecided_pixels(&pictures.scene, &pictures.prepared);
         for (i, &open) in undecided.iter().enumerate() {
             assert!(
                 open || pictures.exact_face(i) == pictures.golden_face(i),
@@ -195,7 +195,7 @@ fn first_generation_is_within_the_bounds_of_its_quadrics() {
             *object = FramedObject::Quadric(quadric.clone());
         }
         let second = prepare(&scene, format).expect("fits");
-        let undecided = undecided_pixels(&second);
+        let undecided = undecided_pixels(&scene, &second);
         let differing = (0..undecided.len())
             .filter(|&i| pictures.exact_face(i) != pictures.golden_face(i))
             .collect::<Vec<_>>();

@@ -28,7 +28,7 @@ impl Pictures {
 
     /// Object and face are the exact ones wherever the words decide, and every depth is within its bound.
     pub fn agree(&self) -> Result<(), String> {
-        let undecided = undecided_pixels(&self.prepared);
+        let undecided = undecided_pixels(&self.scene, &self.prepared);
         for (index, exact) in self.exact.iter().enumerate() {
             let place = (index % self.frame.width, index / self.frame.width);
             let golden = (self.frame.id[index], self.frame.number[index]);
