@@ -15,6 +15,11 @@ pub fn text(value: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout(), "{value}");
 }
 
+/// Prints a warning on standard error.
+pub fn warning(value: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "warning: {value}");
+}
+
 /// A progress bar of `length` steps, hidden unless standard error is a terminal.
 pub fn progress(length: u64, what: &'static str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {

@@ -133,6 +133,12 @@ pub fn write_normals(path: &Path, frame: &Frame) -> Result<(), WriteError> {
     write_npy(path, &shape(frame, Some(3)), components)
 }
 
+/// Marks of pixels, uint8 of shape (height, width).
+pub fn write_marks(path: &Path, width: usize, marks: &[u8]) -> Result<(), WriteError> {
+    let height = marks.len() / width.max(1);
+    write_npy(path, &[height as u64, width as u64], marks.iter().copied())
+}
+
 fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
     let mut shape = vec![frame.height as u64, frame.width as u64];
     shape.extend(components);

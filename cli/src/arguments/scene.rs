@@ -124,6 +124,9 @@ pub struct Check {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
+    /// Where rounding could change the picture: a picture of the scene's size (.png), or its marks (.npy, uint8, 0 where all is decided).
+    #[arg(long, value_name = "FILE")]
+    pub map: Option<PathBuf>,
 }
 
 /// Arguments of `compare`.

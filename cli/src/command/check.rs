@@ -7,44 +7,104 @@ use crate::output;
 use imogene_models::check::{
     Accumulators, CheckReport, ObjectReport, PartsReport, QuadricReport, Summary, check,
 };
+use imogene_models::picture::{write_marks, write_png};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// What was found; the keys are stable.
+#[derive(Serialize)]
+struct Output<'a> {
+    #[serde(flatten)]
+    report: &'a CheckReport,
+    files: &'a [PathBuf],
+}
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
+    let map = options.map.as_deref().map(Map::of).transpose()?;
     let (framed, prepared) = load_scene(&options.scene)?;
     let report = check(&framed, &prepared);
+    let files: Vec<PathBuf> = options.map.iter().cloned().collect();
+    if let Some(map) = map {
+        map.write(&report, prepared.width as usize)?;
+    }
     if json {
-        output::json(&report);
+        output::json(&Output {
+            report: &report,
+            files: &files,
+        });
     } else {
         describe(&report);
+        for file in &files {
+            output::text(format!("wrote {}", file.display()));
+        }
     }
+    verdict(&report)
+}
+
+fn verdict(report: &CheckReport) -> Result<(), Failure> {
     if report.ok {
-        Ok(())
-    } else {
-        Err(Failure::Check(
-            "a word wraps, or a silhouette has no bound below its screen box; see the objects' problems"
-                .into(),
-        ))
+        return Ok(());
+    }
+    let adrift = report.objects.iter().filter(|o| o.undecided().adrift > 0);
+    let adrift: Vec<String> = adrift.map(|o| format!("'{}'", o.name())).collect();
+    let why = match adrift.is_empty() {
+        true => "a word wraps".to_owned(),
+        false => format!(
+            "the outline of {} may be a pixel or more away from the true one",
+            adrift.join(", ")
+        ),
+    };
+    Err(Failure::Check(format!("{why}; see the objects' problems")))
+}
+
+/// A file of the open pixels.
+struct Map<'a> {
+    path: &'a Path,
+    is_picture: bool,
+}
+
+impl Map<'_> {
+    fn of(path: &Path) -> Result<Map<'_>, Failure> {
+        let extension = path.extension().and_then(|e| e.to_str());
+        match extension {
+            Some("png") | Some("npy") => Ok(Map {
+                path,
+                is_picture: extension == Some("png"),
+            }),
+            _ => Err(Failure::Input(format!(
+                "--map '{}': neither a picture nor an array; give a name that ends in .png or .npy",
+                path.display()
+            ))),
+        }
+    }
+
+    fn write(&self, report: &CheckReport, width: usize) -> Result<(), Failure> {
+        let marks = report.marks();
+        let written = if self.is_picture {
+            let rgb: Vec<u8> = marks
+                .iter()
+                .flat_map(|&m| COLOURS[usize::from(m)])
+                .collect();
+            write_png(self.path, width, marks.len() / width, &rgb)
+        } else {
+            write_marks(self.path, width, &marks)
+        };
+        written.map_err(Failure::input)
     }
 }
 
+/// Of the marks of a map: decided, object or face open, light open, both.
+const COLOURS: [[u8; 3]; 4] = [[0, 0, 0], [255, 255, 255], [255, 160, 0], [255, 80, 80]];
+
 fn describe(report: &CheckReport) {
-    if report.objects.iter().any(|o| o.quadric().is_some()) {
-        describe_bounds(report);
-    } else {
-        output::text("no object is drawn by a quadric or patch processor, the ones with bounds");
-    }
+    describe_bounds(report);
     for object in &report.objects {
-        let problems = match object {
-            ObjectReport::Quadric(o) => {
-                describe_quadric(o);
-                &o.problems
-            }
-            ObjectReport::Parts(o) => {
-                describe_parts(o);
-                &o.problems
-            }
-        };
-        for problem in problems {
+        match object {
+            ObjectReport::Quadric(o) => describe_quadric(o),
+            ObjectReport::Parts(o) => describe_parts(o),
+        }
+        for problem in object.problems() {
             output::text(format!("  {problem}"));
         }
     }
@@ -137,6 +197,12 @@ fn describe_bounds(report: &CheckReport) {
         "depth within {:.1} LSB, silhouette within {:.2e} px, normal within {:.3} degrees; {} pixels undecided",
         bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, report.undecided_pixels
     ));
+    if report.undecided_light_pixels > 0 {
+        output::text(format!(
+            "light or shadow undecided at {} more pixels",
+            report.undecided_light_pixels
+        ));
+    }
     let (needed, format) = (&report.widths.needed, &report.widths.format);
     output::text(format!(
         "bits needed / available: f1 -+ r {} / {}, f2 {} / {}, planes {} / {}",
@@ -146,8 +212,15 @@ fn describe_bounds(report: &CheckReport) {
 
 fn describe_parts(o: &PartsReport) {
     output::text(format!(
-        "{}: {}, {} of processor {}, {} pixels, no bounds",
-        o.name, o.kind, o.processors, o.processor, o.pixels
+        "{}: {}, {} of processor {}, {} pixels of {}, depth within {:.1} LSB, {} undecided",
+        o.name,
+        o.kind,
+        o.processors,
+        o.processor,
+        o.visible_pixels,
+        o.pixels,
+        o.bounds.depth_lsb,
+        o.undecided.silhouette + o.undecided.edge
     ));
     let needed: Vec<String> = o
         .needed

@@ -7,6 +7,7 @@ use super::{load_scene, threads, verdict};
 use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::check::{Failing, failing};
 use imogene_models::machine::frame::Frame;
 use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::split::Division;
@@ -68,6 +69,10 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     };
     let seconds = started.elapsed().as_secs_f64();
     let files = write(options, &frame, &lighting, &framed, &prepared)?;
+    let failing = match options.model {
+        Model::Golden => failing(&framed, &prepared),
+        Model::Exact | Model::Rtl => vec![],
+    };
     report(
         RenderReport {
             model,
@@ -84,7 +89,20 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         },
         json,
     );
-    Ok(())
+    drawn_as_it_is(&failing)
+}
+
+/// Warns of each object that the golden picture may not show as it is, and fails if there is any.
+fn drawn_as_it_is(failing: &[Failing]) -> Result<(), Failure> {
+    for Failing { object, reason } in failing {
+        output::warning(format!("object '{object}': {reason}"));
+    }
+    match failing.len() {
+        0 => Ok(()),
+        n => Err(Failure::Check(format!(
+            "{n} of the objects may not be drawn as they are; `imogene check` says more, and a longer depth word (--format) may help"
+        ))),
+    }
 }
 
 /// The picture of coefficients that are rounded anew for each zone.

@@ -26,6 +26,7 @@
 use crate::format::Format;
 use crate::object::quadric::QuadricWords;
 use crate::prepare::PreparedQuadric;
+use crate::prepare::rounding::Anchor;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::Class;
 use rayon::prelude::*;
@@ -65,6 +66,14 @@ pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displac
     } else {
         contour.search(false)
     }
+}
+
+/// True if a look at the whole of f2 shows that no contour can be displaced by a pixel: one around a summit or a pit beyond the band.
+pub(super) fn steep_everywhere(object: &PreparedQuadric, format: &Format) -> bool {
+    let contour = Contour::new(object, format);
+    let [a, b, c] = contour.second;
+    let middle = Anchor::middle_of(&object.words.screen_box);
+    4.0 * a * b > c * c * (1.0 + FLOAT_MARGIN) && contour.spot([middle.x, middle.y]) < 1.0
 }
 
 /// A square cell: centre relative to a pixel, and half width.

@@ -107,7 +107,7 @@ impl<'a> Jury<'a> {
         adrift.into_iter().filter(open).collect()
     }
 
-    fn line(&self, y: i64) -> Vec<Contest> {
+    pub(super) fn line(&self, y: i64) -> Vec<Contest> {
         let width = i64::from(self.prepared.width);
         let mut line = vec![Contest::EMPTY; width as usize];
         for (id, judge) in self.judges.iter().enumerate() {

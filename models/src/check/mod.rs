@@ -11,11 +11,13 @@ mod guards;
 pub mod headroom;
 mod jury;
 mod kind;
+mod light;
 mod needs;
 mod normal;
 mod object;
 mod outline;
 mod parts;
+mod quick;
 pub mod shading;
 mod silhouette;
 mod summary;
@@ -34,6 +36,7 @@ pub use needs::{MachineNeeds, machine_needs};
 pub use normal::normal_bound;
 pub use object::{ObjectBounds, QuadricReport, Undecided};
 pub use parts::{PartsBounds, PartsReport};
+pub use quick::{Failing, failing};
 pub use silhouette::displacement_at;
 pub use summary::{Shows, Summary};
 
@@ -58,6 +61,14 @@ pub struct CheckReport {
     pub undecided_pixels: usize,
     /// What the scene needs and has, in short.
     pub summary: Summary,
+    /// Other pixels at which rounding could change which light sources reach what is seen.
+    pub undecided_light_pixels: usize,
+    /// For every pixel, row-major, whether object or face is undecided.
+    #[serde(skip)]
+    pub open: Vec<bool>,
+    /// The same of the light.
+    #[serde(skip)]
+    pub open_light: Vec<bool>,
     /// Objects in the order of the scene.
     pub objects: Vec<ObjectReport>,
 }
@@ -96,6 +107,15 @@ pub enum ObjectReport {
     Quadric(Box<QuadricReport>),
     /// Of any other processor.
     Parts(PartsReport),
+}
+
+impl CheckReport {
+    /// A mark for every pixel, row-major: 1 where object or face is undecided, 2 where the light is.
+    pub fn marks(&self) -> Vec<u8> {
+        let both = self.open.iter().zip(&self.open_light);
+        both.map(|(&open, &light)| u8::from(open) | u8::from(light) << 1)
+            .collect()
+    }
 }
 
 impl ObjectReport {
@@ -199,6 +219,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         && objects
             .iter()
             .all(|object| planes_fit(object, &prepared.format));
+    let open = jury.undecided();
+    let open_light = light::undecided(prepared, &jury);
     CheckReport {
         ok: fits && held,
         bounds,
@@ -208,7 +230,10 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
         },
         range: scene.range.report(prepared.format.z_max()),
         summary: summary::summary(scene, prepared, &objects),
-        undecided_pixels: jury.undecided().into_iter().filter(|&open| open).count(),
+        undecided_pixels: open.iter().filter(|&&open| open).count(),
+        undecided_light_pixels: open_light.iter().filter(|&&open| open).count(),
+        open,
+        open_light,
         objects,
     }
 }

@@ -259,13 +259,21 @@ fn winner(faces: &[Bounded]) -> Option<Bounded> {
     alone.then_some(*best)
 }
 
+/// A face of an object, with the range of its depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub id: usize,
+    pub number: u8,
+    pub depth: Range,
+}
+
 /// What is proven of the whole picture at one pixel, object by object.
 ///
 /// The nearest decided face wins if every other object is certainly farther; two that may be equally far are open, as a tie is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contest {
-    /// The decided face whose depth is surely the least, and how far it is at most.
-    winner: Option<(usize, f64)>,
+    /// The decided face that is surely no farther than any other decided one.
+    pub winner: Option<Seen>,
     /// The two objects that may be the nearest ones, and how near.
     nearest: [(f64, usize); 2],
 }
@@ -280,9 +288,9 @@ impl Contest {
     pub fn enter(&mut self, id: usize, verdict: &Verdict) {
         let low = match verdict {
             Verdict::Absent => return,
-            Verdict::Face(_, depth) => {
-                if self.winner.is_none_or(|(_, high)| depth.high < high) {
-                    self.winner = Some((id, depth.high));
+            &Verdict::Face(number, depth) => {
+                if self.winner.is_none_or(|best| depth.high < best.depth.high) {
+                    self.winner = Some(Seen { id, number, depth });
                 }
                 depth.low
             }
@@ -298,7 +306,8 @@ impl Contest {
 
     /// True if object and face are the same in the true and in the golden picture.
     pub fn is_decided(&self) -> bool {
-        let (winner, limit) = self.winner.unwrap_or((usize::MAX, f64::INFINITY));
+        let winner = self.winner.map(|seen| (seen.id, seen.depth.high));
+        let (winner, limit) = winner.unwrap_or((usize::MAX, f64::INFINITY));
         let mut others = self.nearest.iter().filter(|(_, id)| *id != winner);
         others.all(|&(low, id)| id == usize::MAX || low > limit)
     }
