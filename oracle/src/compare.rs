@@ -2,6 +2,8 @@
 //!
 //! The *band* is where an edge is met within a pixel: a pixel is in it if one of the eight about it, or it, sees in the traced picture another object, another
 //! face, another facet or the background. Outside it golden and traced picture must show the same face of the same object; inside it they may differ.
+//! A thin facet that is between the pixels for the tracer is seen at none of them; rounded, it may be seen. So a pixel is in the band as well if the golden picture
+//! shows an object there of which a facet comes as near as its corners are rounded, at the depth of that facet.
 //! Wherever they show the same face, their depths may differ by the proven bound of that face at that pixel and no more.
 //!
 //! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A pixel is *tied* if the face that the golden
@@ -19,6 +21,8 @@ use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::PreparedScene;
 use serde::Serialize;
 
+/// Pixels that a corner of a facet is off at most, across and down: half a sixteenth.
+const CORNER: f64 = 1.0 / 32.0;
 /// Differences that are listed.
 const LISTED: usize = 16;
 
@@ -138,7 +142,9 @@ pub fn compare(
                         .then_some(Mark::Announced)
                 }
             };
-            let mark = pixel(&mut found, traced, golden, bounds, format, &allowed, (x, y));
+            let grazed = |golden: &Seen| is_grazed(tracer, bounds, format, golden, (x, y));
+            let rules = (&grazed, &allowed);
+            let mark = pixel(&mut found, traced, golden, bounds, format, rules, (x, y));
             marks.push(mark);
         }
     }
@@ -151,12 +157,13 @@ fn pixel(
     golden: &Frame,
     bounds: &Bounds,
     format: &Format,
-    allowed: &impl Fn(&Seen, Option<TracedPixel>) -> Option<Mark>,
+    (grazed, allowed): (
+        &impl Fn(&Seen) -> bool,
+        &impl Fn(&Seen, Option<TracedPixel>) -> Option<Mark>,
+    ),
     (x, y): (usize, usize),
 ) -> Mark {
     let index = y * traced.width + x;
-    let in_band = is_in_band(traced, x, y);
-    found.band += usize::from(in_band);
     let seen = traced.pixels[index];
     let mut difference = Difference {
         x,
@@ -170,7 +177,10 @@ fn pixel(
         bound: None,
     };
     let (one, other) = (difference.golden, difference.traced);
-    if (one.object, one.number) != (other.object, other.number) {
+    let differs = (one.object, one.number) != (other.object, other.number);
+    let in_band = is_in_band(traced, x, y) || (differs && grazed(&one));
+    found.band += usize::from(in_band);
+    if differs {
         if in_band {
             found.differences_inside += 1;
             let mask = (one.object < 0) != (other.object < 0);
@@ -254,6 +264,32 @@ fn is_tied(
                     && reach.is_some_and(|reach| (golden.depth - depth(&other)).abs() <= reach)
             })
         })
+}
+
+/// Whether the golden picture shows a facet that comes as near to the pixel as its corners may be off, at its depth.
+fn is_grazed(
+    tracer: &Tracer,
+    bounds: &Bounds,
+    format: &Format,
+    golden: &Seen,
+    (x, y): (usize, usize),
+) -> bool {
+    let object = u32::try_from(golden.object).ok();
+    let Some(object) = object.filter(|&object| bounds.is_of_facets(object)) else {
+        return false;
+    };
+    let near = tracer.facets_near(object, (x as u32, y as u32), CORNER);
+    near.into_iter().any(|(part, depth)| {
+        let facet = TracedPixel {
+            object,
+            number: golden.number,
+            part,
+            depth,
+        };
+        let bound = bounds.at(object, golden.number, part, (x as i64, y as i64));
+        let depth = depth.middle() * format.z_max() as f64;
+        (golden.depth - depth).abs() <= bound + slack(&facet, format)
+    })
 }
 
 impl Comparison {

@@ -122,6 +122,50 @@ impl Triangle {
         [0, 1].map(|k| 2.0 * Interval::about(&(&of[k] / constant)).middle().abs())
     }
 
+    /// The parameter at which the line of a pixel meets its plane, if the facet comes as near to the pixel, both across and down, as `reach` (half pixels).
+    pub fn near(&self, (x, y): (i64, i64), reach: f64) -> Option<Interval> {
+        let cell = Cell {
+            x: x as f64,
+            y: y as f64,
+            reach_x: reach,
+            reach_y: reach,
+            first: f64::NEG_INFINITY,
+            last: f64::INFINITY,
+        };
+        // No side has the square on its outer side, and no side of the square has the facet on its own.
+        let sides = self.sides.each_ref().map(|s| s.on(&cell));
+        if sides.iter().any(|s| s.lo > 0.0) && sides.iter().any(|s| s.hi < 0.0) {
+            return None;
+        }
+        let corners = self.corners()?;
+        let meets = |axis: usize, at: f64| {
+            corners.iter().any(|c| c[axis].hi >= at - reach)
+                && corners.iter().any(|c| c[axis].lo <= at + reach)
+        };
+        let point = Cell {
+            reach_x: 0.0,
+            reach_y: 0.0,
+            ..cell
+        };
+        let t = -self.start.on(&point) / self.slope.on(&point);
+        (meets(0, cell.x) && meets(1, cell.y)).then_some(t)
+    }
+
+    /// The corners on the screen, in half pixels from its middle, where the sides cross; nothing if it is seen edge-on.
+    fn corners(&self) -> Option<[[Interval; 2]; 3]> {
+        let mut corners = [[Interval::ZERO; 2]; 3];
+        for (k, corner) in corners.iter_mut().enumerate() {
+            let ([a, b, c], [d, e, f]) = (&self.sides[k].exact, &self.sides[(k + 1) % 3].exact);
+            let unit = a * e - b * d;
+            if unit.is_zero() {
+                return None;
+            }
+            *corner =
+                [(b * f - c * e) / &unit, (c * d - a * f) / &unit].map(|v| Interval::about(&v));
+        }
+        Some(corners)
+    }
+
     /// The hit at a pixel, in half pixels from the middle of the picture.
     pub fn solve(
         &self,

@@ -135,6 +135,17 @@ impl Tracer {
         self.solve(x, y, &list)
     }
 
+    /// The facets of an object that come within `reach` of a pixel, across and down: their numbers, and the depths of their planes there.
+    pub fn facets_near(&self, object: u32, (x, y): (u32, u32), reach: f64) -> Vec<(u32, Interval)> {
+        let place = self.sight.place(x, y);
+        let own = self.bodies.iter().filter(|(id, _)| *id == object);
+        let near = own.filter_map(|(_, body)| match body {
+            Body::Facet(facet) => Some((facet.part(), facet.near(place, 2.0 * reach)?)),
+            Body::Cut(_) => None,
+        });
+        near.map(|(part, t)| (part, self.sight.depth(t))).collect()
+    }
+
     /// Steps of [`Tracer::draw`], for a bar of its progress.
     pub fn steps(&self) -> u64 {
         let cells = |pixels: u32| u64::from(pixels.div_ceil(LARGEST));

@@ -123,3 +123,58 @@ fn wrong_pictures_are_noticed() {
     let found = against(&deeper);
     assert!(found.depths_beyond_bound > 0 && found.differences_outside == 0);
 }
+
+/// Slivers between the pixels, seen where their corners are rounded to: the golden picture holds, and what is wrong in it is still found.
+#[test]
+fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
+    let slivers = "kind = \"mesh\"\nvertices = [[0.01, -0.267, -0.712], [0.321, -0.06, -0.745], [-0.985, -0.812, -1.177], \
+        [-0.699, -0.146, -0.595], [-0.068, 0.344, 0.09], [-0.375, 0.186, -0.646], [-0.29, -1.59, 0.938], [0.241, -1.278, 0.754], \
+        [1.158, -1.033, 0.922], [-0.692, -0.059, 0.163], [-0.417, 0.303, -0.923], [-0.624, 0.759, -1.049], [-0.023, 0.55, -0.855], \
+        [-0.551, 0.686, -0.647], [-0.253, -0.157, -0.768]]\nfaces = [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11], [12, 13, 14]]";
+    let camera = "kind = \"perspective\"\neye = [-2.848, -3.182, 7.89]\ntarget = [-0.168, 0.045, -0.09]\nviewer_distance = 8.170\nview_height = 3.031\n";
+    let scene = common::scene(camera, &[slivers]);
+    let (w, h) = (64, 48);
+    let framed = scene.frame(w, h).expect("framed");
+    let prepared = prepare(&framed, Format::BASE).expect("prepared");
+    let tracer = imogene_oracle::trace::Tracer::new(&scene, w, h);
+    let bounds =
+        imogene_oracle::bounds::Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds");
+    let traced = tracer.draw(|| ());
+    let golden = imogene_models::machine::beam::render(
+        &prepared.slots(),
+        &Format::BASE,
+        w as usize,
+        h as usize,
+        || (),
+    );
+    let against = |frame: &imogene_models::machine::frame::Frame| {
+        imogene_oracle::compare::compare(&tracer, &traced, frame, &bounds, &prepared).0
+    };
+    let found = against(&golden);
+    assert!(found.holds(), "{found:#?}");
+    // A pixel that no facet and no seen pixel is near, and one beside the facet that is at another depth.
+    let far_from_all = |&i: &usize| {
+        let (x, y) = (i % w as usize, i / w as usize);
+        let beside = imogene_oracle::compare::is_in_band(&traced, x, y);
+        !beside && golden.id[i] < 0 && tracer.facets_near(0, (x as u32, y as u32), 0.1).is_empty()
+    };
+    let mut wrong = 0;
+    for i in (0..golden.id.len()).filter(far_from_all).step_by(97) {
+        let mut frame = golden.clone();
+        let like = golden
+            .id
+            .iter()
+            .position(|&id| id == 0)
+            .expect("something is seen");
+        (frame.id[i], frame.number[i], frame.depth[i]) =
+            (0, golden.number[like], golden.depth[like]);
+        assert_eq!(against(&frame).differences_outside, 1, "pixel {i}");
+        wrong += 1;
+    }
+    assert!(wrong > 10, "{wrong}");
+    let sliver = 35 * w as usize + 24;
+    assert_eq!(golden.id[sliver], 0);
+    let mut deeper = golden.clone();
+    deeper.depth[sliver] += 100_000;
+    assert_eq!(against(&deeper).differences_outside, 1);
+}

@@ -1,9 +1,9 @@
 //! Whether the pixels that rounding leaves open let the outline of an object move by a pixel or more.
 //!
 //! The outline of either picture separates the pixels at which the object certainly is from those at which it certainly is not. At an open pixel that has
-//! both kinds among its eight neighbours, both outlines pass within a pixel. One open pixel by itself is no wider than a pixel either, whatever is
-//! around it. What is left are open pixels beside other open ones that lack one of the two: there a part of the object may be missing, or be there where
-//! nothing is, that is wider than a pixel.
+//! both kinds among its eight neighbours, both outlines pass within a pixel. A group of open pixels that is one pixel wide is no wider than a pixel
+//! either, whatever is around it. What is left are open pixels of a square of four that lack one of the two: there a part of the object may be missing, or
+//! be there where nothing is, that is wider than a pixel.
 
 use super::verdict::Verdict;
 use crate::object::quadric::ScreenBox;
@@ -55,8 +55,16 @@ impl Silhouette<'_> {
             self.around(at)
                 .any(|found| found.is_none_or(|found| found == what))
         };
-        let beside_open = self.around(at).any(|found| found == Some(Presence::Open));
-        beside_open && !(has(Presence::Absent) && has(Presence::Present))
+        self.is_of_a_square(at) && !(has(Presence::Absent) && has(Presence::Present))
+    }
+
+    /// Whether one of the four squares of four pixels that hold this one is all open.
+    fn is_of_a_square(&self, (x, y): (i64, i64)) -> bool {
+        let open = |u: i64, v: i64| self.at((x + u, y + v)) == Some(Presence::Open);
+        let squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)];
+        squares
+            .iter()
+            .any(|&(u, v)| open(u, 0) && open(0, v) && open(u, v))
     }
 
     fn around(&self, (x, y): (i64, i64)) -> impl Iterator<Item = Option<Presence>> + '_ {
@@ -118,20 +126,22 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_by_itself_is_no_wider_than_a_pixel() {
+    fn a_group_one_pixel_wide_is_no_wider_than_a_pixel() {
         assert_eq!(adrift(["........", "...?....", "........", "........"]), []);
         assert_eq!(adrift(["########", "###?####", "########", "########"]), []);
+        assert_eq!(adrift(["........", ".????...", ".....?..", "......?."]), []);
     }
 
     #[test]
     fn a_part_that_may_vanish_is_adrift() {
+        let all = [(3, 2), (4, 2), (3, 3), (4, 3)];
         assert_eq!(
-            adrift(["........", "..??....", "........", "........"]),
-            [(3, 2), (4, 2)]
+            adrift(["........", "..??....", "..??....", "........"]),
+            all
         );
         assert_eq!(
-            adrift(["########", "##??####", "##??####", "########"]).len(),
-            4
+            adrift(["########", "##??####", "##??####", "########"]),
+            all
         );
         // The middle of a band of three.
         assert_eq!(

@@ -78,7 +78,7 @@ impl Part {
     }
 }
 
-/// Nothing if no two pixels side by side are open.
+/// Nothing if too few pixels are open for a square of four.
 fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part> {
     let format = &prepared.format;
     let window = object.words.screen_box;
@@ -102,7 +102,7 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part>
             }
         }
     }
-    let around = around.filter(|_| pixels > 1)?;
+    let around = around.filter(|_| pixels > 3)?;
     // One more on each side, where the neighbours are.
     let window = ScreenBox {
         x0: around.x0 - 1,
