@@ -7,8 +7,8 @@ use thiserror::Error;
 pub enum PrepareError {
     /// The factor of z^2 is zero: depth is no square root. The quotient processor draws it, unless the machine has none.
     #[error(
-        "object '{object}': the viewer lies exactly on this quadric, whose depth is then no square root; \
-         move the camera by any small amount"
+        "object '{object}': the viewer lies exactly on this quadric, whose depth is then a quotient and no square root; \
+         this kind of machine has processors of square roots alone"
     )]
     ViewerOnSurface {
         /// Name of the object.
@@ -17,7 +17,7 @@ pub enum PrepareError {
     /// Orthographic view along an asymptotic direction: depth is no square root. The quotient processor draws it, unless the machine has none.
     #[error(
         "object '{object}': the orthographic viewing direction is an asymptotic direction of this quadric \
-         (a line of sight meets it once), so its depth is no square root; turn the object or the camera by any small angle"
+         (a line of sight meets it once), so its depth is a quotient and no square root; this kind of machine has processors of square roots alone"
     )]
     AsymptoticView {
         /// Name of the object.
@@ -62,7 +62,7 @@ pub enum PrepareError {
     /// The two-plane algorithm of the first generation does not apply.
     #[error(
         "object '{object}': not for the processor \"first_generation\": {problem}; \
-         move the camera, or draw it by the processor \"quadric\""
+         the processor \"quadric\" draws it"
     )]
     FirstGeneration {
         /// Name of the object.
@@ -72,7 +72,7 @@ pub enum PrepareError {
     },
     /// A corner of a mesh that has no place on the screen.
     #[error(
-        "object '{object}', faces[{face}]: vertex {vertex} {problem}; move the mesh or the camera, or leave the face out"
+        "object '{object}', faces[{face}]: vertex {vertex} {problem}; leave the face out, or move the mesh"
     )]
     Corner {
         /// Name of the object.
@@ -88,7 +88,7 @@ pub enum PrepareError {
     #[error(
         "object '{object}', cut {plane}: the plane passes so nearly through the viewer that its depth needs {needed} bits \
          (the plane word has {available}), and at pixel ({x}, {y}) it is not perpendicular to the screen either; \
-         turn the plane or move the camera by a small amount"
+         turn the plane by a degree"
     )]
     SteepPlane {
         /// Name of the object.
@@ -107,7 +107,7 @@ pub enum PrepareError {
     /// A source with shadows stands in a solid that casts one.
     #[error(
         "object '{object}': lights[{source_index}] is inside this solid (or the solid is endless towards it), which would leave all else in the dark; \
-         move the light, cut the solid, or give the object `casts_shadow = false`"
+         move the light out of it, or give the object `casts_shadow = false`"
     )]
     SourceInside {
         /// Name of the object.
@@ -118,7 +118,7 @@ pub enum PrepareError {
     /// The depth of a volume's quadric is no square root.
     #[error(
         "{volume}: the viewer lies exactly on its surface (or looks along an asymptotic direction of it), so its depth is no square root; \
-         move the light or the camera by any small amount"
+         leave the volume out: `shadows = false` at the light, or `casts_shadow = false` at the object"
     )]
     ViewerOnVolume {
         /// The volume.
@@ -128,7 +128,7 @@ pub enum PrepareError {
     #[error(
         "{volume}: too large for the format: {word} reaches 2^{log2:.1} on its screen box (columns {x0}..{x1}, lines {y0}..{y1}) \
          and would need {needed} bits, the word has {available}{remedy}; \
-         or leave the volume out: `shadows = false` at the light, `casts_shadow = false` at the object"
+         the volume may be left out: `shadows = false` at the light, or `casts_shadow = false` at the object"
     )]
     VolumeTooLarge {
         /// The volume.
@@ -156,7 +156,7 @@ pub enum PrepareError {
     #[error(
         "{volume}: its plane {plane} passes so nearly through the viewer that its depth needs {needed} bits (the plane word has {available}), \
          and at pixel ({x}, {y}) it is not perpendicular to the screen either; \
-         move the light or the camera by a small amount, or leave the volume out (`casts_shadow = false`)"
+         leave the volume out: `shadows = false` at the light, or `casts_shadow = false` at the object"
     )]
     VolumeSteepPlane {
         /// The volume.

@@ -1,0 +1,255 @@
+//! Every remedy that a refusal of the preparation names is applied, and the scene is then drawn.
+
+use imogene_models::format::{FittedWidths, Format};
+use imogene_models::prepare::error::PrepareError;
+use imogene_models::prepare::{Options, PreparedScene, prepare_with};
+use imogene_models::scene::SceneFile;
+
+const PERSPECTIVE: &str = "kind = \"perspective\"\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nviewer_distance = 10\nview_height = 4\nnear = 5\n";
+const PARALLEL: &str = "kind = \"orthographic\"\neye = [4, -2, 5]\ntarget = [0, 0, 0]\nview_height = 3\nnear = -1\nfar = 1\n";
+const SPHERE: &str = "kind = \"sphere\"\nradius = 1\n";
+const BOX: &str = "cuts = [{ point = [1, 0, 0], normal = [1, 0, 0] }, { point = [-1, 0, 0], normal = [-1, 0, 0] }, \
+    { point = [0, 1, 0], normal = [0, 1, 0] }, { point = [0, -1, 0], normal = [0, -1, 0] }, \
+    { point = [0, 0, 1], normal = [0, 0, 1] }, { point = [0, 0, -1], normal = [0, 0, -1] }]\n";
+
+/// A scene of one object, with lights before it.
+fn text(camera: &str, lights: &str, object: &str) -> String {
+    format!(
+        "format = 1\ntitle = \"t\"\nimage = {{ width = 64, height = 48 }}\n[camera]\n{camera}{lights}\n\
+         [[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n[[objects]]\nname = \"a\"\nmaterial = \"m\"\n{object}"
+    )
+}
+
+struct Case<'a> {
+    scene: String,
+    format: Format,
+    options: Options,
+    /// What the message advises, and the change of the text that follows it.
+    remedies: Vec<(&'a str, &'a str, &'a str)>,
+}
+
+fn prepared(text: &str, format: Format, options: Options) -> Result<PreparedScene, PrepareError> {
+    let scene = SceneFile::parse(text, "t.toml").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let framed = scene.frame(64, 48).expect("framed");
+    prepare_with(&framed, format, options)
+}
+
+impl Case<'_> {
+    fn of(scene: String) -> Case<'static> {
+        Case {
+            scene,
+            format: Format::BASE,
+            options: Options::default(),
+            remedies: vec![],
+        }
+    }
+
+    /// The refusal; each remedy that it names is applied.
+    fn check(&self) -> String {
+        let refusal =
+            prepared(&self.scene, self.format, self.options).expect_err("must be refused");
+        let message = refusal.to_string();
+        for (advice, before, after) in &self.remedies {
+            assert!(message.contains(advice), "no `{advice}` in: {message}");
+            assert!(self.scene.contains(before), "no `{before}` to change");
+            let changed = self.scene.replace(before, after);
+            let drawn = prepared(&changed, self.format, self.options);
+            assert!(drawn.is_ok(), "{advice}: {}", drawn.unwrap_err());
+        }
+        message
+    }
+}
+
+/// The text between two others.
+fn between<'a>(message: &'a str, before: &str, after: &str) -> &'a str {
+    let (_, rest) = message
+        .split_once(before)
+        .unwrap_or_else(|| panic!("{message}"));
+    rest.split_once(after).expect("an end").0
+}
+
+const ROOTS: Options = Options {
+    anchor: None,
+    roots_only: true,
+    without_refused: false,
+};
+
+#[test]
+fn the_range_that_would_do_does() {
+    for distance in ["1.3", "1.01", "1.00001"] {
+        let camera = PERSPECTIVE.replace("[0, 0, 10]", &format!("[0, 0, {distance}]"));
+        let scene = text(&camera, "", &format!("{SPHERE}mode = \"patch\"\n"));
+        let case = Case {
+            options: ROOTS,
+            ..Case::of(scene.clone())
+        };
+        let message = case.check();
+        let near = between(&message, "`near = ", "`");
+        let changed = scene.replace("near = 5", &format!("near = {near}"));
+        prepared(&changed, Format::BASE, ROOTS).expect("the range that would do");
+    }
+    let saddle = format!("kind = \"hyperbolic_paraboloid\"\nradii = [1, 1, 1]\n{BOX}");
+    let scene = text(
+        &PARALLEL.replace("-1\nfar = 1", "-0.01\nfar = 0.01"),
+        "",
+        &saddle,
+    );
+    let message = Case {
+        options: ROOTS,
+        ..Case::of(scene.clone())
+    }
+    .check();
+    let (near, far) = (
+        between(&message, "`near = ", "`"),
+        between(&message, "`far = ", "`"),
+    );
+    let changed = scene.replace(
+        "near = -0.01\nfar = 0.01",
+        &format!("near = {near}\nfar = {far}"),
+    );
+    prepared(&changed, Format::BASE, ROOTS).expect("the range that would do");
+}
+
+#[test]
+fn volumes_that_are_left_out() {
+    let light = "[[lights]]\nkind = \"directional\"\nfrom = [0, 0, 1]\nshadows = true\n";
+    let leave = [
+        ("`shadows = false`", "shadows = true", "shadows = false"),
+        (
+            "`casts_shadow = false`",
+            "radius = 1",
+            "radius = 1\ncasts_shadow = false",
+        ),
+    ];
+    // The shadow is a cylinder along the view: the eye on it, and very nearly on it.
+    for beside in ["1", "1.0000000001"] {
+        let camera = PERSPECTIVE
+            .replace("eye = [0", &format!("eye = [{beside}"))
+            .replace("target = [0", &format!("target = [{beside}"));
+        let light = light.replace("[0, 0, 1]", "[0.0001, 0.0002, 1]");
+        let scene = text(&camera, &light, SPHERE);
+        let scene = if beside == "1" {
+            scene
+                .replace("[0.0001, 0.0002, 1]", "[0, 0, 1]")
+                .replace("eye = [1, 0", "eye = [1, 0.5")
+        } else {
+            scene
+        };
+        let Err(_) = prepared(&scene, Format::BASE, Options::default()) else {
+            continue;
+        };
+        let case = Case {
+            remedies: leave.to_vec(),
+            ..Case::of(scene)
+        };
+        case.check();
+    }
+    // A box whose shadow's planes pass the eye as closely as its light does.
+    let lamp =
+        "[[lights]]\nkind = \"point\"\nposition = [0.0000001, 0.0000002, 10]\nshadows = true\n";
+    let scene = text(
+        PERSPECTIVE,
+        lamp,
+        &format!(
+            "kind = \"polyhedron\"\n{BOX}place = [{{ rotate = {{ axis = [1, 2, 3], degrees = 31 }} }}]\n"
+        ),
+    );
+    if prepared(&scene, Format::BASE, Options::default()).is_err() {
+        let remedies = vec![
+            leave[0],
+            (
+                "`casts_shadow = false`",
+                "kind = \"polyhedron\"",
+                "kind = \"polyhedron\"\ncasts_shadow = false",
+            ),
+        ];
+        Case {
+            remedies,
+            ..Case::of(scene)
+        }
+        .check();
+    }
+}
+
+#[test]
+fn a_light_within_a_solid() {
+    let lamp = "[[lights]]\nkind = \"point\"\nposition = [0, 0.5, 0]\nshadows = true\n";
+    let remedies = vec![
+        ("move the light out of it", "[0, 0.5, 0]", "[0, 5, 0]"),
+        (
+            "`casts_shadow = false`",
+            "radius = 1",
+            "radius = 1\ncasts_shadow = false",
+        ),
+    ];
+    Case {
+        remedies,
+        ..Case::of(text(PERSPECTIVE, lamp, SPHERE))
+    }
+    .check();
+}
+
+#[test]
+fn a_plane_that_passes_through_the_eye() {
+    let object = "kind = \"sphere\"\nradius = 1\ncuts = [{ point = [0, 0, -3], normal = [100000, 0, -1] }]\nplace = [{ translate = [0, 0, -3] }]\n";
+    let remedies = vec![(
+        "turn the plane by a degree",
+        "[100000, 0, -1]",
+        "[100000, 0, -1745]",
+    )];
+    Case {
+        remedies,
+        ..Case::of(text(&PERSPECTIVE.replace("near = 5\n", ""), "", object))
+    }
+    .check();
+}
+
+#[test]
+fn the_first_generation_and_fitted_machines() {
+    let cylinder = "kind = \"elliptic_cylinder\"\nradii = [1, 1]\nprocessor = \"first_generation\"\n\
+        cuts = [{ point = [0, 1, 0], normal = [0, 1, 0] }, { point = [0, -1, 0], normal = [0, -1, 0] }]\n";
+    // Both planes are seen edge-on, or the viewer is between them.
+    let remedies = vec![(
+        "the processor \"quadric\" draws it",
+        "\"first_generation\"",
+        "\"quadric\"",
+    )];
+    Case {
+        remedies,
+        ..Case::of(text(PERSPECTIVE, "", cylinder))
+    }
+    .check();
+    let widths = FittedWidths {
+        plane: 30,
+        ..Format::BASE.widths()
+    };
+    let mesh =
+        "kind = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\n";
+    let scene = text(PERSPECTIVE, "", mesh);
+    let fitted = Format::fitted(&widths).expect("a machine");
+    let message = Case {
+        format: fitted,
+        ..Case::of(scene.clone())
+    }
+    .check();
+    assert!(message.contains("a format of the catalogue"), "{message}");
+    prepared(&scene, Format::BASE, Options::default()).expect("of the catalogue");
+}
+
+#[test]
+fn a_face_of_a_mesh_behind_the_viewer() {
+    let mesh = "kind = \"mesh\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 20]]\nfaces = [[0, 1, 2], [1, 2, 3]]\n";
+    let remedies = vec![
+        ("leave the face out", ", [1, 2, 3]]", "]"),
+        (
+            "move the mesh",
+            "vertices",
+            "place = [{ translate = [0, 0, -15] }]\nvertices",
+        ),
+    ];
+    Case {
+        remedies,
+        ..Case::of(text(&PERSPECTIVE.replace("near = 5\n", ""), "", mesh))
+    }
+    .check();
+}
