@@ -5,7 +5,9 @@ use crate::arguments::Prepare;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::object::load::load_words;
+use imogene_models::object::load_volume::load_volume;
 use imogene_models::object::quadric::{MAX_PLANES, ScreenBox};
+use imogene_models::object::unused;
 use imogene_models::prepare::volume::PreparedVolume;
 use imogene_models::prepare::{PreparedObject, PreparedParts, PreparedQuadric};
 use imogene_models::rational::to_f64;
@@ -40,6 +42,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
             "name": v.name,
             "words": v.words.wrapped(&scene.format),
             "preconditioned_f2": f2.map(|f2| f2.preconditioned(scene.format.pe2_width())),
+            "load_words": load_volume(&v.words, &scene.format, v.words.planes.len()),
             "needed_bits": v.needed,
             "rounding_bounds": v.bounds,
             "notes": v.notes,
@@ -56,6 +59,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
             "depth_scale": scene.depth_scale.to_string(),
             "objects": objects,
             "volumes": volumes,
+            "unused": unused::every_kind(),
         }));
         return Ok(());
     }

@@ -13,8 +13,9 @@ use super::zone::stream::{Beat, kind};
 use crate::object::as_quadric::AsQuadricError;
 use crate::object::load::load_words;
 use crate::object::load_volume::load_volume;
-use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use crate::object::quadric::{PlaneWords, QuadricWords};
 use crate::object::slot::{ProcessorWords, Slot};
+use crate::object::unused;
 use crate::object::volume::{VolumePlane, VolumeWords};
 use crate::prepare::PreparedScene;
 use crate::prepare::shader::{ShaderError, material_numbers, shader_words};
@@ -316,10 +317,10 @@ fn beam_beats(
                 .map(|w| Beat::new(kind::OBJECT, place as u8, w.address.into(), w.bits)),
         );
     }
-    let nowhere = ScreenBox::EMPTY;
+    let nothing = unused::object_slot();
     for place in parts.len()..machine.objects {
-        let columns = (nowhere.x0 as u64 & 0xfff) | (nowhere.x1 as u64 & 0xfff) << 12;
-        beats.push(Beat::new(kind::OBJECT, place as u8, 21, columns));
+        let address = nothing.address.into();
+        beats.push(Beat::new(kind::OBJECT, place as u8, address, nothing.bits));
     }
     for (place, words) in volumes.iter().enumerate() {
         let mut words = words.clone();

@@ -19,10 +19,14 @@ pub struct LoadWord {
 
 /// Address of the first word of plane 0.
 pub const FIRST_PLANE: u8 = 24;
+/// Address of the columns of the screen box.
+pub const BOX_COLUMNS: u8 = 21;
 /// Address of the control word.
 pub const CONTROL: u8 = 23;
 /// Words of one plane.
 pub const PLANE_WORDS: u8 = 7;
+/// Width of the kind of a plane.
+pub const KIND_WIDTH: u32 = 2;
 
 /// All words of an object for one zone, by ascending address; absent planes up to `planes` are written as kind none.
 pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<LoadWord> {
@@ -41,7 +45,7 @@ pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<L
     let none = PlaneWords::default();
     for index in 0..planes {
         let plane = words.planes.get(index).unwrap_or(&none);
-        list.push(plane.kind as i128, 2);
+        list.push(plane.kind as i128, KIND_WIDTH);
         list.linear(&plane.depth, format.plane);
         for n in plane.normal {
             list.push(n.into(), format.normal);

@@ -1,6 +1,6 @@
 //! The load bus of a volume processor with a quadric: a volume's coefficient words as addresses and bits (`docs/zone-machine.md`).
 
-use super::load::{List, LoadWord};
+use super::load::{KIND_WIDTH, List, LoadWord};
 use super::volume::{VolumePlane, VolumeQuadric, VolumeWords};
 use crate::format::Format;
 
@@ -8,6 +8,8 @@ use crate::format::Format;
 pub const FIRST_PLANE: u8 = 13;
 /// Words of one plane.
 pub const PLANE_WORDS: u8 = 4;
+/// Address of the columns of the screen box.
+pub const BOX_COLUMNS: u8 = 9;
 /// Address of the control word.
 pub const CONTROL: u8 = 11;
 /// Width of the control word: class, shift, kind, source.
@@ -30,7 +32,7 @@ pub fn load_volume(words: &VolumeWords, format: &Format, planes: usize) -> Vec<L
     let none = VolumePlane::default();
     for index in 0..planes {
         let plane = words.planes.get(index).unwrap_or(&none);
-        list.push(plane.kind as i128, 2);
+        list.push(plane.kind as i128, KIND_WIDTH);
         list.linear(&plane.depth, format.plane);
     }
     list.0

@@ -17,5 +17,6 @@ pub mod quotient;
 pub mod running;
 pub mod slot;
 pub mod sphere;
+pub mod unused;
 pub mod volume;
 pub mod volume_line;

@@ -3,6 +3,7 @@
 use super::plan::{Pass, Zone, ZonePlan};
 use crate::object::load::{self, LoadWord, load_words};
 use crate::object::load_volume::{self, load_volume};
+use crate::object::unused;
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a beat: 64 bits of data, 16 of address, 8 of unit, 4 of kind, and padding.
@@ -135,8 +136,9 @@ impl ZonePlan {
                     let words = words.every_sample(of, column, line);
                     let words = words.for_zone(x0, y0, width, height);
                     let list = load_words(&words, &self.format, words.planes.len());
-                    let kinds = none_planes(OBJECT_PLANES, words.planes.len(), self.machine.planes);
-                    push(beats, kind::OBJECT, unit, &list, kinds);
+                    let unused = words.planes.len()..self.machine.planes;
+                    let unused = unused.map(unused::object_plane);
+                    push(beats, kind::OBJECT, unit, list, unused);
                     let id = u64::from(object);
                     beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
                 }
@@ -147,12 +149,9 @@ impl ZonePlan {
                     let words = words.every_sample(of, column, line);
                     let words = words.for_zone(x0, y0, width, height);
                     let list = load_volume(&words, &self.format, words.planes.len());
-                    let kinds = none_planes(
-                        VOLUME_PLANES,
-                        words.planes.len(),
-                        self.machine.volume_planes,
-                    );
-                    push(beats, kind::VOLUME, unit, &list, kinds);
+                    let unused = words.planes.len()..self.machine.volume_planes;
+                    let unused = unused.map(unused::volume_plane);
+                    push(beats, kind::VOLUME, unit, list, unused);
                 }
             }
             Pass::Show { .. } => {}
@@ -160,22 +159,15 @@ impl ZonePlan {
     }
 }
 
-/// Addresses of the kinds of the planes that are not used.
-fn none_planes(planes: [u8; 2], used: usize, all: usize) -> impl Iterator<Item = u16> {
-    let [first, words] = planes.map(u16::from);
-    (used..all).map(move |plane| first + words * plane as u16)
-}
-
 fn push(
     beats: &mut Vec<Beat>,
     kind: u8,
     unit: usize,
-    words: &[LoadWord],
-    unused: impl Iterator<Item = u16>,
+    words: Vec<LoadWord>,
+    unused: impl Iterator<Item = LoadWord>,
 ) {
-    let beat = |address, data| Beat::new(kind, unit as u8, address, data);
-    beats.extend(words.iter().map(|w| beat(w.address.into(), w.bits)));
-    beats.extend(unused.map(|address| beat(address, 0)));
+    let words = words.into_iter().chain(unused);
+    beats.extend(words.map(|w| Beat::new(kind, unit as u8, w.address.into(), w.bits)));
 }
 
 fn command_of(pass: &Pass, zone: &Zone) -> Beat {
