@@ -67,6 +67,184 @@ fn the_pins_show_the_golden_picture() {
 }
 
 #[test]
+fn many_frames_of_a_scene_are_waited_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let description = folder.path().join("tiny.toml");
+    let text = "machine = \"beam\"\nobjects = 1\nplanes = 2\nlights = 2\nrows_per_stage = 24\n\
+                mode = { columns = [8, 4, 4, 4], lines = [6, 2, 2, 20] }\n";
+    std::fs::write(&description, text).expect("a file");
+    let mut command = imogene();
+    command.args([
+        "machine", "--engine", "rust-hdl", "--frames", "24", "--json",
+    ]);
+    command.arg(common::scene("ellipsoid.toml"));
+    command.arg("--machine").arg(&description);
+    command.arg("--out").arg(folder.path().join("out"));
+    let output = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let value: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let shown = value["shown"].as_array().expect("frames");
+    assert_eq!(shown.iter().filter(|frame| **frame == 0).count(), 24);
+}
+
+/// What the program says of scenes on a machine of which it writes the Verilog alone, and how it ends.
+fn emitted(scenes: &[&Path], description: &Path, out: &Path) -> (Option<i32>, String) {
+    let mut command = imogene();
+    command.arg("machine").args(scenes);
+    command.arg("--machine").arg(description);
+    command.arg("--emit-only").arg("--out").arg(out);
+    let output = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    (output.status.code(), said)
+}
+
+/// A description with the lines of an advice in place of its own.
+fn advised(description: &str, advice: &str) -> String {
+    let mut table: toml::Table = description.parse().expect("a description");
+    for line in advice.lines() {
+        match line.strip_prefix("# and no ") {
+            Some(key) => drop(table.remove(key)),
+            None => table.extend(line.parse::<toml::Table>().expect("a line of TOML")),
+        }
+    }
+    table.to_string()
+}
+
+#[test]
+fn the_lines_that_a_refusal_advises_are_accepted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (path, out) = (
+        folder.path().join("machine.toml"),
+        folder.path().join("out"),
+    );
+    let tiny = "planes = 0\nmode = { columns = [40, 4, 4, 4], lines = [30, 2, 2, 2] }\n";
+    let beam = format!("machine = \"beam\"\nobjects = 1\n{tiny}");
+    let zone = format!(
+        "machine = \"zone\"\nobjects = 1\nvolume_planes = 0\nzone = {{ width = 16, height = 16 }}\n{tiny}"
+    );
+    let beam_640 =
+        "machine = \"beam\"\nobjects = 2\nplanes = 3\nloader_words = 50\nmode = \"640x480\"\n";
+    let stream = format!("{beam}output = \"stream\"\n");
+    let [teapot, robot, cylinders, molecule] = [
+        "teapot.toml",
+        "shadows/robot.toml",
+        "crossing-cylinders.toml",
+        "zones/molecule-480.toml",
+    ]
+    .map(common::scene);
+    let [teapot, robot, cylinders, molecule] = [&*teapot, &*robot, &*cylinders, &*molecule];
+    let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
+    let cases: [(&[&Path], &str, &[&str]); 7] = [
+        (&[teapot], &beam, &[few.as_slice(), &["mode = "]].concat()),
+        (&[cylinders, teapot], &stream, &few),
+        (
+            &[teapot],
+            beam_640,
+            &["objects = 10 ", "lights = 2 # was 1", "loader_words = "],
+        ),
+        (
+            &[robot, teapot],
+            &beam,
+            &["objects = 39 ", "volumes = 157 ", "mode = "],
+        ),
+        (
+            &[robot],
+            &zone,
+            &[
+                "volumes = 1 ",
+                "volume_planes = ",
+                "planes = ",
+                "lights = 2 ",
+            ],
+        ),
+        (
+            &[molecule],
+            &beam,
+            &["machine = \"zone\"", "zone = ", "lights = 2 "],
+        ),
+        (
+            &[molecule],
+            beam_640,
+            &["machine = \"zone\"", "# and no loader_words"],
+        ),
+    ];
+    for (scenes, description, wanted) in cases {
+        std::fs::write(&path, description).expect("a file");
+        let (code, said) = emitted(scenes, &path, &out);
+        assert_eq!(code, Some(2), "{said}");
+        assert!(!out.exists(), "nothing is written");
+        let (first, advice) = said.split_once('\n').expect("lines of an advice");
+        assert!(
+            first.contains("machine.toml: the machine has too little"),
+            "{said}"
+        );
+        for line in wanted {
+            assert!(
+                advice.lines().any(|found| found.starts_with(line)),
+                "{line}: {said}"
+            );
+        }
+        std::fs::write(&path, advised(description, advice)).expect("a file");
+        let (code, said) = emitted(scenes, &path, &out);
+        assert_eq!(code, Some(0), "{said}");
+        std::fs::remove_dir_all(&out).expect("a folder");
+    }
+}
+
+#[test]
+fn more_lights_and_planes_than_any_machine_has_are_not_advised() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = std::fs::read_to_string(common::scene("cut-sphere.toml")).expect("a scene");
+    let light = "\n[[lights]]\nkind = \"directional\"\nfrom = [1, 2, 3]\n";
+    let lights = text.matches("[[lights]]").count();
+    let lit = format!("{text}{}", light.repeat(5 - lights));
+    // An object has at most 12 cuts, but its shadow needs a plane more.
+    let cut = |i: u32| {
+        let (y, x) = (f64::from(i) / 12.0 * std::f64::consts::TAU + 0.05).sin_cos();
+        format!(
+            "{{ point = [{}, {}, 0], normal = [{x}, {y}, 0.1] }}",
+            0.8 * x,
+            0.8 * y
+        )
+    };
+    let cuts = (0..12).map(cut).collect::<Vec<_>>().join(", ");
+    let shadows = "kind = \"directional\"\nshadows = true";
+    let cut = format!(
+        "{}\n[[objects]]\nname = \"many sides\"\nkind = \"sphere\"\nradius = 1\nmaterial = \"lemon\"\ncuts = [{cuts}]\n",
+        text.replacen("kind = \"directional\"", shadows, 1)
+    );
+    let machine = Path::new(env!("CARGO_MANIFEST_DIR")).join("../machines/zone-160x120.toml");
+    for (name, text, says) in [
+        ("lights.toml", &lit, ["at most 4", "imogene render"]),
+        (
+            "planes.toml",
+            &cut,
+            ["the shadow of object 'many sides'", "has 13 planes"],
+        ),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        let (code, said) = emitted(&[&path], &machine, &folder.path().join("out"));
+        assert_eq!(code, Some(2), "{said}");
+        assert!(says.iter().all(|part| said.contains(part)), "{said}");
+        assert!(said.contains(name) && !said.contains(" = "), "{said}");
+        let mut command = imogene();
+        let rendered = command
+            .arg("render")
+            .arg(&path)
+            .args(["--size", "40x30", "-o"]);
+        let rendered = rendered.arg(folder.path().join("picture.png")).output();
+        let rendered = rendered.expect("the program runs");
+        assert_eq!(
+            rendered.status.code(),
+            Some(0),
+            "{name}: what is possible instead"
+        );
+    }
+}
+
+#[test]
 fn an_animation_is_shown_frame_by_frame() {
     let folder = tempfile::tempdir().expect("a folder");
     let run = |range: &str| {
@@ -117,8 +295,9 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     let refused = |scene, machine, says| refused_with(scene, machine, &[], says);
     refused("scenes/teapot.toml", "no/machine.toml", "give the path");
     let beam = "machines/beam-160x120.toml";
-    refused("scenes/shadows/robot.toml", beam, "objects = 39 would do");
-    refused("scenes/shadows/sphere-surface.toml", beam, "objects");
+    refused("scenes/shadows/robot.toml", beam, "objects = 39 # was 10");
+    let zone_machine = "machine = \"zone\" # was \"beam\"";
+    refused("scenes/shadows/sphere-surface.toml", beam, zone_machine);
     let zone = "machines/zone-160x120.toml";
     refused("scenes/processors/mesh.toml", zone, "guard bits");
     let mask = ["--overlay", "docs/images/trace.png"];

@@ -6,16 +6,18 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::animation::Playback;
 use imogene_models::machine::description::{MachineDescription, Output};
-use imogene_models::machine::display::{Image, refined_image};
+use imogene_models::machine::display::{DisplayError, Image, refined_image};
+use imogene_models::machine::needs;
 use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
 use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_models::machine::zone::plot::plot;
-use imogene_models::machine::zone::refine::Refinement;
 use imogene_models::picture::{read_mask, write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
+use imogene_models::scene::FramedScene;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
 use imogene_verif::display::DisplayEngine;
+use imogene_verif::display::bench::{Bench, BenchFrame};
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
 use imogene_verif::display::request::{request, zone_timing};
 use imogene_verif::report::Report;
@@ -57,17 +59,23 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let views = views(options)?;
     let scenes = views
         .iter()
-        .map(|(path, view)| drawn(path, view, &machine, options.refine.into()));
+        .map(|(path, view)| prepared(path, view, &machine));
     let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+    let images = images(&scenes, &machine, options)?;
     let command = command_of(options);
     let request = request(&machine, &command);
     let (top, verilog) = write_verilog(&request, &options.out)?;
     let mut files = vec![verilog];
-    let images: Vec<Image> = scenes.iter().map(|(_, image)| image.clone()).collect();
     let timing = zone_timing_of(&request, &machine)?;
     let mut growths = vec![];
     if options.growth {
-        growths = grow(&scenes[0].0, &machine, timing, &options.out, &mut files)?;
+        growths = grow(
+            &scenes[0].prepared,
+            &machine,
+            timing,
+            &options.out,
+            &mut files,
+        )?;
     }
     let outcome = match options.emit_only {
         true => None,
@@ -84,6 +92,16 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         &options.out,
         &mut files,
     )?;
+    if options.emit_only {
+        files.extend(write_bench(
+            &machine,
+            &top,
+            &scenes,
+            &images,
+            overlay.as_ref(),
+            &options.out,
+        )?);
+    }
     let mode = machine.video_mode().map_or((0, 0), |mode| {
         (mode.clocks(), mode.line.active * mode.frame.active)
     });
@@ -91,10 +109,7 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let mut summary = MachineReport {
         machine: &machine,
         top,
-        scenes: views
-            .iter()
-            .map(|(path, view)| format!("{}{}", path.display(), view.options()))
-            .collect(),
+        scenes: scenes.into_iter().map(|scene| scene.name).collect(),
         clocks_per_frame: (machine.output == Output::Pins).then_some(mode.0),
         pixels_per_frame: mode.1,
         words: images.iter().map(|image| image.beats.len()).collect(),
@@ -152,21 +167,60 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
     Ok(views)
 }
 
-fn drawn(
-    path: &Path,
-    view: &View,
-    machine: &MachineDescription,
-    refinement: Refinement,
-) -> Result<(PreparedScene, Image), Failure> {
+/// A scene, ready for the machine.
+struct Scene {
+    /// Path and options of the view.
+    name: String,
+    framed: FramedScene,
+    prepared: PreparedScene,
+}
+
+impl Scene {
+    fn parts(&self) -> (&FramedScene, &PreparedScene) {
+        (&self.framed, &self.prepared)
+    }
+}
+
+fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
     let file = read_scene(path, view)?;
     let (width, height) = machine
         .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
     let size = crate::arguments::Size { width, height };
     let (framed, prepared) = frame_scene(&file, Some(size), machine.depth_word)?;
-    let image = refined_image(&framed, &prepared, machine, refinement);
-    let image = image.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
-    Ok((prepared, image))
+    Ok(Scene {
+        name: format!("{}{}", path.display(), view.options()),
+        framed,
+        prepared,
+    })
+}
+
+/// The images of all scenes. What the machine lacks is said at once for all of them.
+fn images(
+    scenes: &[Scene],
+    machine: &MachineDescription,
+    options: &Machine,
+) -> Result<Vec<Image>, Failure> {
+    let named = |name: &dyn std::fmt::Display, error| Failure::Input(format!("{name}: {error}"));
+    // What no machine shows is the matter of its scene, what this one lacks that of its description.
+    for scene in scenes {
+        match needs::check(machine, &[scene.parts()]) {
+            Ok(()) | Err(DisplayError::Needs(_)) => {}
+            Err(error) => return Err(named(&scene.name, error)),
+        }
+    }
+    let all: Vec<_> = scenes.iter().map(Scene::parts).collect();
+    needs::check(machine, &all).map_err(|error| named(&options.machine.display(), error))?;
+    let image = |scene: &Scene| {
+        let image = refined_image(
+            &scene.framed,
+            &scene.prepared,
+            machine,
+            options.refine.into(),
+        );
+        image.map_err(|error| named(&scene.name, error))
+    };
+    scenes.iter().map(image).collect()
 }
 
 /// The plane of `--overlay`.
@@ -229,6 +283,35 @@ fn write_verilog(request: &DisplayRequest, out: &Path) -> Result<(String, PathBu
     let path = out.join(format!("{}.v", emitted.top));
     write_text(&path, &emitted.bundle())?;
     Ok((emitted.top, path))
+}
+
+/// What a bench of the user's own drives the machine with.
+fn write_bench(
+    machine: &MachineDescription,
+    top: &str,
+    scenes: &[Scene],
+    images: &[Image],
+    overlay: Option<&OverlayPlane>,
+    out: &Path,
+) -> Result<Vec<PathBuf>, Failure> {
+    let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
+        scene: &scene.name,
+        image,
+    });
+    let frames: Vec<BenchFrame> = frames.collect();
+    let bench = Bench {
+        machine,
+        top,
+        frames: &frames,
+        overlay,
+    };
+    let mut written = vec![];
+    for (name, text) in bench.files().map_err(Failure::input)? {
+        let path = out.join(name);
+        write_text(&path, &text)?;
+        written.push(path);
+    }
+    Ok(written)
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {

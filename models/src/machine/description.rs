@@ -236,7 +236,8 @@ impl MachineDescription {
         Ok(description)
     }
 
-    fn check(&self, file: &str) -> Result<(), DescriptionError> {
+    /// Checks that every value is in its range; `file` is the name that messages give the description.
+    pub(super) fn check(&self, file: &str) -> Result<(), DescriptionError> {
         let value = |key, value: String, accepted: String| DescriptionError::Value {
             file: file.into(),
             key,

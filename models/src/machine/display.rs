@@ -2,9 +2,10 @@
 
 use super::accumulator::{Accumulator, PassPixel};
 use super::beam;
-use super::description::{MachineDescription, MachineKind, Output, Smoothing};
+use super::description::{MachineDescription, MachineKind, Smoothing};
 use super::frame::Frame;
 use super::lighting::Lighting;
+use super::needs;
 use super::shader::{ShaderWords, shade_picture};
 use super::zone::golden::{StreamError, ZoneMachineModel};
 use super::zone::plan::{PlanError, ZonePlan};
@@ -13,7 +14,7 @@ use super::zone::stream::{Beat, kind};
 use crate::object::as_quadric::AsQuadricError;
 use crate::object::load::load_words;
 use crate::object::load_volume::load_volume;
-use crate::object::quadric::{PlaneWords, QuadricWords};
+use crate::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use crate::object::slot::{ProcessorWords, Slot};
 use crate::object::unused;
 use crate::object::volume::{VolumePlane, VolumeWords};
@@ -25,17 +26,20 @@ use thiserror::Error;
 /// Why a machine cannot show a scene.
 #[derive(Debug, Error)]
 pub enum DisplayError {
-    /// More parts than processors.
+    /// Too few processors, planes, lights or words.
     #[error(
-        "the scene has {needed} {what}; the machine has {given}; a description with {what} = {needed} would do"
+        "the machine has too little for what it is to show; these lines in its description, in place of its own, would do:\n{0}"
     )]
-    Processors {
-        /// Key of the description.
-        what: &'static str,
-        /// What the scene needs.
+    Needs(String),
+    /// More planes than any processor has.
+    #[error(
+        "{what} has {needed} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object would do"
+    )]
+    Planes {
+        /// The object, or whose volume it is.
+        what: String,
+        /// Its planes.
         needed: usize,
-        /// What the machine has.
-        given: usize,
     },
     /// An object that its processors do not draw.
     #[error("object '{object}': {why}")]
@@ -66,16 +70,6 @@ pub enum DisplayError {
         picture: (u32, u32),
         /// Of the screen, in samples.
         screen: (u32, u32),
-    },
-    /// More words than the loader of a beam machine keeps, or copies in the vertical blanking.
-    #[error("a frame has {needed} words; {limit} of them {why}")]
-    Words {
-        /// Words of the frame.
-        needed: usize,
-        /// Words that fit.
-        limit: usize,
-        /// In what.
-        why: &'static str,
     },
 }
 
@@ -118,16 +112,14 @@ pub fn refined_image(
     machine: &MachineDescription,
     refinement: Refinement,
 ) -> Result<Image, DisplayError> {
-    check(scene, machine)?;
+    check_size(scene, machine)?;
+    needs::check(machine, &[(scene, prepared)])?;
     let shader = shader_words(scene, &prepared.format, None)?;
     let numbers = material_numbers(scene);
-    let mut shading = shader.load_words();
-    // Lights that the scene has not got are dark.
-    let missing = scene.lights.len()..machine.lights;
-    shading.extend(missing.flat_map(|light| dark_light(light as u16)));
     match machine.machine {
         MachineKind::Zone => {
             let materials = numbers.iter().map(|&number| number.into()).collect();
+            let shading = shading_words(&shader, machine);
             let plan = ZonePlan::of(prepared, machine.zone_machine())?
                 .refined(refinement)
                 .shaded(shading, materials)?;
@@ -147,8 +139,7 @@ pub fn refined_image(
             })
         }
         MachineKind::Beam => {
-            let parts = parts(prepared, machine)?;
-            let volumes = volumes(prepared, machine)?;
+            let parts = parts(prepared, machine.planes)?;
             let slots: Vec<Slot> = parts
                 .iter()
                 .map(|(object, words)| Slot {
@@ -160,10 +151,8 @@ pub fn refined_image(
             let frame = beam::render(&slots, &prepared.format, width, height, || ());
             let lighting = Lighting::of(&frame, prepared, || ());
             let picture = finished(&frame, &lighting, &numbers, &shader, machine);
-            let beats = beam_beats(&parts, &volumes, &shading, &numbers, prepared, machine);
-            check_words(beats.len(), machine)?;
             Ok(Image {
-                beats,
+                beats: beam_words(scene, prepared, machine)?,
                 frame,
                 lighting,
                 picture,
@@ -173,19 +162,19 @@ pub fn refined_image(
     }
 }
 
-fn check(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {
-    if scene.lights.len() > machine.lights {
-        return Err(DisplayError::Processors {
-            what: "lights",
-            needed: scene.lights.len(),
-            given: machine.lights,
-        });
-    }
+fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<(), DisplayError> {
     let picture = (scene.width, scene.height);
     match machine.drawn_size() {
         Some(screen) if screen != picture => Err(DisplayError::Size { picture, screen }),
         _ => Ok(()),
     }
+}
+
+/// The words of the shading processor; lights that the scene has not got are dark.
+fn shading_words(shader: &ShaderWords, machine: &MachineDescription) -> Vec<(u16, u32)> {
+    let missing = shader.lights.len()..machine.lights;
+    let dark = missing.flat_map(|light| dark_light(light as u16));
+    shader.load_words().into_iter().chain(dark).collect()
 }
 
 /// The words of a light that sends nothing: its colour is black.
@@ -245,61 +234,61 @@ fn mean_of_samples(picture: &[u8], width: usize, samples: usize) -> Vec<u8> {
     places.into_iter().flat_map(|(x, y)| mean(x, y)).collect()
 }
 
-fn parts(
+/// Object and words of every part of the scene, for processors of so many planes.
+pub(super) fn parts(
     prepared: &PreparedScene,
-    machine: &MachineDescription,
+    planes: usize,
 ) -> Result<Vec<(usize, QuadricWords)>, DisplayError> {
-    let slots = prepared.slots();
-    if slots.len() > machine.objects {
-        return Err(DisplayError::Processors {
-            what: "objects",
-            needed: slots.len(),
-            given: machine.objects,
-        });
-    }
-    let part = |slot: &Slot| {
-        let words = slot
-            .words
-            .on_quadric_processor(&prepared.format, machine.planes);
-        let words = words.map_err(|why| DisplayError::Object {
-            object: prepared.objects[slot.object].name().to_owned(),
-            why,
+    let part = |slot: Slot| {
+        let words = slot.words.on_quadric_processor(&prepared.format, planes);
+        let object = || prepared.objects[slot.object].name().to_owned();
+        let words = words.map_err(|why| match why {
+            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+                what: format!("object '{}'", object()),
+                needed,
+            },
+            why => DisplayError::Object {
+                object: object(),
+                why,
+            },
         })?;
         Ok((slot.object, words))
     };
-    slots.iter().map(part).collect()
+    prepared.slots().into_iter().map(part).collect()
 }
 
-fn volumes(
+/// Words of every volume of the scene, for processors of so many planes.
+pub(super) fn volumes(
     prepared: &PreparedScene,
-    machine: &MachineDescription,
+    planes: usize,
 ) -> Result<Vec<VolumeWords>, DisplayError> {
-    if prepared.volumes.len() > machine.volumes {
-        return Err(DisplayError::Processors {
-            what: "volumes",
-            needed: prepared.volumes.len(),
-            given: machine.volumes,
-        });
-    }
     let volumes = prepared.volumes.iter().map(|volume| {
-        let words = volume.words.on_quadric_processor(machine.volume_planes);
-        words.map_err(|why| DisplayError::Volume {
-            volume: volume.name.clone(),
-            why,
+        let words = volume.words.on_quadric_processor(planes);
+        words.map_err(|why| match why {
+            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+                what: volume.name.clone(),
+                needed,
+            },
+            why => DisplayError::Volume {
+                volume: volume.name.clone(),
+                why,
+            },
         })
     });
     volumes.collect()
 }
 
 /// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
-fn beam_beats(
-    parts: &[(usize, QuadricWords)],
-    volumes: &[VolumeWords],
-    shading: &[(u16, u32)],
-    materials: &[u8],
+pub(super) fn beam_words(
+    scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
-) -> Vec<Beat> {
+) -> Result<Vec<Beat>, DisplayError> {
+    let shader = shader_words(scene, &prepared.format, None)?;
+    let shading = shading_words(&shader, machine);
+    let materials = material_numbers(scene);
+    let parts = parts(prepared, machine.planes)?;
+    let volumes = volumes(prepared, machine.volume_planes)?;
     let format = &prepared.format;
     let mut beats: Vec<Beat> = shading
         .iter()
@@ -337,33 +326,5 @@ fn beam_beats(
     if let Some(beat) = beats.last_mut() {
         beat.last = true;
     }
-    beats
-}
-
-fn check_words(needed: usize, machine: &MachineDescription) -> Result<(), DisplayError> {
-    let limit = machine.loader_words();
-    if needed > limit {
-        return Err(DisplayError::Words {
-            needed,
-            limit,
-            why: "fit the loader; give loader_words",
-        });
-    }
-    if machine.output == Output::Stream {
-        return Ok(());
-    }
-    // What the pipeline and a smoothing filter look ahead is less than two lines and a few hundred clocks.
-    let blanking = machine.video_mode().map_or(0, |mode| {
-        let lines = mode.frame.front + mode.frame.sync + mode.frame.back;
-        let line = mode.line.active + mode.line.front + mode.line.sync + mode.line.back;
-        (lines * line).saturating_sub(2 * line + 300) as usize
-    });
-    if needed > blanking {
-        return Err(DisplayError::Words {
-            needed,
-            limit: blanking,
-            why: "are copied in the vertical blanking; a mode with more blanking takes more",
-        });
-    }
-    Ok(())
+    Ok(beats)
 }

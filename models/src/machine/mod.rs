@@ -11,6 +11,7 @@ pub mod fitted;
 pub mod frame;
 pub mod frame_store;
 pub mod lighting;
+pub mod needs;
 pub mod overlay;
 pub mod pixel_fifo;
 pub mod post_filter;

@@ -10,7 +10,9 @@ use thiserror::Error;
 #[derive(Debug, Error, PartialEq)]
 pub enum ShaderError {
     /// More light sources than lights.
-    #[error("{0} lights: the shading processor has at most {MOST_LIGHTS}")]
+    #[error(
+        "{0} lights: the shading processor has at most {MOST_LIGHTS}; take lights out of the scene, or draw it with imogene render, which shades in software"
+    )]
     Lights(usize),
     /// More materials than the table holds.
     #[error("{0} materials: the table of the shading processor holds at most {MOST_MATERIALS}")]

@@ -30,25 +30,20 @@ impl<'a> Host<'a> {
         }
     }
 
-    /// Clocks after which a machine that shows nothing is given up.
-    pub(super) fn limit(&self, frame: u64) -> u64 {
-        let beats: usize = self.images.iter().map(|image| image.beats.len()).sum();
-        let pixels: u64 = self
-            .images
-            .iter()
-            .filter_map(|i| i.plan.as_ref())
-            .map(|plan| {
-                let passes = |zone: &imogene_models::machine::zone::plan::Zone| {
-                    plan.passes(zone, false).count() as u64
-                };
+    /// Clocks after which a machine that shows nothing is given up; `frames` are those of the last image.
+    pub(super) fn limit(&self, clocks_of_frame: u64, frames: usize) -> u64 {
+        let of_image = |image: &Image| {
+            let plan = image.plan.iter();
+            let passes = plan.flat_map(|plan| {
                 let each = u64::from(plan.machine.zone_width * plan.machine.zone_height) + 600;
-                plan.zones
-                    .iter()
-                    .map(|zone| passes(zone) * each)
-                    .sum::<u64>()
-            })
-            .sum();
-        8 * (beats as u64 + pixels + self.late * self.images.len() as u64) + 16 * frame
+                let passes = move |zone| plan.passes(zone, false).count() as u64 * each;
+                plan.zones.iter().map(passes)
+            });
+            let words = image.beats.len() as u64 + passes.sum::<u64>() + self.late;
+            8 * words + 4 * clocks_of_frame
+        };
+        let images: u64 = self.images.iter().map(of_image).sum();
+        images + (frames as u64 + 16) * clocks_of_frame
     }
 
     /// The clock of the first word of an image.

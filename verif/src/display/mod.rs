@@ -1,5 +1,6 @@
 //! Co-simulation of machines with everything between the object processors and the picture.
 
+pub mod bench;
 mod host;
 mod machine;
 pub mod pins;

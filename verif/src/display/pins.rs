@@ -85,7 +85,7 @@ pub fn run(
     let mut host = Host::new(images, options);
     let mut plane = options.overlay.map_or(&[][..], |plane| &plane.words);
     let mut seen_last = 0;
-    let limit = host.limit(mode.clocks());
+    let limit = host.limit(mode.clocks(), options.frames);
     while seen_last < options.frames && hardware.clocks < limit {
         plane = write_plane(&mut hardware, plane, options.overlay);
         host.offer(

@@ -1,0 +1,397 @@
+//! The files with which a test bench of a user's own drives a machine: beats, shading words, expected pixels, their
+//! description, and a bench that is ready to run.
+
+use imogene_models::format::Format;
+use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
+use imogene_models::machine::display::Image;
+use imogene_models::machine::overlay::OverlayPlane;
+use imogene_models::machine::zone::stream::{Beat, kind};
+use minijinja::{Environment, context};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use thiserror::Error;
+
+const TEMPLATE: &str = include_str!("bench/bench.v");
+
+const BEATS: &str = "beats.hex";
+const SHADING: &str = "shading.hex";
+const PIXELS: &str = "pixels.hex";
+const OVERLAY: &str = "overlay.hex";
+const BENCH: &str = "bench.v";
+const DESCRIPTION: &str = "bench.json";
+
+/// The bench cannot be written from its template.
+#[derive(Debug, Error)]
+#[error("the bench cannot be written from its template: {0}")]
+pub struct BenchError(#[from] minijinja::Error);
+
+/// A frame that a bench sends, and what it expects then.
+pub struct BenchFrame<'a> {
+    /// The scene, with the options of its view.
+    pub scene: &'a str,
+    /// Words, and picture without an overlay.
+    pub image: &'a Image,
+}
+
+/// What a bench is for.
+pub struct Bench<'a> {
+    /// The machine.
+    pub machine: &'a MachineDescription,
+    /// Its top module; the file of its Verilog is named after it.
+    pub top: &'a str,
+    /// The frames, one after the other.
+    pub frames: &'a [BenchFrame<'a>],
+    /// The plane over all of them.
+    pub overlay: Option<&'a OverlayPlane>,
+}
+
+/// A part of a line: so many hexadecimal digits, the first part in the high bits of the word.
+struct Field {
+    name: &'static str,
+    digits: usize,
+    /// Bits that are not always zero.
+    bits: usize,
+    /// Where it goes, and what it means.
+    meaning: &'static str,
+}
+
+const fn field(name: &'static str, digits: usize, bits: usize, meaning: &'static str) -> Field {
+    Field {
+        name,
+        digits,
+        bits,
+        meaning,
+    }
+}
+
+/// A file of words: one a line, its fields joined by underscores, which `$readmemh` passes over as it does comments.
+struct Words<'a> {
+    file: &'static str,
+    what: &'static str,
+    fields: &'a [Field],
+    /// Each group of lines with the comment above it.
+    groups: Vec<(String, Vec<Vec<u64>>)>,
+}
+
+impl Words<'_> {
+    fn text(&self) -> String {
+        let names: Vec<&str> = self.fields.iter().map(|field| field.name).collect();
+        let mut text = format!("// {}: {}\n", self.what, names.join("_"));
+        for (comment, lines) in &self.groups {
+            // A name may hold a line break; what follows one would be read as words.
+            let _ = writeln!(text, "// {}", comment.replace(['\n', '\r'], " "));
+            for words in lines {
+                let words = words.iter().zip(self.fields);
+                let digits =
+                    words.map(|(word, field)| format!("{word:0width$x}", width = field.digits));
+                text += &digits.collect::<Vec<_>>().join("_");
+                text.push('\n');
+            }
+        }
+        text
+    }
+
+    fn count(&self) -> usize {
+        self.groups.iter().map(|(_, lines)| lines.len()).sum()
+    }
+
+    fn description(&self) -> Value {
+        let digits = self.fields.iter().map(|field| field.digits);
+        let mut above: usize = digits.sum::<usize>() * 4;
+        let fields = self.fields.iter().map(|field| {
+            above -= field.digits * 4;
+            json!({
+                "name": field.name,
+                "digits": field.digits,
+                "low_bit": above,
+                "bits": field.bits,
+                "meaning": field.meaning,
+            })
+        });
+        let fields: Vec<Value> = fields.collect();
+        json!({ "file": self.file, "what": self.what, "count": self.count(), "fields": fields })
+    }
+}
+
+impl Bench<'_> {
+    /// The files, each with its name.
+    ///
+    /// # Errors
+    ///
+    /// When the bench cannot be written from its template.
+    pub fn files(&self) -> Result<Vec<(&'static str, String)>, BenchError> {
+        let data = self.data_bits();
+        let beat = beat_fields(data);
+        let mut words = vec![self.beats(&beat), self.shading(), self.pixels()];
+        words.extend(self.overlay.map(overlay));
+        let mut files: Vec<_> = words
+            .iter()
+            .map(|words| (words.file, words.text()))
+            .collect();
+        let description = serde_json::to_string_pretty(&self.description(&words));
+        let description = description.expect("every key is a string");
+        files.push((DESCRIPTION, description + "\n"));
+        files.push((BENCH, self.bench(data, words[0].count())?));
+        Ok(files)
+    }
+
+    /// Bits of a beat's data: those of the widest word.
+    fn data_bits(&self) -> usize {
+        let format = Format::new(self.machine.depth_word).expect("a description that was checked");
+        format.quadratic as usize
+    }
+
+    fn is_beam(&self) -> bool {
+        self.machine.machine == MachineKind::Beam
+    }
+
+    fn has_pins(&self) -> bool {
+        self.machine.output == Output::Pins
+    }
+
+    /// Columns and lines of the picture.
+    fn size(&self) -> (u64, u64) {
+        let mode = self.machine.video_mode();
+        let mode = mode.expect("a description that was checked");
+        (mode.line.active, mode.frame.active)
+    }
+
+    fn beats<'a>(&self, fields: &'a [Field]) -> Words<'a> {
+        let line = |beat: &Beat| {
+            let Beat {
+                kind,
+                unit,
+                address,
+                data,
+                last,
+            } = *beat;
+            vec![last.into(), kind.into(), unit.into(), address.into(), data]
+        };
+        Words {
+            file: BEATS,
+            what: "beats of the host",
+            fields,
+            groups: self.groups(|frame| frame.image.beats.iter().map(line).collect()),
+        }
+    }
+
+    fn shading(&self) -> Words<'static> {
+        let of = |beat: &&Beat| beat.kind == kind::SHADING;
+        let line = |beat: &Beat| vec![beat.address.into(), beat.data];
+        Words {
+            file: SHADING,
+            what: "words of the shading processor, which are among the beats",
+            fields: &SHADING_FIELDS,
+            groups: self.groups(|frame| frame.image.beats.iter().filter(of).map(line).collect()),
+        }
+    }
+
+    fn pixels(&self) -> Words<'static> {
+        Words {
+            file: PIXELS,
+            what: "expected pixels",
+            fields: &PIXEL_FIELDS,
+            groups: self.groups(|frame| {
+                let over = self.overlay.map(|plane| plane.over(&frame.image.picture));
+                let picture = over.as_ref().unwrap_or(&frame.image.picture);
+                let colours = picture.chunks_exact(3);
+                colours
+                    .map(|c| c.iter().copied().map(u64::from).collect())
+                    .collect()
+            }),
+        }
+    }
+
+    fn groups(&self, lines: impl Fn(&BenchFrame) -> Vec<Vec<u64>>) -> Vec<(String, Vec<Vec<u64>>)> {
+        let frames = self.frames.iter().enumerate();
+        let group = |(number, frame): (usize, &BenchFrame)| {
+            (format!("frame {number}: {}", frame.scene), lines(frame))
+        };
+        frames.map(group).collect()
+    }
+
+    fn description(&self, words: &[Words]) -> Value {
+        let (width, height) = self.size();
+        let mut first = vec![0; 3];
+        let mut frame = |number: usize, frame: &BenchFrame| {
+            let mut entry = json!({ "scene": frame.scene });
+            for (words, first) in words.iter().zip(&mut first) {
+                let lines = words.groups[number].1.len();
+                entry[words.file] = json!({ "first_word": *first, "words": lines });
+                *first += lines;
+            }
+            entry
+        };
+        let frames = self.frames.iter().enumerate();
+        let frames: Vec<Value> = frames.map(|(number, each)| frame(number, each)).collect();
+        json!({
+            "top": self.top,
+            "verilog": self.verilog(),
+            "bench": BENCH,
+            "run": self.run(),
+            "width": width,
+            "height": height,
+            "clock": "clock, rising edge; no reset: registers start from their initial values",
+            "handshake": self.handshake(),
+            "words": words.iter().map(Words::description).collect::<Vec<_>>(),
+            "word_lines": "one word a line, hexadecimal; the first field is in the high bits; underscores and lines that begin with // mean nothing",
+            "frames": frames,
+        })
+    }
+
+    fn verilog(&self) -> String {
+        format!("{}.v", self.top)
+    }
+
+    fn run(&self) -> String {
+        format!(
+            "iverilog -g2005 -s bench -o bench.vvp {BENCH} {} && vvp -n bench.vvp",
+            self.verilog()
+        )
+    }
+
+    /// What the two sides of every stream and the pins do, one rule a line.
+    fn handshake(&self) -> Vec<&'static str> {
+        let kind = match (self.is_beam(), self.has_pins()) {
+            (true, true) => [BEAM, BEAM_PINS, PINS],
+            (true, false) => [BEAM, BEAM_STREAM, STREAM],
+            (false, true) => [ZONE, ZONE_PINS, PINS],
+            (false, false) => [ZONE, ZONE_STREAM, STREAM],
+        };
+        [HOST]
+            .iter()
+            .chain(&kind)
+            .copied()
+            .flatten()
+            .copied()
+            .collect()
+    }
+
+    fn bench(&self, data: usize, beats: usize) -> Result<String, BenchError> {
+        let (width, height) = self.size();
+        let mode = self
+            .machine
+            .video_mode()
+            .expect("a description that was checked");
+        let zone = self
+            .machine
+            .zone
+            .map_or(0, |zone| u64::from(zone.width * zone.height));
+        let colour = self.overlay.map(|plane| plane.colour);
+        let colour = colour.map(|[r, g, b]| format!("{r:02x}{g:02x}{b:02x}"));
+        let text = Environment::new().render_str(TEMPLATE, context! {
+            top => self.top,
+            run => self.run(),
+            files => context! { beats => BEATS, pixels => PIXELS, overlay => OVERLAY, description => DESCRIPTION },
+            beats,
+            frames => self.frames.len(),
+            width,
+            height,
+            data,
+            patience => 4 * (mode.clocks() + zone + 1000),
+            beam => self.is_beam(),
+            pins => self.has_pins(),
+            overlay => self.overlay.map(|plane| plane.words.len()),
+            overlay_colour => colour,
+        });
+        Ok(text? + "\n")
+    }
+}
+
+fn overlay(plane: &OverlayPlane) -> Words<'static> {
+    let lines = plane.words.iter().map(|&word| vec![word.into()]);
+    Words {
+        file: OVERLAY,
+        what: "words of the overlay",
+        fields: &OVERLAY_FIELDS,
+        groups: vec![("over every frame".into(), lines.collect())],
+    }
+}
+
+fn beat_fields(data: usize) -> [Field; 5] {
+    [
+        field(
+            "last",
+            1,
+            1,
+            "1 in the last beat of a frame: s_tlast of a beam machine",
+        ),
+        field(
+            "kind",
+            1,
+            4,
+            "s_tdest: 0 word of an object processor, 1 of a volume processor, 2 of the shading processor, 3 material of an object, 4 command",
+        ),
+        field("unit", 2, 8, "s_tuser, bits 23..16: the processor"),
+        field(
+            "address",
+            4,
+            16,
+            "s_tuser, bits 15..0: address of the word, object of the material, or the command",
+        ),
+        field("data", data / 4, data, "s_tdata: the word, in its low bits"),
+    ]
+}
+
+const SHADING_FIELDS: [Field; 2] = [
+    field(
+        "address",
+        4,
+        16,
+        "0 to 4 picture, view and background; 16 (j + 1) on light j; 4096 + 4 m on material m, with its share of the ambient light (section 8.1 of docs/architecture.md)",
+    ),
+    field("data", 8, 32, "the word"),
+];
+const PIXEL_FIELDS: [Field; 3] = [
+    field("red", 2, 8, "red"),
+    field("green", 2, 8, "green"),
+    field(
+        "blue",
+        2,
+        8,
+        "blue; line by line from the top, each from the left",
+    ),
+];
+const OVERLAY_FIELDS: [Field; 1] = [field(
+    "pixels",
+    8,
+    32,
+    "overlay_data of address 0, 1, ..: 32 pixels, line by line, the first in bit 0",
+)];
+
+const HOST: &[&str] = &[
+    "a beat is taken at a rising edge of clock at which s_tvalid and s_tready are 1; it stays until then",
+    "s_tvalid may be 0 on any clock and for any time; s_tready does not depend on it",
+];
+const BEAM: &[&str] = &[
+    "s_tlast is 1 with the last beat of a frame; from then on the machine takes none until the words are at work",
+    "words stay until they are written again; a volume takes part in a frame if its word 11 is among the beats",
+    "refused is 1 if a frame has more words than the machine keeps: it is forgotten",
+];
+const ZONE: &[&str] = &[
+    "there is no s_tlast: a frame ends with the show command of its last zone",
+    "the beats of the next frame may follow at once",
+];
+const BEAM_PINS: &[&str] = &[
+    "swapped is 1 for a clock when the words of a frame are at work; the next frame that begins on the pins is theirs",
+];
+const ZONE_PINS: &[&str] = &[
+    "swapped is 1 for a clock when a frame is drawn; the next frame that begins on the pins is that one",
+];
+const PINS: &[&str] = &[
+    "red, green, blue are a pixel on every clock with de = 1, line by line from the top, each from the left",
+    "hsync and vsync are the synchronisation of the mode; frames follow each other for ever",
+    "the overlay ports are 0 if there is no overlay; a word of it is written on every clock with overlay_write = 1",
+];
+const STREAM: &[&str] = &[
+    "a pixel leaves at a rising edge at which m_tvalid and m_tready are 1; until then it stays; m_tvalid does not depend on m_tready",
+    "m_tdata is red in bits 23..16, green in 15..8, blue in 7..0",
+];
+const BEAM_STREAM: &[&str] = &[
+    "swapped is 1 for a clock when the words of a frame are at work; the next frame that begins is theirs, and is repeated until new words come",
+    "pixels come line by line; m_tuser is 1 with the first pixel of a frame, m_tlast with the last of each line",
+];
+const ZONE_STREAM: &[&str] = &[
+    "every frame comes once, pixel by pixel in the order of the zones",
+    "m_tuser is the line in bits 23..12 and the column in 11..0; m_tlast is 1 with the last pixel of a frame",
+];
