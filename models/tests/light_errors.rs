@@ -311,3 +311,19 @@ fn a_cut_patch_casts_no_shadow_and_says_so() {
     );
     assert!(open.objects[0].notes()[0].contains("casts no shadow: the shadow of a cut patch"));
 }
+
+/// Facets have no shadow volumes: where a light casts shadows, each mesh says that it has none, and elsewhere nothing.
+#[test]
+fn a_mesh_casts_no_shadow_and_says_so() {
+    let text = include_str!("../../scenes/processors/mesh.toml");
+    let notes = |text: &str| {
+        let framed = scene(text).frame(64, 48).expect("valid");
+        let prepared = prepare(&framed, Format::BASE).expect("prepared");
+        let notes = prepared.objects.iter().map(|o| o.notes().join(" "));
+        notes.collect::<Vec<String>>()
+    };
+    let says = |note: &String| note.contains("casts no shadow: there are no shadow volumes");
+    assert!(!notes(text).iter().any(says));
+    let lit = text.replacen("[[lights]]\n", "[[lights]]\nshadows = true\n", 1);
+    assert!(notes(&lit).iter().all(says), "{:?}", notes(&lit));
+}

@@ -92,6 +92,7 @@ pub(super) fn prepare_volumes(
     missing: &mut Vec<Missing>,
     done: &(impl Fn() + Sync),
 ) -> Result<Volumes, PrepareError> {
+    note_what_casts_none(scene, objects, context);
     let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
     let pairs = pairs(scene);
     if pairs.is_empty() && !has_spot {
@@ -146,18 +147,36 @@ pub(super) fn prepare_volumes(
             Err(reason) => leave_out(context, missing, Some(object), true, reason)?,
         }
     }
-    for (object, prepared) in scene.objects.iter().zip(objects) {
-        let caster = object.caster();
-        if let Some(why) = caster.and_then(|caster| why_no_shadow(caster, context)) {
-            prepared.add_note(why);
-        }
-    }
     Ok(volumes)
 }
 
-/// Why an object that should cast a shadow casts none.
+/// Where a source has shadows, says of every object that casts none, and was not told so, why.
+fn note_what_casts_none(scene: &FramedScene, objects: &mut [PreparedObject], context: &Context) {
+    if !scene.sources.iter().any(|source| source.shadows) {
+        return;
+    }
+    for (object, prepared) in scene.objects.iter().zip(objects) {
+        let why = match object {
+            FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => {
+                why_no_shadow(q, context)
+            }
+            FramedObject::FirstGeneration(q) | FramedObject::CurvedFacet(q) if !q.casts_shadow => {
+                None
+            }
+            _ => Some(
+                "casts no shadow: there are no shadow volumes of what its processor draws; \
+                 quadrics, patches and polyhedra cast shadows",
+            ),
+        };
+        if let Some(why) = why {
+            prepared.add_note(why);
+        }
+    }
+}
+
+/// Why a quadric, a patch or a polyhedron that should cast a shadow casts none.
 fn why_no_shadow(object: &FramedQuadric, context: &Context) -> Option<&'static str> {
-    if object.surface == Surface::Solid {
+    if !object.casts_shadow || object.surface == Surface::Solid {
         return None;
     }
     if !object.planes.is_empty() {
