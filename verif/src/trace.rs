@@ -146,8 +146,11 @@ impl Trace {
             .map(|name| name.to_string_lossy().into_owned())
             .unwrap_or_default();
         let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);
-        let mut text =
-            format!("[dumpfile] \"{file}\"\n[timestart] {start}\n[size] 1600 1000\n*-5.5 ");
+        let mut text = format!(
+            "[dumpfile] \"{file}\"\n[timestart] {start}\n[size] 1600 1000\n[signals_width] {}\n*{:.6} ",
+            self.names_width(),
+            self.zoom()
+        );
         // The marker stands at the first mismatch; -1 is no marker.
         text += &first_mismatch.map_or("-1".to_string(), |time| time.to_string());
         text += " -1 -1\n@28\nimogene.clock\n";
@@ -166,6 +169,40 @@ impl Trace {
         }
         text
     }
+}
+
+/// Pixels of a character in GTKWave's font, and of the slanted edges on both sides of a value.
+const CHARACTER: usize = 8;
+/// See [`CHARACTER`].
+const EDGES: usize = 16;
+
+impl Trace {
+    /// The zoom at which a clock has room for every digit of what changes in each: GTKWave shows 2^-zoom time units on 200 pixels.
+    fn zoom(&self) -> f64 {
+        let compared = self.groups.iter().flat_map(|group| &group.compared);
+        let characters = compared.map(characters).max().unwrap_or(1);
+        let clock = (CHARACTER * characters + EDGES) as f64;
+        -(200.0 * PERIOD as f64 / clock).log2()
+    }
+
+    /// Pixels of the column of names.
+    fn names_width(&self) -> usize {
+        let signals = |group: &Group| {
+            let all = group.stimulus.iter().chain(&group.compared);
+            all.map(|signal| signal.name.len() + " hardware".len())
+                .max()
+        };
+        let longest = self.groups.iter().filter_map(signals).max().unwrap_or(0);
+        // Room for the range in brackets, and for GTKWave's margins.
+        CHARACTER * (longest + "[00:0]".len()) + 2 * EDGES
+    }
+}
+
+/// Characters of the longest value of a signal, as [`entry`] shows it.
+fn characters(signal: &Signal) -> usize {
+    let magnitude = signal.width - u32::from(signal.signed);
+    let digits = (1u128 << magnitude).to_string().len();
+    digits + usize::from(signal.signed)
 }
 
 impl Sample {
