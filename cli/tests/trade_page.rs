@@ -203,6 +203,24 @@ fn an_error_of_the_page_would_be_seen() {
 }
 
 #[test]
+fn the_columns_are_explained_on_the_page() {
+    let document = opened("");
+    assert!(document.contains("What the columns mean"));
+    for (heading, meaning) in [
+        ("K", "square root"),
+        ("part", "wrong face"),
+        ("toggles", "power"),
+    ] {
+        let item = format!("<dt>{heading}</dt><dd>([^<]*)</dd>");
+        let found = all(&item, &document);
+        assert!(
+            found.iter().any(|text| text.contains(meaning)),
+            "{heading}: {found:?}"
+        );
+    }
+}
+
+#[test]
 fn nothing_is_taken_from_outside() {
     let text = &PAGE.1;
     for outside in [

@@ -13,26 +13,26 @@ const figures = value => value === 0 ? "0" : value < 0.001 || value >= 1e5 ? val
 // Name in filters and in the address, heading, meaning, where it is, how it is written.
 const columns = [
   ["id", "point", "Name of the point", "id", String],
-  ["w", "W", "Depth word, bits", "design.accuracy.depth", whole],
-  ["k", "K", "Root, bits", "format.root", whole],
-  ["p", "P", "Plane word, bits", "format.plane", whole],
+  ["w", "W", "Bits of the depth word", "design.accuracy.depth", whole],
+  ["k", "K", "Bits of the square root", "format.root", whole],
+  ["p", "P", "Bits of the depth of a cut plane", "format.plane", whole],
   ["n", "n", "Normal component, bits", "design.accuracy.normal", whole],
   ["g1", "g1", "Guard bits of f1", "design.accuracy.guard_linear", whole],
   ["g2", "g2", "Guard bits of f2", "design.accuracy.guard_quadratic", whole],
   ["d", "d", "Last digits of the root that are not computed", "design.accuracy.dropped_rows", whole],
   ["r", "R", "Rows of the root network per register stage", "design.rows_per_stage", whole],
   ["zone", "zone", "Zone side in pixels, 0: whole screen", "design.accuracy.zone", whole],
-  ["depth", "depth", "Greatest depth error, pixels", "errors.depth_px.max", figures],
-  ["silh", "silh", "Silhouette errors: pixels missing or extra", "errors.silhouette", whole],
-  ["part", "part", "Visible-part errors: wrong object or face", "errors.visible_part", whole],
+  ["depth", "depth", "Greatest depth error, in units of a pixel", "errors.depth_px.max", figures],
+  ["silh", "silh", "Silhouette errors: pixels at which an object is missing, or is seen and should not be", "errors.silhouette", whole],
+  ["part", "part", "Visible-part errors: pixels that show a wrong object, or a wrong face of the right one", "errors.visible_part", whole],
   ["cracks", "cracks", "Pixels that look through a closed surface", "errors.cracks", whole],
   ["normal", "normal \u00b0", "Normal error in degrees, 99.9 %", "errors.normal_deg.quantile_999", figures],
   ["colour", "colour", "Greatest channel difference in 1/255, 99.9 %", "errors.colour.quantile_999", whole],
   ["cells", "cells", "Logic cells", "cost.cells", whole],
-  ["mhz", "MHz", "Greatest clock", "cost.fmax_mhz", fixed(0)],
+  ["mhz", "MHz", "Greatest clock of the slowest unit", "cost.fmax_mhz", fixed(0)],
   ["latency", "lat.", "Clocks to the first pixel", "latency", whole],
   ["mpps", "Mpix/s", "Million pixels per second at the greatest clock", "pixels_per_second", value => (value / 1e6).toFixed(1)],
-  ["toggles", "toggles", "Register bits that change per pixel", "toggles.total", whole],
+  ["toggles", "toggles", "Register bits that change from clock to clock, per pixel: a proxy of the power", "toggles.total", whole],
 ].map(([key, heading, title, path, write]) => ({ key, heading, title, path, write }));
 const byKey = new Map(columns.map(column => [column.key, column]));
 // The name tells normal bits, guard bits, digits dropped and zones; they have no column of their own.
@@ -184,6 +184,10 @@ function histogramOf(errors) {
     make("div", { className: "axis" }, [make("span", { textContent: "< 1/8" }), make("span", { textContent: `< ${last}` })])];
 }
 
+function drawMeanings() {
+  document.getElementById("columns").replaceChildren(list(shown.map(column => [column.heading, column.title])));
+}
+
 function drawDetail() {
   const detail = document.getElementById("detail");
   const point = data.points.find(one => one.id === state.point);
@@ -278,5 +282,6 @@ function fromAddress() {
   if (row) row.parentNode.parentNode.parentNode.scrollTop = Math.max(0, row.offsetTop - 120);
 }
 addEventListener("hashchange", fromAddress);
+drawMeanings();
 fromAddress();
 })();
