@@ -7,6 +7,7 @@ use crate::figures::Figures;
 use crate::flow::{parameters, synthesise_with, tools};
 use crate::report::SynthReport;
 use crate::table::{Row, Section, Table, rows};
+use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::emit;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -127,6 +128,11 @@ impl Baseline {
     /// What it has of a row.
     pub fn find(&self, row: &Row) -> Option<&BaselineRow> {
         self.rows.iter().find(|known| known.is_of(row))
+    }
+
+    /// Whether it has any row of a unit.
+    pub fn has(&self, unit: Unit) -> bool {
+        self.rows.iter().any(|known| known.unit == unit.name())
     }
 
     /// Where it differs from the rows and the Verilog of today; nothing if it is current. Needs no tool.

@@ -7,6 +7,7 @@ use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use imogene_synth::baseline::Baseline;
 use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
 use std::io::Write;
@@ -98,9 +99,12 @@ fn describe(report: &SynthReport) -> String {
     line("does not fit", report.does_not_fit.clone());
     line(
         "Fmax",
-        report
-            .fmax_mhz
-            .map(|fmax| format!("{fmax:.1} MHz, median of {} seeds", report.seeds.len())),
+        report.fmax_mhz.map(|fmax| {
+            format!(
+                "{fmax:.1} MHz, median of {}",
+                counted(report.seeds.len(), "seed")
+            )
+        }),
     );
     let path = report
         .median_seed()

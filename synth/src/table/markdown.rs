@@ -4,6 +4,7 @@ use super::{Section, Table};
 use crate::figures::Figures;
 use crate::report::SynthReport;
 use crate::target::Target;
+use imogene_rtl::catalogue::Unit;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -46,7 +47,7 @@ pub const PICTURE: &str = "images/rows-per-stage.svg";
 /// Heading of a section.
 pub const fn title(section: Section) -> &'static str {
     match section {
-        Section::Units => "Every unit",
+        Section::Units => "The units",
         Section::Planes => "Object processors and their cut planes or sides",
         Section::Rows => "Root networks and their register stages",
         Section::Transistors => "Transistors",
@@ -58,6 +59,7 @@ pub fn write(table: &Table) -> String {
     let mut text = heading(table);
     text += &opening(Section::Units, UNITS);
     text += &block_memory(table);
+    text += &without_figures(table);
     for target in super::DEVICES {
         text += &devices(table, Section::Units, target);
     }
@@ -171,6 +173,19 @@ fn ratios(table: &Table) -> String {
     format!("{RATIO}{}.\n", list.join(", "))
 }
 
+/// The units that the table does not have.
+fn without_figures(table: &Table) -> String {
+    let has = |unit: &Unit| table.rows.iter().any(|(row, _)| row.request.unit == *unit);
+    let missing: Vec<String> = (Unit::ALL.iter())
+        .filter(|unit| !has(unit))
+        .map(|unit| format!("`{}`", unit.name()))
+        .collect();
+    format!(
+        "\nUnits without figures here, and without a baseline for `imogene synth --check`: {}.\n",
+        missing.join(", ")
+    )
+}
+
 /// Block memory has no column while no unit uses any.
 fn block_memory(table: &Table) -> String {
     let reports = table.reports().into_iter();
@@ -186,7 +201,7 @@ fn block_memory(table: &Table) -> String {
         })
         .collect();
     if users.is_empty() {
-        "No unit uses block memory.\n".to_owned()
+        "No unit of this table uses block memory.\n".to_owned()
     } else {
         format!("Block memories: {}.\n", users.join(", "))
     }

@@ -3,6 +3,7 @@
 use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_synth::Target;
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
@@ -11,8 +12,8 @@ use imogene_synth::table::{self, Row};
 
 /// Synthesises rows of the table and compares them with the baseline.
 pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
-    let rows = select(options)?;
     let baseline = Baseline::read(&options.baseline).map_err(Failure::input)?;
+    let rows = select(options, &baseline)?;
     let check_options = CheckOptions {
         tolerance: Tolerance {
             resources: options.tolerance,
@@ -35,12 +36,30 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
     verdict(&checks, options)
 }
 
-fn select(options: &Synth) -> Result<Vec<Row>, Failure> {
+/// The rows asked for; what has no baseline is refused if it is named, and told if it is not.
+fn select(options: &Synth, baseline: &Baseline) -> Result<Vec<Row>, Failure> {
     let unit = options.unit.as_deref().map(Unit::from_name).transpose();
     let unit = unit.map_err(Failure::input)?;
     let target = options.target.as_deref().map(Target::from_name).transpose();
     let target = target.map_err(Failure::input)?;
-    let rows = table::select(unit, target);
+    let file = options.baseline.display();
+    let missing = |unit: &Unit| !baseline.has(*unit);
+    if let Some(unit) = unit.filter(missing) {
+        return Err(Failure::Check(format!(
+            "{} has no baseline in {file}; `imogene synth {0} --target T` measures it",
+            unit.name()
+        )));
+    }
+    let without: Vec<&str> = (Unit::ALL.iter())
+        .filter(|unit| missing(unit))
+        .map(|unit| unit.name())
+        .collect();
+    if options.unit.is_none() && !without.is_empty() {
+        // On standard error, since standard output is one JSON document with --json.
+        eprintln!("not checked, no baseline in {file}: {}", without.join(", "));
+    }
+    let mut rows = table::select(unit, target);
+    rows.retain(|row| baseline.has(row.request.unit));
     if rows.is_empty() {
         let part = |name: &Option<String>| name.clone().unwrap_or_else(|| "all".into());
         return Err(Failure::Input(format!(
@@ -109,8 +128,8 @@ fn summary(checks: &[RowCheck]) -> String {
         of_it.count()
     };
     format!(
-        "{} rows: {} as the baseline, {} better, {} within the tolerance, {} worse",
-        checks.len(),
+        "{}: {} as the baseline, {} better, {} within the tolerance, {} worse",
+        counted(checks.len(), "row"),
         count(Verdict::Same),
         count(Verdict::Better),
         count(Verdict::Within),
@@ -125,9 +144,9 @@ fn verdict(checks: &[RowCheck], options: &Synth) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Check(format!(
-        "{} of {} rows are worse than {} by more than {} % (Fmax {} %):\n{}",
+        "{} of {} worse than {} by more than {} % (Fmax {} %):\n{}",
         worse.len(),
-        checks.len(),
+        counted(checks.len(), "row"),
         options.baseline.display(),
         options.tolerance,
         options.clock_tolerance,
