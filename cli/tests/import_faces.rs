@@ -120,7 +120,7 @@ fn step_files_are_known_by_their_extension_or_by_what_the_user_says() {
             .unwrap();
         assert!(run.status.success(), "{name}");
         let lines = String::from_utf8(run.stdout).unwrap();
-        let counts = "10 faces of 1 solids: 10 exact, 0 approximated, 0 rejected\n";
+        let counts = "10 faces of 1 solid: 10 exact, 0 approximated, 0 rejected\n";
         assert!(lines.starts_with(counts), "{lines}");
         std::fs::remove_file(&output).unwrap();
     }

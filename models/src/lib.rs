@@ -22,6 +22,7 @@ pub mod rational;
 pub mod scene;
 pub mod slots;
 pub mod sweep;
+pub mod text;
 pub mod trade;
 pub mod unit;
 pub mod widths;

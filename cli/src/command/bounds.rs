@@ -8,6 +8,7 @@ use imogene_models::check::headroom::{Headroom, Summary, headroom, summaries};
 use imogene_models::check::trial::{self, FORMATS, Term, TrialReport};
 use imogene_models::format::Format;
 use imogene_models::scene::SceneFile;
+use imogene_models::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -95,7 +96,7 @@ fn verdict(trial: &Trial) -> Result<(), Failure> {
     if trial.violations == 0 {
         return Ok(());
     }
-    let mut text = format!("{} errors are beyond their bounds", trial.violations);
+    let mut text = format!("beyond the bounds: {}", counted(trial.violations, "error"));
     for format in &trial.formats {
         for v in &format.first_violations {
             text += &format!(

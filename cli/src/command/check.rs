@@ -18,6 +18,7 @@ struct Output<'a> {
     report: &'a CheckReport,
     files: &'a [PathBuf],
 }
+use imogene_models::text::counted;
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
@@ -194,8 +195,11 @@ fn describe_summary(summary: &Summary) {
 fn describe_bounds(report: &CheckReport) {
     let bounds = &report.bounds;
     output::text(format!(
-        "depth within {:.1} LSB, silhouette within {:.2e} px, normal within {:.3} degrees; {} pixels undecided",
-        bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, report.undecided_pixels
+        "depth within {:.1} LSB, silhouette within {:.2e} px, normal within {:.3} degrees; {} undecided",
+        bounds.depth_lsb,
+        bounds.silhouette_px,
+        bounds.normal_deg,
+        counted(report.undecided_pixels, "pixel")
     ));
     if report.undecided_light_pixels > 0 {
         output::text(format!(

@@ -7,6 +7,7 @@ use crate::output;
 use imogene_models::picture::{write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::DepthRange;
+use imogene_models::text::counted;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
@@ -90,7 +91,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     match closed(&report) {
         _ if options.inject.is_some() => missed(&report),
         0 => Ok(()),
-        n => Err(Failure::Check(format!("{n} pixels are cracks"))),
+        n => Err(Failure::Check(format!("cracks: {}", counted(n, "pixel")))),
     }
 }
 

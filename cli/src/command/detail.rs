@@ -10,6 +10,7 @@ use imogene_models::detail::report::{Changed, Report, WorkSaved, ZoneStream};
 use imogene_models::detail::zones::{Touches, beside, map};
 use imogene_models::picture::write_png;
 use imogene_models::prepare::PreparedScene;
+use imogene_models::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -82,8 +83,9 @@ pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
     }
     match options.pixels == 0 && report.changed != Changed::default() {
         true => Err(Failure::Check(format!(
-            "{}: {} pixels change although none may",
-            summary.scene, report.changed.pixels
+            "{}: {} other than before, and none may be",
+            summary.scene,
+            counted(report.changed.pixels, "pixel")
         ))),
         false => Ok(()),
     }
@@ -186,12 +188,12 @@ fn tell(summary: &DetailReport) {
     }
     let work = &summary.work;
     output::text(format!(
-        "objects {}, pixels visited {}, planes {}, depths of planes {}; {} objects are hidden",
+        "objects {}, pixels visited {}, planes {}, depths of planes {}; hidden: {}",
         arrow(work.objects),
         arrow(work.object_pixels),
         arrow(work.planes),
         arrow(work.plane_depths),
-        summary.hidden
+        counted(summary.hidden, "object")
     ));
     output::text(format!(
         "loads for zones: {} by boxes, {} by bounds, {} in which a pixel is drawn",
@@ -199,14 +201,14 @@ fn tell(summary: &DetailReport) {
     ));
     for stream in &summary.zone_streams {
         output::text(format!(
-            "zone machine, {:?}: {} objects and {} volumes loaded, {} draw and {} light passes, {} pixels, {} beats",
+            "zone machine, {:?}: {} and {} loaded, {} draw and {} light passes, {}, {}",
             stream.refinement,
-            stream.parts,
-            stream.volumes,
+            counted(stream.parts, "object"),
+            counted(stream.volumes, "volume"),
             stream.draw_passes,
             stream.light_passes,
-            stream.pass_pixels,
-            stream.beats
+            counted(stream.pass_pixels, "pixel"),
+            counted(stream.beats, "beat")
         ));
     }
     if let Some(why) = &summary.zone_refusal {
@@ -214,8 +216,12 @@ fn tell(summary: &DetailReport) {
     }
     let changed = &summary.changed;
     output::text(format!(
-        "{} pixels change: {} in depth, {} in object, {} in colour by up to {} of 255",
-        changed.pixels, changed.depth, changed.object, changed.colour, changed.greatest_colour
+        "changed: {}; {} in depth, {} in object, {} in colour by up to {} of 255",
+        counted(changed.pixels, "pixel"),
+        changed.depth,
+        changed.object,
+        changed.colour,
+        changed.greatest_colour
     ));
     for file in &summary.files {
         output::text(format!("wrote {}", file.display()));

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
@@ -54,11 +55,11 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
             output::text(format!("wrote {}", file.display()));
         }
         output::text(format!(
-            "top {}, {} modules, {} ports, latency {} clocks",
+            "top {}, {}, {}, latency {}",
             report.top,
-            report.modules,
-            report.ports.len(),
-            report.latency
+            counted(report.modules, "module"),
+            counted(report.ports.len(), "port"),
+            counted(report.latency, "clock")
         ));
     }
     Ok(())

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::text::counted;
 use imogene_verif::extremes::{self, Extreme, Finding};
 
 /// What the subject of `cosim` must begin with.
@@ -80,8 +81,10 @@ fn print(finding: &Finding) {
     ));
     if let Some(report) = &finding.cosimulation {
         output::text(format!(
-            "  {} clocks, {} values of hardware and golden model compared, {} differ",
-            report.cycles, report.comparisons, report.mismatches
+            "  {}, {} of hardware and golden model compared, {}",
+            counted(report.cycles, "clock"),
+            counted(report.comparisons, "value"),
+            counted(report.mismatches, "mismatch")
         ));
     }
     if !finding.detail.is_empty() {

@@ -16,6 +16,7 @@ use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::metrics::Metrics;
 use imogene_models::picture::{write_png, write_whole};
 use imogene_models::scene::SceneFile;
+use imogene_models::text::counted;
 use imogene_models::{slots, widths};
 use imogene_rtl::emit::Emitted;
 use imogene_synth::Target;
@@ -304,7 +305,8 @@ fn verdict(report: &FitReport) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Check(format!(
-        "{mismatches} values differ between the fitted hardware and the golden model; please report the command: {}",
+        "{} between the fitted hardware and the golden model; please report the command: {}",
+        counted(mismatches, "difference"),
         report.reproduce
     )))
 }

@@ -15,6 +15,7 @@ use imogene_models::machine::zone::plot::plot;
 use imogene_models::picture::{read_mask, write_png, write_whole};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
+use imogene_models::text::counted;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::bench::{Bench, BenchFrame};
@@ -414,26 +415,27 @@ fn tell(summary: &MachineReport, json: bool) {
         None => "of a frame over AXI4-Stream".to_owned(),
     };
     output::text(format!(
-        "{}: {} pixels {pace}",
-        summary.top, summary.pixels_per_frame
+        "{}: {} {pace}",
+        summary.top,
+        counted(summary.pixels_per_frame, "pixel")
     ));
     for (place, clocks) in summary.zone_clocks.iter().enumerate() {
         output::text(format!(
-            "  {}: {} clocks in {} zones ({} drawing, {} lighting passes), {} beats",
+            "  {}: {} in {} ({} drawing, {} lighting passes), {}",
             summary.scenes[place],
-            clocks.total,
-            clocks.zones,
+            counted(clocks.total, "clock"),
+            counted(clocks.zones, "zone"),
             clocks.draw_passes,
             clocks.light_passes,
-            clocks.beats
+            counted(clocks.beats, "beat")
         ));
     }
     if let Some(report) = &summary.report {
         output::text(describe(report));
         let shown = summary.shown.iter().flatten().count();
         output::text(format!(
-            "  {} frames, {shown} of them of a scene; the last one is {} golden picture",
-            summary.shown.len(),
+            "  {}, {shown} of a scene; the last one is {} golden picture",
+            counted(summary.shown.len(), "frame"),
             if summary.equal == Some(true) {
                 "the"
             } else {

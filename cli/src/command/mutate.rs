@@ -4,6 +4,7 @@ use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::emit;
 use imogene_verif::mutation::{self, Design, MutationReport, table};
@@ -72,9 +73,9 @@ fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
 /// A score as text.
 fn describe(report: &MutationReport) -> String {
     format!(
-        "{}: {} mutants of {}, {} killed, {} equivalent, {} surviving: score {:.2} % ({:.1} s)",
+        "{}: {} of {}, {} killed, {} equivalent, {} surviving: score {:.2} % ({:.1} s)",
         report.unit,
-        report.mutants,
+        counted(report.mutants, "mutant"),
         report.candidates,
         report.killed,
         report.equivalent,
@@ -91,7 +92,8 @@ fn verdict(reports: &[MutationReport]) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Check(format!(
-        "{count} mutants survive that are not proven equivalent\n{}",
+        "surviving and not proven equivalent: {}\n{}",
+        counted(count, "mutant"),
         table::survivors(reports).trim_end()
     )))
 }

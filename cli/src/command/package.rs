@@ -4,6 +4,7 @@ use crate::arguments::Package;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use imogene_package::core::package;
 use imogene_rtl::catalogue::Unit;
 use serde::Serialize;
@@ -35,10 +36,10 @@ pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
         output::json(&report);
     } else {
         output::text(format!(
-            "wrote {} cores, {} files, {} bytes below {}",
-            report.cores,
-            report.files.len(),
-            report.bytes,
+            "wrote {}, {}, {} below {}",
+            counted(report.cores, "core"),
+            counted(report.files.len(), "file"),
+            counted(report.bytes, "byte"),
             options.out.display()
         ));
     }

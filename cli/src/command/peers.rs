@@ -4,6 +4,7 @@ use super::emit_request;
 use crate::arguments::{Parameter, Peers};
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::text::counted;
 use imogene_synth::peer::{Comparison, Measured, Peer, compare};
 use imogene_synth::{Options, Target};
 
@@ -46,7 +47,11 @@ fn describe(comparison: &Comparison) -> String {
             title(unit),
             comparison.target
         ),
-        format!("{}, {} seeds", tools.join(", "), comparison.seeds),
+        format!(
+            "{}, {}",
+            tools.join(", "),
+            counted(comparison.seeds, "seed")
+        ),
         format!(
             "  {:<12} {:>12} {:>12} {:>12}",
             "", "peer", "unit", "peer/unit"
@@ -65,8 +70,9 @@ fn describe(comparison: &Comparison) -> String {
     }
     let latency = unit.latency.unwrap_or_default();
     lines.push(format!(
-        "latency of {}: {latency} clocks; that of the peer is in its documentation",
-        unit.top
+        "latency of {}: {}; that of the peer is in its documentation",
+        unit.top,
+        counted(latency, "clock")
     ));
     lines.join("\n")
 }

@@ -4,6 +4,7 @@ use crate::arguments::Processors;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use imogene_package::processors::{COMMAND, markdown, processors};
 use std::io::Write;
 
@@ -31,11 +32,11 @@ pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
         output::text(format!(
-            "{} {}\n  parts:      {}\n  latency:    {} clocks = {}\n  source:     {} ({})\n  difference: {}\n",
+            "{} {}\n  parts:      {}\n  latency:    {} = {}\n  source:     {} ({})\n  difference: {}\n",
             p.unit,
             p.parameters,
             parts.join(", "),
-            p.latency,
+            counted(p.latency, "clock"),
             p.latency_formula,
             p.source,
             p.section,

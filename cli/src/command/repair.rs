@@ -9,6 +9,7 @@ use imogene_models::machine::shading;
 use imogene_models::picture::write_png;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
+use imogene_models::text::counted;
 use imogene_oracle::paint;
 use imogene_oracle::repair::{RepairReport, Repaired, differing_faces, repair};
 use serde::Serialize;
@@ -63,7 +64,8 @@ pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
     let differing = report.exact.as_ref().map_or(0, |e| e.differing_after);
     if differing > 0 || !report.leaves_the_rest {
         return Err(Failure::Check(format!(
-            "{differing} pixels of the repaired picture are not the exact ones"
+            "the repaired picture differs from the exact one at {}",
+            counted(differing, "pixel")
         )));
     }
     Ok(())
@@ -123,10 +125,10 @@ fn tell(report: &Report) {
     ));
     if let Some(exact) = &report.exact {
         output::text(format!(
-            "exact picture in {:.3} s, {:.1} times as long; other object or face at {} pixels before the repair, at {} after",
+            "exact picture in {:.3} s, {:.1} times as long; other object or face at {} before the repair, at {} after",
             exact.seconds,
             exact.seconds / seconds.max(1e-9),
-            exact.differing_before,
+            counted(exact.differing_before, "pixel"),
             exact.differing_after
         ));
     }

@@ -34,11 +34,12 @@ pub fn run(json: bool) -> Result<(), Failure> {
             .map(|p| format!("--{} {}", p.option, p.range))
             .collect();
         output::text(format!(
-            "{}\n  {}\n  parameters: {}\n  latency:    {} clocks\n  source:     {}\n",
+            "{}\n  {}\n  parameters: {}\n  latency:    {} clock{}\n  source:     {}\n",
             unit.name,
             unit.contract,
             options.join(", "),
             unit.latency,
+            if unit.latency == "1" { "" } else { "s" },
             unit.source
         ));
     }

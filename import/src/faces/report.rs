@@ -4,6 +4,7 @@ use super::compile::Verdict;
 use super::courses::Courses;
 use super::model::Model;
 use super::scene::Compilation;
+use imogene_models::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -185,9 +186,9 @@ fn notes(report: &Report) -> Vec<String> {
         rejected,
     } = report.total;
     notes.push(format!(
-        "{} faces of {} solids: {exact} exact, {approximated} approximated, {rejected} rejected",
-        report.faces.len(),
-        report.solids
+        "{} of {}: {exact} exact, {approximated} approximated, {rejected} rejected",
+        counted(report.faces.len(), "face"),
+        counted(report.solids, "solid")
     ));
     notes
 }

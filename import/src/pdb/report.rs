@@ -4,6 +4,7 @@ use super::bonds::TOLERANCE;
 use super::choose::{Chosen, LeftOut};
 use super::scene::Drawn;
 use super::structure::{Remark, Structure};
+use imogene_models::text::counted;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -68,15 +69,15 @@ pub fn report(
         "box": { "low": low, "high": high },
     });
     let mut notes = vec![format!(
-        "{} of {} atoms drawn, {} of {} models{}",
+        "{} of {} drawn, {} of {}{}",
         drawn.spheres,
-        read.atoms,
+        counted(read.atoms, "atom"),
         shown.len(),
-        read.models.len(),
+        counted(read.models.len(), "model"),
         if drawn.bonds.pairs.is_empty() {
             String::new()
         } else {
-            format!(", {} bonds", drawn.bonds.pairs.len())
+            format!(", {}", counted(drawn.bonds.pairs.len(), "bond"))
         }
     )];
     let mut note = |count: usize, text: String| {
@@ -87,35 +88,46 @@ pub fn report(
     let other = left_out.other_models;
     note(
         other,
-        format!("{other} atoms of other models left out; --model N or --model all draws them"),
+        format!(
+            "{} of other models left out; --model N or --model all draws them",
+            counted(other, "atom")
+        ),
     );
     let other = left_out.alternate_locations;
     note(
         other,
-        format!("{other} alternate locations left out; --alternates all draws them"),
+        format!(
+            "{} left out; --alternates all draws them",
+            counted(other, "alternate location")
+        ),
     );
     let other = left_out.hydrogens;
-    note(other, format!("{other} hydrogens left out"));
+    note(other, format!("{} left out", counted(other, "hydrogen")));
     let other = left_out.water;
-    note(other, format!("{other} atoms of water left out"));
+    note(
+        other,
+        format!("{} of water left out", counted(other, "atom")),
+    );
     let other = remark(Remark::NamedElement);
     note(
         other,
         format!(
-            "{other} atoms without a symbol in columns 77 and 78: element from the atom's name"
+            "{} without a symbol in columns 77 and 78: element from the atom's name",
+            counted(other, "atom")
         ),
     );
     let other = remark(Remark::NoElement);
     note(
         other,
         format!(
-            "{other} atoms of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink"
+            "{} of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
+            counted(other, "atom")
         ),
     );
     let other = remark(Remark::NoOccupancy);
     note(
         other,
-        format!("{other} occupancies are no numbers: taken as 1"),
+        format!("occupancies that are no numbers, taken as 1: {other}"),
     );
     let names: Vec<&str> = guessed.into_iter().collect();
     note(
@@ -129,13 +141,17 @@ pub fn report(
     note(
         other,
         format!(
-            "{other} bonds are those of CONECT lines alone: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
+            "{} of CONECT lines alone: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for",
+            counted(other, "bond")
         ),
     );
     let other = drawn.bonds.left_out;
     note(
         other,
-        format!("{other} bonds left out at atoms that have sixteen already"),
+        format!(
+            "{} left out at atoms that have sixteen already",
+            counted(other, "bond")
+        ),
     );
     (value, notes)
 }

@@ -11,6 +11,7 @@ pub mod search;
 
 use crate::prepare::error::PrepareError;
 use crate::scene::SceneError;
+use crate::text::counted;
 use thiserror::Error;
 
 /// Why nothing can be fitted.
@@ -47,7 +48,8 @@ pub enum FitError {
     },
     /// Frames that are not of one animation.
     #[error(
-        "{scene}: {count} objects, but the first frame has {expected}; the frames of an animation have the same objects in the same order"
+        "{scene}: {}, but the first frame has {expected}; the frames of an animation have the same objects in the same order",
+        counted(.count.to_owned(), "object")
     )]
     Objects {
         /// The file.

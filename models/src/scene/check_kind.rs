@@ -78,7 +78,7 @@ fn check_mesh(place: &str, object: &Object, mesh: &Mesh) -> Checked {
     if count < 3 {
         return Err(SceneError::value(
             format!("{place}, vertices"),
-            format!("{count} vertices make no facet"),
+            format!("vertices: {count}, which make no facet"),
             "at least three are needed",
         ));
     }

@@ -2,6 +2,7 @@
 
 use super::FitReport;
 use imogene_models::fit::proof::{Proof, Proven};
+use imogene_models::text::counted;
 use imogene_rtl::emit::{Direction, Emitted};
 use imogene_synth::fitted::MachineCost;
 use std::fmt::Write;
@@ -43,8 +44,11 @@ pub fn summary(report: &FitReport) -> String {
     for cosim in &report.cosim {
         let _ = writeln!(
             text,
-            "  {}: {} clocks, {} values compared, {} mismatches",
-            cosim.engine, cosim.cycles, cosim.comparisons, cosim.mismatches
+            "  {}: {}, {} compared, {}",
+            cosim.engine,
+            counted(cosim.cycles, "clock"),
+            counted(cosim.comparisons, "value"),
+            counted(cosim.mismatches, "mismatch")
         );
     }
     for file in &report.files {
@@ -96,9 +100,12 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     let bounds = &report.bounds;
     let _ = writeln!(
         text,
-        "\nProven before any pixel is drawn: depth within {:.3} words of the base format, silhouette within {:.2e} pixels, normal within {:.3} degrees; {} pixels \
+        "\nProven before any pixel is drawn: depth within {:.3} words of the base format, silhouette within {:.2e} pixels, normal within {:.3} degrees; {} \
          undecided, everywhere else the visible face is the true one.\n",
-        bounds.depth_lsb, bounds.silhouette_px, bounds.normal_deg, bounds.undecided_pixels
+        bounds.depth_lsb,
+        bounds.silhouette_px,
+        bounds.normal_deg,
+        counted(bounds.undecided_pixels, "pixel")
     );
     text += &words(report);
     text += &ports(emitted);
@@ -106,8 +113,11 @@ pub fn page(report: &FitReport, emitted: &Emitted) -> String {
     for cosim in &report.cosim {
         let _ = writeln!(
             text,
-            "Co-simulated in {}: {} clocks, {} values compared with the golden machine, {} mismatches.",
-            cosim.engine, cosim.cycles, cosim.comparisons, cosim.mismatches
+            "Co-simulated in {}: {}, {} compared with the golden machine, {}.",
+            cosim.engine,
+            counted(cosim.cycles, "clock"),
+            counted(cosim.comparisons, "value"),
+            counted(cosim.mismatches, "mismatch")
         );
     }
     text

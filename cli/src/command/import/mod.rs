@@ -9,6 +9,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_import::Imported;
 use imogene_models::picture::write_whole;
+use imogene_models::text::counted;
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -60,8 +61,8 @@ fn print(options: &Import, kind: &'static str, imported: Imported, json: bool) {
         output::text(note);
     }
     output::text(format!(
-        "{} objects; wrote {}",
-        report.objects,
+        "{}; wrote {}",
+        counted(report.objects, "object"),
         options.output.display()
     ));
 }
