@@ -6,6 +6,7 @@ mod detail;
 mod evaluate;
 mod fit;
 mod frames;
+mod help;
 mod import;
 mod machine;
 mod oracle;
@@ -19,17 +20,20 @@ mod unit;
 
 use crate::missing::Policy;
 pub use accuracy::{Bounds, Shading, Sweep};
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 pub use cosim::{Cosim, EngineName, Speed};
 pub use detail::Detail;
 pub use evaluate::Evaluate;
 pub use fit::{Fit, FitEngine};
 pub use frames::FrameRange;
+pub use help::{Entry, GROUPS, Group, command};
 pub use import::{CellForm, Import, ImportKind};
 pub use machine::{Machine, Refine};
-pub use oracle::{Cracks, Repair, Trace};
+pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
-pub use scene::{Check, Compare, Guards, Model, Prepare, Render, Scene, Size, View, Widths};
+pub use scene::{
+    Check, Guards, Model, New, Prepare, Primitives, Render, Scene, Size, View, Widths,
+};
 pub use split::Split;
 pub use synth::{Parameter, Peers, Synth};
 pub use terrain::Terrain;
@@ -65,6 +69,12 @@ impl Arguments {
             _ => Policy::Warn,
         }
     }
+
+    /// What the program was called with; a wrong call ends it with a message.
+    pub fn read() -> Arguments {
+        let matches = command().get_matches();
+        Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
+    }
 }
 
 /// The commands.
@@ -72,62 +82,66 @@ impl Arguments {
 pub enum Command {
     /// Draw the teapot with the hardware in simulation, check every clock, and write pictures, Verilog and waveforms.
     Demo(Demo),
+    /// Write a commented scene file that draws at once.
+    New(New),
+    /// Draw a scene: with the golden model, the exact reference or the hardware in simulation.
+    Render(Render),
+    /// Turn a molecule, CAD faces, a STEP file or terrain into a scene.
+    Import(Import),
+    /// Make a grid of heights at random, for `imogene import`.
+    Terrain(Terrain),
+    /// Judge a scene before it is drawn: whether it fits, its proven error bounds, the bits and planes it needs.
+    Check(Check),
+    /// Print the integer words that the hardware is loaded with for a scene.
+    Prepare(Prepare),
+    /// Find what a scene's picture does not need: hidden objects, planes without effect, empty zones.
+    Detail(Detail),
+    /// Compare the golden pictures of scenes with those of an independent ray tracer.
+    #[command(alias = "trace")]
+    Raytrace(Raytrace),
+    /// Search the golden picture of a scene for cracks, or make cracks and see how many are found.
+    Cracks(Cracks),
+    /// Draw a scene in short words and solve exactly the pixels that they leave open.
+    Repair(Repair),
     /// List every unit: parameters with legal ranges, latency, sources.
     Units,
     /// List the object processors: what each is made of, its latency, and what the sources count.
     Processors(Processors),
-    /// Measure the family of square root networks: error, steps, depth of a test sphere, cost.
-    Roots(Roots),
-    /// Write the Verilog of one unit or of the whole machine.
-    Emit(Emit),
     /// Print the contract of a unit: ports, widths as formulas, latency, ties, error.
     Contract(Contract),
+    /// Write the Verilog of a unit or of a beam machine.
+    Emit(Emit),
     /// Write every unit as an IP core: Verilog, contract, self-checking bench, FuseSoC core file.
     Package(Package),
-    /// Draw a scene with the exact reference, the golden model or the hardware in simulation.
-    Render(Render),
-    /// Show the integer coefficients of every object as the hardware is loaded with them.
-    Prepare(Prepare),
-    /// Compare hardware and golden model clock by clock, for a scene or a unit.
-    Cosim(Cosim),
-    /// Read a molecule, CAD faces or terrain and write them as a scene.
-    Import(Import),
-    /// Make a grid of heights at random, for `imogene import`.
-    Terrain(Terrain),
-    /// Show scenes on the pins of a whole machine: Verilog from a machine description, co-simulation of every clock, and the picture from the pins.
+    /// Show scenes on the pins of a whole machine with a screen, compared on every clock: Verilog, picture from the pins.
     Machine(Machine),
-    /// Compare golden pictures with those of an independent ray tracer in interval and exact arithmetic.
-    Trace(Trace),
-    /// Search a golden picture for cracks, or make cracks and see how many are found.
-    Cracks(Cracks),
-    /// Draw in short words and solve exactly the pixels that they leave open.
-    Repair(Repair),
-    /// Measure how fast the engines run a unit: clocks per second alone, with the scoreboard, with waveforms.
-    Speed(Speed),
-    /// Show what a scene needs: ranges, widths, planes, degenerate objects, proven bounds.
-    Check(Check),
-    /// Show what of a scene its picture requires: objects, planes, bits, and the zones that each object and volume reaches.
-    Detail(Detail),
-    /// Draw round objects by facets, by paraboloids and as quadrics, and measure errors, hardware and clocks of each.
-    Compare(Compare),
-    /// Measure speed, area and accuracy of the machines that can draw a scene: figures, plots and a page.
-    Trade(Trade),
-    /// Find the smallest machine that draws a scene, or every frame of an animation, within a budget of errors; emit and co-simulate it.
-    Fit(Fit),
-    /// Try the error bounds on random cases, or show silhouette errors, depth errors and guard bits needed of scenes.
-    Bounds(Bounds),
-    /// Compare the shading processor with its formula on random and searched cases, and show what each bit of its widths is worth.
-    Shading(Shading),
-    /// Take one number of a scene to its extreme, step by step: proven bound, observed error and refusals, with plots.
-    Sweep(Sweep),
-    /// Count the cost tables of the sources again, beside what they print: operations, words, zones, parts, cells, rates.
-    Evaluate(Evaluate),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.
     Peers(Peers),
+    /// Compare hardware and golden model clock by clock, for a scene, a unit or a named extreme; with waveforms.
+    Cosim(Cosim),
     /// Prove properties of the emitted Verilog, or show that each is refuted on broken designs.
     Prove(Prove),
     /// Score the stimulus of a unit: how many small changes of its netlist it notices.
     Mutate(Mutate),
+    /// Measure how fast the simulators run a unit: clocks per second alone, with the scoreboard, with waveforms.
+    Speed(Speed),
+    /// Find the smallest machine that draws a scene within a budget of errors; emit and co-simulate it.
+    Fit(Fit),
+    /// Measure every machine of a design space on one scene: speed, area and accuracy as figures, plots and a page.
+    Trade(Trade),
+    /// Try the error bounds on random cases, or show errors and guard bits of scenes at several sizes and formats.
+    Bounds(Bounds),
+    /// Take one number of a scene to its extreme, step by step: proven bound, observed error, refusals, plots.
+    Sweep(Sweep),
+    /// Measure what the three ways to draw round objects cost: facets, paraboloids, quadrics.
+    #[command(alias = "compare")]
+    Primitives(Primitives),
+    /// Measure the family of square root networks: error, steps, depth of a test sphere, cost.
+    Roots(Roots),
+    /// Measure the error of the shading processor against its formula.
+    Shading(Shading),
+    /// Count the cost tables of the two theses again, beside what they print.
+    Evaluate(Evaluate),
 }

@@ -1,21 +1,21 @@
 //! The command line of imogene: argument parsing and printing, no logic.
 
-mod arguments;
 mod command;
 mod failure;
 mod missing;
 mod output;
 
-use arguments::{Arguments, Command};
-use clap::Parser;
+use arguments::Command;
+use imogene::arguments::{self, Arguments};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = Arguments::read();
     let json = arguments.json;
     missing::set(arguments.policy());
     let outcome = match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),
+        Command::New(options) => command::new::run(options, json),
         Command::Units => command::units::run(json),
         Command::Processors(options) => command::processors::run(options, json),
         Command::Roots(options) => command::roots::run(options, json),
@@ -28,13 +28,13 @@ fn main() -> ExitCode {
         Command::Import(options) => command::import::run(options, json),
         Command::Terrain(options) => command::terrain::run(options, json),
         Command::Machine(options) => command::machine::run(options, json),
-        Command::Trace(options) => command::trace::run(options, json),
+        Command::Raytrace(options) => command::raytrace::run(options, json),
         Command::Cracks(options) => command::cracks::run(options, json),
         Command::Repair(options) => command::repair::run(options, json),
         Command::Speed(options) => command::speed::run(options, json),
         Command::Check(options) => command::check::run(options, json),
         Command::Detail(options) => command::detail::run(options, json),
-        Command::Compare(options) => command::compare::run(options, json),
+        Command::Primitives(options) => command::primitives::run(options, json),
         Command::Trade(options) => command::trade::run(options, json),
         Command::Fit(options) => command::fit::run(options, json),
         Command::Bounds(options) => command::bounds::run(options, json),

@@ -1,4 +1,4 @@
-//! `imogene compare`: the page is what the command prints, and the figures are those of the sources.
+//! `imogene primitives`: the page is what the command prints, and the figures are those of the sources.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! `imogene trace`, `cracks` and `repair`.
+//! `imogene raytrace`, `cracks` and `repair`.
 
 mod common;
 

@@ -1,5 +1,6 @@
 //! A range of frames as written on the command line.
 
+use imogene_models::text::counted;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -40,7 +41,8 @@ impl fmt::Display for FrameRangeError {
                 count,
             } => write!(
                 out,
-                "{option} {first}..{last}: the animation has {count} frames; numbers from 1 to {count} are possible"
+                "{option} {first}..{last}: the animation has {}; numbers from 1 to {count} are possible",
+                counted(*count, "frame")
             ),
         }
     }

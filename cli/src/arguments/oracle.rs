@@ -1,12 +1,12 @@
-//! Arguments of `trace`, `cracks` and `repair`.
+//! Arguments of `raytrace`, `cracks` and `repair`.
 
 use super::{Scene, Size, View};
 use clap::Args;
 use std::path::PathBuf;
 
-/// Arguments of `trace`.
+/// Arguments of `raytrace`.
 #[derive(Debug, Args)]
-pub struct Trace {
+pub struct Raytrace {
     /// Scene files; of several, those that the preparation refuses are listed as such.
     #[arg(required_unless_present = "random", value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,

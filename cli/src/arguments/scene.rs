@@ -73,6 +73,14 @@ impl FromStr for Widths {
     }
 }
 
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub struct New {
+    /// Scene file to write; a file that is there is never overwritten.
+    #[arg(default_value = "scene.toml", value_name = "FILE.toml")]
+    pub file: PathBuf,
+}
+
 /// Arguments of `render`.
 #[derive(Debug, Args)]
 pub struct Render {
@@ -88,9 +96,9 @@ pub struct Render {
     /// Which model draws.
     #[arg(long, value_enum, default_value_t = Model::Golden)]
     pub model: Model,
-    /// Picture file (PNG); with --frames the folder of the pictures.
+    /// Picture file (PNG); with --frames the folder of the pictures [default: named after the scene, in the current folder].
     #[arg(short = 'o', long = "output", value_name = "FILE.png")]
-    pub output: PathBuf,
+    pub output: Option<PathBuf>,
     /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
     /// folder of --output.
     #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "",
@@ -108,6 +116,20 @@ pub struct Render {
     /// Rows of the root network per register stage (model rtl).
     #[arg(long, default_value_t = 1, value_name = "R")]
     pub rows_per_stage: usize,
+}
+
+impl Render {
+    /// The picture file, or the folder of the frames: what was asked for, or the scene's name without its ending.
+    pub fn output(&self) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| {
+            let scene = &self.scene.scene;
+            let stem = PathBuf::from(scene.file_stem().unwrap_or(scene.as_os_str()));
+            match self.frames {
+                Some(_) => stem,
+                None => stem.with_added_extension("png"),
+            }
+        })
+    }
 }
 
 /// Arguments of `prepare`.
@@ -129,9 +151,9 @@ pub struct Check {
     pub map: Option<PathBuf>,
 }
 
-/// Arguments of `compare`.
+/// Arguments of `primitives`.
 #[derive(Debug, Args)]
-pub struct Compare {
+pub struct Primitives {
     /// Folder for comparison.png, comparison.json and comparison.md; nothing is written without it.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

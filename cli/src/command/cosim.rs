@@ -26,7 +26,7 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
     }
-    let report = if unit::NAMES.contains(&options.subject.as_str()) {
+    let report = if unit::is_unit(&options.subject) {
         run_unit(options)?
     } else {
         run_scene(options)?
@@ -105,7 +105,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         return Err(Failure::Input(format!(
             "'{}' is neither a scene file nor a unit; units: {}",
             options.subject,
-            unit::NAMES.join(", ")
+            unit::list()
         )));
     }
     let file = read_scene(path, &options.view)?;

@@ -2,7 +2,6 @@
 
 pub mod bounds;
 pub mod check;
-pub mod compare;
 pub mod contract;
 pub mod cosim;
 pub mod cracks;
@@ -16,11 +15,14 @@ pub mod fitted;
 pub mod import;
 pub mod machine;
 pub mod mutate;
+pub mod new;
 pub mod package;
 pub mod peers;
 pub mod prepare;
+pub mod primitives;
 pub mod processors;
 pub mod prove;
+pub mod raytrace;
 pub mod render;
 pub mod repair;
 pub mod roots;
@@ -29,7 +31,6 @@ pub mod speed;
 pub mod sweep;
 pub mod synth;
 pub mod terrain;
-pub mod trace;
 pub mod trade;
 pub mod units;
 
@@ -40,6 +41,7 @@ use imogene_models::animation::Playback;
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, SceneFile};
+use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
 use imogene_verif::report::Report;
@@ -69,7 +71,8 @@ fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
     let count = playback.count();
     if frame as usize > count {
         return Err(named(format!(
-            "--frame {frame}: the animation has {count} frames; a number from 1 to {count} is possible"
+            "--frame {frame}: the animation has {}; a number from 1 to {count} is possible",
+            counted(count, "frame")
         )));
     }
     let found = playback.scene(frame as usize - 1);
@@ -147,15 +150,15 @@ fn threads() -> usize {
 /// The result of a co-simulation as text.
 fn describe(report: &Report) -> String {
     let mut text = format!(
-        "{}: {} clocks, {} pixels, {} values compared in {:.1} s ({:.0} clocks per second, engine {}): {} mismatches",
+        "{}: {}, {}, {} compared in {:.1} s ({:.0} clocks per second, engine {}): {}",
         report.subject,
-        report.cycles,
-        report.pixels,
-        report.comparisons,
+        counted(report.cycles, "clock"),
+        counted(report.pixels, "pixel"),
+        counted(report.comparisons, "value"),
         report.seconds,
         report.cycles_per_second,
         report.engine,
-        report.mismatches
+        counted(report.mismatches, "mismatch")
     );
     if let Some(seed) = report.seed {
         text += &format!(", seed {seed}");
@@ -178,8 +181,9 @@ fn verdict(report: &Report) -> Result<(), Failure> {
         )));
     }
     let mut text = format!(
-        "{}: {} values differ between hardware and golden model",
-        report.subject, report.mismatches
+        "{}: {} between hardware and golden model",
+        report.subject,
+        counted(report.mismatches, "mismatch")
     );
     for mismatch in &report.first_mismatches {
         text += &format!("\n  {mismatch}");

@@ -15,6 +15,7 @@ use imogene_models::machine::{beam, shading};
 use imogene_models::metrics::Drawing;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::{FramedScene, FramedSource, RangeReport};
+use imogene_models::text::counted;
 use imogene_models::trade::measure::zones;
 use imogene_models::{exact, picture};
 use imogene_verif::engine::rust_hdl::RustHdl;
@@ -64,7 +65,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     };
     let lighting = match options.model {
         Model::Exact => exact_lighting(&framed, &frame),
-        // Hardware of volumes does not exist: a frame of the hardware is lit by their golden model.
+        // What is simulated are the object processors; the volumes are those of the golden model.
         Model::Golden | Model::Rtl => golden_lighting(&frame, &prepared),
     };
     let seconds = started.elapsed().as_secs_f64();
@@ -191,8 +192,9 @@ fn report(report: RenderReport, json: bool) {
         ));
         if report.volumes > 0 {
             output::text(format!(
-                "{} shadow and light volumes; prepared in {:.3} s",
-                report.volumes, report.prepare_seconds
+                "{}; prepared in {:.3} s",
+                counted(report.volumes, "shadow or light volume"),
+                report.prepare_seconds
             ));
         }
         if let Some(split) = &report.split {
@@ -249,7 +251,7 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
     }
     if prepared.format.has_guards() {
         return Err(Failure::Input(
-            "the hardware has no guard bits; give --guards 0:0, or --model golden or exact".into(),
+            "--model rtl simulates a machine of the catalogue, which has no guard bits; give --guards 0:0, or --model golden or exact; `imogene fit` makes and simulates machines with guard bits".into(),
         ));
     }
     let (mut report, frame) = if slots::is_for_beam(prepared) {
@@ -298,8 +300,9 @@ fn write(
     prepared: &PreparedScene,
 ) -> Result<Vec<PathBuf>, Failure> {
     let rgb = shading::shade(frame, lighting, framed, &prepared.format);
-    let mut files = vec![options.output.clone()];
-    picture::write_png(&options.output, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+    let output = options.output();
+    picture::write_png(&output, frame.width, frame.height, &rgb).map_err(Failure::input)?;
+    let mut files = vec![output];
     type Writer = fn(&std::path::Path, &Frame) -> Result<(), picture::WriteError>;
     let arrays: [(&Option<PathBuf>, Writer); 3] = [
         (&options.depth, picture::write_depth),

@@ -9,6 +9,7 @@ use crate::output;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::picture::write_whole;
 use imogene_models::scene::SceneFile;
+use imogene_models::text::counted;
 use imogene_models::trade::design::Space;
 use imogene_models::trade::page::page;
 use imogene_models::trade::plot;
@@ -51,7 +52,8 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         let points = run::run_shard(&request, shard.0).map_err(Failure::input)?;
         bar.finish_and_clear();
         say(json, &json!({ "points": points, "files": [] }), || {
-            format!("part {} of {}: {points} points", shard.0.number, shard.0.of)
+            let measured = counted(points, "point");
+            format!("part {} of {}: {measured}", shard.0.number, shard.0.of)
         });
         return Ok(());
     }
@@ -74,7 +76,18 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         "files": files,
     });
     say(json, &summary, || text(&trade, &files, seconds));
-    Ok(())
+    let refusals: Option<Vec<&String>> = (trade.points.iter())
+        .map(|entry| entry.point.refused.as_ref())
+        .collect();
+    match refusals {
+        Some(refusals) => Err(Failure::Check(format!(
+            "no machine of the design space draws {}; {} says: {}",
+            options.scene.display(),
+            trade.points.last().map_or("none", |e| e.point.id.as_str()),
+            refusals.last().map_or("nothing", |why| why.as_str())
+        ))),
+        None => Ok(()),
+    }
 }
 
 fn say(json: bool, document: &serde_json::Value, text: impl FnOnce() -> String) {
@@ -133,9 +146,9 @@ fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> 
 
 fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {
     let mut text = format!(
-        "{}: {} points at {} x {} pixels in {seconds:.1} s\n",
+        "{}: {} at {} x {} pixels in {seconds:.1} s\n",
         trade.title,
-        trade.points.len(),
+        counted(trade.points.len(), "point"),
         trade.width,
         trade.height
     );

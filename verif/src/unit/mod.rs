@@ -116,7 +116,7 @@ impl Default for Parameters {
 #[derive(Debug, Error, PartialEq)]
 pub enum UnitError {
     /// Not a unit's name.
-    #[error("'{0}' is not a unit; accepted: {names}", names = NAMES.join(", "))]
+    #[error("'{0}' is not a unit; accepted: {names}", names = list())]
     Unknown(String),
     /// Not a format.
     #[error(transparent)]
@@ -126,7 +126,7 @@ pub enum UnitError {
     Parameter(EmitError),
 }
 
-/// Units that can be co-simulated on their own.
+/// Units that the tests of all units run over.
 pub const NAMES: [&str; 44] = [
     "pe1",
     "pe2",
@@ -174,12 +174,22 @@ pub const NAMES: [&str; 44] = [
     "shading_processor",
 ];
 
-/// Units that are co-simulated inside a scene, and on their own only in the test benches handed out with them.
+/// Units that are loaded over a bus; their stimulus needs many clocks to load a scene.
 pub const MACHINE_NAMES: [&str; 2] = ["coefficient_store", "beam"];
+
+/// Whether a unit has this name.
+pub fn is_unit(name: &str) -> bool {
+    NAMES.iter().chain(&MACHINE_NAMES).any(|unit| *unit == name)
+}
+
+/// The names of all units as a text.
+pub fn list() -> String {
+    [&NAMES[..], &MACHINE_NAMES].concat().join(", ")
+}
 
 /// A unit by its name, one of [`NAMES`] or [`MACHINE_NAMES`].
 pub fn subject(name: &str, parameters: Parameters) -> Result<Subject, UnitError> {
-    if !NAMES.contains(&name) && !MACHINE_NAMES.contains(&name) {
+    if !is_unit(name) {
         return Err(UnitError::Unknown(name.to_string()));
     }
     let format = Format::new(parameters.depth_word)?;

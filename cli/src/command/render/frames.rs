@@ -10,6 +10,7 @@ use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::{beam, shading};
 use imogene_models::picture;
 use imogene_models::prepare::Reuse;
+use imogene_models::text::counted;
 use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
@@ -68,7 +69,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let range = range
         .of("--frames", animator.playback().count())
         .map_err(|e| named(e.to_string()))?;
-    let preview_path = options.output.join("animation.png");
+    let preview_path = options.output().join("animation.png");
     let count = range.clone().count();
     let mut preview = Preview::new(&preview_path, size, count as u32).map_err(Failure::input)?;
     let frames = draw(options, animator, range, &mut preview)?;
@@ -84,7 +85,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
         frames,
     };
     let text = serde_json::to_string_pretty(&report).expect("reports have no unserialisable keys");
-    let report_path = options.output.join("frames.json");
+    let report_path = options.output().join("frames.json");
     picture::write_whole(&report_path, |out| writeln!(out, "{text}")).map_err(Failure::input)?;
     if json {
         output::json(&report);
@@ -123,7 +124,7 @@ fn draw(
             missing::tell(&format!("frame {number}: "), &frame.framed, &frame.prepared)
         })?;
         let prepare_seconds = started.elapsed().as_secs_f64();
-        let file = options.output.join(format!("frame-{number:04}.png"));
+        let file = options.output().join(format!("frame-{number:04}.png"));
         let started = Instant::now();
         let (rgb, covered_pixels) = picture_of(options, &frame);
         let draw_seconds = started.elapsed().as_secs_f64();
@@ -182,8 +183,8 @@ fn describe(report: &FramesReport) {
     let FramesReport { reuse, frames, .. } = report;
     let shown: f64 = frames.iter().map(|frame| frame.duration).sum();
     output::text(format!(
-        "{} frames of {} x {} pixels by the {} model in {:.3} s, to be shown in {shown:.3} s",
-        frames.len(),
+        "{} of {} x {} pixels by the {} model in {:.3} s, to be shown in {shown:.3} s",
+        counted(frames.len(), "frame"),
         report.width,
         report.height,
         report.model,

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::split::{Divided, Division, Duplication, Work, Worker};
 use imogene_models::prepare::PreparedScene;
+use imogene_models::text::counted;
 use serde::Serialize;
 
 /// How the work was divided; the keys are stable.
@@ -63,18 +64,18 @@ impl SplitReport {
     /// Prints the report for a person.
     pub fn tell(&self) {
         output::text(format!(
-            "{} in {} pieces by {} workers: balance {:.3} (from a common queue {:.3}; in seconds {:.3})",
+            "{} in {} by {}: balance {:.3} (from a common queue {:.3}; in seconds {:.3})",
             self.split,
-            self.pieces,
-            self.workers.len(),
+            counted(self.pieces, "piece"),
+            counted(self.workers.len(), "worker"),
             self.balance,
             self.balance_of_queue,
             self.balance_of_seconds
         ));
         output::text(format!(
-            "{} loads of {} processors, {:.3} each; (l + L)(h + H) / LH = {:.3}, on whole pixels {:.3}",
-            self.duplication.loads,
-            self.duplication.boxes,
+            "{} of {}, {:.3} each; (l + L)(h + H) / LH = {:.3}, on whole pixels {:.3}",
+            counted(self.duplication.loads, "load"),
+            counted(self.duplication.boxes, "processor"),
             self.duplication.measured,
             self.duplication.formula,
             self.duplication.on_whole_pixels

@@ -1,9 +1,9 @@
-//! `imogene compare`.
+//! `imogene primitives`.
 
 mod hardware;
 mod page;
 
-use crate::arguments::{Compare, Size};
+use crate::arguments::{Primitives, Size};
 use crate::failure::Failure;
 use crate::output;
 use hardware::Hardware;
@@ -57,7 +57,7 @@ struct Row {
 }
 
 /// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for them.
-pub fn run(options: &Compare, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     let Size { width, height } = options.size;
     let file = SceneFile::parse(SCENE, "three-solids.toml").map_err(Failure::input)?;
     let format = Format::BASE;

@@ -1,12 +1,13 @@
-//! `imogene trace`.
+//! `imogene raytrace`.
 
 use super::{read_scene, size_of};
-use crate::arguments::Trace;
+use crate::arguments::Raytrace;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use imogene_models::picture::{write_png, write_whole};
+use imogene_models::text::counted;
 use imogene_oracle::compare::{Comparison, Mark};
 use imogene_oracle::ordinary::scene_text;
 use imogene_oracle::paint;
@@ -27,7 +28,7 @@ struct TraceReport {
 }
 
 /// Compares the golden pictures of scenes with traced ones.
-pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
+pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
     if options.output.is_some() && options.scenes.len() > 1 {
         return Err(Failure::Input(
             "one picture for several scenes; give --out DIR for one of each, or one scene".into(),
@@ -73,8 +74,8 @@ pub fn run(options: &Trace, json: bool) -> Result<(), Failure> {
     match failed {
         0 => Ok(()),
         n => Err(Failure::Check(format!(
-            "{n} of {} scenes differ from the traced picture where they must not",
-            options.scenes.len()
+            "of {}, {n} differ from the traced picture where they must not",
+            counted(options.scenes.len(), "scene")
         ))),
     }
 }
@@ -122,7 +123,7 @@ fn random(scenes: u64, options: &Trace, format: Format, json: bool) -> Result<()
 
 type Drawn = Option<(Frame, Vec<Mark>)>;
 
-fn one(path: &Path, options: &Trace, format: &Format) -> Result<(Row, Drawn), Failure> {
+fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn), Failure> {
     let scene = read_scene(path, &options.view)?;
     let (width, height) = size_of(&scene, options.size);
     let bar = output::progress(1, "tracing");
@@ -145,7 +146,7 @@ fn one(path: &Path, options: &Trace, format: &Format) -> Result<(Row, Drawn), Fa
     })
 }
 
-fn picture_of(scene: &Path, options: &Trace) -> Option<PathBuf> {
+fn picture_of(scene: &Path, options: &Raytrace) -> Option<PathBuf> {
     let folder = options.out.as_ref().map(|folder| {
         let name = scene.file_stem().unwrap_or(scene.as_os_str());
         folder.join(name).with_extension("png")
@@ -161,12 +162,12 @@ fn tell(row: &Row) {
     };
     let verdict = if c.holds() { "holds" } else { "DIFFERS" };
     output::text(format!(
-        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} pixels exactly); band {} pixels, {} differ in it, {} outside, {} tied, {} announced; depths off by \
+        "{scene}: {verdict}; {size}, {} covered, traced in {:.2} s ({} exactly); band {}, {} differ in it, {} outside, {} tied, {} announced; depths off by \
          at most {:.2} words outside the band, {:.0} % of the bound, {} beyond it",
         c.covered,
         row.trace_seconds,
-        c.solved_exactly,
-        c.band,
+        counted(c.solved_exactly, "pixel"),
+        counted(c.band, "pixel"),
         c.differences_inside,
         c.differences_outside,
         c.tied,
