@@ -123,11 +123,11 @@ impl Render {
     pub fn output(&self) -> PathBuf {
         self.output.clone().unwrap_or_else(|| {
             let scene = &self.scene.scene;
-            let stem = PathBuf::from(scene.file_stem().unwrap_or(scene.as_os_str()));
-            match self.frames {
-                Some(_) => stem,
-                None => stem.with_added_extension("png"),
+            let mut name = scene.file_stem().unwrap_or(scene.as_os_str()).to_owned();
+            if self.frames.is_none() {
+                name.push(".png");
             }
+            PathBuf::from(name)
         })
     }
 }
