@@ -18,7 +18,6 @@ mod terrain;
 mod trade;
 mod unit;
 
-use crate::missing::Policy;
 pub use accuracy::{Bounds, Shading, Sweep};
 use clap::{FromArgMatches, Parser, Subcommand};
 pub use cosim::{Cosim, EngineName, Speed};
@@ -58,6 +57,17 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+/// What to do about objects that cannot be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Policy {
+    /// Refuse the scene.
+    Strict,
+    /// Warn, and fail at the end.
+    Warn,
+    /// Warn.
+    Allow,
 }
 
 impl Arguments {

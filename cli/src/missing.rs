@@ -4,21 +4,19 @@
 //! nothing were missing.
 
 use crate::failure::Failure;
-use imogene_models::prepare::{Options, PreparedScene};
-use imogene_models::scene::{DepthRange, FramedScene};
+use imogene::arguments::Policy;
+use imogene_models::format::Format;
+use imogene_models::prepare::{Options, PreparedScene, refused};
+use imogene_models::scene::{DepthRange, End, FramedScene, SceneFile};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What to do about objects that cannot be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Policy {
-    /// Refuse the scene.
-    Strict,
-    /// Warn, and fail at the end.
-    Warn,
-    /// Warn.
-    Allow,
-}
+/// How scenes are prepared for machines of quadric and patch processors alone.
+pub const ROOTS: Options = Options {
+    anchor: None,
+    roots_only: true,
+    without_refused: false,
+};
 
 static POLICY: OnceLock<Policy> = OnceLock::new();
 static MISSING: AtomicUsize = AtomicUsize::new(0);
@@ -62,13 +60,48 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
     Ok(())
 }
 
+/// A scene without the objects that machines cannot draw, each named, for commands that measure machines on what is left.
+///
+/// # Errors
+///
+/// With `--strict`, and if nothing is left.
+pub fn reduced(
+    mut file: SceneFile,
+    (width, height): (u32, u32),
+    format: Format,
+    options: Options,
+) -> Result<SceneFile, Failure> {
+    if !file.images.is_empty() {
+        return Ok(file);
+    }
+    let framed = file.frame(width, height).map_err(Failure::input)?;
+    let list = refused(&framed, format, options);
+    let Some((_, first)) = list.first() else {
+        return Ok(file);
+    };
+    if policy() == Policy::Strict || list.len() == framed.objects.len() {
+        return Err(Failure::input(first));
+    }
+    let names: Vec<&str> = list
+        .iter()
+        .map(|(index, _)| framed.objects[*index].name())
+        .collect();
+    file.objects
+        .retain(|object| !names.contains(&object.name.as_str()));
+    for (_, reason) in &list {
+        eprintln!("warning: left out: {reason}");
+    }
+    MISSING.fetch_add(list.len(), Ordering::Relaxed);
+    Ok(file)
+}
+
 /// Says which objects an end of the depth cuts.
 fn tell_ends(place: &str, range: &DepthRange) {
     for cut in &range.cut {
         let report = range.report(1);
         let (end, at) = match cut.end {
-            imogene_models::scene::End::Near => ("near", report.near_units),
-            imogene_models::scene::End::Far => ("far", report.far_units.unwrap_or(f64::INFINITY)),
+            End::Near => ("near", report.near_units),
+            End::Far => ("far", report.far_units.unwrap_or(f64::INFINITY)),
         };
         let from = match range.far {
             None => "from the eye",

@@ -2,10 +2,10 @@
 
 mod contract;
 
-use super::{fitted, threads};
+use super::{fitted, size_of, threads};
 use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
-use crate::output;
+use crate::{missing, output};
 use imogene_models::animation::Playback;
 use imogene_models::fit::budget::{Budget, Item};
 use imogene_models::fit::frames::{Drawn, Frames};
@@ -145,7 +145,11 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
         let file = SceneFile::read(path).map_err(Failure::input)?;
         let name = path.display().to_string();
         if file.images.is_empty() {
-            files.push((name, file));
+            let size = size_of(&file, options.size);
+            files.push((
+                name,
+                missing::reduced(file, size, Format::BASE, missing::ROOTS)?,
+            ));
         } else {
             let playback = Playback::new(&file).map_err(Failure::input)?;
             files.extend(playback.scenes(&name).map_err(Failure::input)?);

@@ -3,10 +3,11 @@
 use super::{read_scene, size_of};
 use crate::arguments::Raytrace;
 use crate::failure::Failure;
-use crate::output;
+use crate::{missing, output};
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
 use imogene_models::picture::{write_png, write_whole};
+use imogene_models::prepare::Options;
 use imogene_models::text::counted;
 use imogene_oracle::compare::{Comparison, Mark};
 use imogene_oracle::ordinary::scene_text;
@@ -81,7 +82,7 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
 }
 
 /// Looks at scenes made at random.
-fn random(scenes: u64, options: &Trace, format: Format, json: bool) -> Result<(), Failure> {
+fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result<(), Failure> {
     let bar = output::progress(scenes, "random scenes");
     let found = survey(options.seed, scenes, format, || bar.inc(1));
     bar.finish_and_clear();
@@ -126,6 +127,7 @@ type Drawn = Option<(Frame, Vec<Mark>)>;
 fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn), Failure> {
     let scene = read_scene(path, &options.view)?;
     let (width, height) = size_of(&scene, options.size);
+    let scene = missing::reduced(scene, (width, height), *format, Options::default())?;
     let bar = output::progress(1, "tracing");
     let outcome = trace(&scene, width, height, *format, &|steps| {
         bar.set_length(steps);

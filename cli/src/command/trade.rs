@@ -5,7 +5,8 @@ mod parts;
 use super::{fitted, size_of};
 use crate::arguments::{Points, Trade, TradeEngine};
 use crate::failure::Failure;
-use crate::output;
+use crate::{missing, output};
+use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::picture::write_whole;
 use imogene_models::scene::SceneFile;
@@ -27,6 +28,8 @@ use std::time::Instant;
 pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let file = SceneFile::read(&options.scene).map_err(Failure::input)?;
+    let size = size_of(&file, options.size);
+    let file = missing::reduced(file, size, Format::BASE, missing::ROOTS)?;
     let target = Target::from_name(&options.target).map_err(Failure::input)?;
     let (space, points) = match options.points {
         Points::Quick => (Space::Quick, "quick"),
@@ -38,7 +41,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let request = Request {
         file: &file,
         name: &options.scene.display().to_string(),
-        size: size_of(&file, options.size),
+        size,
         target: target.name(),
         designs,
         out: &options.out,

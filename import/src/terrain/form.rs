@@ -5,8 +5,7 @@ use super::grid::{Corners, HeightGrid, is_plane, twist};
 use super::map::{Map, VIEW, unusable};
 use crate::ImportError;
 use imogene_models::format::Format;
-use imogene_models::prepare::error::PrepareError;
-use imogene_models::prepare::refused;
+use imogene_models::prepare::{Options, refused};
 use imogene_models::rational::{from_decimal, to_f64};
 
 /// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
@@ -122,7 +121,7 @@ impl Map<'_> {
             let framed = framed
                 .map_err(|e| unusable(self.file, e.to_string(), "see docs/scene-format.md"))?;
             let mut again = vec![];
-            for (object, _) in refused(&framed, Format::BASE) {
+            for (object, _) in refused(&framed, Format::BASE, Options::default()) {
                 let cell = owners[object];
                 if again.last() == Some(&cell) {
                     continue;

@@ -345,8 +345,12 @@ pub fn prepare_with(
 }
 
 /// The objects that cannot be prepared for a format, by index, each with its reason; shadows are not looked at.
-pub fn refused(scene: &FramedScene, format: Format) -> Vec<(usize, PrepareError)> {
-    let context = Context::of(scene, format, Options::default());
+pub fn refused(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+) -> Vec<(usize, PrepareError)> {
+    let context = Context::of(scene, format, options);
     let located = Located::new(scene, &context, &Known::nothing(scene));
     let problem = |(index, object)| Some((index, located.prepare(index, object, &context).err()?));
     let objects = scene.objects.par_iter().enumerate();

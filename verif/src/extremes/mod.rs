@@ -35,11 +35,6 @@ enum Case {
     },
     /// A scene that is drawn, but of which the check says that its silhouette has no bound.
     Flagged { text: &'static str },
-    /// A scene that is refused with a message that holds these words.
-    Refused {
-        text: &'static str,
-        says: &'static [&'static str],
-    },
     /// A stimulus of a unit.
     Unit {
         unit: &'static str,
@@ -91,7 +86,6 @@ impl Extreme {
             Case::Drawn { text, claim } => self.draw(text, *claim),
             Case::Modelled { text, claim } => (None, self.model(text, *claim)),
             Case::Flagged { text } => self.flag(text),
-            Case::Refused { text, says } => (None, self.refuse(text, says)),
             Case::Unit { unit, stimulus } => drive(unit, *stimulus),
         };
         let (held, detail) = match result {
@@ -169,18 +163,6 @@ impl Extreme {
         let pictures = Pictures::new(framed, prepared, frame);
         pictures.agree().and_then(|()| claim(&pictures))?;
         Ok("drawn by the golden model alone: the processor has no hardware".into())
-    }
-
-    /// The scene must be refused, and the refusal must say why.
-    fn refuse(&self, text: &str, says: &[&str]) -> Result<String, String> {
-        let prepared = self
-            .framed(text)
-            .and_then(|framed| prepare(&framed, Format::BASE).map_err(|e| e.to_string()));
-        match prepared {
-            Ok(_) => Err("the scene was accepted".into()),
-            Err(message) if says.iter().all(|part| message.contains(part)) => Ok(message),
-            Err(message) => Err(format!("refused for another reason: {message}")),
-        }
     }
 }
 
