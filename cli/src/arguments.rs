@@ -19,7 +19,7 @@ mod trade;
 mod unit;
 
 pub use accuracy::{Bounds, Shading, Sweep};
-use clap::{FromArgMatches, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 pub use cosim::{Cosim, EngineName, Speed};
 pub use detail::Detail;
 pub use evaluate::Evaluate;
@@ -78,12 +78,6 @@ impl Arguments {
             (_, true) => Policy::Allow,
             _ => Policy::Warn,
         }
-    }
-
-    /// What the program was called with; a wrong call ends it with a message.
-    pub fn read() -> Arguments {
-        let matches = command().get_matches();
-        Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
     }
 }
 
@@ -154,4 +148,10 @@ pub enum Command {
     Shading(Shading),
     /// Count the cost tables of the two theses again, beside what they print.
     Evaluate(Evaluate),
+}
+
+/// A depth word as written on the command line.
+fn depth_word(text: &str) -> Result<u32, String> {
+    text.parse()
+        .map_err(|_| "expected a number of bits: 16, 20, 24, 28 or 32".into())
 }

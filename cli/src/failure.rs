@@ -1,15 +1,23 @@
 //! How a command fails: the message and the exit code.
 
+use imogene_files::WriteError;
 use std::fmt;
-use std::process::ExitCode;
+use std::io::ErrorKind;
+
+/// Characters of a word, of a line and of a message that refuses an input: what a file or a path says is shortened.
+const WORD: usize = 200;
+const LINE: usize = 600;
+const MESSAGE: usize = 1_800;
 
 /// A command that did not succeed.
 #[derive(Debug)]
 pub enum Failure {
     /// A check failed: exit code 1.
     Check(String),
-    /// Bad input or usage: exit code 2.
+    /// Bad input or usage, or an output that cannot be written: exit code 2.
     Input(String),
+    /// Nobody reads the output any more. That is said by the exit code alone, as by a program that the signal ended.
+    ClosedPipe,
 }
 
 impl Failure {
@@ -19,19 +27,85 @@ impl Failure {
     }
 
     /// The process exit code.
-    pub fn exit_code(&self) -> ExitCode {
+    pub fn exit_code(&self) -> u8 {
         match self {
-            Failure::Check(_) => ExitCode::from(1),
-            Failure::Input(_) => ExitCode::from(2),
+            Failure::Check(_) => 1,
+            Failure::Input(_) => 2,
+            Failure::ClosedPipe => 141,
+        }
+    }
+
+    /// What is wrong, of a length that can be read; nothing if there is nothing to say.
+    pub fn message(&self) -> Option<String> {
+        match self {
+            Failure::Check(message) => Some(lines(message)),
+            Failure::Input(message) => Some(shortened(&lines(message), MESSAGE)),
+            Failure::ClosedPipe => None,
+        }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Failure {
+        match error.source.kind() {
+            ErrorKind::BrokenPipe => Failure::ClosedPipe,
+            _ => Failure::input(error),
         }
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let message = self.message().unwrap_or_default();
         match self {
-            Failure::Check(message) => write!(f, "check failed: {message}"),
-            Failure::Input(message) => write!(f, "error: {message}"),
+            Failure::Check(_) => write!(f, "check failed: {message}"),
+            Failure::Input(_) => write!(f, "error: {message}"),
+            Failure::ClosedPipe => Ok(()),
         }
+    }
+}
+
+/// The text with long words and lines shortened.
+fn lines(text: &str) -> String {
+    let line = |line: &str| {
+        let words: Vec<String> = line.split(' ').map(|w| shortened(w, WORD)).collect();
+        shortened(&words.join(" "), LINE)
+    };
+    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// The text, without its middle if it has more than so many characters.
+fn shortened(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let place = |n: usize| text.char_indices().nth(n).map_or(text.len(), |(at, _)| at);
+    let (head, tail) = (most * 2 / 3, most / 3);
+    format!(
+        "{}[.. {} characters ..]{}",
+        &text[..place(head)],
+        count - head - tail,
+        &text[place(count - tail)..]
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_words_lines_and_messages_lose_their_middle() {
+        let short = "scene.toml:1:2: key `radius` is 3\n  1 | radius = 3";
+        assert_eq!(lines(short), short);
+        let key = "ä.".repeat(500_000);
+        let message = Failure::Input(format!("begin {key} end\n{}", "a ".repeat(100_000)));
+        let said = message.message().unwrap();
+        assert!(said.starts_with("begin ä.ä.") && said.contains(".ä. end\na a"));
+        assert!(said.contains("[.. 999801 characters ..]"), "{said}");
+        let many = Failure::Input("line\n".repeat(10_000));
+        assert!(many.message().unwrap().len() < 2_000);
+        let list = "  pixel (1, 2)\n".repeat(10_000);
+        assert_eq!(Failure::Check(list.clone()).message().unwrap(), list);
     }
 }

@@ -2,18 +2,58 @@
 
 mod command;
 mod failure;
+mod interruption;
 mod missing;
 mod output;
+mod paths;
+mod process;
+mod usage;
 
-use arguments::Command;
-use imogene::arguments::{self, Arguments};
+use failure::Failure;
+use imogene::arguments::{self, Arguments, Command};
+use imogene_files::Scratch;
+use paths::Paths;
+use serde_json::json;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::read();
+    let (json, outcome) = match usage::parse() {
+        Ok(arguments) => {
+            interruption::watch(&arguments.command);
+            // Without it temporary files are where they always are.
+            let _scratch = Scratch::of_process();
+            (arguments.json, run(&arguments).and_then(|()| missing::verdict()))
+        }
+        Err((json, outcome)) => (json, outcome),
+    };
+    end(json, outcome)
+}
+
+/// Says what went wrong, and that standard output was lost if it was.
+fn end(json: bool, outcome: Result<(), Failure>) -> ExitCode {
+    if let Err(failure) = &outcome {
+        output::complain(failure);
+        if let Some(message) = failure.message().filter(|_| json && !output::is_reported()) {
+            output::json(&json!({
+                "error": { "message": message, "exit_code": failure.exit_code() }
+            }));
+        }
+    }
+    let flushed = output::flush();
+    if let Err(failure) = &flushed {
+        output::complain(failure);
+    }
+    match outcome.and(flushed) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => ExitCode::from(failure.exit_code()),
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Failure> {
     let json = arguments.json;
     missing::set(arguments.policy());
-    let outcome = match &arguments.command {
+    Paths::of(&arguments.command).check(json)?;
+    match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),
         Command::New(options) => command::new::run(options, json),
         Command::Units => command::units::run(json),
@@ -45,12 +85,5 @@ fn main() -> ExitCode {
         Command::Peers(options) => command::peers::run(options, json),
         Command::Prove(options) => command::prove::run(options, json),
         Command::Mutate(options) => command::mutate::run(options, json),
-    };
-    match outcome.and_then(|()| missing::verdict()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("{failure}");
-            failure.exit_code()
-        }
     }
 }

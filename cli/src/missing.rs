@@ -4,6 +4,7 @@
 //! nothing were missing.
 
 use crate::failure::Failure;
+use crate::output;
 use imogene::arguments::Policy;
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, PreparedScene, refused};
@@ -53,7 +54,7 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
         return Err(Failure::Input(format!("{place}{}", first.reason)));
     }
     for missing in &prepared.missing {
-        eprintln!("warning: {place}left out: {}", missing.reason);
+        output::warning(format_args!("{place}left out: {}", missing.reason));
     }
     tell_ends(place, &framed.range);
     MISSING.fetch_add(prepared.missing.len(), Ordering::Relaxed);
@@ -89,7 +90,7 @@ pub fn reduced(
     file.objects
         .retain(|object| !names.contains(&object.name.as_str()));
     for (_, reason) in &list {
-        eprintln!("warning: left out: {reason}");
+        output::warning(format_args!("left out: {reason}"));
     }
     MISSING.fetch_add(list.len(), Ordering::Relaxed);
     Ok(file)
@@ -107,10 +108,10 @@ fn tell_ends(place: &str, range: &DepthRange) {
             None => "from the eye",
             Some(_) => "from the screen plane",
         };
-        eprintln!(
+        output::complain(format_args!(
             "note: {place}object '{}' passes the {end} end of the depth, {at} units {from}: it is cut off there",
             cut.object
-        );
+        ));
     }
 }
 

@@ -140,7 +140,7 @@ fn a_frame_that_cannot_be_drawn_is_named_and_leaves_nothing_half_written() {
     ] {
         assert!(message.contains(part), "{part}: {message}");
     }
-    assert_eq!(names(&out), ["frame-0001.png"]);
+    assert!(!out.exists());
 }
 
 #[test]

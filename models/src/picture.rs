@@ -1,59 +1,13 @@
 //! Files of a picture: PNG, and NumPy arrays of depth, object index and normals.
 //!
-//! Every file is written beside its destination and renamed when complete, so a failure leaves nothing half-written.
+//! The functions fill a stream; [`Outputs`] lets the files appear.
 
 use crate::machine::frame::Frame;
+pub use imogene_files::{Outputs, WriteError, write_whole};
 use npyz::WriterBuilder;
-use std::io::{BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 use thiserror::Error;
-
-/// A file that could not be written.
-#[derive(Debug, Error)]
-#[error("cannot write '{}': {source}", path.display())]
-pub struct WriteError {
-    /// Destination.
-    pub path: PathBuf,
-    /// Why.
-    pub source: std::io::Error,
-}
-
-/// Writes a file whole or not at all; missing parent folders are created.
-pub fn write_whole(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> std::io::Result<()>,
-) -> Result<(), WriteError> {
-    let attempt = || -> std::io::Result<()> {
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        std::fs::create_dir_all(folder)?;
-        let mut file = new_file_in(folder)?;
-        let mut writer = BufWriter::new(file.as_file_mut());
-        write(&mut writer)?;
-        writer.flush()?;
-        drop(writer);
-        file.persist(path).map_err(|e| e.error)?;
-        Ok(())
-    };
-    attempt().map_err(|source| WriteError {
-        path: path.to_path_buf(),
-        source,
-    })
-}
-
-/// A temporary file with the permissions of an ordinary one; temporary files are private by default.
-pub(crate) fn new_file_in(folder: &Path) -> std::io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
-}
 
 /// A picture that could not be read.
 #[derive(Debug, Error)]
@@ -106,37 +60,41 @@ pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
 /// Longest side of a mask that is read.
 const MAX_MASK_SIDE: u32 = 4096;
 
-/// An 8-bit RGB picture.
+/// Writes an 8-bit RGB picture to a file of its own.
 pub fn write_png(path: &Path, width: usize, height: usize, rgb: &[u8]) -> Result<(), WriteError> {
-    write_whole(path, |out| {
-        let mut encoder = png::Encoder::new(out, width as u32, height as u32);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
-        writer.write_image_data(rgb).map_err(std::io::Error::other)
-    })
+    write_whole(path, |out| png(out, width, height, rgb))
+}
+
+/// An 8-bit RGB picture.
+pub fn png(out: &mut dyn Write, width: usize, height: usize, rgb: &[u8]) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(io::Error::other)?;
+    writer.write_image_data(rgb).map_err(io::Error::other)?;
+    writer.finish().map_err(io::Error::other)
 }
 
 /// Depth words, int64 of shape (height, width); the background is the format's `z_max`.
-pub fn write_depth(path: &Path, frame: &Frame) -> Result<(), WriteError> {
-    write_npy(path, &shape(frame, None), frame.depth.iter().copied())
+pub fn depth(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+    npy(out, &shape(frame, None), frame.depth.iter().copied())
 }
 
 /// Object indices, int32 of shape (height, width); the background is -1.
-pub fn write_ids(path: &Path, frame: &Frame) -> Result<(), WriteError> {
-    write_npy(path, &shape(frame, None), frame.id.iter().copied())
+pub fn ids(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+    npy(out, &shape(frame, None), frame.id.iter().copied())
 }
 
 /// Normal components, int16 of shape (height, width, 3), camera frame (x right, y down, z away).
-pub fn write_normals(path: &Path, frame: &Frame) -> Result<(), WriteError> {
+pub fn normals(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
     let components = frame.normal.iter().flatten().copied();
-    write_npy(path, &shape(frame, Some(3)), components)
+    npy(out, &shape(frame, Some(3)), components)
 }
 
 /// Marks of pixels, uint8 of shape (height, width).
-pub fn write_marks(path: &Path, width: usize, marks: &[u8]) -> Result<(), WriteError> {
+pub fn marks(out: &mut dyn Write, width: usize, marks: &[u8]) -> io::Result<()> {
     let height = marks.len() / width.max(1);
-    write_npy(path, &[height as u64, width as u64], marks.iter().copied())
+    npy(out, &[height as u64, width as u64], marks.iter().copied())
 }
 
 fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
@@ -145,18 +103,16 @@ fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
     shape
 }
 
-fn write_npy<T: npyz::Serialize + npyz::AutoSerialize>(
-    path: &Path,
+fn npy<T: npyz::Serialize + npyz::AutoSerialize>(
+    out: &mut dyn Write,
     shape: &[u64],
     values: impl Iterator<Item = T>,
-) -> Result<(), WriteError> {
-    write_whole(path, |out| {
-        let mut writer = npyz::WriteOptions::new()
-            .default_dtype()
-            .shape(shape)
-            .writer(out)
-            .begin_nd()?;
-        writer.extend(values)?;
-        writer.finish()
-    })
+) -> io::Result<()> {
+    let mut writer = npyz::WriteOptions::new()
+        .default_dtype()
+        .shape(shape)
+        .writer(out)
+        .begin_nd()?;
+    writer.extend(values)?;
+    writer.finish()
 }

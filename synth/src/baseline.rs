@@ -80,6 +80,9 @@ pub struct CheckOptions {
     pub cache: Cache,
 }
 
+/// Most bytes of a baseline, which has tens of thousands.
+const MAX_BYTES: u64 = 16 << 20;
+
 impl Baseline {
     /// The figures of a table.
     pub fn of(table: &Table) -> Self {
@@ -103,12 +106,13 @@ impl Baseline {
             path: path.display().to_string(),
             problem,
         };
-        let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::NotFound => {
-                bad("there is no such file; `imogene synth --table` writes it".into())
-            }
-            _ => bad(error.to_string()),
-        })?;
+        let text =
+            imogene_files::read_text(path, MAX_BYTES).map_err(|error| match error.kind() {
+                std::io::ErrorKind::NotFound => {
+                    bad("there is no such file; `imogene synth --table` writes it".into())
+                }
+                _ => bad(error.to_string()),
+            })?;
         let baseline: Self = serde_json::from_str(&text)
             .map_err(|error| bad(format!("{error}; `imogene synth --table` writes it again")))?;
         if baseline.version == VERSION {

@@ -1,5 +1,6 @@
 //! What a co-simulation found.
 
+use crate::trace::Trace;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -61,6 +62,9 @@ pub struct Report {
     pub cycles_per_second: f64,
     /// Seed of the stimulus, if it was random.
     pub seed: Option<u64>,
+    /// Waveforms, if they were asked for.
+    #[serde(skip)]
+    pub trace: Option<Trace>,
     /// Files written.
     pub files: Vec<PathBuf>,
     /// Command that reproduces the run.
@@ -87,6 +91,7 @@ impl Report {
         self.mismatches += part.mismatches;
         self.first_mismatches.extend(part.first_mismatches);
         self.first_mismatches.truncate(KEPT);
+        self.trace = self.trace.take().or(part.trace);
         self.files.extend(part.files);
     }
 

@@ -1,7 +1,7 @@
 //! Waveforms: a VCD with hardware and golden signals side by side, and a GTKWave save file that opens it grouped.
 
 use crate::signal::Signal;
-use imogene_models::picture::{WriteError, write_whole};
+use imogene_files::{Outputs, WriteError};
 use std::collections::VecDeque;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -51,6 +51,11 @@ struct Variables {
     mismatch: IdCode,
 }
 
+/// The save file of a VCD.
+pub fn save_path(vcd: &Path) -> PathBuf {
+    vcd.with_extension("gtkw")
+}
+
 impl Trace {
     /// An empty trace of these groups.
     pub fn new(groups: Vec<Group>) -> Trace {
@@ -87,13 +92,16 @@ impl Trace {
 
     /// Writes `path` (VCD) and the save file beside it; returns both paths.
     pub fn write(&self, path: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_whole(path, |out| self.write_vcd(out))?;
-        let save = path.with_extension("gtkw");
-        let first_mismatch = self.first_mismatch();
-        write_whole(&save, |out| {
-            out.write_all(self.save_file(path, first_mismatch).as_bytes())
-        })?;
-        Ok(vec![path.to_path_buf(), save])
+        let mut files = Outputs::new();
+        self.add_to(&mut files, path)?;
+        files.finish()
+    }
+
+    /// Adds both to other files of a run.
+    pub fn add_to(&self, files: &mut Outputs, path: &Path) -> Result<(), WriteError> {
+        files.add(path, |mut out| self.write_vcd(&mut out))?;
+        let save = self.save_file(path, self.first_mismatch());
+        files.add_text(&save_path(path), &save)
     }
 
     fn first_mismatch(&self) -> Option<u64> {

@@ -107,7 +107,6 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
         rows_per_stage: 4,
         bands: 1,
         trace: Some(TraceRequest {
-            path: folder.path().join("teapot.vcd"),
             object: 0,
             clocks: 100,
         }),
@@ -130,8 +129,10 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     assert_ne!(frame, broken_frame);
     let first = &report.first_mismatches[0];
     assert!(first.pixel.is_some() && first.hardware != Some(first.golden));
-    assert_eq!(report.files.len(), 2);
-    let vcd = std::fs::read_to_string(&report.files[0]).unwrap();
+    let trace = report.trace.expect("waveforms were asked for");
+    let files = trace.write(&folder.path().join("teapot.vcd")).unwrap();
+    assert_eq!(files.len(), 2);
+    let vcd = std::fs::read_to_string(&files[0]).unwrap();
     assert!(vcd.contains("processor_0") && vcd.contains("beam"));
 }
 

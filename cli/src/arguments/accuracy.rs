@@ -1,6 +1,6 @@
 //! Arguments of the commands that measure accuracy.
 
-use super::Size;
+use super::{Size, depth_word};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -28,6 +28,7 @@ pub struct Bounds {
         long,
         default_value_t = 100_000,
         value_name = "N",
+        value_parser = clap::value_parser!(u64).range(1..),
         conflicts_with = "scenes"
     )]
     pub cases: u64,
@@ -47,6 +48,7 @@ pub struct Bounds {
     #[arg(
         long,
         value_name = "W",
+        value_parser = depth_word,
         value_delimiter = ',',
         default_value = "16,20,24",
         requires = "scenes"
@@ -60,7 +62,7 @@ pub struct Sweep {
     /// Sweeps by name, listed in docs/sweeps.md; all of them if none is named.
     pub names: Vec<String>,
     /// Depth word in bits: 16, 20, 24, 28 or 32; the sweep word-length tries them all.
-    #[arg(long, default_value_t = 24, value_name = "W")]
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Folder for NAME.svg of each sweep, sweeps.json and sweeps.md; nothing is written without it.
     #[arg(long, value_name = "DIR")]

@@ -27,16 +27,16 @@ pub struct Fit {
     #[arg(long, value_name = "N")]
     pub max_face_errors: Option<CountLimit>,
     /// Greatest difference of a colour channel, in 1/255, where picture and truth show the same face.
-    #[arg(long, value_name = "C")]
+    #[arg(long, value_name = "C", value_parser = at_least_zero)]
     pub max_colour_error: Option<f64>,
     /// Greatest angle of a normal in degrees, where picture and truth show the same face.
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, value_name = "DEGREES", value_parser = at_least_zero)]
     pub max_normal_error: Option<f64>,
     /// Place and route the slowest units as well, for their clock.
     #[arg(long)]
     pub clock: bool,
     /// Clock that the slowest unit must reach on the target.
-    #[arg(long, value_name = "MHZ")]
+    #[arg(long, value_name = "MHZ", value_parser = at_least_zero)]
     pub min_mhz: Option<f64>,
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
@@ -89,4 +89,11 @@ impl Fit {
         }
         command + &format!(" --target {} --out {}", self.target, self.out.display())
     }
+}
+
+fn at_least_zero(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    value
+        .filter(|value| value.is_finite() && *value >= 0.0)
+        .ok_or_else(|| "expected a number, 0 or more, such as 0.5".to_owned())
 }

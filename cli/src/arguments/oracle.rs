@@ -1,6 +1,6 @@
 //! Arguments of `raytrace`, `cracks` and `repair`.
 
-use super::{Scene, Size, View};
+use super::{Scene, Size, View, depth_word};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -20,7 +20,7 @@ pub struct Raytrace {
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Depth word in bits: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 24, value_name = "W")]
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// How the scenes are looked at.
     #[command(flatten)]

@@ -1,5 +1,6 @@
 //! Arguments of the commands that judge the emitted Verilog.
 
+use super::depth_word;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -23,7 +24,7 @@ pub struct Mutate {
     /// Unit, as listed by `imogene units`, or `all` for those of the published table.
     pub unit: String,
     /// Depth word in bits: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 16, value_name = "W")]
+    #[arg(long, default_value_t = 16, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Mutants of a unit at most, at least 1.
     #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]

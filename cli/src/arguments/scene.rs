@@ -1,6 +1,6 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, Split};
+use super::{FrameRange, Split, depth_word};
 use clap::{Args, ValueEnum};
 use imogene_models::format::FittedWidths;
 use imogene_models::widths::{self, WidthsError};
@@ -27,7 +27,7 @@ pub struct Scene {
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Depth word in bits: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 24, value_name = "W")]
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
     #[arg(long, default_value = "0:0", value_name = "G1:G2")]

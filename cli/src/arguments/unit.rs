@@ -1,6 +1,6 @@
 //! Arguments of the commands about units: what they are, their Verilog, contracts and packages.
 
-use super::Widths;
+use super::{Widths, depth_word};
 use clap::Args;
 use imogene_models::machine::fitted::FittedSlot;
 use imogene_models::slots::{self, SlotsError};
@@ -21,7 +21,7 @@ pub struct Processors {
 #[derive(Debug, Args)]
 pub struct Roots {
     /// Depth word in bits, that is the root's: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 24, value_name = "W")]
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
 }
 
@@ -37,7 +37,7 @@ pub struct Demo {
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Shape {
     /// Depth word in bits: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 24, value_name = "W")]
+    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra].
     #[arg(long, value_name = "N")]

@@ -7,7 +7,7 @@ use crate::output;
 use imogene_models::check::{
     Accumulators, CheckReport, ObjectReport, PartsReport, QuadricReport, Summary, check,
 };
-use imogene_models::picture::{write_marks, write_png};
+use imogene_models::picture;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -82,16 +82,17 @@ impl Map<'_> {
 
     fn write(&self, report: &CheckReport, width: usize) -> Result<(), Failure> {
         let marks = report.marks();
-        let written = if self.is_picture {
-            let rgb: Vec<u8> = marks
-                .iter()
-                .flat_map(|&m| COLOURS[usize::from(m)])
-                .collect();
-            write_png(self.path, width, marks.len() / width, &rgb)
-        } else {
-            write_marks(self.path, width, &marks)
-        };
-        written.map_err(Failure::input)
+        let mut files = output::files();
+        files.add(self.path, |out| {
+            if !self.is_picture {
+                return picture::marks(out, width, &marks);
+            }
+            let colours = marks.iter().map(|&m| COLOURS[usize::from(m)]);
+            let rgb: Vec<u8> = colours.flatten().collect();
+            picture::png(out, width, marks.len() / width, &rgb)
+        })?;
+        files.finish()?;
+        Ok(())
     }
 }
 

@@ -4,9 +4,7 @@ use super::emit_request;
 use crate::arguments::Contract;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_whole;
 use imogene_package::contract::contract;
-use std::io::Write;
 
 /// Prints the contract of a unit, or writes it to a file.
 pub fn run(options: &Contract, json: bool) -> Result<(), Failure> {
@@ -18,9 +16,7 @@ pub fn run(options: &Contract, json: bool) -> Result<(), Failure> {
         contract.markdown()
     };
     match &options.out {
-        Some(path) => {
-            write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)
-        }
+        Some(path) => output::write_text(path, &text),
         None => {
             output::text(text.trim_end());
             Ok(())

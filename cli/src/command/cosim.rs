@@ -26,11 +26,16 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
     }
-    let report = if unit::is_unit(&options.subject) {
+    let mut report = if unit::is_unit(&options.subject) {
         run_unit(options)?
     } else {
         run_scene(options)?
     };
+    if let (Some(trace), Some(path)) = (report.trace.take(), &options.vcd) {
+        let mut files = output::files();
+        trace.add_to(&mut files, path)?;
+        report.files = files.finish()?;
+    }
     if json {
         output::json(&report);
     } else {
@@ -66,9 +71,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     };
     let wants_trace = options.vcd.is_some();
     let (mut report, trace) = random::run(&subject, options.clocks, options.seed, wants_trace);
-    if let (Some(trace), Some(path)) = (trace, &options.vcd) {
-        report.files = trace.write(path).map_err(Failure::input)?;
-    }
+    report.trace = trace;
     report.seed = Some(options.seed);
     report.netlist = options.netlist.clone();
     report.reproduce = format!(
@@ -143,8 +146,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage,
         bands: threads(),
-        trace: options.vcd.as_ref().map(|path| TraceRequest {
-            path: path.clone(),
+        trace: options.vcd.as_ref().map(|_| TraceRequest {
             object: options.trace_object,
             clocks: TRACE_CLOCKS,
         }),

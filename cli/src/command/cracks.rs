@@ -4,7 +4,7 @@ use super::{format_of, frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::DepthRange;
 use imogene_models::text::counted;
@@ -14,7 +14,6 @@ use imogene_oracle::paint;
 use imogene_oracle::plot::plot;
 use imogene_oracle::trace::Tracer;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Flagged pixels that are told to a person.
@@ -58,12 +57,13 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         let tracer = Tracer::new(&file, &framed.range, prepared.width, prepared.height);
         mark_openings(&mut found, &tracer);
     }
-    let mut files = vec![];
+    let mut files = output::files();
     if let Some(path) = &options.output {
         let flagged = found.iter().map(|c| c.y * frame.width + c.x);
         let rgb = paint::pixels(&frame, z_max, flagged, paint::FORBIDDEN, true);
-        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-        files.push(path.clone());
+        files.add(path, |out| {
+            picture::png(out, frame.width, frame.height, &rgb)
+        })?;
     }
     let scores = options.inject.map_or(vec![], |count| {
         scores(options, count, &prepared, &framed.range, rule)
@@ -71,8 +71,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     if let Some(path) = &options.plot {
         let scores: Vec<Score> = scores.iter().map(|row| row.score).collect();
         let text = plot(&scores).map_err(Failure::input)?;
-        write_whole(path, |file| file.write_all(text.as_bytes())).map_err(Failure::input)?;
-        files.push(path.clone());
+        files.add_text(path, &text)?;
     }
     let report = CrackReport {
         width: prepared.width,
@@ -81,7 +80,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         crack_width: rule.width,
         cracks: found,
         scores,
-        files,
+        files: files.finish()?,
     };
     if json {
         output::json(&report);

@@ -1,19 +1,18 @@
 //! `imogene demo`.
 
-use super::emit::{emitted, write_verilog};
+use super::emit::{add_verilog, emitted};
 use super::render::{golden_frame, golden_lighting};
 use super::{describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Shape, Size};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::shading;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture;
 use imogene_models::scene::SceneFile;
 use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
 use serde::Serialize;
-use std::io::Write;
 
 /// The teapot, compiled in so that the demo needs no file.
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
@@ -48,7 +47,6 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         rows_per_stage: 1,
         bands: threads(),
         trace: Some(TraceRequest {
-            path: options.out.join("trace.vcd"),
             object: TRACED,
             clocks: TRACE_CLOCKS,
         }),
@@ -76,7 +74,8 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     )?;
     // Written first: an unwritable folder is found before the long work.
     let emitted = emitted(&request, None)?;
-    let mut files = write_verilog(&emitted, &options.out, false)?;
+    let mut files = output::files();
+    add_verilog(&mut files, &emitted, &options.out, false)?;
 
     let bar = output::progress(
         u64::from(SIZE.width * SIZE.height),
@@ -92,14 +91,18 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         let path = options.out.join(name);
         let lighting = golden_lighting(frame, &prepared);
         let rgb = shading::shade(frame, &lighting, &framed, &prepared.format);
-        write_png(&path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-        files.push(path);
+        files.add(&path, |out| {
+            picture::png(out, frame.width, frame.height, &rgb)
+        })?;
     }
-    files.append(&mut report.files);
-    files.push(options.out.join("summary.json"));
+    if let Some(trace) = report.trace.take() {
+        trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
+    }
+    let summary_path = options.out.join("summary.json");
     report.subject = "teapot".into();
     report.reproduce = format!("imogene demo --out {}", options.out.display());
-    report.files = files;
+    report.files = files.paths();
+    report.files.push(summary_path.clone());
     let summary = Summary {
         pictures_identical: frame == golden,
         report,
@@ -109,15 +112,12 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         planes: shape.planes,
         latency: emitted.latency,
     };
-    finish(options, &summary, json)
+    files.add_text(&summary_path, &(output::json_text(&summary) + "\n"))?;
+    files.finish()?;
+    tell(&summary, json)
 }
 
-fn finish(options: &Demo, summary: &Summary, json: bool) -> Result<(), Failure> {
-    write_whole(&options.out.join("summary.json"), |out| {
-        serde_json::to_writer_pretty(&mut *out, summary)?;
-        out.write_all(b"\n")
-    })
-    .map_err(Failure::input)?;
+fn tell(summary: &Summary, json: bool) -> Result<(), Failure> {
     if json {
         output::json(summary);
     } else {

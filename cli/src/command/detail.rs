@@ -8,7 +8,7 @@ use imogene_models::detail::precision::guard_bits;
 use imogene_models::detail::reduce::{Fate, ReducedObject};
 use imogene_models::detail::report::{Changed, Report, WorkSaved, ZoneStream};
 use imogene_models::detail::zones::{Touches, beside, map};
-use imogene_models::picture::write_png;
+use imogene_models::picture;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::text::counted;
 use serde::Serialize;
@@ -112,12 +112,9 @@ fn write_maps(
     out: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
     let size = (prepared.width as usize, prepared.height as usize);
-    let mut files = vec![];
+    let mut files = output::files();
     let mut write = |name: &str, width: usize, rgb: &[u8]| {
-        let path = out.join(name);
-        write_png(&path, width, size.1, rgb).map_err(Failure::input)?;
-        files.push(path);
-        Ok::<(), Failure>(())
+        files.add(&out.join(name), |out| picture::png(out, width, size.1, rgb))
     };
     write("picture.png", size.0, &report.picture)?;
     let mut pair = |name: &str, before: Vec<u64>, after: Vec<u64>| {
@@ -143,7 +140,7 @@ fn write_maps(
             volumes.iter().map(|zone| zone[1]).collect(),
         )?;
     }
-    Ok(files)
+    Ok(files.finish()?)
 }
 
 fn fate(object: &ReducedObject) -> &'static str {

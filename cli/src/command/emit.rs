@@ -4,13 +4,12 @@ use super::{emit_request, fitted};
 use crate::arguments::{Emit, Widths};
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::Outputs;
 use imogene_models::machine::fitted::FittedMachine;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What was emitted; the keys are stable.
@@ -39,7 +38,9 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
         Some(widths) => fitted_machine(options, widths, request.unit)?,
         None => emitted(&request, options.prefix.as_deref())?,
     };
-    let files = write_verilog(&emitted, &options.out, options.split)?;
+    let mut files = output::files();
+    add_verilog(&mut files, &emitted, &options.out, options.split)?;
+    let files = files.finish()?;
     let report = EmitReport {
         unit: request.unit.name(),
         top: emitted.top.clone(),
@@ -93,12 +94,13 @@ fn fitted_machine(options: &Emit, widths: &Widths, unit: Unit) -> Result<Emitted
     fitted::emit(&machine, options.prefix.as_deref())
 }
 
-/// Writes one file, or one for each module and a list of them; returns the files.
-pub fn write_verilog(
+/// Adds one file, or one for each module and a list of them.
+pub fn add_verilog(
+    files: &mut Outputs,
     emitted: &Emitted,
     folder: &Path,
     split: bool,
-) -> Result<Vec<PathBuf>, Failure> {
+) -> Result<(), Failure> {
     let texts = if split {
         let mut texts = emitted.files();
         let names: Vec<String> = texts.iter().map(|(name, _)| format!("{name}\n")).collect();
@@ -107,13 +109,10 @@ pub fn write_verilog(
     } else {
         vec![(format!("{}.v", emitted.top), emitted.bundle())]
     };
-    let mut files = Vec::new();
     for (name, text) in &texts {
-        let path = folder.join(name);
-        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-        files.push(path);
+        files.add_text(&folder.join(name), text)?;
     }
-    Ok(files)
+    Ok(())
 }
 
 fn port(port: &imogene_rtl::emit::Port) -> PortEntry {

@@ -7,13 +7,11 @@ use imogene_models::evaluate::{
     Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
     markdown, operations_plot, page,
 };
-use imogene_models::picture::write_whole;
 use imogene_package::processors::processors;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
 use imogene_rtl::machine::zone_core::{ZONE_BITS, ZoneShape};
 use imogene_verif::display::request::zone_timing;
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// All that is counted; the keys are stable.
@@ -77,9 +75,8 @@ fn hardware() -> Result<Hardware, Failure> {
 
 fn write(folder: &Path, evaluation: &Evaluation) -> Result<Vec<PathBuf>, Failure> {
     let failed = |error: imogene_models::evaluate::EvaluateError| Failure::Check(error.to_string());
-    let figures =
-        serde_json::to_string_pretty(evaluation).expect("rows have no unserialisable keys");
-    let files = [
+    let figures = output::json_text(evaluation);
+    let texts = [
         (
             "index.html",
             page(evaluation, env!("CARGO_PKG_VERSION")).map_err(failed)?,
@@ -95,9 +92,9 @@ fn write(folder: &Path, evaluation: &Evaluation) -> Result<Vec<PathBuf>, Failure
             operations_plot(evaluation).map_err(failed)?,
         ),
     ];
-    let files = files.map(|(name, text)| (folder.join(name), text));
-    for (path, text) in &files {
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    let mut files = output::files();
+    for (name, text) in &texts {
+        files.add_text(&folder.join(name), text)?;
     }
-    Ok(files.map(|(path, _)| path).to_vec())
+    Ok(files.finish()?)
 }

@@ -14,7 +14,7 @@ use imogene_models::fit::search::{Outcome, search};
 use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::metrics::Metrics;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture;
 use imogene_models::scene::SceneFile;
 use imogene_models::text::counted;
 use imogene_models::{slots, widths};
@@ -25,7 +25,6 @@ use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -274,12 +273,8 @@ fn write(
     emitted: &Emitted,
     options: &Fit,
 ) -> Result<(), Failure> {
-    let put = |name: &str, text: &str| {
-        let path = options.out.join(name);
-        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-        Ok::<PathBuf, Failure>(path)
-    };
-    report.files.push(put("beam.v", &emitted.bundle())?);
+    let mut files = output::files();
+    files.add_text(&options.out.join("beam.v"), &emitted.bundle())?;
     for (index, frame) in frames.all().iter().enumerate() {
         let (rgb, map) = frame.picture(&drawn.prepared[index]);
         let number = if frames.all().len() > 1 {
@@ -290,16 +285,16 @@ fn write(
         for (name, picture) in [("golden", rgb), ("errors", map)] {
             let path = options.out.join(format!("{name}{number}.png"));
             let (width, height) = (frame.truth.width, frame.truth.height);
-            write_png(&path, width, height, &picture).map_err(Failure::input)?;
-            report.files.push(path);
+            files.add(&path, |out| picture::png(out, width, height, &picture))?;
         }
     }
-    report
-        .files
-        .push(put("contract.md", &contract::page(report, emitted))?);
-    report.files.push(options.out.join("fit.json"));
-    let text = serde_json::to_string_pretty(report).map_err(Failure::input)?;
-    put("fit.json", &text)?;
+    let page = contract::page(report, emitted);
+    files.add_text(&options.out.join("contract.md"), &page)?;
+    let figures = options.out.join("fit.json");
+    report.files = files.paths();
+    report.files.push(figures.clone());
+    files.add_text(&figures, &output::json_text(report))?;
+    files.finish()?;
     Ok(())
 }
 

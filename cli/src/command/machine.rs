@@ -4,6 +4,7 @@ use super::{describe, frame_scene, read_scene, verdict};
 use crate::arguments::{Machine, Refine, View};
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::Outputs;
 use imogene_models::animation::Playback;
 use imogene_models::machine::description::{MachineDescription, Output};
 use imogene_models::machine::display::{DisplayError, Image, refined_image};
@@ -12,7 +13,7 @@ use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
 use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_models::machine::zone::plot::plot;
-use imogene_models::picture::{read_mask, write_png, write_whole};
+use imogene_models::picture::{self, read_mask};
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
 use imogene_models::text::counted;
@@ -23,7 +24,6 @@ use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
 use imogene_verif::display::request::{request, zone_timing};
 use imogene_verif::report::Report;
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What a machine was and did; the keys are stable.
@@ -65,8 +65,8 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
     let images = images(&scenes, &machine, options)?;
     let command = command_of(options);
     let request = request(&machine, &command);
-    let (top, verilog) = write_verilog(&request, &options.out)?;
-    let mut files = vec![verilog];
+    let mut files = output::files();
+    let top = add_verilog(&request, &options.out, &mut files)?;
     let timing = zone_timing_of(&request, &machine)?;
     let mut growths = vec![];
     if options.growth {
@@ -94,14 +94,14 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
         &mut files,
     )?;
     if options.emit_only {
-        files.extend(write_bench(
+        add_bench(
             &machine,
             &top,
             &scenes,
             &images,
             overlay.as_ref(),
-            &options.out,
-        )?);
+            (&options.out, &mut files),
+        )?;
     }
     let mode = machine.video_mode().map_or((0, 0), |mode| {
         (mode.clocks(), mode.line.active * mode.frame.active)
@@ -128,12 +128,12 @@ pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
             reproduce: command,
             ..o.report
         }),
-        files,
+        files: files.paths(),
     };
     let path = options.out.join("summary.json");
     summary.files.push(path.clone());
-    let text = serde_json::to_string_pretty(&summary).expect("reports have no unserialisable keys");
-    write_text(&path, &text)?;
+    files.add_text(&path, &output::json_text(&summary))?;
+    files.finish()?;
     tell(&summary, json);
     match &summary.report {
         Some(report) => verdict(report),
@@ -278,23 +278,27 @@ fn command_of(options: &Machine) -> String {
     )
 }
 
-/// Name of the top module, and the file of its Verilog.
-fn write_verilog(request: &DisplayRequest, out: &Path) -> Result<(String, PathBuf), Failure> {
+/// Adds the Verilog to the files; returns the name of the top module.
+fn add_verilog(
+    request: &DisplayRequest,
+    out: &Path,
+    files: &mut Outputs,
+) -> Result<String, Failure> {
     let emitted = emit_display(request).map_err(Failure::input)?;
     let path = out.join(format!("{}.v", emitted.top));
-    write_text(&path, &emitted.bundle())?;
-    Ok((emitted.top, path))
+    files.add_text(&path, &emitted.bundle())?;
+    Ok(emitted.top)
 }
 
-/// What a bench of the user's own drives the machine with.
-fn write_bench(
+/// Adds what a bench of the user's own drives the machine with.
+fn add_bench(
     machine: &MachineDescription,
     top: &str,
     scenes: &[Scene],
     images: &[Image],
     overlay: Option<&OverlayPlane>,
-    out: &Path,
-) -> Result<Vec<PathBuf>, Failure> {
+    (out, files): (&Path, &mut Outputs),
+) -> Result<(), Failure> {
     let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
         scene: &scene.name,
         image,
@@ -306,17 +310,10 @@ fn write_bench(
         frames: &frames,
         overlay,
     };
-    let mut written = vec![];
     for (name, text) in bench.files().map_err(Failure::input)? {
-        let path = out.join(name);
-        write_text(&path, &text)?;
-        written.push(path);
+        files.add_text(&out.join(name), &text)?;
     }
-    Ok(written)
-}
-
-fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    write_whole(path, |file| file.write_all(text.as_bytes())).map_err(Failure::input)
+    Ok(())
 }
 
 fn zone_timing_of(
@@ -334,7 +331,7 @@ fn grow(
     machine: &MachineDescription,
     timing: Option<ZoneTiming>,
     out: &Path,
-    files: &mut Vec<PathBuf>,
+    files: &mut Outputs,
 ) -> Result<Vec<Growth>, Failure> {
     let timing = timing.ok_or_else(|| {
         Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
@@ -347,9 +344,8 @@ fn grow(
         scene.width / machine.supersampling,
         scene.height / machine.supersampling
     );
-    let path = out.join("growth.svg");
-    write_text(&path, &plot(&title, &rows).map_err(Failure::input)?)?;
-    files.push(path);
+    let text = plot(&title, &rows).map_err(Failure::input)?;
+    files.add_text(&out.join("growth.svg"), &text)?;
     Ok(rows)
 }
 
@@ -384,16 +380,16 @@ fn write_pictures(
     golden: Option<&[u8]>,
     outcome: Option<&PinsOutcome>,
     out: &Path,
-    files: &mut Vec<PathBuf>,
+    files: &mut Outputs,
 ) -> Result<(), Failure> {
     let Some((mode, golden)) = machine.video_mode().zip(golden) else {
         return Ok(());
     };
     let size = (mode.line.active as usize, mode.frame.active as usize);
     let mut write = |name: &str, picture: &[u8]| {
-        let path = out.join(name);
-        write_png(&path, size.0, size.1, picture).map_err(Failure::input)?;
-        files.push(path);
+        files.add(&out.join(name), |out| {
+            picture::png(out, size.0, size.1, picture)
+        })?;
         Ok::<(), Failure>(())
     };
     write("golden.png", golden)?;

@@ -3,13 +3,11 @@
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::emit;
 use imogene_verif::mutation::{self, Design, MutationReport, table};
 use imogene_verif::unit::{Parameters, subject};
-use std::io::Write;
 
 /// Scores one unit or all of the published table.
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
@@ -27,7 +25,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             }
             Ok(report)
         })
-        .collect::<Result<_, _>>()?;
+        .collect::<Result<_, Failure>>()?;
     if let Some(path) = &options.out {
         let command = format!(
             "imogene mutate {} --format {} --mutants {} --out {}",
@@ -37,7 +35,7 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
             path.display()
         );
         let text = table::markdown(&reports, &command);
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        output::write_text(path, &text)?;
     }
     if json {
         output::json(&reports);

@@ -3,12 +3,10 @@
 use crate::arguments::Package;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use imogene_package::core::package;
 use imogene_rtl::catalogue::Unit;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// What was written; the keys are stable.
@@ -27,11 +25,11 @@ pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
         bytes: texts.iter().map(|(_, text)| text.len()).sum(),
         files: Vec::new(),
     };
+    let mut files = output::files();
     for (name, text) in &texts {
-        let path = options.out.join(name);
-        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-        report.files.push(path);
+        files.add_text(&options.out.join(name), text)?;
     }
+    report.files = files.finish()?;
     if json {
         output::json(&report);
     } else {

@@ -13,10 +13,9 @@ use imogene_models::compare::speed::{FacetWork, Speed, facets, measure, work};
 use imogene_models::compare::{Drawn, Subject, Variant};
 use imogene_models::format::Format;
 use imogene_models::metrics::PixelError;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture;
 use imogene_models::scene::SceneFile;
 use serde::Serialize;
-use std::io::Write;
 use std::path::Path;
 use std::time::Duration;
 
@@ -87,7 +86,7 @@ pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     };
     let text = page::markdown(&comparison);
     if let Some(folder) = &options.out {
-        write(folder, &comparison, &text, &subject, &drawn).map_err(Failure::input)?;
+        write(folder, &comparison, &text, &subject, &drawn)?;
     }
     if json {
         output::json(&comparison);
@@ -130,19 +129,19 @@ fn write(
     text: &str,
     subject: &Subject,
     drawn: &[(Drawn, Vec<PixelError>)],
-) -> Result<(), imogene_models::picture::WriteError> {
+) -> Result<(), Failure> {
     let panels: Vec<(&Drawn, &[PixelError])> = drawn
         .iter()
         .map(|(one, pixels)| (one, pixels.as_slice()))
         .collect();
     let sheet = sheet(&panels, subject.truth.words_per_pixel);
-    let picture = folder.join("comparison.png");
-    write_png(&picture, sheet.width, sheet.height, &sheet.rgb)?;
-    write_whole(&folder.join("comparison.json"), |out| {
-        serde_json::to_writer_pretty(&mut *out, comparison)?;
-        out.write_all(b"\n")
+    let figures = output::json_text(comparison) + "\n";
+    let mut files = output::files();
+    files.add(&folder.join("comparison.png"), |out| {
+        picture::png(out, sheet.width, sheet.height, &sheet.rgb)
     })?;
-    write_whole(&folder.join("comparison.md"), |out| {
-        out.write_all(text.as_bytes())
-    })
+    files.add_text(&folder.join("comparison.json"), &figures)?;
+    files.add_text(&folder.join("comparison.md"), text)?;
+    files.finish()?;
+    Ok(())
 }

@@ -3,17 +3,15 @@
 use crate::arguments::Processors;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use imogene_package::processors::{COMMAND, markdown, processors};
-use std::io::Write;
 
 /// Lists the object processors with their parts, or writes the list to a file.
 pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
     let list = processors().map_err(Failure::input)?;
     if let Some(path) = &options.out {
         let text = markdown(&list, COMMAND);
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+        output::write_text(path, &text)?;
     }
     if json {
         output::json(&list);

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::{missing, output};
 use imogene_models::format::Format;
 use imogene_models::machine::frame::Frame;
-use imogene_models::picture::{write_png, write_whole};
+use imogene_models::picture;
 use imogene_models::prepare::Options;
 use imogene_models::text::counted;
 use imogene_oracle::compare::{Comparison, Mark};
@@ -16,7 +16,6 @@ use imogene_oracle::run::{Outcome, run as trace};
 use imogene_oracle::survey::{Finding, survey};
 use imogene_oracle::table::{Row, table};
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What was compared; the keys are stable.
@@ -39,15 +38,16 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
     if let Some(scenes) = options.random {
         return random(scenes, options, format, json);
     }
-    let (mut rows, mut files) = (vec![], vec![]);
+    let (mut rows, mut files) = (vec![], output::files());
     for path in &options.scenes {
         let (row, picture) = one(path, options, &format)?;
         if let Some((frame, marks)) = picture
             && let Some(file) = picture_of(path, options)
         {
             let rgb = paint::comparison(&frame, format.z_max(), &marks);
-            write_png(&file, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-            files.push(file);
+            files.add(&file, |out| {
+                picture::png(out, frame.width, frame.height, &rgb)
+            })?;
         }
         if !json {
             tell(&row);
@@ -55,10 +55,9 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
         rows.push(row);
     }
     if let Some(path) = &options.table {
-        let text = table(&rows);
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-        files.push(path.clone());
+        files.add_text(path, &table(&rows))?;
     }
+    let files = files.finish()?;
     let failed = rows.iter().filter(|row| !row.holds()).count();
     if json {
         output::json(&TraceReport {
@@ -92,11 +91,13 @@ fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result
         ("DIFFERS", &found.differing),
     ];
     if let Some(folder) = &options.out {
+        let mut files = output::files();
         for finding in lists.iter().flat_map(|(_, list)| *list) {
             let file = folder.join(format!("{}-{}.toml", options.seed, finding.number));
             let text = scene_text(options.seed, finding.number);
-            write_whole(&file, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+            files.add_text(&file, &text)?;
         }
+        files.finish()?;
     }
     if json {
         output::json(&found);

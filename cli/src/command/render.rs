@@ -22,6 +22,7 @@ use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots};
 use serde::Serialize;
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -300,20 +301,20 @@ fn write(
     prepared: &PreparedScene,
 ) -> Result<Vec<PathBuf>, Failure> {
     let rgb = shading::shade(frame, lighting, framed, &prepared.format);
-    let output = options.output();
-    picture::write_png(&output, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-    let mut files = vec![output];
-    type Writer = fn(&std::path::Path, &Frame) -> Result<(), picture::WriteError>;
+    let mut files = output::files();
+    files.add(&options.output(), |out| {
+        picture::png(out, frame.width, frame.height, &rgb)
+    })?;
+    type Writer = fn(&mut dyn Write, &Frame) -> std::io::Result<()>;
     let arrays: [(&Option<PathBuf>, Writer); 3] = [
-        (&options.depth, picture::write_depth),
-        (&options.ids, picture::write_ids),
-        (&options.normals, picture::write_normals),
+        (&options.depth, picture::depth),
+        (&options.ids, picture::ids),
+        (&options.normals, picture::normals),
     ];
     for (path, write) in arrays {
         if let Some(path) = path {
-            write(path, frame).map_err(Failure::input)?;
-            files.push(path.clone());
+            files.add(path, |out| write(out, frame))?;
         }
     }
-    Ok(files)
+    Ok(files.finish()?)
 }

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_models::exact::render::{render, to_frame};
 use imogene_models::machine::shading;
-use imogene_models::picture::write_png;
+use imogene_models::picture;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
 use imogene_models::text::counted;
@@ -91,21 +91,23 @@ fn write(
     prepared: &PreparedScene,
     repaired: &Repaired,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let mut files = vec![];
+    let mut files = output::files();
     let frame = &repaired.frame;
     if let Some(path) = &options.output {
         let lighting = golden_lighting(frame, prepared);
         let rgb = shading::shade(frame, &lighting, framed, &prepared.format);
-        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-        files.push(path.clone());
+        files.add(path, |out| {
+            picture::png(out, frame.width, frame.height, &rgb)
+        })?;
     }
     if let Some(path) = &options.map {
         let open = (0..repaired.open.len()).filter(|&i| repaired.open[i]);
         let rgb = paint::pixels(frame, prepared.format.z_max(), open, paint::ALLOWED, false);
-        write_png(path, frame.width, frame.height, &rgb).map_err(Failure::input)?;
-        files.push(path.clone());
+        files.add(path, |out| {
+            picture::png(out, frame.width, frame.height, &rgb)
+        })?;
     }
-    Ok(files)
+    Ok(files.finish()?)
 }
 
 fn tell(report: &Report) {

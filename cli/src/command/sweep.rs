@@ -4,10 +4,8 @@ use crate::arguments;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::format::Format;
-use imogene_models::picture::write_whole;
 use imogene_models::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// All that is measured; the keys are stable.
@@ -57,19 +55,16 @@ fn page(sweeps: &[SweepResult]) -> String {
 }
 
 fn write(folder: &Path, sweeps: &[SweepResult]) -> Result<Vec<PathBuf>, Failure> {
-    let mut files: Vec<(PathBuf, String)> = vec![];
+    let mut files = output::files();
     for sweep in sweeps {
         let picture = plot(sweep).map_err(|error| Failure::Check(error.to_string()))?;
-        files.push((folder.join(format!("{}.svg", sweep.name)), picture));
+        files.add_text(&folder.join(format!("{}.svg", sweep.name)), &picture)?;
     }
-    let figures = serde_json::to_string_pretty(sweeps).expect("sweeps have no unserialisable keys");
-    files.push((folder.join("sweeps.json"), figures + "\n"));
+    let figures = output::json_text(&sweeps) + "\n";
+    files.add_text(&folder.join("sweeps.json"), &figures)?;
     let sections: Vec<String> = sweeps.iter().map(|sweep| section(sweep, "")).collect();
-    files.push((folder.join("sweeps.md"), sections.join("\n")));
-    for (path, text) in &files {
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-    }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    files.add_text(&folder.join("sweeps.md"), &sections.join("\n"))?;
+    Ok(files.finish()?)
 }
 
 fn verdict(sweeps: &[SweepResult]) -> Result<(), Failure> {

@@ -6,11 +6,9 @@ use super::emit_request;
 use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use imogene_synth::baseline::Baseline;
 use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Synthesises a unit, makes the resource table, or checks against it.
@@ -58,20 +56,17 @@ fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
     let bar = output::progress(rows.len() as u64, "synthesis");
     let table = table::make(&rows, |_| bar.inc(1)).map_err(Failure::input)?;
     bar.finish_and_clear();
-    let mut files = vec![
-        (options.out.clone(), table.markdown()),
-        (figures, Baseline::of(&table).json()),
-    ];
+    let mut files = output::files();
+    files.add_text(&options.out, &table.markdown())?;
+    files.add_text(&figures, &Baseline::of(&table).json())?;
     if let Some(picture) = table.picture().map_err(Failure::input)? {
-        files.push((beside(&options.out, table::PICTURE), picture));
+        files.add_text(&beside(&options.out, table::PICTURE), &picture)?;
     }
-    for (path, text) in &files {
-        write_whole(path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-    }
+    let files = files.finish()?;
     if json {
         output::json(&table.reports());
     } else {
-        let files = files.iter().map(|(path, _)| path.display().to_string());
+        let files = files.iter().map(|path| path.display().to_string());
         output::text(format!("wrote {}", files.collect::<Vec<_>>().join(", ")));
     }
     Ok(())

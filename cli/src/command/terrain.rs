@@ -5,9 +5,7 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_import::terrain::heights_text;
 use imogene_import::terrain::random_field::{FieldOptions, field};
-use imogene_models::picture::write_whole;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// What was made; the keys are stable.
@@ -37,7 +35,7 @@ pub fn run(options: &Terrain, json: bool) -> Result<(), Failure> {
     };
     let made = field(&asked).map_err(Failure::input)?;
     let text = heights_text(&made, &asked, distance);
-    write_whole(&options.output, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    output::write_text(&options.output, &text)?;
     let heights = || made.heights.iter().copied();
     let report = TerrainReport {
         side: made.side,

@@ -8,7 +8,6 @@ use crate::failure::Failure;
 use crate::{missing, output};
 use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
-use imogene_models::picture::write_whole;
 use imogene_models::scene::SceneFile;
 use imogene_models::text::counted;
 use imogene_models::trade::design::Space;
@@ -20,7 +19,6 @@ use imogene_models::trade::run::{self, Request};
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
 use serde_json::json;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -106,10 +104,8 @@ fn costs(machines: &[FittedMachine], target: Target, options: &Trade) -> Result<
     if options.no_cost {
         return Err("not asked for; run the command again without --no-cost".into());
     }
-    let costs =
-        fitted::costs(machines, target, options.clock).map_err(|failure| match failure {
-            Failure::Check(problem) | Failure::Input(problem) => problem,
-        })?;
+    let costs = fitted::costs(machines, target, options.clock)
+        .map_err(|failure| failure.message().unwrap_or_default())?;
     let cost = |c: &MachineCost| Cost {
         lut: c.lut,
         ff: c.ff,
@@ -129,22 +125,16 @@ fn own_digest() -> Result<String, Failure> {
 }
 
 fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mut files = vec![];
-    let mut put = |name: &str, text: String| -> Result<(), Failure> {
-        let path = folder.join(name);
-        write_whole(&path, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
-        files.push(path);
-        Ok(())
-    };
-    let json = serde_json::to_string_pretty(trade).map_err(Failure::input)?;
-    put("trade.json", json + "\n")?;
+    let mut files = output::files();
+    let mut put = |name: &str, text: String| files.add_text(&folder.join(name), &text);
+    put("trade.json", output::json_text(trade) + "\n")?;
     put("trade.csv", trade.csv())?;
     for front in &FRONTS {
         let picture = plot::draw(trade, front).map_err(Failure::input)?;
         put(&format!("plots/{}.svg", front.name), picture)?;
     }
     put("index.html", page(trade, folder).map_err(Failure::input)?)?;
-    Ok(files)
+    Ok(files.finish()?)
 }
 
 fn text(trade: &report::Trade, files: &[PathBuf], seconds: f64) -> String {

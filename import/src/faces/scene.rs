@@ -5,7 +5,7 @@ use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
 use super::vector::{Vector, along, cross, dot, minus, unit};
 use imogene_models::format::Format;
-use imogene_models::prepare::refused;
+use imogene_models::prepare::{Options, refused};
 use imogene_models::scene::{
     Camera, Cut, ImageSize, Light, Node, Object, SceneFile, Shape, Surface,
 };
@@ -77,7 +77,7 @@ fn refusals(scene: &SceneFile) -> Vec<String> {
     let Ok(framed) = scene.frame(width, height) else {
         return vec![];
     };
-    let found = refused(&framed, Format::BASE).into_iter();
+    let found = refused(&framed, Format::BASE, Options::default()).into_iter();
     found
         .map(|(index, _)| scene.objects[index].name.clone())
         .collect()

@@ -1,45 +1,24 @@
 //! An animated PNG, written frame by frame.
 
-use crate::picture::{WriteError, new_file_in};
 use std::fs::File;
-use std::io::{BufWriter, Error, Write};
-use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use std::io::{Error, Result};
 
-/// An animated PNG that appears under its name when it is finished, and not at all otherwise. It plays without end.
-pub struct Preview {
-    path: PathBuf,
-    file: NamedTempFile,
-    writer: png::Writer<BufWriter<File>>,
-}
+/// An animated PNG that plays without end.
+pub struct Preview(png::Writer<File>);
 
 impl Preview {
-    /// Begins one of so many frames; missing parent folders are created.
+    /// Begins one of so many frames in an empty file.
     ///
     /// # Errors
     ///
     /// If nothing can be written there.
-    pub fn new(path: &Path, (width, height): (u32, u32), frames: u32) -> Result<Self, WriteError> {
-        let begin = || -> std::io::Result<Preview> {
-            let folder = match path.parent() {
-                Some(parent) if !parent.as_os_str().is_empty() => parent,
-                _ => Path::new("."),
-            };
-            std::fs::create_dir_all(folder)?;
-            let file = new_file_in(folder)?;
-            let out = BufWriter::new(file.reopen()?);
-            let mut encoder = png::Encoder::new(out, width, height);
-            encoder.set_color(png::ColorType::Rgb);
-            encoder.set_depth(png::BitDepth::Eight);
-            encoder.set_animated(frames, 0).map_err(Error::other)?;
-            encoder.validate_sequence(true);
-            Ok(Preview {
-                path: path.to_path_buf(),
-                file,
-                writer: encoder.write_header().map_err(Error::other)?,
-            })
-        };
-        begin().map_err(|source| failed(path, source))
+    pub fn new(file: File, (width, height): (u32, u32), frames: u32) -> Result<Self> {
+        let mut encoder = png::Encoder::new(file, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_animated(frames, 0).map_err(Error::other)?;
+        encoder.validate_sequence(true);
+        encoder.write_header().map(Preview).map_err(Error::other)
     }
 
     /// Adds a frame, 8-bit RGB, that is shown for a time in seconds.
@@ -49,34 +28,20 @@ impl Preview {
     /// # Errors
     ///
     /// If it cannot be written.
-    pub fn frame(&mut self, rgb: &[u8], seconds: f64) -> Result<(), WriteError> {
+    pub fn frame(&mut self, rgb: &[u8], seconds: f64) -> Result<()> {
         let (numerator, denominator) = delay(seconds);
-        let set = self.writer.set_frame_delay(numerator, denominator);
-        let written = set.and_then(|()| self.writer.write_image_data(rgb));
-        written.map_err(|error| failed(&self.path, Error::other(error)))
+        let set = self.0.set_frame_delay(numerator, denominator);
+        let written = set.and_then(|()| self.0.write_image_data(rgb));
+        written.map_err(Error::other)
     }
 
-    /// Lets the file appear under its name.
+    /// Ends the file.
     ///
     /// # Errors
     ///
     /// If it cannot be written, or has not as many frames as were announced.
-    pub fn finish(self) -> Result<(), WriteError> {
-        let path = self.path;
-        let end = || -> std::io::Result<()> {
-            self.writer.finish().map_err(Error::other)?;
-            self.file.as_file().flush()?;
-            self.file.persist(&path).map_err(|e| e.error)?;
-            Ok(())
-        };
-        end().map_err(|source| failed(&path, source))
-    }
-}
-
-fn failed(path: &Path, source: Error) -> WriteError {
-    WriteError {
-        path: path.to_path_buf(),
-        source,
+    pub fn finish(self) -> Result<()> {
+        self.0.finish().map_err(Error::other)
     }
 }
 
@@ -90,6 +55,7 @@ fn delay(seconds: f64) -> (u16, u16) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
 
     /// What the decoder of the same crate reads back: its delays in seconds, and the pictures.
     fn read(path: &Path) -> Vec<(f64, Vec<u8>)> {
@@ -109,12 +75,11 @@ mod tests {
     #[test]
     fn frames_and_their_times_come_back() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("deep/preview.png");
+        let path = folder.path().join("preview.png");
         let pictures = [[10u8; 12], [200; 12], [30; 12]];
         let times = [0.04, 1.0 / 60.0, 60.0];
-        let mut preview = Preview::new(&path, (2, 2), 3).unwrap();
+        let mut preview = Preview::new(File::create(&path).unwrap(), (2, 2), 3).unwrap();
         for (picture, seconds) in pictures.iter().zip(times) {
-            assert!(!path.exists());
             preview.frame(picture, seconds).unwrap();
         }
         preview.finish().unwrap();
@@ -128,12 +93,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finished_does_not_appear() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("preview.png");
-        let mut preview = Preview::new(&path, (2, 2), 2).unwrap();
+    fn a_missing_frame_is_an_error() {
+        let mut preview = Preview::new(tempfile::tempfile().unwrap(), (2, 2), 2).unwrap();
         preview.frame(&[0; 12], 0.04).unwrap();
         assert!(preview.finish().is_err());
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }

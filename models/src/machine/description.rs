@@ -200,6 +200,9 @@ pub enum DescriptionError {
     },
 }
 
+/// Most bytes of a description, which has a dozen lines.
+const MAX_BYTES: u64 = 1 << 20;
+
 impl MachineDescription {
     /// Reads and checks a description.
     ///
@@ -208,11 +211,12 @@ impl MachineDescription {
     /// When the file cannot be read, is no description, or a value is out of its range.
     pub fn read(path: &Path) -> Result<MachineDescription, DescriptionError> {
         let file = path.display().to_string();
-        let text =
-            std::fs::read_to_string(path).map_err(|source| DescriptionError::Unreadable {
+        let text = imogene_files::read_text(path, MAX_BYTES).map_err(|source| {
+            DescriptionError::Unreadable {
                 file: file.clone(),
                 source,
-            })?;
+            }
+        })?;
         Self::parse(&text, &file)
     }
 

@@ -101,9 +101,25 @@ impl SceneError {
             line,
             column,
             problem: in_plain_words(error.message()),
-            text: text.lines().nth(line - 1).unwrap_or("").to_owned(),
+            text: around(text.lines().nth(line - 1).unwrap_or(""), column),
         }
     }
+}
+
+/// Characters of a line that are shown.
+const SHOWN: usize = 160;
+
+/// The part of a line around a column, from 1; a short line is shown whole.
+fn around(line: &str, column: usize) -> String {
+    let count = line.chars().count();
+    if count <= SHOWN {
+        return line.to_owned();
+    }
+    let first = column.saturating_sub(SHOWN / 2).min(count - SHOWN);
+    let shown: String = line.chars().skip(first).take(SHOWN).collect();
+    let before = if first > 0 { ".. " } else { "" };
+    let after = if first + SHOWN < count { " .." } else { "" };
+    format!("{before}{shown}{after}")
 }
 
 /// The reader's message on one line, with its names of Rust types put into words.
@@ -133,4 +149,24 @@ pub(crate) fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = before.matches('\n').count() + 1;
     (line, before[line_start..].chars().count() + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_long_line_the_part_around_the_column_is_shown() {
+        assert_eq!(around("radius = x", 10), "radius = x");
+        let line = format!("{}ä{}", "a".repeat(500), "b".repeat(500));
+        let shown = around(&line, 501);
+        assert!(
+            shown.starts_with(".. aaa") && shown.ends_with("bbb .."),
+            "{shown}"
+        );
+        assert!(shown.contains("aäb") && shown.chars().count() == SHOWN + 6);
+        assert!(around(&line, 1).starts_with("aaa") && around(&line, 1).ends_with("aaa .."));
+        let end = around(&line, 1001);
+        assert!(end.starts_with(".. bbb") && end.ends_with("bbb"), "{end}");
+    }
 }

@@ -3,7 +3,6 @@
 use super::point::Point;
 use crate::picture::{WriteError, write_whole};
 use serde::{Deserialize, Serialize};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What a result depends on besides its point.

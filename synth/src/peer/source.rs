@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Names of a clock port that are looked for if none is given.
+/// Most bytes of a Verilog file.
+const MAX_BYTES: u64 = 64 << 20;
 const CLOCKS: [&str; 2] = ["clk", "clock"];
 
 /// A design of another project, from files of the user.
@@ -192,7 +194,7 @@ impl<'a> Source<'a> {
         let mut all = String::new();
         let mut commands = Vec::new();
         for (index, file) in peer.files.iter().enumerate() {
-            let text = std::fs::read_to_string(file).map_err(SynthError::file(file))?;
+            let text = imogene_files::read_text(file, MAX_BYTES).map_err(SynthError::file(file))?;
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             let own = format!("file{index}");
             std::fs::create_dir_all(folder.join(&own)).map_err(SynthError::file(folder))?;

@@ -111,6 +111,15 @@ pub fn prove_all(
     pool.install(|| tasks.par_iter().with_max_len(1).map(run).collect())
 }
 
+/// The folder where a person finds it after the process, whose own temporary files are removed.
+fn kept(folder: tempfile::TempDir) -> Result<PathBuf, FormalError> {
+    let name = folder.path().file_name().unwrap_or_default();
+    let lasting = std::env::temp_dir().join(name);
+    let folder = folder.keep();
+    std::fs::rename(&folder, &lasting).map_err(FormalError::io(lasting.display()))?;
+    Ok(lasting)
+}
+
 /// Runs one task.
 ///
 /// # Errors
@@ -150,6 +159,6 @@ pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError>
         detail,
         tools: tools.versions.clone(),
         seconds,
-        folder: (!ok).then(|| folder.keep()),
+        folder: if ok { None } else { Some(kept(folder)?) },
     })
 }

@@ -17,9 +17,7 @@ use crate::trace::Trace;
 use band::Band;
 use imogene_models::machine::frame::Frame;
 use imogene_models::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
-use imogene_models::picture::WriteError;
 use imogene_models::prepare::{PreparedObject, PreparedScene};
-use std::path::PathBuf;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -29,8 +27,6 @@ pub const MAX_OBJECTS: usize = 256;
 /// Waveforms wanted of a run.
 #[derive(Clone, Debug)]
 pub struct TraceRequest {
-    /// VCD file; the save file goes beside it.
-    pub path: PathBuf,
     /// Slot whose inside is traced.
     pub object: usize,
     /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always recorded.
@@ -116,9 +112,6 @@ pub enum CosimError {
         /// Slots of the machine.
         objects: usize,
     },
-    /// A trace that could not be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
 }
 
 /// The machine that a scene needs.
@@ -264,9 +257,7 @@ impl Bands<'_> {
         for (part, lines, trace) in parts {
             report.absorb(part);
             append(&mut frame, lines);
-            if let (Some(trace), Some(request)) = (trace, &options.trace) {
-                report.files.extend(trace.write(&request.path)?);
-            }
+            report.trace = report.trace.or(trace);
         }
         report.timed(started.elapsed().as_secs_f64());
         Ok((report, frame))

@@ -8,10 +8,8 @@ use crate::arguments::{Import, ImportKind};
 use crate::failure::Failure;
 use crate::output;
 use imogene_import::Imported;
-use imogene_models::picture::write_whole;
 use imogene_models::text::counted;
 use serde::Serialize;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What was read; the keys are stable.
@@ -25,13 +23,16 @@ struct ImportReport {
     files: Vec<PathBuf>,
 }
 
+/// Most bytes of a file: ten million atoms in PDB's columns take eight hundred million.
+const MAX_BYTES: u64 = 1 << 30;
+
 /// Reads a file and writes its scene.
 pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     let kind = match options.kind {
         Some(kind) => kind,
         None => kind_of(&options.file)?,
     };
-    let bytes = std::fs::read(&options.file)
+    let bytes = imogene_files::read(&options.file, MAX_BYTES)
         .map_err(|e| Failure::Input(format!("cannot read '{}': {e}", options.file.display())))?;
     let (kind, imported) = match kind {
         ImportKind::Pdb => ("pdb", molecule::import(&bytes, options)?),
@@ -40,7 +41,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
         ImportKind::Heights => ("heights", terrain::import(&bytes, options)?),
     };
     let text = imported.scene.to_toml().map_err(Failure::input)?;
-    write_whole(&options.output, |out| out.write_all(text.as_bytes())).map_err(Failure::input)?;
+    output::write_text(&options.output, &text)?;
     print(options, kind, imported, json);
     Ok(())
 }

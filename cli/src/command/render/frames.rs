@@ -5,6 +5,7 @@ use crate::arguments::{FrameRange, Model, Render};
 use crate::command::{format_of, read_scene, size_of};
 use crate::failure::Failure;
 use crate::{missing, output};
+use imogene_files::{Outputs, WriteError};
 use imogene_models::animation::{Animator, PreparedFrame, Preview};
 use imogene_models::machine::lighting::Lighting;
 use imogene_models::machine::{beam, shading};
@@ -12,7 +13,6 @@ use imogene_models::picture;
 use imogene_models::prepare::Reuse;
 use imogene_models::text::counted;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -71,22 +71,27 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
         .map_err(|e| named(e.to_string()))?;
     let preview_path = options.output().join("animation.png");
     let count = range.clone().count();
-    let mut preview = Preview::new(&preview_path, size, count as u32).map_err(Failure::input)?;
-    let frames = draw(options, animator, range, &mut preview)?;
-    preview.finish().map_err(Failure::input)?;
+    let failed = |error| Failure::from(WriteError::at(&preview_path)(error));
+    let mut files = output::files();
+    let preview = Preview::new(files.open(&preview_path)?, size, count as u32);
+    let mut preview = preview.map_err(failed)?;
+    let frames = draw(options, animator, range, &mut files, |rgb, seconds| {
+        preview.frame(rgb, seconds).map_err(failed)
+    })?;
+    preview.finish().map_err(failed)?;
     let report = FramesReport {
         scene: options.scene.scene.clone(),
         model: model_name(options),
         width: size.0,
         height: size.1,
         seconds: started.elapsed().as_secs_f64(),
-        preview: preview_path,
+        preview: preview_path.clone(),
         reuse: total(&frames),
         frames,
     };
-    let text = serde_json::to_string_pretty(&report).expect("reports have no unserialisable keys");
     let report_path = options.output().join("frames.json");
-    picture::write_whole(&report_path, |out| writeln!(out, "{text}")).map_err(Failure::input)?;
+    files.add_text(&report_path, &(output::json_text(&report) + "\n"))?;
+    files.finish()?;
     if json {
         output::json(&report);
     } else {
@@ -108,7 +113,8 @@ fn draw(
     options: &Render,
     mut animator: Animator,
     range: std::ops::RangeInclusive<usize>,
-    preview: &mut Preview,
+    files: &mut Outputs,
+    mut show: impl FnMut(&[u8], f64) -> Result<(), Failure>,
 ) -> Result<Vec<FrameReport>, Failure> {
     let bar = output::progress(range.clone().count() as u64, "frames");
     let mut reports = vec![];
@@ -129,10 +135,10 @@ fn draw(
         let (rgb, covered_pixels) = picture_of(options, &frame);
         let draw_seconds = started.elapsed().as_secs_f64();
         let (width, height) = (frame.prepared.width, frame.prepared.height);
-        picture::write_png(&file, width as usize, height as usize, &rgb).map_err(Failure::input)?;
-        preview
-            .frame(&rgb, frame.frame.duration)
-            .map_err(Failure::input)?;
+        files.add(&file, |out| {
+            picture::png(out, width as usize, height as usize, &rgb)
+        })?;
+        show(&rgb, frame.frame.duration)?;
         reports.push(FrameReport {
             frame: number,
             image: frame.frame.image,

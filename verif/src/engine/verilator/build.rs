@@ -2,6 +2,7 @@
 
 use super::shim::{CLASS, Sources, WRAPPER};
 use crate::tool::{COMPILER, ToolError, VERILATOR, write};
+use imogene_files::Scratch;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
@@ -112,11 +113,8 @@ pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
     Ok(path)
 }
 
-fn scratch(cache: &Path) -> Result<tempfile::TempDir, ToolError> {
-    tempfile::Builder::new()
-        .prefix("build-")
-        .tempdir_in(cache)
-        .map_err(ToolError::file(cache))
+fn scratch(cache: &Path) -> Result<Scratch, ToolError> {
+    Scratch::new_in(cache, "build-").map_err(ToolError::file(cache))
 }
 
 fn verilate(folder: &Path) -> Result<(), ToolError> {

@@ -1,0 +1,17 @@
+//! Files: what is written appears whole or not at all, alone and in sets; what is read has a limit of size.
+//!
+//! [`Outputs`] is the one way by which commands write. Every file is filled beside its destination, and all of them are
+//! renamed together when the last one is complete. Links are followed, modes are kept, devices and pipes are written to
+//! and stay what they are. [`end_process`] clears away what an interrupted process has begun.
+
+mod litter;
+mod memory;
+mod outputs;
+mod read;
+mod target;
+
+pub use litter::{Scratch, end_process, end_process_at_once};
+pub use memory::free_memory;
+pub use outputs::{Outputs, WriteError, write_whole};
+pub use read::{read, read_text};
+pub use target::{Identity, Target, check_folder};

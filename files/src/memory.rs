@@ -1,0 +1,49 @@
+//! Memory that this process can still take.
+
+use std::fs;
+
+/// Bytes that are free for this process: of the machine, of the control group that holds it, of its own limit; none if the
+/// system tells nothing of it.
+pub fn free_memory() -> Option<u64> {
+    let read = |path: &str| fs::read_to_string(path).ok();
+    let machine = read("/proc/meminfo").and_then(|text| {
+        let kib = field(&text, "MemAvailable:")? + field(&text, "SwapFree:").unwrap_or(0);
+        Some(kib << 10)
+    });
+    let group = read("/sys/fs/cgroup/memory.max").and_then(|most| {
+        let most: u64 = most.trim().parse().ok()?;
+        let taken = field(&read("/sys/fs/cgroup/memory.stat")?, "anon")?;
+        Some(most.saturating_sub(taken))
+    });
+    let own = read("/proc/self/limits").and_then(|limits| {
+        let most = field(&limits, "Max address space")?;
+        let taken = field(&read("/proc/self/status")?, "VmSize:")? << 10;
+        Some(most.saturating_sub(taken))
+    });
+    [machine, group, own].into_iter().flatten().min()
+}
+
+/// The number that follows a name at the beginning of a line.
+fn field(text: &str, name: &str) -> Option<u64> {
+    let rest = text.lines().find_map(|line| line.strip_prefix(name))?;
+    rest.split_whitespace().next()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_are_found_and_words_are_no_numbers() {
+        let text =
+            "VmPeak:\t 9 kB\nVmSize:\t  1234 kB\nMax address space   unlimited  unlimited  bytes\n";
+        assert_eq!(field(text, "VmSize:"), Some(1234));
+        assert_eq!(field(text, "Max address space"), None);
+        assert_eq!(field(text, "Anon"), None);
+    }
+
+    #[test]
+    fn this_machine_has_some_memory() {
+        assert!(free_memory().is_none_or(|bytes| bytes > 1 << 20));
+    }
+}
