@@ -22,7 +22,10 @@ fn main() -> ExitCode {
             interruption::watch(&arguments.command);
             // Without it temporary files are where they always are.
             let _scratch = Scratch::of_process();
-            (arguments.json, run(&arguments).and_then(|()| missing::verdict()))
+            (
+                arguments.json,
+                run(&arguments).and_then(|()| missing::verdict()),
+            )
         }
         Err((json, outcome)) => (json, outcome),
     };

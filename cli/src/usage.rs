@@ -1,10 +1,10 @@
 //! Reading the command line, and saying what is wrong with it.
 
-use imogene::arguments::{self, Arguments};
 use crate::failure::Failure;
 use crate::output;
 use clap::error::ErrorKind;
 use clap::{Arg, Command, FromArgMatches};
+use imogene::arguments::{self, Arguments};
 
 /// What the parser says of numbers, and what a person is told.
 const IN_PLAIN_WORDS: [(&str, &str); 7] = [

@@ -134,17 +134,22 @@ fn singular_transform() {
 }
 
 #[test]
-fn viewer_inside_an_object() {
-    let text = scene_text(CAMERA, "kind = \"sphere\"\nradius = 20");
-    assert_mentions(&refusal(text.as_bytes()), &["thing", "viewer is inside"]);
+fn a_far_end_before_the_near_end() {
+    let camera = CAMERA
+        .replace("perspective", "orthographic")
+        .replace("viewer_distance = 10", "near = 3\nfar = -3");
+    assert_mentions(
+        &refusal(scene_text(&camera, SPHERE).as_bytes()),
+        &["far", "not behind `near`", "greater number"],
+    );
 }
 
 #[test]
-fn object_behind_the_viewer() {
-    let object = format!("{SPHERE}\nplace = [{{ translate = [0, 0, 30] }}]");
+fn a_window_too_small_to_see_anything() {
+    let camera = CAMERA.replace("view_height = 4", "view_height = 1e-306");
     assert_mentions(
-        &refusal(scene_text(CAMERA, &object).as_bytes()),
-        &["thing", "behind the viewer"],
+        &refusal(scene_text(&camera, SPHERE).as_bytes()),
+        &["view_height", "too small", "1e-30"],
     );
 }
 

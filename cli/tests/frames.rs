@@ -31,7 +31,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// A rod that comes nearer with every frame: in the second the viewer is inside, from where a solid cannot be drawn.
+/// A sheet that comes nearer with every frame: in the second it is where the viewer is, from where a mesh cannot be drawn.
 fn through_the_viewer(folder: &Path) -> PathBuf {
     let path = folder.join("nearer.toml");
     let text = r#"
@@ -64,17 +64,17 @@ kind = "sphere"
 radius = 1
 material = "plain"
 [[objects]]
-name = "rod"
-kind = "elliptic_cylinder"
-radii = [0.2, 0.2]
+name = "sheet"
+kind = "mesh"
+vertices = [[-0.2, -1, 0], [0.2, -1, 0], [0, 1, 0]]
+faces = [[0, 1, 2]]
 material = "plain"
 place = [{ translate = [2, 0, 0] }]
-cuts = [{ point = [0, 1, 0], normal = [0, 1, 0] }, { point = [0, -1, 0], normal = [0, -1, 0] }]
 [[images]]
 name = "approach"
 steps = 4
 duration = 0.1
-actions = [{ target = "rod", translate = [-4, 0, 20] }]
+actions = [{ target = "sheet", translate = [-4, 0, 20] }]
 "#;
     fs::write(&path, text).unwrap();
     path

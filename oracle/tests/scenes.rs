@@ -136,7 +136,7 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     let (w, h) = (64, 48);
     let framed = scene.frame(w, h).expect("framed");
     let prepared = prepare(&framed, Format::BASE).expect("prepared");
-    let tracer = imogene_oracle::trace::Tracer::new(&scene, w, h);
+    let tracer = imogene_oracle::trace::Tracer::new(&scene, &framed.range, w, h);
     let bounds =
         imogene_oracle::bounds::Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds");
     let traced = tracer.draw(|| ());

@@ -145,9 +145,9 @@ fn meshes_that_cannot_be() {
         &["faces[0]", "not in front of the viewer"],
     );
     check(
-        PERSPECTIVE,
+        &format!("{PERSPECTIVE}near = 5\n"),
         &moved("5.1"),
-        &["faces[0]", "nearer", "viewer_distance"],
+        &["faces[0]", "nearer", "near end"],
     );
     check(
         PERSPECTIVE,

@@ -48,7 +48,7 @@ fn missing_key() {
     check(
         "viewer_distance = 10\n",
         "",
-        &["a perspective camera needs `viewer_distance`"],
+        &["missing field `viewer_distance`", "`field_of_view`"],
     );
     check(
         "from = [0, 1, 1]\n",
