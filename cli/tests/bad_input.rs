@@ -155,11 +155,12 @@ fn a_window_too_small_to_see_anything() {
 
 #[test]
 fn quadric_too_large_for_the_format() {
-    // An uncut cone whose surface passes close to the eye: its depths leave the format.
-    let object = "kind = \"cone\"\nradii = [1, 1, 1]\nplace = [{ translate = [0, 6.9, 3] }]";
+    // The eye is a thousandth off a ball of which a slice is drawn by a processor that has roots alone.
+    let object = "kind = \"sphere\"\nradius = 9.999\nprocessor = \"first_generation\"\n\
+        cuts = [{ point = [0, 0, 1], normal = [0, 0, 1] }, { point = [0, 0, -1], normal = [0, 0, -1] }]";
     assert_mentions(
         &refusal(scene_text(CAMERA, object).as_bytes()),
-        &["thing", "too large", "bits"],
+        &["thing", "too large", "bits", "`near = "],
     );
 }
 

@@ -122,14 +122,14 @@ fn a_unit_without_a_baseline_is_a_failed_check() {
 }
 
 #[test]
-fn a_trade_without_a_single_point_is_a_failed_check() {
+fn a_trade_of_a_scene_that_no_machine_draws_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let scene = scene("extremes/eye-on-quadric.toml");
     let arguments = ["trade", scene.to_str().unwrap(), "--size", "40x30"];
     let more = ["--points", "quick", "--no-cost", "--out", "out"];
     let (code, _, error) = run(folder.path(), &[&arguments[..], &more].concat());
-    assert_eq!(code, Some(1), "{error}");
-    assert!(error.contains("no machine of the design space"), "{error}");
+    assert_eq!(code, Some(2), "{error}");
+    assert!(!folder.path().join("out").exists());
     assert!(
         error.contains("the viewer lies exactly on this quadric"),
         "{error}"

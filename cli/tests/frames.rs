@@ -131,12 +131,12 @@ fn a_frame_that_cannot_be_drawn_is_named_and_leaves_nothing_half_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = through_the_viewer(folder.path());
     let out = folder.path().join("out");
-    let refused = frames(&file, &out, &["--frames"]).code(2);
+    let refused = frames(&file, &out, &["--frames", "--strict"]).code(2);
     let message = stderr(&refused);
     for part in [
         "nearer.toml: frame 2",
         "image `approach`, frame 2 of 4",
-        "rod",
+        "sheet",
     ] {
         assert!(message.contains(part), "{part}: {message}");
     }

@@ -6,7 +6,7 @@ use common::*;
 use imogene_models::check::depth_bound;
 use imogene_models::exact::real::SurdReal;
 use imogene_models::format::{FittedWidths, Format};
-use imogene_models::prepare::{PreparedQuadric, prepare as prepare_for};
+use imogene_models::prepare::{PreparedQuadric, prepare_for_roots as prepare_for};
 use imogene_models::rational::{fraction, from_f64_exact, integer, power_of_two};
 use imogene_models::scene::Surface;
 use imogene_models::unit::interval::{Class, FACE_FAR, FACE_NEAR};

@@ -37,7 +37,7 @@ fn assert_says(error: &PrepareError, essentials: &[&str]) {
 
 #[test]
 fn a_solid_about_the_viewer_is_open_at_the_near_end() {
-    let room = object("room", Surface::Solid, sphere([0, 0, -1000], 700), &[]);
+    let room = object("room", Surface::Solid, sphere([0, 0, -1000], 900), &[]);
     let prepared = prepare(&scene(vec![room]));
     // The near end is 500 from the eye, so all of it lies in the ball.
     let pixels = WIDTH as usize * HEIGHT as usize;

@@ -121,7 +121,7 @@ fn refusals_come_where_the_format_gives_out() {
             0,
             "0",
             "0",
-            "the viewer is inside this solid",
+            "the viewer lies exactly on this quadric",
         ),
         (
             "eye-distance",
@@ -166,13 +166,7 @@ fn refusals_come_where_the_format_gives_out() {
             "the plane word has 36",
         ),
         ("viewer-distance", 0, "20", "28", "f2 reaches 2^69.3"),
-        (
-            "viewer-distance",
-            1,
-            "20",
-            "28",
-            "increase `viewer_distance`",
-        ),
+        ("viewer-distance", 1, "20", "28", "`near = "),
         (
             "word-length",
             1,

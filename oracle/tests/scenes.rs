@@ -57,15 +57,7 @@ fn every_golden_picture_is_the_traced_one_outside_the_band() {
         );
     }
     assert!(compared >= 60, "{compared}");
-    refused.sort();
-    let expected = [
-        "axis-too-nearly-along-the-ray",
-        "behind-the-eye",
-        "eye-barely-inside",
-        "eye-barely-outside",
-        "eye-inside-solid",
-    ];
-    assert_eq!(refused, expected);
+    assert!(refused.is_empty(), "{refused:?}");
 }
 
 #[test]

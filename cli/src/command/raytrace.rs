@@ -128,7 +128,15 @@ type Drawn = Option<(Frame, Vec<Mark>)>;
 fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn), Failure> {
     let scene = read_scene(path, &options.view)?;
     let (width, height) = size_of(&scene, options.size);
-    let scene = missing::reduced(scene, (width, height), *format, Options::default())?;
+    let named = path.display().to_string();
+    let scene = match missing::reduced(scene, (width, height), *format, Options::default()) {
+        Ok(scene) => scene,
+        Err(refusal) if options.scenes.len() == 1 => return Err(refusal),
+        Err(refusal) => {
+            let reason = refusal.message().unwrap_or_default();
+            return Ok((Row::refused(named, width, height, reason), None));
+        }
+    };
     let bar = output::progress(1, "tracing");
     let outcome = trace(&scene, width, height, *format, &|steps| {
         bar.set_length(steps);
@@ -136,7 +144,6 @@ fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn),
     })
     .map_err(Failure::input)?;
     bar.finish_and_clear();
-    let named = path.display().to_string();
     Ok(match outcome {
         Outcome::Refused(reason) if options.scenes.len() == 1 => {
             return Err(Failure::Input(reason));

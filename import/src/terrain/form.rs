@@ -75,27 +75,30 @@ impl Map<'_> {
     /// behind the eye.
     fn bulge(&self, cell: &Cell) -> Option<f64> {
         let up = to_f64(&twist(&cell.corners)).abs() / 4.0;
-        let gaze: [f64; 3] = std::array::from_fn(|k| self.target[k] - self.eye[k]);
-        let length = gaze.iter().map(|g| g * g).sum::<f64>().sqrt();
         let mut most = 0f64;
-        for v in 0..2 {
-            for u in 0..2 {
-                let [x, z] = self
-                    .place([cell.column + u, cell.row + v])
-                    .map(|p| to_f64(&p));
-                let point = [x, to_f64(&cell.corners[v][u]), z];
-                let from: [f64; 3] = std::array::from_fn(|k| point[k] - self.eye[k]);
-                let along = from.iter().zip(&gaze).map(|(a, b)| a * b).sum::<f64>() / length;
-                if along <= 0.0 {
-                    return None;
-                }
-                // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the screen.
-                let square = from.iter().map(|f| f * f).sum::<f64>();
-                let aside = (square - along * along).max(0.0).sqrt() / along;
-                most = most.max(up * (1.0 + aside) / along);
+        for (along, square) in self.corners_from_eye(cell) {
+            if along <= 0.0 {
+                return None;
             }
+            // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the screen.
+            let aside = (square - along * along).max(0.0).sqrt() / along;
+            most = most.max(up * (1.0 + aside) / along);
         }
         Some(most * f64::from(self.options.size[1]) / VIEW)
+    }
+
+    /// How far each corner is before the eye, along the gaze, and the square of its distance.
+    fn corners_from_eye(&self, cell: &Cell) -> [(f64, f64); 4] {
+        let gaze: [f64; 3] = std::array::from_fn(|k| self.target[k] - self.eye[k]);
+        let length = gaze.iter().map(|g| g * g).sum::<f64>().sqrt();
+        [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[u, v]| {
+            let place = self.place([cell.column + u, cell.row + v]);
+            let [x, z] = place.map(|p| to_f64(&p));
+            let point = [x, to_f64(&cell.corners[v][u]), z];
+            let from: [f64; 3] = std::array::from_fn(|k| point[k] - self.eye[k]);
+            let along = from.iter().zip(&gaze).map(|(a, b)| a * b).sum::<f64>() / length;
+            (along, from.iter().map(|f| f * f).sum())
+        })
     }
 
     /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how many of each.
@@ -104,7 +107,18 @@ impl Map<'_> {
         cells: &mut [Cell],
     ) -> Result<(usize, usize), ImportError> {
         let facets_before = count(cells, Form::Facets);
+        for cell in cells.iter_mut() {
+            // A cell is within the hull of its corners.
+            if self
+                .corners_from_eye(cell)
+                .iter()
+                .all(|(along, _)| *along <= 0.0)
+            {
+                cell.form = Form::LeftOut;
+            }
+        }
         let mut open: Vec<usize> = (0..cells.len()).collect();
+        open.retain(|&index| cells[index].form != Form::LeftOut);
         while !open.is_empty() {
             let trial = open.iter().map(|&index| &cells[index]);
             let mut owners = vec![];

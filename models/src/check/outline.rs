@@ -143,10 +143,10 @@ mod tests {
             adrift(["########", "##??####", "##??####", "########"]),
             all
         );
-        // The middle of a band of three.
+        // A band of three, of whose pixels only those at two corners see both sides.
         assert_eq!(
             adrift(["...???##", "...???##", "...???##", "...???##"]).len(),
-            4
+            10
         );
     }
 

@@ -24,12 +24,6 @@ fn polyhedra_that_cannot_be() {
         &format!("kind = \"polyhedron\"\nprocessor = \"quadric\"\ncuts = [{UP}]"),
         &["processor", "\"quadric\"", "of its own"],
     );
-    // The slab between two planes reaches to the viewer.
-    check(
-        PERSPECTIVE,
-        &format!("kind = \"polyhedron\"\ncuts = [{UP}, {DOWN}]"),
-        &["inside this polyhedron"],
-    );
     let behind = "{ point = [0, 0, 12], normal = [0, 0, -1] }";
     let side = |x: i32| format!("{{ point = [{x}, 0, 0], normal = [{x}, 0, 0] }}");
     let sides = format!(
@@ -51,7 +45,7 @@ fn meshes_that_cannot_be() {
     check(
         PERSPECTIVE,
         &mesh("vertices = [[0, 0, 0], [1, 0, 0]]\nfaces = [[0, 1, 1]]"),
-        &["vertices", "2 vertices", "at least three"],
+        &["vertices: 2", "at least three"],
     );
     check(
         PERSPECTIVE,

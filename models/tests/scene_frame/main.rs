@@ -42,7 +42,7 @@ fn integers(values: &[i64]) -> Vec<BigRational> {
 /// A scene seen along -z, 100 pixels to the scene unit, D = 1000 pixels, with the given camera extras and object keys.
 fn framed(object: &str) -> FramedScene {
     framed_by(
-        "kind = \"perspective\"\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nviewer_distance = 10\nview_height = 4",
+        "kind = \"perspective\"\neye = [0, 0, 10]\ntarget = [0, 0, 0]\nviewer_distance = 10\nview_height = 4\nnear = 5",
         object,
     )
 }
