@@ -31,6 +31,7 @@ use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
 use crate::scene::{CutOff, DepthRange, End, FramedScene, Projection};
+use crate::unit::interval::Class;
 use crate::unit::root::fast_root;
 use again::Known;
 pub use again::{Kept, Reuse, prepare_again};
@@ -406,8 +407,9 @@ fn prepare_objects(
         .map(|(index, (prepared, object))| {
             prepared.or_else(|reason| {
                 leave_out(context, missing, Some(index), false, reason)?;
-                let parts = PreparedParts::unseen(object.name(), "left out: it cannot be drawn");
-                Ok(PreparedObject::Parts(parts))
+                let note = "left out: it cannot be drawn";
+                let absent = object::absent(object.name(), Class::default(), note);
+                Ok(PreparedObject::Quadric(absent))
             })
         })
         .collect()

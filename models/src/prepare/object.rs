@@ -66,7 +66,13 @@ pub(super) fn prepare_quadric(
         return Ok(unseen(object, class, edge_on, context));
     }
     let at = (window, &place.quadric);
-    let (mut prepared, root_max) = depth_words(&object.name, quadric, class, at, context)?;
+    let words = depth_words(&object.name, quadric, class, at, context);
+    let (mut prepared, root_max) = words.map_err(|mut refusal| {
+        if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
+            *remedy = range::remedy(quadric, region, context);
+        }
+        refusal
+    })?;
     if class != Class::Prism {
         normal_words(&mut prepared, quadric, &root_max, context);
     }
@@ -141,9 +147,13 @@ fn unseen(
     edge_on: bool,
     context: &Context,
 ) -> PreparedQuadric {
-    let note = unseen_note(object, edge_on, context);
+    absent(&object.name, class, unseen_note(object, edge_on, context))
+}
+
+/// An object that is nowhere on the screen.
+pub(super) fn absent(name: &str, class: Class, note: &str) -> PreparedQuadric {
     PreparedQuadric {
-        name: object.name.clone(),
+        name: name.to_owned(),
         words: empty_words(class, ScreenBox::EMPTY),
         exact: ExactForms {
             f1: LinearForm::zero(),
@@ -212,11 +222,7 @@ pub(super) fn depth_words(
 ) -> Result<(PreparedQuadric, BigInt), PrepareError> {
     let scale = &context.depth_scale;
     let refusal = |word: &str, magnitude: &BigRational, available: u32| {
-        let mut refusal = too_large(name, word, magnitude, available, window);
-        if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
-            *remedy = range::remedy(quadric, window, context);
-        }
-        refusal
+        too_large(name, word, magnitude, available, window)
     };
     let mut prepared = PreparedQuadric {
         name: name.to_string(),

@@ -11,6 +11,7 @@
 //!    2^[`WIDEST`]. What then still does not fit is drawn by a quotient ([`super::quotient`]).
 
 use super::Context;
+use super::extent::Extent;
 use super::forms::QuadraticForm;
 use super::perspective::{ScreenQuadric, full_depth, inverse_distance, project_plane};
 use super::screen_box::{Cell, Existence, Region, Search};
@@ -75,11 +76,11 @@ struct Depths<'a> {
 }
 
 /// Where an object may be.
-enum Body {
-    /// In one of these parts of screen space; a solid about the eye stands for its walls.
-    Regions(Vec<Region>),
-    /// Between two depths: a mesh.
-    Between(f64, f64),
+struct Body {
+    /// In one of these parts of screen space, or anywhere if there is none; a solid about the eye stands for its walls.
+    regions: Vec<Region>,
+    /// Between these depths.
+    reach: (f64, f64),
 }
 
 /// What the depth of a quadric computes on its box, in depths that fill the word.
@@ -122,6 +123,20 @@ impl Change {
         };
         Change { shift, scale }
     }
+
+    /// The ends of the range in depths of the other.
+    fn ends(&self) -> [f64; 2] {
+        [-1.0, 1.0].map(|word| (word - self.shift) / self.scale)
+    }
+}
+
+/// The part of screen space between two depths.
+fn cell((width, height): (u32, u32), [near, far]: [f64; 2]) -> Cell {
+    let (w, h) = (f64::from(width), f64::from(height));
+    Cell::between(
+        [-0.5 * w, -0.5 * h, near],
+        [0.5 * w - 1.0, 0.5 * h - 1.0, far],
+    )
 }
 
 impl Computed {
@@ -155,22 +170,18 @@ impl Computed {
     }
 }
 
-/// The range in which f2 and f1 + r of a quadric would stay in their words on a box, as a clause of a refusal; nothing if none would do.
-pub(super) fn remedy(quadric: &ScreenQuadric, window: &ScreenBox, context: &Context) -> String {
+/// The range in which f2 and f1 + r of an object would stay in their words, as a clause of a refusal; nothing if none would do.
+pub(super) fn remedy(quadric: &ScreenQuadric, region: &Region, context: &Context) -> String {
     let full = to_f64(&context.full_depth);
-    let computed = Computed::on(quadric, window, (context.width, context.height), full);
+    let size = (context.width, context.height);
     let limits = Limits::of(&context.format);
-    // Volumes have units of their own.
-    let unit =
-        to_f64(&(&context.depth_scale * &context.full_depth)) / context.format.z_max() as f64;
     let fits = |steps: &i32| {
         let level = if context.perspective { -steps } else { *steps };
-        let Change { shift, scale } = Change::to_level(level, context.perspective);
-        let change = Change {
-            shift: unit * shift,
-            scale: unit * scale,
-        };
-        computed.fits(change, &limits)
+        let change = Change::to_level(level, context.perspective);
+        // More of it is seen in a wider range.
+        let cell = cell(size, change.ends().map(|end| full * end));
+        let window = region.box_within(cell, size.0, size.1, Search::COARSE);
+        Computed::on(quadric, &window, size, full).fits(change, &limits)
     };
     let Some(steps) = (1..60).find(fits) else {
         return String::new();
@@ -198,6 +209,10 @@ impl<'a> Depths<'a> {
                 .map(|object| body(object, &scene.projection))
                 .collect(),
         }
+    }
+
+    fn size(&self) -> (u32, u32) {
+        (self.scene.width, self.scene.height)
     }
 
     fn choose(&self) -> DepthRange {
@@ -322,24 +337,13 @@ impl<'a> Depths<'a> {
 
     /// May something of an object be seen between two depths.
     fn is_met(&self, body: &Body, (near, far): (f64, f64)) -> bool {
-        match body {
-            Body::Between(first, last) => *first <= far && *last >= near,
-            Body::Regions(regions) => {
-                let resolution = [1.0, 1.0, (far - near) / 64.0];
-                let cell = self.cell(near, far);
-                let is_met =
-                    |region: &Region| region.existence(cell, resolution) == Existence::Possible;
-                regions.iter().any(is_met)
-            }
+        if body.reach.0 > far || body.reach.1 < near {
+            return false;
         }
-    }
-
-    fn cell(&self, near: f64, far: f64) -> Cell {
-        let (w, h) = (f64::from(self.scene.width), f64::from(self.scene.height));
-        Cell::between(
-            [-0.5 * w, -0.5 * h, near],
-            [0.5 * w - 1.0, 0.5 * h - 1.0, far],
-        )
+        let resolution = [1.0, 1.0, (far - near) / 64.0];
+        let cell = cell(self.size(), [near, far]);
+        let is_met = |region: &Region| region.existence(cell, resolution) == Existence::Possible;
+        body.regions.is_empty() || body.regions.iter().any(is_met)
     }
 
     /// What an object's depth computes; nothing if it is no root, or nothing of it is on the screen in the range of a level.
@@ -354,12 +358,16 @@ impl<'a> Depths<'a> {
         if quadric.eye_value().is_zero() {
             return None;
         }
-        let Change { shift, scale } = Change::to_level(level, self.is_perspective);
-        let [near, far] = [-1.0, 1.0].map(|word| self.full * (word - shift) / scale);
-        let (width, height) = (self.scene.width, self.scene.height);
+        let ends = Change::to_level(level, self.is_perspective).ends();
+        let size = self.size();
         let region = Region::new(&quadric.q, &planes, framed.surface);
-        let window = region.box_within(self.cell(near, far), width, height, search);
-        (!window.is_empty()).then(|| Computed::on(&quadric, &window, (width, height), self.full))
+        let tangent = planes.is_empty().then(|| Extent::of(&quadric.q)).flatten();
+        let tangent = tangent.and_then(|extent| extent.screen_box(size.0, size.1, self.full));
+        let window = tangent.unwrap_or_else(|| {
+            let cell = cell(size, ends.map(|end| self.full * end));
+            region.box_within(cell, size.0, size.1, search)
+        });
+        (!window.is_empty()).then(|| Computed::on(&quadric, &window, size, self.full))
     }
 }
 
@@ -374,18 +382,30 @@ fn on_screen(object: &FramedQuadric, projection: &Projection) -> (ScreenQuadric,
 }
 
 fn body(object: &FramedObject, projection: &Projection) -> Body {
-    match object {
-        FramedObject::Mesh(mesh) => between_corners(mesh, projection),
-        _ => {
-            let framed = object.cut_quadric().expect("all but meshes are quadrics");
-            let (quadric, planes) = on_screen(&framed, projection);
-            if is_about_eye(object, projection) {
-                return Body::Regions(walls(&quadric.q, &planes));
-            }
-            Body::Regions(vec![Region::new(&quadric.q, &planes, framed.surface)])
-        }
+    let Some(framed) = object.cut_quadric() else {
+        let FramedObject::Mesh(mesh) = object else {
+            unreachable!("all but meshes are quadrics")
+        };
+        return between_corners(mesh, projection);
+    };
+    let (quadric, planes) = on_screen(&framed, projection);
+    if is_about_eye(object, projection) {
+        return Body {
+            regions: walls(&quadric.q, &planes),
+            reach: EVERYWHERE,
+        };
+    }
+    let extent = planes.is_empty().then(|| Extent::of(&quadric.q)).flatten();
+    Body {
+        reach: extent.map_or(EVERYWHERE, |extent| {
+            let Cell { centre, half } = extent.cell();
+            (centre[2] - half[2], centre[2] + half[2])
+        }),
+        regions: vec![Region::new(&quadric.q, &planes, framed.surface)],
     }
 }
+
+const EVERYWHERE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// The faces of a solid: its quadric, and each plane from both sides.
 fn walls(quadric: &Quadric, planes: &[Plane]) -> Vec<Region> {
@@ -420,5 +440,8 @@ fn between_corners(mesh: &FramedMesh, projection: &Projection) -> Body {
     let depths: Vec<f64> = depths.collect();
     let least = depths.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    Body::Between(least, greatest)
+    Body {
+        regions: vec![],
+        reach: (least, greatest),
+    }
 }

@@ -236,7 +236,7 @@ fn check_length(place: &str, value: f64) -> Checked {
     if value < SHORTEST_LENGTH {
         return Err(SceneError::value(
             place,
-            format!("{value} is too small"),
+            format!("{value:e} is too small"),
             format!("at least {SHORTEST_LENGTH:e} is possible"),
         ));
     }
