@@ -337,7 +337,7 @@ impl Format {
         (1 << (self.depth - 1)) - 1
     }
 
-    /// Near end: half the viewer distance in perspective.
+    /// Near end, wherever the range of the depth word begins.
     pub const fn z_low(&self) -> i64 {
         -self.z_max()
     }

@@ -57,7 +57,7 @@ impl<'a> Map<'a> {
             short(half[1] + 0.45 * extent),
         ]);
         let target = options.target.unwrap_or([0.0, short(middle), 0.0]);
-        // The near end is at half the viewer distance from the eye; a small one also keeps the words of surfaces that pass the eye small.
+        // The range of the depth begins at half the viewer distance unless more of it is needed.
         let outside = |value: f64, low: f64, high: f64| (low - value).max(value - high).max(0.0);
         let gaps = [
             outside(eye[0], -half[0], half[0]),

@@ -32,7 +32,7 @@ pub enum RunningProcessor {
     /// Processor of non-planar facets.
     CurvedFacet(CurvedFacetProcessor),
     /// Quotient processor.
-    Quotient(QuotientProcessor),
+    Quotient(Box<QuotientProcessor>),
 }
 
 impl RunningProcessor {
@@ -60,7 +60,7 @@ impl RunningProcessor {
                 Self::CurvedFacet(CurvedFacetProcessor::zone_start(words, format))
             }
             ProcessorWords::Quotient(words) => {
-                Self::Quotient(QuotientProcessor::zone_start(words, format))
+                Self::Quotient(Box::new(QuotientProcessor::zone_start(words, format)))
             }
         }
     }

@@ -48,7 +48,7 @@ pub enum PrepareError {
         /// Last line of the box.
         y1: i64,
         /// What would do, if anything is known: a clause of its own.
-        remedy: String,
+        remedy: Box<str>,
     },
     /// A fitted machine has quadric processors alone.
     #[error(
@@ -150,7 +150,7 @@ pub enum PrepareError {
         /// Last line of the box.
         y1: i64,
         /// What would do, if anything is known: a clause of its own.
-        remedy: String,
+        remedy: Box<str>,
     },
     /// A plane of a volume too steep for the plane word, and not provably a perpendicular one.
     #[error(

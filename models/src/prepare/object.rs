@@ -69,7 +69,7 @@ pub(super) fn prepare_quadric(
     let words = depth_words(&object.name, quadric, class, at, context);
     let (mut prepared, root_max) = words.map_err(|mut refusal| {
         if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
-            *remedy = range::remedy(quadric, region, context);
+            *remedy = range::remedy(quadric, region, context).into();
         }
         refusal
     })?;
@@ -415,7 +415,7 @@ pub(super) fn too_large(
         x1: window.x1,
         y0: window.y0,
         y1: window.y1,
-        remedy: String::new(),
+        remedy: Box::default(),
     }
 }
 

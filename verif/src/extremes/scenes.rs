@@ -85,7 +85,7 @@ pub const CASES: &[Extreme] = &[
     Extreme {
         name: "through-the-near-end",
         item: "17.4",
-        outcome: "The ball covers the screen but comes nearer than half the viewer distance: a flat cap, face 15, is drawn at the near end.",
+        outcome: "The ball covers the screen but comes nearer than the near end that the file names: a flat cap, face 15, is drawn at the near end.",
         case: Case::Drawn {
             text: text!("through-the-near-end"),
             claim: |p| count("pixels of the cap", p.pixels_of_face(15), p.pixels()),
