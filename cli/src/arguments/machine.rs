@@ -41,7 +41,7 @@ pub struct Machine {
     /// How the host of a zone machine decides what goes to a zone; the picture is the same.
     #[arg(long, value_enum, default_value_t = Refine::Box)]
     pub refine: Refine,
-    /// Write the Verilog and the clocks, and run nothing.
+    /// Write the Verilog, the clocks and the files of a bench of your own (docs/machines.md), and run nothing.
     #[arg(long)]
     pub emit_only: bool,
     /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object processors as well, with a plot.
