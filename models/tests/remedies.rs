@@ -114,62 +114,41 @@ fn the_range_that_would_do_does() {
 
 #[test]
 fn volumes_that_are_left_out() {
-    let light = "[[lights]]\nkind = \"directional\"\nfrom = [0, 0, 1]\nshadows = true\n";
-    let leave = [
-        ("`shadows = false`", "shadows = true", "shadows = false"),
-        (
-            "`casts_shadow = false`",
-            "radius = 1",
-            "radius = 1\ncasts_shadow = false",
-        ),
-    ];
-    // The shadow is a cylinder along the view: the eye on it, and very nearly on it.
-    for beside in ["1", "1.0000000001"] {
-        let camera = PERSPECTIVE
-            .replace("eye = [0", &format!("eye = [{beside}"))
-            .replace("target = [0", &format!("target = [{beside}"));
-        let light = light.replace("[0, 0, 1]", "[0.0001, 0.0002, 1]");
-        let scene = text(&camera, &light, SPHERE);
-        let scene = if beside == "1" {
-            scene
-                .replace("[0.0001, 0.0002, 1]", "[0, 0, 1]")
-                .replace("eye = [1, 0", "eye = [1, 0.5")
-        } else {
-            scene
-        };
-        let Err(_) = prepared(&scene, Format::BASE, Options::default()) else {
-            continue;
-        };
-        let case = Case {
-            remedies: leave.to_vec(),
-            ..Case::of(scene)
-        };
-        case.check();
-    }
-    // A box whose shadow's planes pass the eye as closely as its light does.
-    let lamp =
-        "[[lights]]\nkind = \"point\"\nposition = [0.0000001, 0.0000002, 10]\nshadows = true\n";
-    let scene = text(
+    let light = |lamp: &str| format!("[[lights]]\n{lamp}\nshadows = true\n");
+    let beside = |x: &str| {
+        let camera = PERSPECTIVE.replace("eye = [0", &format!("eye = [{x}"));
+        let sun = light("kind = \"directional\"\nfrom = [0, 0, 1]");
+        text(&camera, &sun, SPHERE)
+    };
+    // The shadow is a cylinder along the view, and the eye on it or very nearly; and a box whose edge, light and eye have nearly a plane in common, which passes
+    // the pixels of the middle column.
+    let lamp = light("kind = \"point\"\nposition = [0.000001, 0.3, 9]");
+    let from_the_middle = BOX.replace("point = [-1, 0, 0]", "point = [0, 0, 0]");
+    let block = text(
         PERSPECTIVE,
-        lamp,
-        &format!(
-            "kind = \"polyhedron\"\n{BOX}place = [{{ rotate = {{ axis = [1, 2, 3], degrees = 31 }} }}]\n"
-        ),
+        &lamp,
+        &format!("kind = \"polyhedron\"\n{from_the_middle}"),
     );
-    if prepared(&scene, Format::BASE, Options::default()).is_err() {
+    for (scene, problem) in [
+        (beside("1"), "exactly on its surface"),
+        (beside("1.0000000001"), "too large for the format"),
+        (block, "passes so nearly through the viewer"),
+    ] {
+        let casting = scene.replace("material = \"m\"", "material = \"m\"\ncasts_shadow = true");
         let remedies = vec![
-            leave[0],
+            ("`shadows = false`", "\nshadows = true", "\nshadows = false"),
             (
                 "`casts_shadow = false`",
-                "kind = \"polyhedron\"",
-                "kind = \"polyhedron\"\ncasts_shadow = false",
+                "casts_shadow = true",
+                "casts_shadow = false",
             ),
         ];
-        Case {
+        let case = Case {
             remedies,
-            ..Case::of(scene)
-        }
-        .check();
+            ..Case::of(casting)
+        };
+        let message = case.check();
+        assert!(message.contains(problem), "{message}");
     }
 }
 
