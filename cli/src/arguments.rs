@@ -117,7 +117,8 @@ pub enum Command {
     Emit(Emit),
     /// Write every unit as an IP core: Verilog, contract, self-checking bench, FuseSoC core file.
     Package(Package),
-    /// Show scenes on the pins of a whole machine with a screen, compared on every clock: Verilog, picture from the pins.
+    /// Show scenes on the pins of a whole machine with a screen, compared on every clock: Verilog, picture from the
+    /// pins.
     Machine(Machine),
     /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
     Synth(Synth),

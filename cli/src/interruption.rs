@@ -6,7 +6,8 @@ use imogene_files::end_process;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 
-/// Clears away and ends the process when it is interrupted or terminated, with 128 and the signal's number as shells do.
+/// Clears away and ends the process when it is interrupted or terminated, with 128 and the signal's number as shells
+/// do.
 pub fn watch(command: &Command) {
     let note = match command {
         Command::Trade(_) => {

@@ -1,7 +1,7 @@
 //! What a picture lacks: objects that cannot be drawn cost themselves, not the scene.
 //!
-//! By default they are left out with a warning, and the command ends with exit code 1; with `--strict` the scene is refused, and with `--allow-missing` the command ends as if
-//! nothing were missing.
+//! By default they are left out with a warning, and the command ends with exit code 1; with `--strict` the scene is
+//! refused, and with `--allow-missing` the command ends as if nothing were missing.
 
 use crate::failure::Failure;
 use crate::output;
@@ -11,13 +11,6 @@ use imogene_models::prepare::{Options, PreparedScene, refused};
 use imogene_models::scene::{DepthRange, End, FramedScene, SceneFile};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// How scenes are prepared for machines of quadric and patch processors alone.
-pub const ROOTS: Options = Options {
-    anchor: None,
-    roots_only: true,
-    without_refused: false,
-};
 
 static POLICY: OnceLock<Policy> = OnceLock::new();
 static MISSING: AtomicUsize = AtomicUsize::new(0);
@@ -41,7 +34,8 @@ pub fn options() -> Options {
     }
 }
 
-/// Warns of everything that a prepared scene lacks, and of what an end of its depth cuts off; `place` says in which frame, if in any.
+/// Warns of everything that a prepared scene lacks, and of what an end of its depth cuts off; `place` says in which
+/// frame, if in any.
 ///
 /// # Errors
 ///
@@ -61,7 +55,8 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
     Ok(())
 }
 
-/// A scene without the objects that machines cannot draw, each named, for commands that measure machines on what is left.
+/// A scene without the objects that machines cannot draw, each named, for commands that measure machines on what is
+/// left.
 ///
 /// # Errors
 ///

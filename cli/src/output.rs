@@ -1,5 +1,5 @@
-//! What a command puts out: one JSON document, or text for a person, on standard output; files; progress bars on standard
-//! error when that is a terminal.
+//! What a command puts out: one JSON document, or text for a person, on standard output; files; progress bars on
+//! standard error when that is a terminal.
 
 use crate::failure::Failure;
 use crate::process;

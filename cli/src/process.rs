@@ -1,9 +1,9 @@
-//! Two things of a process that the language's run time does not tell: that standard output was closed before it began, and
-//! that memory has ended.
+//! Two things of a process that the language's run time does not tell: that standard output was closed before it
+//! began, and that memory has ended.
 
-use crate::output;
 use imogene_files::end_process_at_once;
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static CLOSED: AtomicBool = AtomicBool::new(false);
@@ -27,7 +27,8 @@ extern "C" fn note_closed() {
     CLOSED.store(flags == -1, Ordering::Relaxed);
 }
 
-/// The system's allocator; where it has nothing left, the process ends with a message and exit code 2 instead of an abort.
+/// The system's allocator; where it has nothing left, the process ends with a message and exit code 2 instead of an
+/// abort.
 struct Telling;
 
 #[global_allocator]
@@ -65,8 +66,9 @@ fn out_of_memory() -> ! {
     if ENDING.swap(true, Ordering::Relaxed) {
         std::process::abort();
     }
-    output::complain(
-        "error: the memory has ended; a scene of fewer objects, a smaller picture or a machine of more memory is needed",
+    let _ = writeln!(
+        std::io::stderr(),
+        "error: the memory has ended; a scene of fewer objects, a smaller picture or a machine of more memory is needed"
     );
     end_process_at_once(2)
 }

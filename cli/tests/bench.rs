@@ -1,4 +1,5 @@
-//! A bench of a user's own: what `imogene machine --emit-only` writes, in Icarus Verilog, without any other program of ours.
+//! A bench of a user's own: what `imogene machine --emit-only` writes, in Icarus Verilog, without any other program
+//! of ours.
 //!
 //! Needs the package 'iverilog' and fails without it.
 
@@ -145,7 +146,8 @@ fn the_bench_that_is_written_sees_what_is_wrong() {
     assert!(!ended_well && said.contains("1 of 2 frames"), "{said}");
 }
 
-/// Written by hand from docs/machines.md and bench.json: a host and a receiver that stall. With `BEAM` for the beam machine, without it for the zone machine.
+/// Written by hand from docs/machines.md and bench.json: a host and a receiver that stall. With `BEAM` for the beam
+/// machine, without it for the zone machine.
 const BY_HAND: &str = r#"
 module bench;
     reg [79:0] beats [0:99999];
@@ -212,7 +214,8 @@ endmodule
 
 #[test]
 fn a_bench_written_by_hand_from_the_documents_finds_every_pixel() {
-    // The hand-written beam bench stops after the first frame: it does not wait for its pixels before it sends the next.
+    // The hand-written beam bench stops after the first frame: it does not wait for its pixels before it sends the
+    // next.
     for (machine, frames, define) in [(ZONE, "2", ""), (BEAM, "1", "`define BEAM\n")] {
         let folder = tempfile::tempdir().expect("a folder");
         let (out, described) = emitted(folder.path(), &format!("{machine}{COMMON}{STREAM}"), &[]);

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::imogene;
+use common::{imogene, said};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -14,12 +14,7 @@ fn docs(name: &str) -> PathBuf {
 
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = imogene().arg("compare").args(arguments).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    said(output)
 }
 
 fn variant<'a>(report: &'a Value, name: &str) -> &'a Value {

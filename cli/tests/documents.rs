@@ -1,4 +1,5 @@
-//! The documents: every command line in them parses, quick ones are run, every link leads somewhere, and figures from files agree with the files.
+//! The documents: every command line in them parses, quick ones are run, every link leads somewhere, and figures from
+//! files agree with the files.
 
 mod common;
 
@@ -207,7 +208,8 @@ const NOT_RUN: [(&str, &str); 22] = [
     ),
 ];
 
-/// Options that make a quick run of a long one, by the beginning of the command line; they stand behind its own, which they replace.
+/// Options that make a quick run of a long one, by the beginning of the command line; they stand behind its own,
+/// which they replace.
 const SMALLER: [(&str, &[&str]); 13] = [
     ("imogene bounds --cases", &["--cases", "100"]),
     (
@@ -426,6 +428,7 @@ fn the_page_of_commands_is_that_of_the_help() {
 #[test]
 fn the_page_of_resources_names_the_units_it_lacks() {
     let page = std::fs::read_to_string(root().join("docs/resources.md")).unwrap();
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     let file = std::fs::read_to_string(root().join("docs/resources.json")).unwrap();
     let figures: serde_json::Value = serde_json::from_str(&file).unwrap();
     let rows = figures["rows"].as_array().unwrap();

@@ -1,8 +1,9 @@
-//! The first minute with the program: a scene to begin with, names that need not be given, and answers that are not silent.
+//! The first minute with the program: a scene to begin with, names that need not be given, and answers that are not
+//! silent.
 
 mod common;
 
-use common::{imogene, scene};
+use common::{imogene, said, scene};
 use std::path::Path;
 
 fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
@@ -12,12 +13,7 @@ fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
         .current_dir(folder)
         .output()
         .unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    said(output)
 }
 
 #[test]

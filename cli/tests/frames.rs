@@ -31,7 +31,8 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// A sheet that comes nearer with every frame: in the second it is where the viewer is, from where a mesh cannot be drawn.
+/// A sheet that comes nearer with every frame: in the second it is where the viewer is, from where a mesh cannot be
+/// drawn.
 fn through_the_viewer(folder: &Path) -> PathBuf {
     let path = folder.join("nearer.toml");
     let text = r#"

@@ -76,7 +76,8 @@ fn a_scene_of_which_nothing_is_left_is_refused() {
     }
 }
 
-/// What the depth range is, as exact numbers: a word of the picture is turned back into the distance at which the ball is.
+/// What the depth range is, as exact numbers: a word of the picture is turned back into the distance at which the
+/// ball is.
 #[test]
 fn a_depth_word_can_be_turned_back_into_a_distance() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Outputs destroy nothing: devices, pipes, links, modes, inputs, sets of files, standard output, interruptions, limits.
+//! Outputs destroy nothing: devices, pipes, links, modes, inputs, sets of files, standard output, interruptions,
+//! limits.
 //!
 //! Every path that is written to lies in a folder of the test's own.
 

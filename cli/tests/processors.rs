@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{imogene, scene};
+use common::{imogene, said, scene};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -18,12 +18,7 @@ fn scenes() -> Vec<PathBuf> {
 
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = imogene().args(arguments).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    said(output)
 }
 
 #[test]

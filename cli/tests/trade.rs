@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{imogene, scene};
+use common::{imogene, said, scene};
 use serde_json::Value;
 use std::path::Path;
 
@@ -23,12 +23,7 @@ fn trade(scene_name: &str, out: &Path, more: &[&str]) -> (Option<i32>, String, S
         .args(more)
         .output()
         .unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    said(output)
 }
 
 #[test]

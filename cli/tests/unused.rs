@@ -1,4 +1,5 @@
-//! The words of `imogene prepare --json`, and no others, in a machine that has more processors and planes than the scene.
+//! The words of `imogene prepare --json`, and no others, in a machine that has more processors and planes than the
+//! scene.
 
 mod common;
 

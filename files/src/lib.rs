@@ -1,8 +1,8 @@
 //! Files: what is written appears whole or not at all, alone and in sets; what is read has a limit of size.
 //!
-//! [`Outputs`] is the one way by which commands write. Every file is filled beside its destination, and all of them are
-//! renamed together when the last one is complete. Links are followed, modes are kept, devices and pipes are written to
-//! and stay what they are. [`end_process`] clears away what an interrupted process has begun.
+//! [`Outputs`] is the one way by which commands write. Every file is filled beside its destination, and all of them
+//! are renamed together when the last one is complete. Links are followed, modes are kept, devices and pipes are
+//! written to and stay what they are. [`end_process`] clears away what an interrupted process has begun.
 
 mod litter;
 mod memory;

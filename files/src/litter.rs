@@ -91,8 +91,8 @@ pub(crate) fn remove_empty(folders: &[PathBuf]) {
     }
 }
 
-/// Ends the process with this exit code. Temporary files, scratch folders and folders made for files that never came are
-/// removed first; a set that is being renamed is renamed to its end.
+/// Ends the process with this exit code. Temporary files, scratch folders and folders made for files that never came
+/// are removed first; a set that is being renamed is renamed to its end.
 pub fn end_process(code: i32) -> ! {
     // Held until the end: no other thread begins a file after this.
     let litter = litter();
@@ -128,8 +128,8 @@ impl Scratch {
         Ok(Scratch(made))
     }
 
-    /// A new one in the system's temporary folder, in which all further temporary files and folders of this process are
-    /// made: [`end_process`] removes them with it.
+    /// A new one in the system's temporary folder, in which all further temporary files and folders of this process
+    /// are made: [`end_process`] removes them with it.
     ///
     /// # Errors
     ///

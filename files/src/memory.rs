@@ -2,8 +2,8 @@
 
 use std::fs;
 
-/// Bytes that are free for this process: of the machine, of the control group that holds it, of its own limit; none if the
-/// system tells nothing of it.
+/// Bytes that are free for this process: of the machine, of the control group that holds it, of its own limit; none
+/// if the system tells nothing of it.
 pub fn free_memory() -> Option<u64> {
     let read = |path: &str| fs::read_to_string(path).ok();
     let machine = read("/proc/meminfo").and_then(|text| {

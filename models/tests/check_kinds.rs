@@ -1,4 +1,5 @@
-//! The check of every kind of object, with the exact reference as the witness: what differs is announced, and every depth is within its bound.
+//! The check of every kind of object, with the exact reference as the witness: what differs is announced, and every
+//! depth is within its bound.
 
 mod common;
 
@@ -280,8 +281,8 @@ fn the_apex_of_a_cone_that_is_looked_into_does_not_fail_the_check() {
     assert!(apexes > 20, "{apexes} apexes");
 }
 
-/// Around an apex, on a grid much finer than pixels and in exact rationals: from any point at which the computed sign of f2 is not the true one, a
-/// point at which it is lies within the stated displacement.
+/// Around an apex, on a grid much finer than pixels and in exact rationals: from any point at which the computed sign
+/// of f2 is not the true one, a point at which it is lies within the stated displacement.
 #[test]
 fn a_spot_at_an_apex_is_as_wide_as_stated() {
     let mut random = Random(0x5907);

@@ -230,7 +230,8 @@ fn a_solid_on_which_the_eye_lies_is_open_at_the_near_end_and_machines_of_roots_a
     assert!(matches!(error, PrepareError::ViewerOnSurface { .. }));
 }
 
-/// The ball again, the eye off it by `off`: the quotient with a root in its denominator is right within its bound, however near the eye is.
+/// The ball again, the eye off it by `off`: the quotient with a root in its denominator is right within its bound,
+/// however near the eye is.
 #[test]
 fn the_eye_nearly_on_a_quadric() {
     let off_by = |off: BigRational| {

@@ -68,12 +68,6 @@ fn between<'a>(message: &'a str, before: &str, after: &str) -> &'a str {
     rest.split_once(after).expect("an end").0
 }
 
-const ROOTS: Options = Options {
-    anchor: None,
-    roots_only: true,
-    without_refused: false,
-};
-
 #[test]
 fn the_range_that_would_do_does() {
     for distance in ["1.3", "1.01", "1.00001"] {
@@ -82,13 +76,13 @@ fn the_range_that_would_do_does() {
             .replace("near = 5", "near = 1");
         let scene = text(&camera, "", &format!("{SPHERE}mode = \"patch\"\n"));
         let case = Case {
-            options: ROOTS,
+            options: Options::ROOTS,
             ..Case::of(scene.clone())
         };
         let message = case.check();
         let near = between(&message, "`near = ", "`");
         let changed = scene.replace("near = 1", &format!("near = {near}"));
-        prepared(&changed, Format::BASE, ROOTS).expect("the range that would do");
+        prepared(&changed, Format::BASE, Options::ROOTS).expect("the range that would do");
     }
     let saddle = format!("kind = \"hyperbolic_paraboloid\"\nradii = [1, 1, 1]\n{BOX}");
     let scene = text(
@@ -97,7 +91,7 @@ fn the_range_that_would_do_does() {
         &saddle,
     );
     let message = Case {
-        options: ROOTS,
+        options: Options::ROOTS,
         ..Case::of(scene.clone())
     }
     .check();
@@ -109,7 +103,7 @@ fn the_range_that_would_do_does() {
         "near = -0.01\nfar = 0.01",
         &format!("near = {near}\nfar = {far}"),
     );
-    prepared(&changed, Format::BASE, ROOTS).expect("the range that would do");
+    prepared(&changed, Format::BASE, Options::ROOTS).expect("the range that would do");
 }
 
 #[test]
@@ -120,7 +114,8 @@ fn volumes_that_are_left_out() {
         let sun = light("kind = \"directional\"\nfrom = [0, 0, 1]");
         text(&camera, &sun, SPHERE)
     };
-    // The shadow is a cylinder along the view, and the eye on it or very nearly; and a box whose edge, light and eye have nearly a plane in common, which passes
+    // The shadow is a cylinder along the view, and the eye on it or very nearly; and a box whose edge, light and eye
+    // have nearly a plane in common, which passes
     // the pixels of the middle column.
     let lamp = light("kind = \"point\"\nposition = [0.000001, 0.3, 9]");
     let from_the_middle = BOX.replace("point = [-1, 0, 0]", "point = [0, 0, 0]");

@@ -313,8 +313,7 @@ fn zones_draw_their_part_of_the_screen() {
         };
         let options = Options {
             anchor: Some(anchor),
-            roots_only: true,
-            ..Options::default()
+            ..Options::ROOTS
         };
         let whole = Drawing::of(&prepare_with(&scene, format, options).unwrap(), &scene);
         for index in (y..y + height).flat_map(|v| (x..x + width).map(move |u| v * 60 + u)) {

@@ -1,10 +1,12 @@
 //! A golden picture held against the traced one.
 //!
-//! The *band* is where an edge is met within a pixel: a pixel is in it if one of the eight about it, or it, sees in the traced picture another object, another
-//! face, another facet or the background. Outside it golden and traced picture must show the same face of the same object; inside it they may differ.
-//! A thin facet that is between the pixels for the tracer is seen at none of them; rounded, it may be seen. So a pixel is in the band as well if the golden picture
-//! shows an object there of which a facet comes as near as its corners are rounded, at the depth of that facet.
-//! Wherever they show the same face, their depths may differ by the proven bound of that face at that pixel and no more.
+//! The *band* is where an edge is met within a pixel: a pixel is in it if one of the eight about it, or it, sees in
+//! the traced picture another object, another face, another facet or the background. Outside it golden and traced
+//! picture must show the same face of the same object; inside it they may differ. A thin facet that is between the
+//! pixels for the tracer is seen at none of them; rounded, it may be seen. So a pixel is in the band as well if the
+//! golden picture shows an object there of which a facet comes as near as its corners are rounded, at the depth of
+//! that facet. Wherever they show the same face, their depths may differ by the proven bound of that face at that
+//! pixel and no more.
 //!
 //! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A pixel is *tied* if the face that the golden
 //! picture shows is there for the tracer as well, and nearer to the one that it sees than the bounds of both allow to tell: rounded words cannot know which is first.

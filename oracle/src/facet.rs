@@ -122,7 +122,8 @@ impl Triangle {
         [0, 1].map(|k| 2.0 * Interval::about(&(&of[k] / constant)).middle().abs())
     }
 
-    /// The parameter at which the line of a pixel meets its plane, if the facet comes as near to the pixel, both across and down, as `reach` (half pixels).
+    /// The parameter at which the line of a pixel meets its plane, if the facet comes as near to the pixel, both
+    /// across and down, as `reach` (half pixels).
     pub fn near(&self, (x, y): (i64, i64), reach: f64) -> Option<Interval> {
         let cell = Cell {
             x: x as f64,

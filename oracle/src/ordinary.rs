@@ -1,6 +1,8 @@
-//! Ordinary scenes at random: one to six finite objects of every family, seen from 6 to 12 units away in both projections.
+//! Ordinary scenes at random: one to six finite objects of every family, seen from 6 to 12 units away in both
+//! projections.
 //!
-//! A scene is the text of a scene file, so that what goes wrong with one can be kept as it is. The same seed gives the same text on every computer.
+//! A scene is the text of a scene file, so that what goes wrong with one can be kept as it is. The same seed gives
+//! the same text on every computer.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

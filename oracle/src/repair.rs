@@ -1,8 +1,9 @@
 //! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4 and IV.2.5).
 //!
-//! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding ([`Jury`]), or if an object of
-//! a processor without such bounds can be on it. Open pixels are solved exactly and replace those of the first pass; all others keep its words bit for bit.
-//! Then object and face are the true ones at every pixel: by proof where the words decided, by computation where they did not.
+//! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding
+//! ([`Jury`]), or if an object of a processor without such bounds can be on it. Open pixels are solved exactly and
+//! replace those of the first pass; all others keep its words bit for bit. Then object and face are the true ones at
+//! every pixel: by proof where the words decided, by computation where they did not.
 
 use imogene_models::check::Jury;
 use imogene_models::exact::render::{render_where, to_frame};

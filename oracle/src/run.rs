@@ -6,8 +6,8 @@ use crate::trace::Tracer;
 use imogene_models::format::Format;
 use imogene_models::machine::beam;
 use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::{SceneError, SceneFile};
+use imogene_models::prepare::{PreparedScene, prepare};
+use imogene_models::scene::{FramedScene, SceneError, SceneFile};
 use std::time::Instant;
 
 /// What came of a scene.
@@ -28,6 +28,8 @@ pub struct Compared {
     pub marks: Vec<Mark>,
     /// Seconds of the tracer.
     pub trace_seconds: f64,
+    /// The scene as it was framed, and its words.
+    pub scene: (FramedScene, PreparedScene),
 }
 
 /// Draws a scene by the golden model and by the tracer, and compares; `progress` gets the number of steps, once for each of them.
@@ -69,5 +71,6 @@ pub fn run(
         golden,
         marks,
         trace_seconds,
+        scene: (framed, prepared),
     })))
 }

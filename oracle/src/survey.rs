@@ -1,10 +1,10 @@
-//! What becomes of many scenes: how many are refused, how many the check fails, and where golden and traced picture differ.
+//! What becomes of many scenes: how many are refused, how many the check fails, and where golden and traced picture
+//! differ.
 
 use crate::ordinary::scene_text;
 use crate::run::{Compared, Outcome, run};
 use imogene_models::check::check;
 use imogene_models::format::Format;
-use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -77,9 +77,8 @@ fn fate(text: &str, format: Format) -> Fate {
             Ok(Outcome::Refused(reason)) => return Err(reason),
             Err(error) => return Err(error.to_string()),
         };
-        let framed = scene.frame(width, height).map_err(|e| e.to_string())?;
-        let prepared = prepare(&framed, format).map_err(|e| e.to_string())?;
-        let report = check(&framed, &prepared);
+        let (framed, prepared) = &compared.scene;
+        let report = check(framed, prepared);
         Ok(Fate::Drawn {
             compared,
             is_ok: report.ok,

@@ -135,7 +135,8 @@ impl Tracer {
         self.solve(x, y, &list)
     }
 
-    /// The facets of an object that come within `reach` of a pixel, across and down: their numbers, and the depths of their planes there.
+    /// The facets of an object that come within `reach` of a pixel, across and down: their numbers, and the depths of
+    /// their planes there.
     pub fn facets_near(&self, object: u32, (x, y): (u32, u32), reach: f64) -> Vec<(u32, Interval)> {
         let place = self.sight.place(x, y);
         let own = self.bodies.iter().filter(|(id, _)| *id == object);

@@ -12,7 +12,8 @@ fn is_long() -> bool {
     std::env::var_os("IMOGENE_FULL").is_some()
 }
 
-/// Of ordinary scenes at most two in a hundred are refused, none fails its check, and no picture differs from the traced one where nothing was announced.
+/// Of ordinary scenes at most two in a hundred are refused, none fails its check, and no picture differs from the
+/// traced one where nothing was announced.
 #[test]
 fn ordinary_scenes_draw() {
     let scenes = if is_long() { 1000 } else { 200 };
@@ -46,8 +47,8 @@ fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFil
     scene
 }
 
-/// From outside through the surface to the inside: every frame is drawn, each shows something as long as anything is ahead, and none differs from the traced picture
-/// where that was not announced.
+/// From outside through the surface to the inside: every frame is drawn, each shows something as long as anything is
+/// ahead, and none differs from the traced picture where that was not announced.
 #[test]
 fn a_flight_through_a_surface_is_drawn_from_beginning_to_end() {
     let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");

@@ -4,10 +4,14 @@ mod common;
 
 use imogene_models::check::check;
 use imogene_models::format::Format;
-use imogene_models::prepare::prepare;
+use imogene_models::machine::beam;
+use imogene_models::machine::frame::Frame;
+use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
-use imogene_oracle::compare::Mark;
+use imogene_oracle::bounds::Bounds;
+use imogene_oracle::compare::{Comparison, Mark, compare};
 use imogene_oracle::run::{Outcome, run};
+use imogene_oracle::trace::{Traced, Tracer};
 
 /// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are announced far from the edge.
 const WITHOUT_BOUNDS: [&str; 1] = ["flat-as-a-leaf"];
@@ -80,6 +84,42 @@ fn a_scene_that_differs_is_one_whose_check_fails() {
     }
 }
 
+/// A scene with both pictures, to hold others against the traced one.
+struct Drawn {
+    prepared: PreparedScene,
+    golden: Frame,
+    tracer: Tracer,
+    traced: Traced,
+    bounds: Bounds,
+}
+
+impl Drawn {
+    fn new(scene: &SceneFile, (width, height): (u32, u32)) -> Drawn {
+        let framed = scene.frame(width, height).expect("framed");
+        let prepared = prepare(&framed, Format::BASE).expect("prepared");
+        let (columns, lines) = (width as usize, height as usize);
+        let tracer = Tracer::new(scene, &framed.range, width, height);
+        Drawn {
+            golden: beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ()),
+            bounds: Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds"),
+            traced: tracer.draw(|| ()),
+            tracer,
+            prepared,
+        }
+    }
+
+    fn against(&self, frame: &Frame) -> Comparison {
+        compare(
+            &self.tracer,
+            &self.traced,
+            frame,
+            &self.bounds,
+            &self.prepared,
+        )
+        .0
+    }
+}
+
 /// A wrong picture is noticed: one object moved by two pixels, or one word of depth too many.
 #[test]
 fn wrong_pictures_are_noticed() {
@@ -88,22 +128,9 @@ fn wrong_pictures_are_noticed() {
         .find(|f| f.ends_with("teapot.toml"))
         .expect("the teapot");
     let scene = SceneFile::read(&file).expect("valid");
-    let (w, h) = (80, 60);
-    let framed = scene.frame(w, h).expect("framed");
-    let prepared = prepare(&framed, Format::BASE).expect("prepared");
-    let golden = imogene_models::machine::beam::render(
-        &prepared.slots(),
-        &Format::BASE,
-        w as usize,
-        h as usize,
-        || (),
-    );
-    let tracer = imogene_oracle::trace::Tracer::new(&scene, &framed.range, w, h);
-    let bounds =
-        imogene_oracle::bounds::Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds");
-    let traced = tracer.draw(|| ());
-    let against =
-        |frame| imogene_oracle::compare::compare(&tracer, &traced, frame, &bounds, &prepared).0;
+    let drawn = Drawn::new(&scene, (80, 60));
+    let golden = drawn.golden.clone();
+    let against = |frame| drawn.against(frame);
     assert!(against(&golden).holds());
     let mut moved = golden.clone();
     moved.id.rotate_right(2);
@@ -116,7 +143,8 @@ fn wrong_pictures_are_noticed() {
     assert!(found.depths_beyond_bound > 0 && found.differences_outside == 0);
 }
 
-/// Slivers between the pixels, seen where their corners are rounded to: the golden picture holds, and what is wrong in it is still found.
+/// Slivers between the pixels, seen where their corners are rounded to: the golden picture holds, and what is wrong
+/// in it is still found.
 #[test]
 fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     let slivers = "kind = \"mesh\"\nvertices = [[0.01, -0.267, -0.712], [0.321, -0.06, -0.745], [-0.985, -0.812, -1.177], \
@@ -126,29 +154,21 @@ fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
     let camera = "kind = \"perspective\"\neye = [-2.848, -3.182, 7.89]\ntarget = [-0.168, 0.045, -0.09]\nviewer_distance = 8.170\nview_height = 3.031\n";
     let scene = common::scene(camera, &[slivers]);
     let (w, h) = (64, 48);
-    let framed = scene.frame(w, h).expect("framed");
-    let prepared = prepare(&framed, Format::BASE).expect("prepared");
-    let tracer = imogene_oracle::trace::Tracer::new(&scene, &framed.range, w, h);
-    let bounds =
-        imogene_oracle::bounds::Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds");
-    let traced = tracer.draw(|| ());
-    let golden = imogene_models::machine::beam::render(
-        &prepared.slots(),
-        &Format::BASE,
-        w as usize,
-        h as usize,
-        || (),
-    );
-    let against = |frame: &imogene_models::machine::frame::Frame| {
-        imogene_oracle::compare::compare(&tracer, &traced, frame, &bounds, &prepared).0
-    };
+    let drawn = Drawn::new(&scene, (w, h));
+    let golden = drawn.golden.clone();
+    let against = |frame: &Frame| drawn.against(frame);
     let found = against(&golden);
     assert!(found.holds(), "{found:#?}");
     // A pixel that no facet and no seen pixel is near, and one beside the facet that is at another depth.
     let far_from_all = |&i: &usize| {
         let (x, y) = (i % w as usize, i / w as usize);
-        let beside = imogene_oracle::compare::is_in_band(&traced, x, y);
-        !beside && golden.id[i] < 0 && tracer.facets_near(0, (x as u32, y as u32), 0.1).is_empty()
+        let beside = imogene_oracle::compare::is_in_band(&drawn.traced, x, y);
+        !beside
+            && golden.id[i] < 0
+            && drawn
+                .tracer
+                .facets_near(0, (x as u32, y as u32), 0.1)
+                .is_empty()
     };
     let mut wrong = 0;
     for i in (0..golden.id.len()).filter(far_from_all).step_by(97) {

@@ -185,7 +185,8 @@ const CHARACTER: usize = 8;
 const EDGES: usize = 16;
 
 impl Trace {
-    /// The zoom at which a clock has room for every digit of what changes in each: GTKWave shows 2^-zoom time units on 200 pixels.
+    /// The zoom at which a clock has room for every digit of what changes in each: GTKWave shows 2^-zoom time units
+    /// on 200 pixels.
     fn zoom(&self) -> f64 {
         let compared = self.groups.iter().flat_map(|group| &group.compared);
         let characters = compared.map(characters).max().unwrap_or(1);

@@ -60,7 +60,8 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
     let shown: f64 = zoom.next().unwrap().parse().unwrap();
     let marker = (first.cycle * 10).to_string();
     assert_eq!(zoom.next(), Some(marker.as_str()), "{save}");
-    // GTKWave draws 2^-zoom time units on 200 pixels. A value of 26 bits has up to nine characters, of some eight pixels.
+    // GTKWave draws 2^-zoom time units on 200 pixels. A value of 26 bits has up to nine characters, of some eight
+    // pixels.
     let clock = 10.0 * 200.0 / (-shown).exp2();
     assert!((72.0..120.0).contains(&clock), "{clock} pixels a clock");
 }

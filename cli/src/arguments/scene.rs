@@ -96,7 +96,8 @@ pub struct Render {
     /// Which model draws.
     #[arg(long, value_enum, default_value_t = Model::Golden)]
     pub model: Model,
-    /// Picture file (PNG); with --frames the folder of the pictures [default: named after the scene, in the current folder].
+    /// Picture file (PNG); with --frames the folder of the pictures [default: named after the scene, in the current
+    /// folder].
     #[arg(short = 'o', long = "output", value_name = "FILE.png")]
     pub output: Option<PathBuf>,
     /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
@@ -146,7 +147,8 @@ pub struct Check {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
-    /// Where rounding could change the picture: a picture of the scene's size (.png), or its marks (.npy, uint8, 0 where all is decided).
+    /// Where rounding could change the picture: a picture of the scene's size (.png), or its marks (.npy, uint8, 0
+    /// where all is decided).
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
 }

@@ -15,6 +15,7 @@ use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::metrics::Metrics;
 use imogene_models::picture;
+use imogene_models::prepare::Options;
 use imogene_models::scene::SceneFile;
 use imogene_models::text::counted;
 use imogene_models::{slots, widths};
@@ -147,7 +148,7 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
             let size = size_of(&file, options.size);
             files.push((
                 name,
-                missing::reduced(file, size, Format::BASE, missing::ROOTS)?,
+                missing::reduced(file, size, Format::BASE, Options::ROOTS)?,
             ));
         } else {
             let playback = Playback::new(&file).map_err(Failure::input)?;

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::{missing, output};
 use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
+use imogene_models::prepare::Options;
 use imogene_models::scene::SceneFile;
 use imogene_models::text::counted;
 use imogene_models::trade::design::Space;
@@ -27,7 +28,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
     let file = SceneFile::read(&options.scene).map_err(Failure::input)?;
     let size = size_of(&file, options.size);
-    let file = missing::reduced(file, size, Format::BASE, missing::ROOTS)?;
+    let file = missing::reduced(file, size, Format::BASE, Options::ROOTS)?;
     let target = Target::from_name(&options.target).map_err(Failure::input)?;
     let (space, points) = match options.points {
         Points::Quick => (Space::Quick, "quick"),

@@ -16,3 +16,11 @@ pub fn scene(name: &str) -> PathBuf {
         .join("../scenes")
         .join(name)
 }
+
+/// Exit code, standard output and standard error of a run.
+#[allow(dead_code)]
+pub fn said(output: std::process::Output) -> (Option<i32>, String, String) {
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    let code = output.status.code();
+    (code, text(output.stdout), text(output.stderr))
+}

@@ -80,7 +80,8 @@ impl Map<'_> {
             if along <= 0.0 {
                 return None;
             }
-            // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the screen.
+            // A displacement d moves a point on the screen by at most d (1 + tan) / depth of the distance to the
+            // screen.
             let aside = (square - along * along).max(0.0).sqrt() / along;
             most = most.max(up * (1.0 + aside) / along);
         }

@@ -11,17 +11,21 @@
 //! the gradient differ by at most `(2|a| + |c|) h` and `(2|b| + |c|) h`. Inconclusive cells are quartered. Cells at which a
 //! plane removes the contour with a pixel to spare do not count, as long as the displacement found is below one pixel.
 //!
-//! Cells that stay inconclusive to the last surround the point where the gradient vanishes. If it is a saddle, as at the apex of a double
-//! cone seen from the side, the slope lines pass by: along a slope line of a second-degree expression both coordinates on its principal axes change
-//! monotonically, so a line spends at most twice the diagonal of the rectangle around these cells inside it, which is added to e2 / G.
-//! (The lines that end in the saddle itself are limits of lines that pass by.)
+//! Cells that stay inconclusive to the last surround the point where the gradient vanishes. If it is a saddle, as at
+//! the apex of a double cone seen from the side, the slope lines pass by: along a slope line of a second-degree
+//! expression both coordinates on its principal axes change monotonically, so a line spends at most twice the
+//! diagonal of the rectangle around these cells inside it, which is added to e2 / G. (The lines that end in the
+//! saddle itself are limits of lines that pass by.)
 //!
-//! If it is a summit or a pit of value m, as at the apex of a cone that is looked into, let h be the smaller eigenvalue of the second derivatives.
-//! At a distance t from it f2' differs from m by at least `h t^2 / 2`, and its gradient is at least `sqrt(2 h |f2' - m|)` long.
+//! If it is a summit or a pit of value m, as at the apex of a cone that is looked into, let h be the smaller
+//! eigenvalue of the second derivatives. At a distance t from it f2' differs from m by at least `h t^2 / 2`, and its
+//! gradient is at least `sqrt(2 h |f2' - m|)` long.
 //!
-//! * Where m is beyond the band on the side of its own sign, both contours go around it, and G is at least `sqrt(2 h (|m| - e2))`.
-//! * Where m is in the band, the whole band is a spot within `t = sqrt(2 (e2 + |m|) / h)` of it. Either contour may be missing
-//!   there, so the displacement that is stated is the width 2t of the spot: nothing wider can appear or vanish.
+//! * Where m is beyond the band on the side of its own sign, both contours go around it, and G is at least `sqrt(2 h
+//!   (|m| - e2))`.
+//! * Where m is in the band, the whole band is a spot within `t = sqrt(2 (e2 + |m|) / h)` of it. Either contour may
+//!   be missing there, so the displacement that is stated is the width 2t of the spot: nothing wider can appear or
+//!   vanish.
 
 use crate::format::Format;
 use crate::object::quadric::QuadricWords;
@@ -68,7 +72,8 @@ pub(super) fn displacement(object: &PreparedQuadric, format: &Format) -> Displac
     }
 }
 
-/// True if a look at the whole of f2 shows that no contour can be displaced by a pixel: one around a summit or a pit beyond the band.
+/// True if a look at the whole of f2 shows that no contour can be displaced by a pixel: one around a summit or a pit
+/// beyond the band.
 pub(super) fn steep_everywhere(object: &PreparedQuadric, format: &Format) -> bool {
     let contour = Contour::new(object, format);
     let [a, b, c] = contour.second;

@@ -74,8 +74,8 @@ impl<'a> Jury<'a> {
         &self.judges[id]
     }
 
-    /// For every pixel of the picture, row-major, whether rounding could change the visible object or face; everywhere else golden and
-    /// true picture are proven to show the same face of the same object.
+    /// For every pixel of the picture, row-major, whether rounding could change the visible object or face;
+    /// everywhere else golden and true picture are proven to show the same face of the same object.
     pub fn undecided(&self) -> Vec<bool> {
         (0..i64::from(self.prepared.height))
             .into_par_iter()

@@ -1,8 +1,9 @@
 //! At which pixels rounding could change which light sources reach what is seen.
 //!
-//! Like presence and face, membership in a volume is compared by ranges: that of the visible depth, in which the true and the golden one lie, and those
-//! of the volume's words. The margin of a shadow widens them, with one exception: a face is never in a shadow that begins at it, and always in one
-//! that it bounds from behind, which is what the margin is proven for.
+//! Like presence and face, membership in a volume is compared by ranges: that of the visible depth, in which the true
+//! and the golden one lie, and those of the volume's words. The margin of a shadow widens them, with one exception: a
+//! face is never in a shadow that begins at it, and always in one that it bounds from behind, which is what the
+//! margin is proven for.
 
 use super::depth::{Range, face_ranges};
 use super::jury::Jury;
@@ -36,7 +37,8 @@ pub(super) fn undecided(prepared: &PreparedScene, jury: &Jury) -> Vec<bool> {
     lines.flat_map_iter(line).collect()
 }
 
-/// Whether any source may reach the point in one picture alone. A source is dark behind one volume, whatever the others say.
+/// Whether any source may reach the point in one picture alone. A source is dark behind one volume, whatever the
+/// others say.
 fn is_open(volumes: &[Volume], seen: &Seen, format: &Format, at: (i64, i64)) -> bool {
     let (mut dark, mut open) = (0u16, 0u16);
     for volume in volumes {

@@ -1,8 +1,9 @@
 //! The check of a prepared scene: what it needs, what can go wrong, and how far the golden picture can be from the true one.
 //!
-//! Every bound is derived, not sampled: from the rounding bounds of the coefficients ([`crate::prepare::RoundingBounds`]) and the integers at each
-//! pixel, or the truth itself. [`depth_bound`] and [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which
-//! they might not are counted and can be listed ([`Jury`]), whatever processor draws them.
+//! Every bound is derived, not sampled: from the rounding bounds of the coefficients
+//! ([`crate::prepare::RoundingBounds`]) and the integers at each pixel, or the truth itself. [`depth_bound`] and
+//! [`normal_bound`] hold at every pixel at which golden and true picture see the same face; the pixels at which they
+//! might not are counted and can be listed ([`Jury`]), whatever processor draws them.
 
 mod accumulators;
 mod contour;
@@ -48,8 +49,8 @@ use serde::Serialize;
 /// What a scene needs of a machine, and the bounds that hold for its picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckReport {
-    /// True if every accumulator is wide enough and no outline that is seen may be a pixel or more away from the true one. Other problems are
-    /// for a person to judge and do not make a check fail.
+    /// True if every accumulator is wide enough and no outline that is seen may be a pixel or more away from the true
+    /// one. Other problems are for a person to judge and do not make a check fail.
     pub ok: bool,
     /// Bounds of the whole picture.
     pub bounds: SceneBounds,
@@ -57,7 +58,8 @@ pub struct CheckReport {
     pub widths: Widths,
     /// The range of the depth word: which distances it tells apart, and what a word is.
     pub range: RangeReport,
-    /// Pixels of the picture at which rounding could change the visible object or face, or decides between two that are equally far.
+    /// Pixels of the picture at which rounding could change the visible object or face, or decides between two that
+    /// are equally far.
     pub undecided_pixels: usize,
     /// What the scene needs and has, in short.
     pub summary: Summary,
@@ -238,7 +240,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
     }
 }
 
-/// For every pixel of the picture, row-major, whether rounding could change the visible object or face ([`Jury::undecided`]).
+/// For every pixel of the picture, row-major, whether rounding could change the visible object or face
+/// ([`Jury::undecided`]).
 pub fn undecided_pixels(scene: &FramedScene, prepared: &PreparedScene) -> Vec<bool> {
     Jury::new(scene, prepared).undecided()
 }

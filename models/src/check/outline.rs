@@ -1,9 +1,10 @@
 //! Whether the pixels that rounding leaves open let the outline of an object move by a pixel or more.
 //!
-//! The outline of either picture separates the pixels at which the object certainly is from those at which it certainly is not. At an open pixel that has
-//! both kinds among its eight neighbours, both outlines pass within a pixel. A group of open pixels that is one pixel wide is no wider than a pixel
-//! either, whatever is around it. What is left are open pixels of a square of four that lack one of the two: there a part of the object may be missing, or
-//! be there where nothing is, that is wider than a pixel.
+//! The outline of either picture separates the pixels at which the object certainly is from those at which it
+//! certainly is not. At an open pixel that has both kinds among its eight neighbours, both outlines pass within a
+//! pixel. A group of open pixels that is one pixel wide is no wider than a pixel either, whatever is around it. What
+//! is left are open pixels of a square of four that lack one of the two: there a part of the object may be missing,
+//! or be there where nothing is, that is wider than a pixel.
 
 use super::verdict::Verdict;
 use crate::object::quadric::ScreenBox;

@@ -1,4 +1,5 @@
-//! What is reported of an object of another processor than quadric or patch, which is held against the truth at every pixel.
+//! What is reported of an object of another processor than quadric or patch, which is held against the truth at every
+//! pixel.
 
 use super::jury::{Comparison, Judge, Jury};
 use super::kind::quadric_kind;

@@ -1,7 +1,9 @@
-//! Whether a check would fail, in a small part of the time of drawing: no bounds, and only the pixels that rounding can leave open.
+//! Whether a check would fail, in a small part of the time of drawing: no bounds, and only the pixels that rounding
+//! can leave open.
 //!
-//! On a line of the picture f2 is of second degree in the column, so the columns at which it is within its error of zero follow from its roots. Mostly
-//! there are none; an object whose outline is steep everywhere is passed over whole.
+//! On a line of the picture f2 is of second degree in the column, so the columns at which it is within its error of
+//! zero follow from its roots. Mostly there are none; an object whose outline is steep everywhere is passed over
+//! whole.
 
 use super::accumulators::plane_bits;
 use super::contour::{displacement, steep_everywhere};

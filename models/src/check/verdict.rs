@@ -269,7 +269,8 @@ pub(super) struct Seen {
 
 /// What is proven of the whole picture at one pixel, object by object.
 ///
-/// The nearest decided face wins if every other object is certainly farther; two that may be equally far are open, as a tie is.
+/// The nearest decided face wins if every other object is certainly farther; two that may be equally far are open, as
+/// a tie is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contest {
     /// The decided face that is surely no farther than any other decided one.

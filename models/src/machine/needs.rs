@@ -20,7 +20,8 @@ const ZONE: ZoneSize = ZoneSize {
 ///
 /// # Errors
 ///
-/// When it has too few processors, planes, lights or words: the error has the lines that would do for all of the scenes. When no machine shows one of them.
+/// When it has too few processors, planes, lights or words: the error has the lines that would do for all of the
+/// scenes. When no machine shows one of them.
 pub fn check(
     machine: &MachineDescription,
     scenes: &[(&FramedScene, &PreparedScene)],
@@ -76,7 +77,8 @@ fn add(
     Ok(())
 }
 
-/// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are copied.
+/// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
+/// copied.
 fn make_room(
     machine: &mut MachineDescription,
     framed: &FramedScene,

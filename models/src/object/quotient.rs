@@ -4,9 +4,11 @@
 //! Along a line of sight the equation of such a quadric is of first degree, `2 B(x, y) z + T(x, y) = 0`, so the depth is one quotient and no root. A pe2 gives
 //! the numerator `-T`, a pe1 the denominator `2 B`, and the array of [`crate::unit::quotient`] the depth word. The planes cut it as they cut any other object.
 //!
-//! A quadric that the eye *nearly* lies on has two depths, of which one is too great for any word wherever it cannot be seen: `C z^2 + 2 B z + T = 0` with a small C.
-//! With the root of the discriminant the denominator becomes `2 B +- 2 sqrt(B^2 - C T)`, of the sign of B, so that nothing cancels; `-2 T` over it is the depth
-//! that stays, and it over `-2 C` the one that leaves. Both saturate, and from there on the object is one of two roots like any other.
+//! A quadric that the eye *nearly* lies on has two depths, of which one is too great for any word wherever it cannot
+//! be seen: `C z^2 + 2 B z + T = 0` with a small C. With the root of the discriminant the denominator becomes
+//! `2 B +- 2 sqrt(B^2 - C T)`, of the sign of B, so that nothing cancels; `-2 T` over it is the depth that stays, and
+//! it over `-2 C` the one that leaves. Both saturate, and from there on the object is one of two roots like any
+//! other.
 //!
 //! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a solid everywhere or nowhere. Quotients outside
 //! the depth word lie nearer than the near end, or behind the eye.
@@ -73,7 +75,8 @@ pub struct QuotientWords {
 pub struct QuotientRoot {
     /// `4 (B^2 - C T)`, in the square of the denominator's unit.
     pub discriminant: Quadratic,
-    /// `2 C`, in denominators to the depth word, with `fraction` binary places; not zero, its sign is that of the quadric at the eye.
+    /// `2 C`, in denominators to the depth word, with `fraction` binary places; not zero, its sign is that of the
+    /// quadric at the eye.
     pub leading: i64,
     /// Binary places of `leading`.
     pub fraction: u32,
@@ -292,7 +295,8 @@ impl QuotientProcessor {
         (face, absent)
     }
 
-    /// The words of the normal as the normal unit takes them for a face: of two depths it is asked for the change behind `normal_from` of either.
+    /// The words of the normal as the normal unit takes them for a face: of two depths it is asked for the change
+    /// behind `normal_from` of either.
     fn normal_of(&self, face: u8) -> NormalWords {
         let mut words = self.words.normal;
         if face == FACE_FAR && self.words.root.is_some() {

@@ -1,4 +1,5 @@
-//! Words that switch off what a scene leaves unused: a plane that cuts nothing, and a processor that draws or shades nothing.
+//! Words that switch off what a scene leaves unused: a plane that cuts nothing, and a processor that draws or shades
+//! nothing.
 
 use super::first_generation::ContourPlane;
 use super::load::{self, LoadWord};
@@ -34,7 +35,8 @@ pub struct Unused {
     pub processor: &'static str,
     /// A plane or side that cuts nothing, of processors that have any.
     pub plane: Option<UnusedPlane>,
-    /// Words of the load bus that make plane 0 cut nothing; its other words do not matter. Empty where there is no load bus.
+    /// Words of the load bus that make plane 0 cut nothing; its other words do not matter. Empty where there is no
+    /// load bus.
     pub plane_load_words: Vec<LoadWord>,
     /// What is added to their addresses from plane to plane.
     pub plane_address_step: Option<u8>,
@@ -67,7 +69,8 @@ pub fn object_slot() -> LoadWord {
     empty_columns(load::BOX_COLUMNS)
 }
 
-/// The words with which a volume processor takes no light away: a shadow in an empty box. A light would take it away outside of its box.
+/// The words with which a volume processor takes no light away: a shadow in an empty box. A light would take it away
+/// outside of its box.
 pub fn volume_slot() -> [LoadWord; 2] {
     let shadow = LoadWord {
         address: load_volume::CONTROL,

@@ -63,15 +63,14 @@ pub struct PreparedScene {
     pub objects: Vec<PreparedObject>,
     /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
     pub volumes: Vec<PreparedVolume>,
-    /// What is left out of a picture that is drawn without what cannot be prepared ([`Options::without_refused`]), objects first.
+    /// What is left out of a picture that is drawn without what cannot be prepared ([`Options::without_refused`]),
+    /// objects first.
     pub missing: Vec<Missing>,
 }
 
 /// What is left out of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Missing {
-    /// Index of the object, or of the object whose shadow it is; nothing for the cone of a spot.
-    pub object: Option<usize>,
     /// True if only a shadow or a cone is missing.
     pub is_volume: bool,
     /// Why.
@@ -219,6 +218,15 @@ pub struct Options {
     pub without_refused: bool,
 }
 
+impl Options {
+    /// For machines that have quadric and patch processors alone.
+    pub const ROOTS: Options = Options {
+        anchor: None,
+        roots_only: true,
+        without_refused: false,
+    };
+}
+
 /// What all objects of a scene share.
 #[derive(Clone, PartialEq)]
 struct Context {
@@ -329,11 +337,7 @@ pub fn prepare_for_roots(
     scene: &FramedScene,
     format: Format,
 ) -> Result<PreparedScene, PrepareError> {
-    let options = Options {
-        roots_only: true,
-        ..Options::default()
-    };
-    prepare_with(scene, format, options)
+    prepare_with(scene, format, Options::ROOTS)
 }
 
 /// Prepares a scene with options.
@@ -402,11 +406,11 @@ fn prepare_objects(
             prepared
         })
         .collect();
-    let named = objects.into_iter().zip(&scene.objects).enumerate();
+    let named = objects.into_iter().zip(&scene.objects);
     named
-        .map(|(index, (prepared, object))| {
+        .map(|(prepared, object)| {
             prepared.or_else(|reason| {
-                leave_out(context, missing, Some(index), false, reason)?;
+                leave_out(context, missing, false, reason)?;
                 let note = "left out: it cannot be drawn";
                 let absent = object::absent(object.name(), Class::default(), note);
                 Ok(PreparedObject::Quadric(absent))
@@ -419,18 +423,13 @@ fn prepare_objects(
 fn leave_out(
     context: &Context,
     missing: &mut Vec<Missing>,
-    object: Option<usize>,
     is_volume: bool,
     reason: PrepareError,
 ) -> Result<(), PrepareError> {
     if !context.options.without_refused {
         return Err(reason);
     }
-    missing.push(Missing {
-        object,
-        is_volume,
-        reason,
-    });
+    missing.push(Missing { is_volume, reason });
     Ok(())
 }
 

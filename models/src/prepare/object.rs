@@ -3,7 +3,7 @@
 use super::error::PrepareError;
 use super::extent::Extent;
 use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
-use super::perspective::{ScreenQuadric, project_plane};
+use super::perspective::{ScreenQuadric, on_screen};
 use super::planes::{prepare_plane, signed_bits};
 use super::range;
 use super::rounding::{
@@ -33,11 +33,7 @@ pub(super) struct Projected {
 
 impl Projected {
     pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
-        let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
-        let planes = object.planes.iter();
-        let planes: Vec<Plane> = planes
-            .map(|p| project_plane(p, &context.inverse_distance))
-            .collect();
+        let (quadric, planes) = on_screen(object, &context.inverse_distance);
         let region = Region::new(&quadric.q, &planes, object.surface);
         Projected {
             window: window_of(&quadric, &region, &planes, context),
@@ -69,7 +65,7 @@ pub(super) fn prepare_quadric(
     let words = depth_words(&object.name, quadric, class, at, context);
     let (mut prepared, root_max) = words.map_err(|mut refusal| {
         if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
-            *remedy = range::remedy(quadric, region, context).into();
+            *remedy = range::remedy(quadric, region, context);
         }
         refusal
     })?;
@@ -109,12 +105,20 @@ fn window_of(
     context: &Context,
 ) -> ScreenBox {
     let depth = to_f64(&context.full_depth);
-    let (width, height) = (context.width, context.height);
+    let searched = || region.screen_box(context.width, context.height, depth);
+    tangent_box(quadric, planes, context).unwrap_or_else(searched)
+}
+
+/// The box of an uncut closed quadric within the screen and the depths; nothing for any other.
+pub(super) fn tangent_box(
+    quadric: &ScreenQuadric,
+    planes: &[Plane],
+    context: &Context,
+) -> Option<ScreenBox> {
+    let depth = to_f64(&context.full_depth);
     let is_whole = planes.is_empty() && !quadric.eye_value().is_zero();
-    let tangent = is_whole
-        .then(|| Extent::of(&quadric.q)?.screen_box(width, height, depth))
-        .flatten();
-    tangent.unwrap_or_else(|| region.screen_box(width, height, depth))
+    let extent = is_whole.then(|| Extent::of(&quadric.q)).flatten()?;
+    extent.screen_box(context.width, context.height, depth)
 }
 
 fn classify(

@@ -3,7 +3,7 @@
 
 use super::forms::{LinearForm, QuadraticForm, common, sum, times, unreduced};
 use crate::rational::integer;
-use crate::scene::{Plane, Projection, Quadric};
+use crate::scene::{FramedQuadric, Plane, Projection, Quadric};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -30,6 +30,20 @@ pub struct ScreenQuadric {
     /// The transformed coefficients.
     pub q: Quadric,
     inverse_distance: BigRational,
+}
+
+/// The quadric and the planes of an object after perspective.
+pub(super) fn on_screen(
+    object: &FramedQuadric,
+    inverse_distance: &BigRational,
+) -> (ScreenQuadric, Vec<Plane>) {
+    let planes = object.planes.iter();
+    (
+        ScreenQuadric::new(&object.quadric, inverse_distance),
+        planes
+            .map(|plane| project_plane(plane, inverse_distance))
+            .collect(),
+    )
 }
 
 /// A plane after perspective, kept where `a x + b y + c z + d <= 0`.

@@ -1,7 +1,8 @@
 //! A quadric whose depth is a quotient: the eye lies on it, or looks along an asymptotic direction (thesis section 2.1.1: c' = 0).
 //!
-//! The equation on the screen is then `2 B z + T = 0` with B of first and T of second degree. Numerator and denominator share a scale that is free, so each fills half
-//! of its word. A quadric that passes the eye so closely that one of its depths leaves the words of roots is drawn in the same way, with a root in its denominator.
+//! The equation on the screen is then `2 B z + T = 0` with B of first and T of second degree. Numerator and
+//! denominator share a scale that is free, so each fills half of its word. A quadric that passes the eye so closely
+//! that one of its depths leaves the words of roots is drawn in the same way, with a root in its denominator.
 
 use super::Context;
 use super::error::PrepareError;
@@ -50,7 +51,8 @@ pub(super) fn prepare_on_eye(
     prepare(object, projected, place, context).map(Some)
 }
 
-/// The words of an object one of whose depths leaves the words of roots: one that the eye nearly lies on. Nothing where there is no quotient processor.
+/// The words of an object one of whose depths leaves the words of roots: one that the eye nearly lies on. Nothing
+/// where there is no quotient processor.
 pub(super) fn prepare_near_eye(
     object: &FramedQuadric,
     projected: &Projected,
@@ -211,9 +213,10 @@ impl Depth {
 
     /// The same of a depth that is drawn at a pixel.
     ///
-    /// With the true `N / M`, the words `n`, `m` and `z = floor(n / m)`: the distance of `N / M` from `n / m` is at most
-    /// `(off_n + |n / m| off_m) / (|m| - off_m)`, and the floor takes up to one. If m holds a root, off_m is what is off the discriminant through the root, and its
-    /// floor, besides; the other depth is m over a constant that is rounded by half.
+    /// With the true `N / M`, the words `n`, `m` and `z = floor(n / m)`: the distance of `N / M` from `n / m` is at
+    /// most `(off_n + |n / m| off_m) / (|m| - off_m)`, and the floor takes up to one. If m holds a root, off_m is
+    /// what is off the discriminant through the root, and its floor, besides; the other depth is m over a constant
+    /// that is rounded by half.
     fn bound_at(
         &self,
         words: &QuotientWords,
@@ -274,7 +277,8 @@ fn scale(
     scales.into_iter().flatten().min().unwrap_or(integer(1))
 }
 
-/// A constant of about 44 bits with its binary places, as many as its magnitude asks for and at most 50; its sign stays.
+/// A constant of about 44 bits with its binary places, as many as its magnitude asks for and at most 50; its sign
+/// stays.
 fn leading_word(value: &BigRational) -> (i64, u32) {
     const BITS: i64 = 44;
     const MOST: i64 = 50;

@@ -242,10 +242,15 @@ impl Region {
 
 /// All pixel centres of the screen, within the depth range.
 pub fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
+    screen_between(width, height, [-depth, depth])
+}
+
+/// All pixel centres of the screen, between two depths.
+pub(super) fn screen_between(width: u32, height: u32, [near, far]: [f64; 2]) -> Cell {
     let (w, h) = (f64::from(width), f64::from(height));
     Cell::between(
-        [-0.5 * w, -0.5 * h, -depth],
-        [0.5 * w - 1.0, 0.5 * h - 1.0, depth],
+        [-0.5 * w, -0.5 * h, near],
+        [0.5 * w - 1.0, 0.5 * h - 1.0, far],
     )
 }
 

@@ -96,9 +96,11 @@ pub enum Camera {
         up: [f64; 3],
         /// Height of the picture in scene units.
         view_height: f64,
-        /// Depth, in scene units, to be covered in front of and behind the screen plane, or more if the objects need it; chosen for the scene if not given.
+        /// Depth, in scene units, to be covered in front of and behind the screen plane, or more if the objects need
+        /// it; chosen for the scene if not given.
         half_depth: Option<f64>,
-        /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of `half_depth`.
+        /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of
+        /// `half_depth`.
         ends: Option<[f64; 2]>,
         /// Name, group and place.
         node: Node,
@@ -408,8 +410,8 @@ pub struct Cut {
 
 /// Most bytes of a scene file: a million objects take a hundred million.
 const MAX_BYTES: u64 = 256 << 20;
-/// Bytes of memory for each byte of a scene file, at least: 43 were measured of spheres, 53 of cut ellipsoids. Reading
-/// takes the most; the preparation takes less than reading did.
+/// Bytes of memory for each byte of a scene file, at least: 43 were measured of spheres, 53 of cut ellipsoids.
+/// Reading takes the most; the preparation takes less than reading did.
 const MEMORY_PER_BYTE: u64 = 40;
 
 impl SceneFile {

@@ -87,8 +87,8 @@ pub enum FramedLight {
 }
 
 impl SceneFile {
-    /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth word of a range, taking over the objects that
-    /// `kept` hands out for an object and its material.
+    /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth
+    /// word of a range, taking over the objects that `kept` hands out for an object and its material.
     pub(crate) fn frame_within(
         &self,
         range: &DepthRange,
@@ -148,8 +148,9 @@ impl SceneFile {
 
 /// The change from scene to camera coordinates.
 ///
-/// A perspective picture does not change when the scene grows about the eye. So the frame is scaled until the point at twice the near end lies on the screen plane,
-/// where depth is zero; an orthographic frame is moved until the middle of the range does.
+/// A perspective picture does not change when the scene grows about the eye. So the frame is scaled until the point
+/// at twice the near end lies on the screen plane, where depth is zero; an orthographic frame is moved until the
+/// middle of the range does.
 fn camera_frame(
     camera: &Camera,
     height: u32,

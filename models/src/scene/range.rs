@@ -1,13 +1,13 @@
 //! The range of the depth word: which distances it tells apart.
 //!
-//! In perspective the depth word is of first degree in the inverse of the distance Z from the eye, `w = z_max (1 - 2 near / Z)`: it is least at the near end and greatest at
-//! infinity. In an orthographic view it is of first degree in the distance itself, between a near and a far end on both sides of the screen plane.
+//! In perspective the depth word is of first degree in the inverse of the distance Z from the eye,
+//! `w = z_max (1 - 2 near / Z)`: it is least at the near end and greatest at infinity. In an orthographic view it is
+//! of first degree in the distance itself, between a near and a far end on both sides of the screen plane.
 
 use super::file::Camera;
 use super::frame::Projection;
 use crate::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
 use num_rational::BigRational;
-use num_traits::Signed;
 use serde::Serialize;
 
 /// What the depth word covers, in scene units along the view.
@@ -67,7 +67,8 @@ pub struct RangeReport {
     pub far_units: Option<f64>,
     /// Who chose it.
     pub origin: RangeOrigin,
-    /// The distance, in scene units, of a depth word `w`: from the eye in perspective, from the screen plane in an orthographic view.
+    /// The distance, in scene units, of a depth word `w`: from the eye in perspective, from the screen plane in an
+    /// orthographic view.
     pub distance: String,
     /// Objects that an end cuts.
     pub cut: Vec<CutOff>,
@@ -128,7 +129,8 @@ impl DepthRange {
         }
     }
 
-    /// The range with its ends moved by a power of two: the near end of a perspective view, both ends of an orthographic one.
+    /// The range with its ends moved by a power of two: the near end of a perspective view, both ends of an
+    /// orthographic one.
     pub fn scaled(&self, exponent: i32) -> DepthRange {
         let factor = match exponent {
             0.. => power_of_two(exponent.unsigned_abs()),
@@ -155,10 +157,11 @@ impl DepthRange {
     /// Half the length of an orthographic range.
     pub(super) fn half_length(&self) -> BigRational {
         let far = self.far.as_ref().unwrap_or(&self.near);
-        (far - &self.near).abs() / integer(2)
+        (far - &self.near) / integer(2)
     }
 
-    /// The distance of a depth, given as a share of the greatest depth word: from the eye in perspective, from the screen plane in an orthographic view.
+    /// The distance of a depth, given as a share of the greatest depth word: from the eye in perspective, from the
+    /// screen plane in an orthographic view.
     pub fn distance(&self, share: f64) -> f64 {
         match &self.far {
             None => 2.0 * to_f64(&self.near) / (1.0 - share),

@@ -171,14 +171,7 @@ pub fn zones(
         prepared,
     };
     if zone == 0 {
-        return Ok(vec![whole(prepare_with(
-            scene,
-            format,
-            Options {
-                roots_only: true,
-                ..Options::default()
-            },
-        )?)]);
+        return Ok(vec![whole(prepare_with(scene, format, Options::ROOTS)?)]);
     }
     let side = zone as usize;
     let mut all = vec![];
@@ -191,8 +184,7 @@ pub fn zones(
             };
             let options = Options {
                 anchor: Some(anchor),
-                roots_only: true,
-                ..Options::default()
+                ..Options::ROOTS
             };
             all.push(ZoneScene {
                 first: (x, y),

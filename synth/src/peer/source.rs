@@ -10,8 +10,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Names of a clock port that are looked for if none is given.
-/// Most bytes of a Verilog file.
+/// Names of a clock port that are looked for if none is given. Most bytes of a Verilog file.
 const MAX_BYTES: u64 = 64 << 20;
 const CLOCKS: [&str; 2] = ["clk", "clock"];
 

@@ -1,8 +1,9 @@
-//! What is truly seen of an object at a pixel: the equation of the exact reference along the line of sight, in ranges of `f64`, and in
-//! integers where the ranges overlap.
+//! What is truly seen of an object at a pixel: the equation of the exact reference along the line of sight, in ranges
+//! of `f64`, and in integers where the ranges overlap.
 //!
-//! Processors other than those of quadrics and patches have words for which no bound is worked out beforehand. Their pictures are held against the truth at
-//! every pixel, which costs a few dozen operations in `f64`; what it finds is proven, since ranges are rounded outwards.
+//! Processors other than those of quadrics and patches have words for which no bound is worked out beforehand. Their
+//! pictures are held against the truth at every pixel, which costs a few dozen operations in `f64`; what it finds is
+//! proven, since ranges are rounded outwards.
 
 mod interval;
 

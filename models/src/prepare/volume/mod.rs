@@ -10,14 +10,14 @@ pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
 use super::again::Known;
 use super::error::PrepareError;
 use super::extent::Extent;
-use super::perspective::{ScreenQuadric, project_plane};
+use super::perspective::{ScreenQuadric, on_screen};
 use super::screen_box::{Cell, Region, Search, screen_domain};
 use super::{
     Context, ExactForms, Missing, NeededWidths, PreparedObject, RoundingBounds, leave_out,
 };
 use crate::object::volume::{VolumeKind, VolumeWords};
 use crate::rational::to_f64;
-use crate::scene::{FramedObject, FramedQuadric, FramedScene, Plane, Surface};
+use crate::scene::{FramedObject, FramedQuadric, FramedScene, Surface};
 use rayon::prelude::*;
 use words::{Shape, volume_words};
 
@@ -112,7 +112,7 @@ pub(super) fn prepare_volumes(
     };
     let prepared: &[PreparedObject] = objects;
     // Collected before the first error is taken, so that the same volume is named in every run.
-    let shadows: Vec<(usize, Result<Shadow, PrepareError>)> = pairs
+    let shadows: Vec<Result<Shadow, PrepareError>> = pairs
         .par_iter()
         .filter_map(|&(source, object)| {
             let framed = scene.objects[object].caster()?;
@@ -138,13 +138,13 @@ pub(super) fn prepare_volumes(
                 })
             });
             done();
-            found.map(|found| (object, found))
+            found
         })
         .collect();
-    for (object, shadow) in shadows {
+    for shadow in shadows {
         match shadow {
             Ok(shadow) => volumes.shadows.push(shadow),
-            Err(reason) => leave_out(context, missing, Some(object), true, reason)?,
+            Err(reason) => leave_out(context, missing, true, reason)?,
         }
     }
     Ok(volumes)
@@ -274,7 +274,7 @@ fn spots(
         };
         match volume_words(&shape, receivers, context) {
             Ok(volume) => volumes.push(volume),
-            Err(reason) => leave_out(context, missing, None, true, reason)?,
+            Err(reason) => leave_out(context, missing, true, reason)?,
         }
     }
     Ok(volumes)
@@ -327,9 +327,9 @@ fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64
         // Facets and approximated surfaces: their depths are not those of a quadric.
         return Some((-full, full));
     };
-    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let (quadric, planes) = on_screen(object, &context.inverse_distance);
     let clamped = |(near, far): (f64, f64)| ((near - 1.0).max(-full), (far + 1.0).min(full));
-    if object.planes.is_empty()
+    if planes.is_empty()
         && let Some(extent) = Extent::of(&quadric.q)
     {
         let cell = extent.cell();
@@ -339,11 +339,6 @@ fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64
             return Some(clamped((near, far)));
         }
     }
-    let planes: Vec<Plane> = object
-        .planes
-        .iter()
-        .map(|plane| project_plane(plane, &context.inverse_distance))
-        .collect();
     let region = Region::new(&quadric.q, &planes, object.surface);
     region
         .depth_range_within(domain, Search::COARSE)
