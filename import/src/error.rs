@@ -44,3 +44,20 @@ pub enum ImportError {
         accepted: String,
     },
 }
+
+impl ImportError {
+    /// What is wrong and where, without the name of the file: for a part of it that is left out.
+    pub fn detail(&self) -> String {
+        match self {
+            Self::Malformed {
+                place,
+                problem,
+                accepted,
+                ..
+            } => format!("{place}: {problem}; {accepted}"),
+            Self::Unusable {
+                problem, accepted, ..
+            } => format!("{problem}; {accepted}"),
+        }
+    }
+}

@@ -77,7 +77,7 @@ const READERS: [Reader; 6] = [
         endings: &[".step", ".stp", ".p21"],
         read: |bytes| {
             let options = faces::FaceOptions::default();
-            outcome(faces::read_step(bytes, "a file", &options))
+            outcome(faces::read_step(bytes, "a file", &options, &|_| None))
         },
     },
     Reader {

@@ -17,6 +17,10 @@ pub struct Parts {
     pub title: String,
     /// Which axis points up.
     pub up: Up,
+    /// What the digits of the file leave open, scene units.
+    pub precision: f64,
+    /// What the file takes for the same place, scene units.
+    pub uncertainty: f64,
     /// Materials.
     pub materials: Vec<Material>,
     /// Edges.
@@ -46,6 +50,8 @@ pub fn assemble(parts: Parts) -> Option<Model> {
     let Parts {
         title,
         up,
+        precision,
+        uncertainty,
         materials,
         edges,
         faces,
@@ -56,6 +62,8 @@ pub fn assemble(parts: Parts) -> Option<Model> {
     (distance(bounds[0], bounds[1]) >= SMALLEST_PART).then_some(Model {
         title,
         up,
+        precision,
+        uncertainty,
         materials,
         edges,
         faces,
@@ -79,11 +87,23 @@ fn bounds(edges: &[Edge], faces: &[Face], users: &[Vec<usize>]) -> [Vector; 2] {
         };
         points.extend(edge.curve.sampled(steps));
     }
-    for face in faces {
-        if let (Surface::Sphere { centre, radius }, true) = (&face.surface, face.loops.is_empty()) {
-            points.push(centre.map(|v| v - radius));
-            points.push(centre.map(|v| v + radius));
-        }
+    for face in faces.iter().filter(|face| face.loops.is_empty()) {
+        let (middle, reach) = match face.surface {
+            Surface::Sphere { centre, radius } => (centre, [radius; 3]),
+            // A disc across the axis, and the tube around its rim.
+            Surface::Torus {
+                centre,
+                axis,
+                major,
+                minor,
+            } => (
+                centre,
+                axis.map(|a| major * (1.0 - a * a).max(0.0).sqrt() + minor),
+            ),
+            _ => continue,
+        };
+        points.push(std::array::from_fn(|k| middle[k] - reach[k]));
+        points.push(std::array::from_fn(|k| middle[k] + reach[k]));
     }
     hull(points.into_iter()).unwrap_or([[0.0; 3]; 2])
 }

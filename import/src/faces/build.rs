@@ -94,6 +94,8 @@ pub fn build(source: &Source) -> Result<Model, ImportError> {
     assemble(Parts {
         title: keys.title,
         up: Up::Y,
+        precision: 0.0,
+        uncertainty: 0.0,
         materials,
         edges,
         faces,
@@ -234,6 +236,8 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
             surface,
             loops,
             reversed: key.reversed,
+            material: None,
+            off: 0.0,
             refused: None,
         });
     }

@@ -60,6 +60,7 @@ impl<'a> EdgeBuilder<'a> {
             kind,
             vertices: ends,
             curve,
+            off: 0.0,
         })
     }
 

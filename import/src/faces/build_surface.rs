@@ -60,6 +60,22 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface, 
             centre: fields.point("centre", &k.centre)?,
             radius: fields.length("radius", &k.radius)?,
         },
+        // A torus whose numbers are not all given is named only.
+        "torus"
+            if [
+                k.major.is_some(),
+                k.minor.is_some(),
+                k.centre.is_some(),
+                k.axis.is_some(),
+            ] == [true; 4] =>
+        {
+            Surface::Torus {
+                centre: fields.point("centre", &k.centre)?,
+                axis: fields.direction("axis", &k.axis)?,
+                major: fields.length("major", &k.major)?,
+                minor: fields.length("minor", &k.minor)?,
+            }
+        }
         other => Surface::Other(other.to_owned()),
     })
 }

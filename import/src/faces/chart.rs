@@ -107,7 +107,7 @@ impl Chart {
                     e: frame(axis, 0.0),
                 }
             }
-            Surface::Other(_) => return None,
+            Surface::Torus { .. } | Surface::Other(_) => return None,
         })
     }
 
@@ -448,7 +448,7 @@ fn conic(implicit: &Implicit, origin: Vector, e: &[Vector; 2]) -> (f64, [f64; 2]
 }
 
 /// A pole that is far from all separators, out of a fixed set of directions.
-fn free_pole(centre: Vector, radius: f64, separators: &[Separator]) -> Vector {
+pub fn free_pole(centre: Vector, radius: f64, separators: &[Separator]) -> Vector {
     let nearest = |axis: &Vector| {
         separators
             .iter()

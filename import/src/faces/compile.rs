@@ -8,10 +8,12 @@ use super::curve::Curve;
 use super::gap::gap;
 use super::model::{COINCIDENT, Face, Model};
 use super::planes::Planes;
+use super::slabs::{Band, Slabs};
 use super::surface::{Implicit, Surface};
 use super::terms::{Rules, terms};
 use super::vector::{
-    Vector, along, cross, dot, length, minus, onto_plane, plus, positive_angle, times, unit,
+    Vector, across, along, cross, distance, dot, length, minus, onto_plane, plus, positive_angle,
+    times, unit,
 };
 use imogene_models::scene::MAX_CUTS;
 use std::f64::consts::{PI, TAU};
@@ -36,6 +38,15 @@ pub struct Cell {
     pub flat: Option<usize>,
     /// Planes by their index, and whether the side of their normal is kept.
     pub cuts: Vec<(usize, bool)>,
+}
+
+impl Cell {
+    /// Whether a point of its surface is in it.
+    pub fn takes(&self, p: Vector, planes: &Planes) -> bool {
+        let bounded = self.flat.is_none() || self.quadric.is_none_or(|q| q.value(p) <= 0.0);
+        let keeps = |(plane, positive): &(usize, bool)| planes.is_positive(*plane, p) == *positive;
+        bounded && self.cuts.iter().all(keeps)
+    }
 }
 
 /// A compiled face.
@@ -159,6 +170,7 @@ pub fn quadric_face(
         Ok(parting) => parting,
         Err(reason) => return Compiled::rejected(reason),
     };
+    let border = parting.clone();
     let apart = between_loops(model, face);
     parting.split(planes, &apart);
     let fits = |_: &Parting, term: &Term| term.len() as usize <= MAX_CUTS;
@@ -173,25 +185,73 @@ pub fn quadric_face(
         fits: &fits,
         refine: &refine,
     };
-    match terms(model, &face.surface, &mut parting, planes, &rules) {
+    let cells = match terms(model, &face.surface, &mut parting, planes, &rules) {
+        Ok(terms) => Ok(terms
+            .iter()
+            .map(|term| Cell {
+                quadric: Some(implicit),
+                flat: None,
+                cuts: cuts(&parting, term),
+            })
+            .collect()),
+        Err(_) => Slabs {
+            surface: &face.surface,
+            parting: &border,
+            bands: &Band::whole(&face.surface),
+            flat: None,
+            size: model.size(),
+        }
+        .cells(planes),
+    };
+    compiled(model, face, cells, deviation)
+}
+
+/// A face with its cells, or why it has none.
+pub fn compiled(
+    model: &Model,
+    face: &Face,
+    cells: Result<Vec<Cell>, String>,
+    deviation: f64,
+) -> Compiled {
+    match cells {
+        Err(_) if thickness(model, face) <= model.canonical() => Compiled {
+            verdict: verdict(model, thickness(model, face)),
+            cells: vec![],
+        },
         Err(reason) => Compiled::rejected(reason),
-        Ok(terms) => Compiled {
-            verdict: verdict(deviation),
-            cells: terms
-                .iter()
-                .map(|term| Cell {
-                    quadric: Some(implicit),
-                    flat: None,
-                    cuts: cuts(&parting, term),
-                })
-                .collect(),
+        Ok(cells) => Compiled {
+            verdict: verdict(model, deviation),
+            cells,
         },
     }
 }
 
-/// What a deviation makes of a face.
-pub fn verdict(deviation: f64) -> Verdict {
-    if deviation > 0.0 {
+/// How far the border of a face is off the straight line between the two of its places that are farthest apart: a face as thin as the tolerance
+/// has nothing to draw.
+fn thickness(model: &Model, face: &Face) -> f64 {
+    let border = face.border();
+    let points: Vec<Vector> = border
+        .iter()
+        .flat_map(|u| model.edges[u.edge].curve.sampled(16))
+        .collect();
+    let farthest = |from: Vector| {
+        let all = points.iter().copied();
+        all.max_by(|p, q| distance(*p, from).total_cmp(&distance(*q, from)))
+    };
+    let Some((from, to)) = points.first().and_then(|p| {
+        let from = farthest(*p)?;
+        Some((from, farthest(from)?))
+    }) else {
+        return f64::INFINITY;
+    };
+    let course = unit(minus(to, from));
+    let off = |p: &Vector| length(across(minus(*p, from), course));
+    points.iter().map(off).fold(0.0, f64::max)
+}
+
+/// What a deviation makes of a face: what is off by the digits of the file alone is exact.
+pub fn verdict(model: &Model, deviation: f64) -> Verdict {
+    if deviation > model.rounding() {
         Verdict::Approximated(deviation)
     } else {
         Verdict::Exact
@@ -207,7 +267,15 @@ pub fn cuts(parting: &Parting, term: &Term) -> Vec<(usize, bool)> {
 
 /// How far the border of a face is off: by its edges that are not planar, and where its edges leave the surface.
 pub fn deviation(model: &Model, face: &Face, courses: &Courses) -> Result<f64, String> {
-    let mut most: f64 = 0.0;
+    let mut most = face.off;
+    if face.off > model.canonical() {
+        return Err(format!(
+            "its surface is off a {} by up to {:.3e}, more than {:.3e}",
+            face.surface.name(),
+            face.off,
+            model.canonical()
+        ));
+    }
     for edge_use in face.border() {
         let edge = &model.edges[edge_use.edge];
         let course = courses.of(edge_use.edge)?;

@@ -2,13 +2,15 @@
 
 use super::curve::{Curve, common_plane};
 use super::generators::{Generators, pair_generators};
-use super::model::{COINCIDENT, Model};
+use super::model::Model;
 use super::planes::Planes;
 use super::surface::Surface;
 use super::vector::{Vector, across, along, cross, distance, dot, length, minus, plus, unit};
 
 /// Most planar pieces of one edge.
-pub const MAX_PIECES: usize = 48;
+pub const MAX_PIECES: usize = 400;
+/// Difference of two normals, or of one and the opposite of the other, below which their surfaces touch.
+const NEARLY_TANGENT: f64 = 0.5;
 /// Steps by which the points of an edge are refined before it is measured.
 const REFINED: usize = 4;
 /// What is added to a measured deviation for what lies between the measured places.
@@ -19,6 +21,9 @@ const MARGIN: f64 = 1.05;
 pub struct Course {
     /// Straight or planar curves, one after the other.
     pub pieces: Vec<Curve>,
+    /// What a plane face has in the place of the pieces, if that is not the same, and how far it is off them, scene units: chords of an edge
+    /// about a torus.
+    pub chords: Option<(Vec<Curve>, f64)>,
     /// Greatest distance between the edge and the curve in which a plane of a piece meets a surface of the edge, scene units; 0 if the edge is planar.
     pub deviation: f64,
 }
@@ -71,7 +76,8 @@ fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, Str
     else {
         return Ok(Course {
             pieces: vec![edge.curve.clone()],
-            deviation: 0.0,
+            chords: super::torus::chords(model, index, max_deviation),
+            deviation: edge.off,
         });
     };
     let surfaces: Vec<&Surface> = model.users[index]
@@ -79,14 +85,6 @@ fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, Str
         .map(|face| &model.faces[*face].surface)
         .filter(|surface| !matches!(surface, Surface::Other(_)))
         .collect();
-    let straight = common_line(points, COINCIDENT * model.size());
-    if straight && !closed {
-        let [from, to] = edge.curve.ends();
-        return Ok(Course {
-            pieces: vec![Curve::Line { from, to }],
-            deviation: 0.0,
-        });
-    }
     let mut refined = refine(points, *closed, &surfaces);
     if *closed {
         refined.push(refined[0]);
@@ -97,14 +95,6 @@ fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, Str
             edge.name
         )
     })
-}
-
-fn common_line(points: &[Vector], tolerance: f64) -> bool {
-    let last = points[points.len() - 1];
-    let course = unit(minus(last, points[0]));
-    points
-        .iter()
-        .all(|p| length(across(minus(*p, points[0]), course)) <= tolerance)
 }
 
 /// The points with places between them, brought onto the surfaces.
@@ -148,6 +138,7 @@ fn onto_all(mut p: Vector, surfaces: &[&Surface]) -> Vector {
 fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> Option<Course> {
     let mut course = Course {
         pieces: vec![],
+        chords: None,
         deviation: 0.0,
     };
     let last = points.len() - 1;
@@ -235,11 +226,17 @@ fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
     match normals[..] {
         [] => vec![],
         [one] => vec![unit(cross(chord, one))],
-        [one, other, ..] => [plus(one, other), minus(one, other)]
-            .into_iter()
-            .filter(|n| length(*n) > 1e-3)
-            .map(unit)
-            .collect(),
+        [one, other, ..] => {
+            let sum = plus(one, other);
+            // Where the surfaces touch, the plane is upright on both.
+            let tangent = length(minus(one, other)).min(length(sum)) < NEARLY_TANGENT;
+            let upright = if tangent { cross(chord, one) } else { [0.0; 3] };
+            [sum, minus(one, other), upright]
+                .into_iter()
+                .filter(|n| length(*n) > 1e-3)
+                .map(unit)
+                .collect()
+        }
     }
 }
 
@@ -321,17 +318,5 @@ mod tests {
         // The sagitta of a piece goes with the square of its length: sqrt(10) = 3.16 times the pieces for a tenth of the deviation.
         let growth = (counts[3] as f64 / counts[0] as f64).powf(1.0 / 30.0_f64.log10());
         assert!((2.4..=3.9).contains(&growth), "{counts:?}");
-    }
-
-    #[test]
-    fn a_straight_row_of_points_is_a_line() {
-        assert!(common_line(
-            &[[0.0; 3], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0]],
-            1e-12
-        ));
-        assert!(!common_line(
-            &[[0.0; 3], [1.0, 1.0, 0.1], [2.0, 2.0, 0.0]],
-            1e-12
-        ));
     }
 }

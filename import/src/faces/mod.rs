@@ -5,9 +5,11 @@
 mod arc;
 mod arrangement;
 mod assemble;
+mod bezier;
 mod build;
 mod build_edge;
 mod build_surface;
+mod canonical;
 mod chart;
 mod compile;
 mod conics;
@@ -18,14 +20,19 @@ mod gap;
 mod generators;
 mod keys;
 pub mod model;
+mod orient;
+mod plain;
 mod plane_face;
 mod planes;
 mod polynomial;
 mod report;
 mod scene;
+mod sheet;
+mod slabs;
 mod step;
 mod surface;
 mod terms;
+mod torus;
 pub mod vector;
 mod volume;
 mod words;
@@ -34,6 +41,7 @@ pub use compile::{Cell, Compiled, Verdict};
 pub use curve::Curve;
 pub use planes::{Planes, SharedPlane};
 pub use scene::Compilation;
+pub use step::Beside;
 pub use surface::{Implicit, Surface};
 
 use crate::{ImportError, Imported, Place};
@@ -69,9 +77,15 @@ pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported,
     imported(&compile(bytes, file, options)?, file)
 }
 
-/// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report.
-pub fn read_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
-    let (model, summary) = step::build(bytes, file)?;
+/// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report. `beside` opens the files of
+/// parts that are not in this one.
+pub fn read_step(
+    bytes: &[u8],
+    file: &str,
+    options: &FaceOptions,
+    beside: Beside,
+) -> Result<Imported, ImportError> {
+    let (model, summary) = step::build(bytes, file, beside)?;
     let mut imported = imported(&compile_model(model, options), file)?;
     imported.notes.splice(0..0, summary.notes());
     imported.report["step"] = serde_json::to_value(summary).expect("a summary has plain keys");
@@ -132,13 +146,15 @@ pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, 
     Ok(compile_model(model, options))
 }
 
-/// Reads a STEP file and compiles each of its solids.
+/// Reads a STEP file without others beside it and compiles each of its solids.
 pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
-    let (model, _) = step::build(bytes, file)?;
+    let (model, _) = step::build(bytes, file, &|_| None)?;
     Ok(compile_model(model, options))
 }
 
-fn compile_model(model: Model, options: &FaceOptions) -> Part {
+fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
+    plain::plain(&mut model);
+    orient::orient(&mut model);
     let asked = options
         .max_deviation
         .unwrap_or(DEFAULT_DEVIATION * model.size());
@@ -169,6 +185,7 @@ fn compile_solid(
     options: &FaceOptions,
 ) -> Compilation {
     if !options.no_volumes
+        && model.one_material(solid)
         && let Some(cell) = volume::volume(model, solid, courses, planes)
     {
         return Compilation::Volume(cell);
@@ -181,6 +198,7 @@ fn compile_solid(
                 Compiled::rejected(model.faces[*face].refused.clone().unwrap_or_default())
             }
             Surface::Plane { .. } => plane_face::plane_face(model, *face, courses, planes),
+            Surface::Torus { .. } => torus::torus_face(model, *face, courses, planes),
             Surface::Other(name) => {
                 Compiled::rejected(format!("{} is no quadric", with_article(name)))
             }

@@ -8,6 +8,9 @@ use imogene_models::scene::Material;
 /// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number of 15.
 pub const COINCIDENT: f64 = 1e-9;
 
+/// Share of the size of a part by which a surface may be off the quadric that it is taken for.
+pub const MOST_CANONICAL: f64 = 1e-5;
+
 /// Which axis of a part points up in a picture of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Up {
@@ -24,6 +27,10 @@ pub struct Model {
     pub title: String,
     /// Which axis points up in a picture.
     pub up: Up,
+    /// What the digits of the file leave open, scene units; 0 if they are those of double precision.
+    pub precision: f64,
+    /// What the file takes for the same place, scene units; 0 if it does not say.
+    pub uncertainty: f64,
     /// Materials.
     pub materials: Vec<Material>,
     /// Edges.
@@ -47,6 +54,8 @@ pub struct Edge {
     pub kind: &'static str,
     /// Its course.
     pub curve: Curve,
+    /// How far the curve of the file is off its course at most, scene units; 0 if it is the same.
+    pub off: f64,
     /// Indices of the vertices at its ends, twice the same if it is closed at a vertex; nothing without vertices.
     pub vertices: Option<[usize; 2]>,
 }
@@ -71,6 +80,10 @@ pub struct Face {
     pub loops: Vec<Vec<EdgeUse>>,
     /// The material is on the side of the surface's own normal.
     pub reversed: bool,
+    /// Name of its material, if it is not that of its solid.
+    pub material: Option<String>,
+    /// How far the surface of the file is off this one at most, scene units; 0 if it is the same.
+    pub off: f64,
     /// Why its file's words make no face that could be drawn; its surface is then one that is named only.
     pub refused: Option<String>,
 }
@@ -111,6 +124,28 @@ impl Model {
     /// Length of the diagonal of the box around everything, scene units, above 0.
     pub fn size(&self) -> f64 {
         super::vector::distance(self.bounds[0], self.bounds[1])
+    }
+
+    /// What is off by no more than this is off by the rounding of the file's numbers, scene units.
+    pub fn rounding(&self) -> f64 {
+        (COINCIDENT * self.size()).max(self.precision)
+    }
+
+    /// Most that a surface or an edge may be off the one it is taken for, scene units.
+    pub fn canonical(&self) -> f64 {
+        MOST_CANONICAL * self.size()
+    }
+
+    /// The material of a face.
+    pub fn material(&self, solid: usize, face: usize) -> &str {
+        let own = self.faces[face].material.as_ref();
+        own.unwrap_or(&self.solids[solid].material)
+    }
+
+    /// All faces of a solid are of one material.
+    pub fn one_material(&self, solid: usize) -> bool {
+        let mut faces = self.solids[solid].faces.windows(2);
+        faces.all(|pair| self.material(solid, pair[0]) == self.material(solid, pair[1]))
     }
 
     /// Middle of that box.

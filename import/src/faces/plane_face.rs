@@ -2,7 +2,7 @@
 
 use super::arrangement::{Boundary, Sample};
 use super::compile::{
-    CONIC, Cell, Compiled, EDGE, Parting, beside, cuts, deviation, halving, verdict,
+    CONIC, Cell, Compiled, EDGE, Parting, beside, compiled, cuts, deviation, halving,
 };
 use super::conics::{Conic, between};
 use super::courses::Courses;
@@ -10,6 +10,7 @@ use super::cover::Term;
 use super::curve::Curve;
 use super::model::{EdgeUse, Model};
 use super::planes::Planes;
+use super::slabs::{Band, Slabs};
 use super::surface::Surface;
 use super::terms::{Rules, terms};
 use super::vector::{Vector, along, distance, dot, minus};
@@ -55,6 +56,7 @@ pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
         deviation,
         ..
     } = border;
+    let border = parting.clone();
     parting.split(planes, &chords);
     let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
         refined(parting, terms, samples, &conics, &face.surface)
@@ -63,16 +65,21 @@ pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
         fits: &fits,
         refine: &refine,
     };
-    match terms(model, &face.surface, &mut parting, planes, &rules) {
-        Err(reason) => Compiled::rejected(reason),
-        Ok(terms) => Compiled {
-            verdict: verdict(deviation),
-            cells: terms
-                .iter()
-                .map(|term| cell(&parting, term, flat))
-                .collect(),
-        },
-    }
+    let cells = match terms(model, &face.surface, &mut parting, planes, &rules) {
+        Ok(terms) => Ok(terms
+            .iter()
+            .map(|term| cell(&parting, term, flat))
+            .collect()),
+        Err(_) => Slabs {
+            surface: &face.surface,
+            parting: &border,
+            bands: &Band::whole(&face.surface),
+            flat: Some(flat),
+            size: model.size(),
+        }
+        .cells(planes),
+    };
+    compiled(model, face, cells, deviation)
 }
 
 fn conics_of(parting: &Parting, term: &Term) -> Vec<(usize, bool)> {
@@ -152,7 +159,14 @@ struct Border<'a> {
 impl Border<'_> {
     fn edge(&mut self, edge_use: EdgeUse, planes: &mut Planes) -> Result<(), String> {
         let course = self.courses.of(edge_use.edge)?;
-        for curve in &course.pieces {
+        let pieces = match &course.chords {
+            Some((chords, off)) => {
+                self.deviation = self.deviation.max(*off);
+                chords
+            }
+            None => &course.pieces,
+        };
+        for curve in pieces {
             let separator = match curve {
                 Curve::Line { from, to } => self.side(edge_use.edge, *from, *to, planes),
                 _ => match curve.plane() {

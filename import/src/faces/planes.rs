@@ -46,6 +46,12 @@ impl Planes {
         self.all[index]
     }
 
+    /// Whether a point is on the side of a plane's normal.
+    pub fn is_positive(&self, index: usize, p: Vector) -> bool {
+        let SharedPlane { point, normal } = self.all[index];
+        dot(minus(p, point), normal) > 0.0
+    }
+
     /// A plane as a separator.
     pub fn separator(&self, index: usize) -> Separator {
         let SharedPlane { point, normal } = self.all[index];

@@ -7,7 +7,7 @@ use super::vector::{Vector, along, cross, dot, minus, unit};
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, refused};
 use imogene_models::scene::{
-    Camera, Cut, ImageSize, Light, Node, Object, SceneFile, Shape, Surface,
+    Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
 };
 
 /// What became of a solid.
@@ -21,31 +21,35 @@ pub enum Compilation {
 /// The scene; nothing if no object is left.
 pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<SceneFile> {
     let mut objects = vec![];
-    for (solid, compilation) in model.solids.iter().zip(solids) {
+    for (index, (solid, compilation)) in model.solids.iter().zip(solids).enumerate() {
         match compilation {
             Compilation::Volume(cell) => {
-                objects.push(object(&solid.name, &solid.material, cell, planes, true));
+                let material = model.material(index, solid.faces[0]);
+                objects.push(object(&solid.name, material, cell, planes, true));
             }
             Compilation::Faces(faces) => {
                 for (face, compiled) in solid.faces.iter().zip(faces) {
+                    let material = model.material(index, *face);
                     let face = &model.faces[*face].name;
                     for (index, cell) in compiled.cells.iter().enumerate() {
                         let name = match compiled.cells.len() {
                             1 => format!("{}/{face}", solid.name),
                             _ => format!("{}/{face}#{}", solid.name, index + 1),
                         };
-                        objects.push(object(&name, &solid.material, cell, planes, false));
+                        objects.push(object(&name, material, cell, planes, false));
                     }
                 }
             }
         }
     }
+    let used = |material: &&Material| objects.iter().any(|o| o.material == material.name);
+    let materials = model.materials.iter().filter(used).cloned().collect();
     (!objects.is_empty()).then(|| SceneFile {
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
         lights: lights(model.up),
-        materials: model.materials.clone(),
+        materials,
         objects,
         ..SceneFile::new(&model.title, camera(model, &VIEWS[0]))
     })

@@ -37,7 +37,18 @@ pub enum Surface {
         /// Radius, above 0.
         radius: f64,
     },
-    /// A surface that is no quadric, by its name.
+    /// A torus, which is drawn as bands of cones.
+    Torus {
+        /// Centre.
+        centre: Vector,
+        /// Direction of the axis.
+        axis: Vector,
+        /// Radius of the middle of the tube; below 0 for the inner part of a torus that meets its axis.
+        major: f64,
+        /// Radius of the tube, above 0.
+        minor: f64,
+    },
+    /// A surface that is not drawn, by its name.
     Other(String),
 }
 
@@ -124,6 +135,7 @@ impl Surface {
             Self::Cylinder { .. } => "cylinder",
             Self::Cone { .. } => "cone",
             Self::Sphere { .. } => "sphere",
+            Self::Torus { .. } => "torus",
             Self::Other(name) => name,
         }
     }
@@ -159,14 +171,30 @@ impl Surface {
                 let identity = projector([0.0; 3], 1.0, 0.0);
                 Some(Implicit::centred(identity, centre, -radius * radius))
             }
-            Self::Plane { .. } | Self::Other(_) => None,
+            Self::Plane { .. } | Self::Torus { .. } | Self::Other(_) => None,
         }
+    }
+
+    /// The middle of the tube of a torus nearest to a point; nothing on the axis.
+    fn spine(centre: Vector, axis: Vector, major: f64, p: Vector) -> Option<Vector> {
+        let out = across(minus(p, centre), axis);
+        (length(out) > 0.0).then(|| along(centre, major, unit(out)))
     }
 
     /// The unit normal at a point of the surface, away from axis or centre; nothing at an apex and for another surface.
     pub fn normal_at(&self, p: Vector) -> Option<Vector> {
         if let Self::Plane { normal, .. } = *self {
             return Some(normal);
+        }
+        if let Self::Torus {
+            centre,
+            axis,
+            major,
+            ..
+        } = *self
+        {
+            let out = minus(p, Self::spine(centre, axis, major, p)?);
+            return (length(out) > 0.0).then(|| unit(out));
         }
         let gradient = self.implicit()?.half_gradient(p);
         (length(gradient) > 0.0).then(|| unit(gradient))
@@ -203,8 +231,63 @@ impl Surface {
                 let out = minus(p, centre);
                 (length(out) > 0.0).then(|| along(centre, radius, unit(out)))
             }
+            Self::Torus {
+                centre,
+                axis,
+                major,
+                minor,
+            } => {
+                let spine = Self::spine(centre, axis, major, p)?;
+                let out = minus(p, spine);
+                (length(out) > 0.0).then(|| along(spine, minor, unit(out)))
+            }
             Self::Other(_) => None,
         }
+    }
+
+    /// The surface at a distance along its own normal; nothing if there is none.
+    pub fn offset(&self, by: f64) -> Option<Surface> {
+        let wider = |radius: f64| (radius + by > 0.0).then_some(radius + by);
+        Some(match *self {
+            Self::Plane { origin, normal } => Self::Plane {
+                origin: along(origin, by, normal),
+                normal,
+            },
+            Self::Cylinder {
+                origin,
+                axis,
+                radius,
+            } => Self::Cylinder {
+                origin,
+                axis,
+                radius: wider(radius)?,
+            },
+            Self::Cone {
+                apex,
+                axis,
+                half_angle,
+            } => Self::Cone {
+                apex: along(apex, -by / half_angle.sin(), axis),
+                axis,
+                half_angle,
+            },
+            Self::Sphere { centre, radius } => Self::Sphere {
+                centre,
+                radius: wider(radius)?,
+            },
+            Self::Torus {
+                centre,
+                axis,
+                major,
+                minor,
+            } => Self::Torus {
+                centre,
+                axis,
+                major,
+                minor: wider(minor)?,
+            },
+            Self::Other(_) => return None,
+        })
     }
 
     /// Whether two surfaces are the same within a length.
@@ -258,6 +341,24 @@ impl Surface {
                     radius: r,
                 },
             ) => (radius - r).abs() <= tolerance && length(minus(*centre, *o)) <= tolerance,
+            (
+                Self::Torus {
+                    centre,
+                    axis,
+                    major,
+                    minor,
+                },
+                Self::Torus {
+                    centre: o,
+                    axis: a,
+                    major: m,
+                    minor: n,
+                },
+            ) => {
+                parallel(*axis, *a)
+                    && (major - m).abs().max((minor - n).abs()) <= tolerance
+                    && length(minus(*centre, *o)) <= tolerance
+            }
             _ => false,
         }
     }

@@ -24,7 +24,8 @@ struct Body {
 pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Planes) -> Option<Cell> {
     let faces = &model.solids[solid].faces;
     let exact = |face: &usize| {
-        super::compile::deviation(model, &model.faces[*face], courses).is_ok_and(|off| off == 0.0)
+        super::compile::deviation(model, &model.faces[*face], courses)
+            .is_ok_and(|off| off <= model.rounding())
     };
     if faces.is_empty() || !faces.iter().all(exact) {
         return None;

@@ -65,7 +65,12 @@ pub fn changed(changes: &[(&str, &str)]) -> String {
 
 /// The scene of a text.
 pub fn read(text: &str) -> Result<Imported, ImportError> {
-    read_step(text.as_bytes(), "bar.step", &FaceOptions::default())
+    read_step(
+        text.as_bytes(),
+        "bar.step",
+        &FaceOptions::default(),
+        &|_| None,
+    )
 }
 
 /// Why a text is refused.

@@ -74,6 +74,6 @@ pub fn point_of(surface: &Surface, middle: Vector, size: f64, even: &mut Even) -
             let r = (1.0 - z * z).sqrt();
             along(centre, radius, [r * angle.cos(), r * angle.sin(), z])
         }
-        Surface::Other(_) => unreachable!("not drawn"),
+        Surface::Torus { .. } | Surface::Other(_) => unreachable!("not drawn as one surface"),
     }
 }

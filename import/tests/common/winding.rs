@@ -110,7 +110,7 @@ impl Oracle {
                 }
                 self.winding(self.projected(p), |q| self.projected(q)) != 0
             }
-            Surface::Other(_) => unreachable!("not drawn"),
+            Surface::Torus { .. } | Surface::Other(_) => unreachable!("not drawn as one surface"),
         }
     }
 

@@ -1,9 +1,11 @@
 //! `imogene import` of faces: face lists and STEP files.
 
+use super::MAX_BYTES;
 use crate::arguments::Import;
 use crate::failure::Failure;
 use imogene_import::Imported;
 use imogene_import::faces::{FaceOptions, read, read_step};
+use std::path::Path;
 
 /// The scene of a face list.
 pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
@@ -12,7 +14,9 @@ pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
 
 /// The scene of a STEP file.
 pub fn import_step(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
-    read_step(bytes, &name(options), &asked(options)).map_err(Failure::input)
+    let folder = options.file.parent().unwrap_or(Path::new(""));
+    let beside = |name: &str| imogene_files::read(&folder.join(name), MAX_BYTES).ok();
+    read_step(bytes, &name(options), &asked(options), &beside).map_err(Failure::input)
 }
 
 fn name(options: &Import) -> String {

@@ -134,8 +134,13 @@ impl<'e, 'a> Args<'e, 'a> {
 
     /// A list of numbers.
     pub fn numbers(&self, index: usize) -> Result<Vec<f64>, ImportError> {
-        let list = self.list(index)?;
-        list.iter().map(|value| self.as_number(value)).collect()
+        self.numbers_of(self.value(index)?)
+    }
+
+    /// The numbers of a list in a list.
+    pub fn numbers_of(&self, value: &Value) -> Result<Vec<f64>, ImportError> {
+        let list = self.members(value)?.iter();
+        list.map(|value| self.as_number(value)).collect()
     }
 
     /// A whole number that is not negative.
@@ -187,14 +192,18 @@ impl<'e, 'a> Args<'e, 'a> {
 
     /// A list.
     pub fn list(&self, index: usize) -> Result<&'e [Value<'a>], ImportError> {
-        let value = self.value(index)?;
+        self.members(self.value(index)?)
+    }
+
+    fn members<'v>(&self, value: &'v Value<'a>) -> Result<&'v [Value<'a>], ImportError> {
         match &value.kind {
             Kind::List(values) => Ok(values),
             _ => Err(self.wrong(value, "a list")),
         }
     }
 
-    fn as_entity(&self, value: &Value) -> Result<&'e Entity<'a>, ImportError> {
+    /// The entity that a value names.
+    pub fn as_entity(&self, value: &Value) -> Result<&'e Entity<'a>, ImportError> {
         let Kind::Reference(id) = value.kind else {
             return Err(self.wrong(value, "a reference such as `#12`"));
         };
@@ -227,8 +236,13 @@ impl<'e, 'a> Args<'e, 'a> {
 
     /// A list of entities.
     pub fn entities(&self, index: usize) -> Result<Vec<&'e Entity<'a>>, ImportError> {
-        let list = self.list(index)?;
-        list.iter().map(|value| self.as_entity(value)).collect()
+        self.entities_of(self.value(index)?)
+    }
+
+    /// The entities of a list in a list.
+    pub fn entities_of(&self, value: &Value<'a>) -> Result<Vec<&'e Entity<'a>>, ImportError> {
+        let list = self.members(value)?.iter();
+        list.map(|value| self.as_entity(value)).collect()
     }
 
     /// The record that the entity named has, of these names.

@@ -21,6 +21,8 @@ pub struct Placed<'e, 'a> {
     pub place: Placement,
     /// Its number among those of its kind, from 0.
     pub group: usize,
+    /// Which placement of its group this is.
+    pub occurrence: usize,
 }
 
 /// A representation inside another.
@@ -42,6 +44,36 @@ pub struct Assembly<'e, 'a> {
     links: HashMap<usize, Vec<Link>>,
     /// Products by their groups: the number and the name.
     products: HashMap<usize, (u64, String)>,
+    /// Groups that describe a property of a product or of an aspect of its shape, and are no part.
+    properties: HashSet<usize>,
+    /// Groups that are placed by words that cannot be followed.
+    lost: HashSet<usize>,
+    /// Why placements are left out.
+    pub notes: Vec<String>,
+}
+
+/// Relationships with a placement.
+const PLACING: [&str; 2] = [
+    "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION",
+    "SHAPE_REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION",
+];
+/// What says of what a representation is.
+const DEFINING: [&str; 2] = [
+    "SHAPE_DEFINITION_REPRESENTATION",
+    "PROPERTY_DEFINITION_REPRESENTATION",
+];
+
+impl<'a> Exchange<'a> {
+    /// The two representations of a relationship, whichever of its subtypes says so.
+    fn relation<'e>(&'e self, entity: &'e Entity<'a>) -> Result<[&'e Entity<'a>; 2], ImportError> {
+        let args = if entity.complex {
+            self.need(entity, &["REPRESENTATION_RELATIONSHIP"])?
+        } else {
+            let own: Vec<&str> = entity.records.iter().map(|r| r.name).collect();
+            self.need(entity, &own)?
+        };
+        Ok([args.entity(2)?, args.entity(3)?])
+    }
 }
 
 fn is_shape(name: &str) -> bool {
@@ -50,7 +82,7 @@ fn is_shape(name: &str) -> bool {
 
 impl<'e, 'a> Assembly<'e, 'a> {
     /// Of a file.
-    pub fn read(file: &'e Exchange<'a>) -> Result<Self, ImportError> {
+    pub fn read(file: &'e Exchange<'a>) -> Self {
         let mut all = Assembly {
             file,
             representations: vec![],
@@ -58,6 +90,9 @@ impl<'e, 'a> Assembly<'e, 'a> {
             group: vec![],
             links: HashMap::new(),
             products: HashMap::new(),
+            properties: HashSet::new(),
+            lost: HashSet::new(),
+            notes: vec![],
         };
         for entity in &file.entities {
             let Some(record) = entity.records.iter().find(|r| is_shape(r.name)) else {
@@ -74,11 +109,18 @@ impl<'e, 'a> Assembly<'e, 'a> {
                 all.representations.push(args);
             }
         }
-        all.join()?;
-        all.name_products()?;
-        all.place_components()?;
-        all.place_mapped()?;
-        Ok(all)
+        all.join();
+        all.name_products();
+        all.place_components();
+        all.place_mapped();
+        all
+    }
+
+    /// Keeps what was found, and says why something was not.
+    fn keep<T>(&mut self, what: &str, found: Result<T, ImportError>) -> Option<T> {
+        found
+            .map_err(|error| self.notes.push(format!("{what}: {}", error.detail())))
+            .ok()
     }
 
     fn find(&self, entity: &Entity) -> Option<usize> {
@@ -86,16 +128,20 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// Relationships without a placement: joined representations are a group, with the number of the first of them.
-    fn join(&mut self) -> Result<(), ImportError> {
+    fn join(&mut self) {
         let names = [
             "SHAPE_REPRESENTATION_RELATIONSHIP",
             "REPRESENTATION_RELATIONSHIP",
         ];
-        for args in self.file.all(&names) {
-            if args.entity.complex {
+        let file = self.file;
+        for args in file.all(&names) {
+            if file.find(args.entity, &PLACING).is_some() {
                 continue;
             }
-            let ends = [args.entity(2)?, args.entity(3)?];
+            let found = self.file.relation(args.entity);
+            let Some(ends) = self.keep("a relationship is left out", found) else {
+                continue;
+            };
             if let [Some(one), Some(other)] = ends.map(|end| self.index.get(&end.id).copied()) {
                 let (one, other) = (self.first(one), self.first(other));
                 self.group[one.max(other)] = one.min(other);
@@ -104,7 +150,6 @@ impl<'e, 'a> Assembly<'e, 'a> {
         for index in 0..self.group.len() {
             self.group[index] = self.first(index);
         }
-        Ok(())
     }
 
     /// The first of the representations that are joined with one; the way to it is shortened.
@@ -116,39 +161,56 @@ impl<'e, 'a> Assembly<'e, 'a> {
         index
     }
 
-    /// What product a representation is of.
-    fn name_products(&mut self) -> Result<(), ImportError> {
-        for args in self.file.all(&["SHAPE_DEFINITION_REPRESENTATION"]) {
-            let Some(group) = self.find(args.entity(1)?) else {
+    /// What product a representation is of, or that it is of none: CAD systems hang shapes on properties for validation.
+    fn name_products(&mut self) {
+        let file = self.file;
+        for args in file.all(&DEFINING) {
+            // Words that name no representation name no part either.
+            let Ok(Some(group)) = args.entity(1).map(|entity| self.find(entity)) else {
                 continue;
             };
-            let shape = self
-                .file
-                .find(args.entity(0)?, &["PRODUCT_DEFINITION_SHAPE"]);
-            let Some(shape) = shape else { continue };
-            let names = [
-                "PRODUCT_DEFINITION",
-                "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS",
-            ];
-            let Some(definition) = self.file.find(shape.entity(2)?, &names) else {
-                continue;
-            };
-            let formations = [
-                "PRODUCT_DEFINITION_FORMATION",
-                "PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE",
-            ];
-            let mut name = String::new();
-            if let Some(formation) = self.file.find(definition.entity(2)?, &formations)
-                && let Some(product) = self.file.find(formation.entity(2)?, &["PRODUCT"])
-            {
-                name = product.text(1);
-                if name.is_empty() {
-                    name = product.text(0);
+            match self.product(&args) {
+                Ok(Some(product)) => {
+                    self.products.entry(group).or_insert(product);
+                }
+                _ => {
+                    self.properties.insert(group);
                 }
             }
-            self.products.insert(group, (definition.entity.id, name));
         }
-        Ok(())
+    }
+
+    /// The number and the name of the product whose shape a representation is.
+    fn product(&self, args: &Args<'e, 'a>) -> Result<Option<(u64, String)>, ImportError> {
+        let find = |entity, names| self.file.find(entity, names);
+        let Some(shape) = find(args.entity(0)?, &["PRODUCT_DEFINITION_SHAPE"]) else {
+            return Ok(None);
+        };
+        let names = [
+            "PRODUCT_DEFINITION",
+            "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS",
+        ];
+        let Some(definition) = find(shape.entity(2)?, &names) else {
+            return Ok(None);
+        };
+        let name = self.product_name(&definition).unwrap_or_default();
+        Ok(Some((definition.entity.id, name)))
+    }
+
+    /// The name of a product; nothing if it has no words for it.
+    fn product_name(&self, definition: &Args<'e, 'a>) -> Option<String> {
+        let formations = [
+            "PRODUCT_DEFINITION_FORMATION",
+            "PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE",
+        ];
+        let formation = self.file.find(definition.entity(2).ok()?, &formations)?;
+        let product = self.file.find(formation.entity(2).ok()?, &["PRODUCT"])?;
+        let name = product.text(1);
+        Some(if name.is_empty() {
+            product.text(0)
+        } else {
+            name
+        })
     }
 
     /// The context of a representation.
@@ -160,75 +222,113 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// `NEXT_ASSEMBLY_USAGE_OCCURRENCE` and what places it.
-    fn place_components(&mut self) -> Result<(), ImportError> {
+    fn place_components(&mut self) {
+        let file = self.file;
         // For each relationship the product that is the assembly.
         let mut wholes = HashMap::new();
-        for args in self.file.all(&["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"]) {
-            let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"])?;
-            let usage = self
-                .file
-                .find(shape.entity(2)?, &["NEXT_ASSEMBLY_USAGE_OCCURRENCE"]);
-            if let Some(usage) = usage {
-                wholes.insert(args.entity(0)?.id, usage.entity(3)?.id);
+        for args in file.all(&["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"]) {
+            if let Ok(Some((relation, whole))) = self.usage(&args) {
+                wholes.insert(relation, whole);
             }
         }
-        for placed in self
-            .file
-            .all(&["REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION"])
-        {
-            let args = self
-                .file
-                .need(placed.entity, &["REPRESENTATION_RELATIONSHIP"])?;
-            let ends = [args.entity(2)?, args.entity(3)?];
-            let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied())
-            else {
-                continue;
-            };
-            let operator = placed.named(0, &["ITEM_DEFINED_TRANSFORMATION"])?;
-            let mut frames = [Placement::IN_PLACE; 2];
-            for (k, index) in [first, second].into_iter().enumerate() {
-                let context = self.context(&self.representations[index])?;
-                frames[k] = placement(self.file, operator.entity(2 + k)?, &context)?;
+        for placed in file.all(&PLACING) {
+            let link = self.component(&placed, &wholes);
+            if link.is_err()
+                && let Ok(ends) = file.relation(placed.entity)
+                && let Some(child) = self.find(ends[0])
+            {
+                self.lost.insert(child);
             }
-            // The first is the component, unless its product is the one that uses.
-            let whole = wholes.get(&placed.entity.id);
-            let product = self.products.get(&self.group[first]).map(|(id, _)| id);
-            let swapped = whole.is_some() && whole == product;
-            let (child, parent) = if swapped { (1, 0) } else { (0, 1) };
-            let groups = [self.group[first], self.group[second]];
-            self.links.entry(groups[parent]).or_default().push(Link {
-                child: groups[child],
-                place: frames[parent].after(&frames[child].inverse()),
-                id: placed.entity.id,
-            });
+            if let Some(Some((parent, link))) = self.keep("a component is left out", link) {
+                self.links.entry(parent).or_default().push(link);
+            }
         }
-        Ok(())
+    }
+
+    /// The relationship that places a usage, and the product that uses.
+    fn usage(&self, args: &Args<'e, 'a>) -> Result<Option<(u64, u64)>, ImportError> {
+        let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"])?;
+        let names = ["NEXT_ASSEMBLY_USAGE_OCCURRENCE"];
+        let usage = self.file.find(shape.entity(2)?, &names);
+        usage
+            .map(|usage| Ok((args.entity(0)?.id, usage.entity(3)?.id)))
+            .transpose()
+    }
+
+    /// The group that has a component, and where.
+    fn component(
+        &self,
+        placed: &Args<'e, 'a>,
+        wholes: &HashMap<u64, u64>,
+    ) -> Result<Option<(usize, Link)>, ImportError> {
+        let ends = self.file.relation(placed.entity)?;
+        let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
+            return Ok(None);
+        };
+        let last = if placed.entity.complex { 0 } else { 4 };
+        let operator = placed.named(last, &["ITEM_DEFINED_TRANSFORMATION"])?;
+        let mut frames = [Placement::IN_PLACE; 2];
+        for (k, index) in [first, second].into_iter().enumerate() {
+            let context = self.context(&self.representations[index])?;
+            frames[k] = placement(self.file, operator.entity(2 + k)?, &context)?;
+        }
+        // The first is the component, unless its product is the one that uses.
+        let whole = wholes.get(&placed.entity.id);
+        let product = self.products.get(&self.group[first]).map(|(id, _)| id);
+        let swapped = whole.is_some() && whole == product;
+        let (child, parent) = if swapped { (1, 0) } else { (0, 1) };
+        let groups = [self.group[first], self.group[second]];
+        let link = Link {
+            child: groups[child],
+            place: frames[parent].after(&frames[child].inverse()),
+            id: placed.entity.id,
+        };
+        Ok(Some((groups[parent], link)))
     }
 
     /// `MAPPED_ITEM`.
-    fn place_mapped(&mut self) -> Result<(), ImportError> {
+    fn place_mapped(&mut self) {
+        let file = self.file;
         for index in 0..self.representations.len() {
             let own = self.representations[index];
-            for item in own.entities(1)? {
-                let Some(item) = self.file.find(item, &["MAPPED_ITEM"]) else {
+            // Items that cannot be read are reported where the solids are.
+            let items = own.list(1).unwrap_or_default();
+            for item in items.iter().filter_map(|item| own.as_entity(item).ok()) {
+                let Some(item) = file.find(item, &["MAPPED_ITEM"]) else {
                     continue;
                 };
-                let map = item.named(1, &["REPRESENTATION_MAP"])?;
-                let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
-                    continue;
-                };
-                let inner = self.context(&self.representations[source])?;
-                let origin = placement(self.file, map.entity(0)?, &inner)?;
-                let target = placement(self.file, item.entity(2)?, &self.context(&own)?)?;
-                let link = Link {
-                    child: self.group[source],
-                    place: target.after(&origin.inverse()),
-                    id: item.entity.id,
-                };
-                self.links.entry(self.group[index]).or_default().push(link);
+                let link = self.mapped(&own, &item);
+                if link.is_err()
+                    && let Ok(map) = item.named(1, &["REPRESENTATION_MAP"])
+                    && let Ok(Some(child)) = map.entity(1).map(|entity| self.find(entity))
+                {
+                    self.lost.insert(child);
+                }
+                if let Some(Some(link)) = self.keep("a mapped item is left out", link) {
+                    self.links.entry(self.group[index]).or_default().push(link);
+                }
             }
         }
-        Ok(())
+    }
+
+    fn mapped(&self, own: &Args<'e, 'a>, item: &Args<'e, 'a>) -> Result<Option<Link>, ImportError> {
+        let map = item.named(1, &["REPRESENTATION_MAP"])?;
+        let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
+            return Ok(None);
+        };
+        let inner = self.context(&self.representations[source])?;
+        let origin = placement(self.file, map.entity(0)?, &inner)?;
+        let target = placement(self.file, item.entity(2)?, &self.context(own)?)?;
+        Ok(Some(Link {
+            child: self.group[source],
+            place: target.after(&origin.inverse()),
+            id: item.entity.id,
+        }))
+    }
+
+    /// The number of the product of a group.
+    pub fn product_of(&self, group: usize) -> Option<u64> {
+        self.products.get(&group).map(|(id, _)| *id)
     }
 
     /// The name of the product of a group; empty if it has none.
@@ -236,17 +336,30 @@ impl<'e, 'a> Assembly<'e, 'a> {
         self.products.get(&group).map_or("", |(_, name)| name)
     }
 
+    /// What is placed in nothing else: the products; in a file without products, all that describes no property.
+    fn roots(&self) -> Vec<usize> {
+        let links = self.links.values().flatten();
+        let mut inner: HashSet<usize> = links.map(|link| link.child).collect();
+        inner.extend(&self.lost);
+        let is_part = |group: &usize| {
+            if self.products.is_empty() {
+                !self.properties.contains(group)
+            } else {
+                self.products.contains_key(group)
+            }
+        };
+        (0..self.group.len())
+            .filter(|index| self.group[*index] == *index && !inner.contains(index))
+            .filter(is_part)
+            .collect()
+    }
+
     /// All representations where they are placed, whole assemblies first.
     pub fn placed(&self) -> Result<Vec<Placed<'e, 'a>>, ImportError> {
-        let children: HashSet<usize> = self
-            .links
-            .values()
-            .flatten()
-            .map(|link| link.child)
-            .collect();
-        let mut waiting: Vec<(usize, Placement, usize, u64)> = (0..self.group.len())
+        let mut waiting: Vec<(usize, Placement, usize, u64)> = self
+            .roots()
+            .into_iter()
             .rev()
-            .filter(|index| self.group[*index] == *index && !children.contains(index))
             .map(|group| (group, Placement::IN_PLACE, 0, 0))
             .collect();
         let mut members = vec![vec![]; self.group.len()];
@@ -254,7 +367,7 @@ impl<'e, 'a> Assembly<'e, 'a> {
             members[*group].push(index);
         }
         let mut placed = vec![];
-        let mut seen = vec![false; self.group.len()];
+        let mut occurrence = 0;
         while let Some((group, place, depth, id)) = waiting.pop() {
             if depth > DEEPEST || placed.len() > MOST_PLACED {
                 let at = self.file.get(id).map_or(0, |entity| entity.at);
@@ -264,24 +377,25 @@ impl<'e, 'a> Assembly<'e, 'a> {
                     format!("at most {DEEPEST} assemblies in each other and {MOST_PLACED} placements are possible"),
                 ));
             }
-            seen[group] = true;
             for index in &members[group] {
                 placed.push(Placed {
                     representation: self.representations[*index],
                     place,
                     group,
+                    occurrence,
                 });
             }
+            occurrence += 1;
             for link in self.links.get(&group).into_iter().flatten().rev() {
                 waiting.push((link.child, place.after(&link.place), depth + 1, link.id));
             }
         }
-        match (0..self.group.len()).find(|index| !seen[self.group[*index]]) {
-            None => Ok(placed),
-            Some(index) => Err(self.representations[index].error(
-                "it is placed in itself",
+        match self.representations.first() {
+            Some(first) if placed.is_empty() => Err(first.error(
+                "it is placed in itself, or in nothing that is a part",
                 "parts that contain each other in one direction are needed",
             )),
+            _ => Ok(placed),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Colours of solids and faces (ISO 10303-46).
 
+use super::args::Args;
 use super::exchange::{Entity, Exchange, Kind, Value};
 use crate::ImportError;
 use imogene_models::scene::Material;
@@ -38,24 +39,35 @@ const PREDEFINED: [(&str, Colour); 8] = [
     ("white", [1.0, 1.0, 1.0]),
 ];
 
-/// The colours of a file by the number of what has them.
-pub fn colours(file: &Exchange) -> Result<HashMap<u64, Colour>, ImportError> {
-    let mut colours = HashMap::new();
+/// The colours of a file by the number of what has them, and why something has none.
+pub fn colours(file: &Exchange) -> (HashMap<u64, Colour>, Vec<String>) {
+    let (mut colours, mut problems) = (HashMap::new(), vec![]);
     for item in file.all(&["STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"]) {
-        // A complex one has the name of its item in another record, and its target in this.
-        let first = if item.entity.complex { 0 } else { 1 };
-        let Some(target) = item.maybe(first + 1)? else {
-            continue;
-        };
-        let mut steps = MOST_STEPS;
-        for style in item.entities(first)? {
-            if let Some(colour) = colour_of(file, style, &mut steps)? {
-                colours.insert(target.id, colour);
-                break;
+        match styled(file, &item) {
+            Ok(Some((target, colour))) => {
+                colours.insert(target, colour);
             }
+            Ok(None) => {}
+            Err(error) => problems.push(format!("a colour: {}", error.detail())),
         }
     }
-    Ok(colours)
+    (colours, problems)
+}
+
+/// What a style is of, and its colour.
+fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, ImportError> {
+    // A complex one has the name of its item in another record, and its target in this.
+    let first = if item.entity.complex { 0 } else { 1 };
+    let Some(target) = item.maybe(first + 1)? else {
+        return Ok(None);
+    };
+    let mut steps = MOST_STEPS;
+    for style in item.entities(first)? {
+        if let Some(colour) = colour_of(file, style, &mut steps)? {
+            return Ok(Some((target.id, colour)));
+        }
+    }
+    Ok(None)
 }
 
 /// The first colour of a surface that an entity leads to.

@@ -84,8 +84,10 @@ impl<'e, 'a> Span<'e, 'a> {
     fn tolerance(&self, size: f64) -> Tolerance {
         let [from, to] = self.ends;
         let numbers = COINCIDENT * length(from).max(length(to)).max(size);
+        let extent = self.file.extent * self.context.length;
+        let missed = MISSED * size.max(extent);
         Tolerance {
-            missed: (MISSED * size).max(self.context.uncertainty).max(numbers),
+            missed: missed.max(self.context.uncertainty).max(numbers),
             shortest: numbers,
         }
     }

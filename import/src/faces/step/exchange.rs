@@ -89,7 +89,28 @@ pub struct Exchange<'a> {
     pub header: Vec<Record<'a>>,
     /// Entities in their order.
     pub entities: Vec<Entity<'a>>,
+    /// The last digit of its coordinates, in its unit of length: 0.000001 if none has more than six decimals; 0 if all have so few that they
+    /// may be exact.
+    pub last_digit: f64,
+    /// The greatest difference of two coordinates along an axis, in its unit of length.
+    pub extent: f64,
     index: HashMap<u64, usize>,
+}
+
+/// Coordinates with fewer decimals than this are taken for exact: a round number says nothing of how numbers are rounded.
+const FEWEST_DECIMALS: usize = 5;
+
+/// The most decimals in a text of coordinates; those of numbers with an exponent say nothing.
+fn decimals(text: &[u8]) -> usize {
+    let mut most = 0;
+    for (dot, _) in text.iter().enumerate().filter(|(_, byte)| **byte == b'.') {
+        let after = &text[dot + 1..];
+        let digits = after.iter().take_while(|b| b.is_ascii_digit()).count();
+        if !matches!(after.get(digits), Some(b'E' | b'e')) {
+            most = most.max(digits);
+        }
+    }
+    most
 }
 
 impl<'a> Exchange<'a> {
@@ -114,6 +135,8 @@ impl<'a> Exchange<'a> {
             source,
             header: vec![],
             entities: vec![],
+            last_digit: 0.0,
+            extent: 0.0,
             index: HashMap::new(),
         };
         parser.keyword("HEADER")?;
@@ -133,7 +156,42 @@ impl<'a> Exchange<'a> {
                 "a data section with a solid is needed",
             ));
         }
+        exchange.measure();
         Ok(exchange)
+    }
+
+    /// What all its points say of its digits and its extent.
+    fn measure(&mut self) {
+        let source = self.source;
+        let points = self.entities.iter().filter(|entity| {
+            let names = entity.records.iter().map(|record| record.name);
+            names.eq(["CARTESIAN_POINT"])
+        });
+        let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for point in points.clone() {
+            let Some(Kind::List(values)) = point.records[0].values.get(1).map(|v| &v.kind) else {
+                continue;
+            };
+            for (axis, value) in values.iter().take(3).enumerate() {
+                if let Kind::Number(value, _) = value.kind {
+                    bounds[0][axis] = bounds[0][axis].min(value);
+                    bounds[1][axis] = bounds[1][axis].max(value);
+                }
+            }
+        }
+        self.extent = (0..3)
+            .map(|axis| bounds[1][axis] - bounds[0][axis])
+            .fold(0.0, f64::max);
+        let most = points
+            .map(|point| {
+                let text = &source.bytes[point.at..];
+                let end = text.iter().position(|b| *b == b';').unwrap_or(text.len());
+                decimals(&text[..end])
+            })
+            .max();
+        self.last_digit = most
+            .filter(|most| *most >= FEWEST_DECIMALS)
+            .map_or(0.0, |most| 10_f64.powi(-(most as i32)));
     }
 
     /// An entity by its number.

@@ -1,11 +1,10 @@
-//! Knots and weights of B-spline curves.
+//! Knots and weights of B-spline curves and surfaces.
 
 use super::args::Args;
 use crate::ImportError;
 
-/// The weights of a rational curve.
-pub fn weights(args: &Args, count: usize) -> Result<Vec<f64>, ImportError> {
-    let weights = args.numbers(0)?;
+/// Weights of control points, checked.
+pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>, ImportError> {
     if weights.len() != count {
         return Err(args.error(
             format!("{} weights for {count} control points", weights.len()),
@@ -20,19 +19,19 @@ pub fn weights(args: &Args, count: usize) -> Result<Vec<f64>, ImportError> {
             format!("a weight of {weight}"),
             "weights from 1e-9 to 1e9 are possible",
         )),
-        None => Ok(weights),
+        None => Ok(weights.to_vec()),
     }
 }
 
-/// Knots as they are written, each as often as it counts.
+/// Knots as they are written, each as often as it counts; at these two places are the multiplicities and the knots.
 pub fn written_knots(
     args: &Args,
-    first: usize,
+    places: [usize; 2],
     degree: usize,
     count: usize,
 ) -> Result<Vec<f64>, ImportError> {
-    let times = args.wholes(first)?;
-    let values = args.numbers(first + 1)?;
+    let times = args.wholes(places[0])?;
+    let values = args.numbers(places[1])?;
     let total: usize = times.iter().sum();
     let rising = values.windows(2).all(|pair| pair[0] < pair[1]);
     let bounded = values.iter().all(|value| value.abs() <= 1e15);
@@ -62,7 +61,7 @@ pub fn written_knots(
     Ok(knots)
 }
 
-/// Knots that follow from the kind of the curve.
+/// Knots that follow from the kind of the curve or surface.
 pub fn implied_knots(
     args: &Args,
     name: &str,
@@ -71,13 +70,14 @@ pub fn implied_knots(
 ) -> Result<Vec<f64>, ImportError> {
     let total = count + degree + 1;
     let clamped = |index: usize, last: usize| index.clamp(degree, last) - degree;
+    let is = |kind: &str| name.starts_with(kind);
     let knot = |index: usize| match name {
-        "UNIFORM_CURVE" => index as f64,
-        "QUASI_UNIFORM_CURVE" => clamped(index, count) as f64,
+        _ if is("UNIFORM") => index as f64,
+        _ if is("QUASI_UNIFORM") => clamped(index, count) as f64,
         // The joints of the pieces count as often as the degree.
         _ => index.div_ceil(degree).clamp(1, (count - 1) / degree + 1) as f64,
     };
-    if name == "BEZIER_CURVE" && !(count - 1).is_multiple_of(degree) {
+    if is("BEZIER") && !(count - 1).is_multiple_of(degree) {
         return Err(args.error(
             format!("{count} control points for pieces of degree {degree}"),
             "one control point and as many as the degree for every piece are needed",

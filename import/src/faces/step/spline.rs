@@ -17,11 +17,12 @@ const PLACES: std::ops::RangeInclusive<usize> = 64..=2048;
 /// A curve over a range of its parameter.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    degree: usize,
+    /// Degree.
+    pub degree: usize,
     /// Each as often as it counts.
-    knots: Vec<f64>,
+    pub knots: Vec<f64>,
     /// Control points times their weights, and the weights.
-    poles: Vec<[f64; 4]>,
+    pub poles: Vec<[f64; 4]>,
 }
 
 /// Records that say what the knots are.
@@ -61,7 +62,7 @@ impl Spline {
             ));
         }
         let weights = match file.find(entity, &["RATIONAL_B_SPLINE_CURVE"]) {
-            Some(args) => weights(&args, count)?,
+            Some(args) => weights(&args, &args.numbers(0)?, count)?,
             None => vec![1.0; count],
         };
         let mut poles = vec![];
@@ -72,7 +73,7 @@ impl Spline {
         let knots = match kind.record.name {
             "B_SPLINE_CURVE_WITH_KNOTS" => {
                 let first = if entity.complex { 0 } else { 6 };
-                written_knots(&kind, first, degree, count)?
+                written_knots(&kind, [first, first + 1], degree, count)?
             }
             name => implied_knots(&kind, name, degree, count)?,
         };

@@ -4,15 +4,20 @@ use super::args::Args;
 use super::curves::{Span, placed};
 use super::exchange::{Entity, Exchange};
 use super::placement::{Placement, point};
-use super::surfaces::surface;
+use super::surfaces::{Found, surface};
 use super::units::Context;
 use crate::ImportError;
 use crate::faces::build::MAX_PARTS;
+use crate::faces::curve::Curve;
 use crate::faces::model::{Edge, EdgeUse, Face, Solid, border};
 use crate::faces::surface::Surface;
-use crate::faces::vector::{Vector, dot, minus};
+use crate::faces::vector::{Vector, distance, dot, length, minus};
 use std::collections::HashMap;
 
+/// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known when it has been read.
+const CANONICAL: f64 = 1e-5;
+/// Share of their distance from the origin, or of a millimetre, within which two vertices are at one place.
+const SAME_PLACE: f64 = 1e-7;
 /// Most edges of all loops together.
 const MAX_USES: usize = 200_000;
 
@@ -25,6 +30,10 @@ pub struct Space {
     edges: HashMap<u64, Result<usize, String>>,
     /// Vertices by their number.
     vertices: HashMap<u64, usize>,
+    /// Straight edges of polygons by the numbers of their points, the lower first.
+    sides: HashMap<[u64; 2], usize>,
+    /// Surfaces by their number.
+    surfaces: HashMap<u64, Found>,
 }
 
 impl Space {
@@ -35,9 +44,24 @@ impl Space {
             place,
             edges: HashMap::new(),
             vertices: HashMap::new(),
+            sides: HashMap::new(),
+            surfaces: HashMap::new(),
         }
     }
+
+    /// What the representation takes for the same place, millimetres.
+    pub fn uncertainty(&self) -> f64 {
+        self.context.uncertainty
+    }
+
+    /// What the digits of the file's coordinates leave open, millimetres.
+    pub fn precision(&self, file: &Exchange) -> f64 {
+        file.last_digit * self.context.length
+    }
 }
+
+/// Sets of faces.
+pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
 
 /// What has been read of the part.
 #[derive(Debug)]
@@ -47,6 +71,8 @@ pub struct Topology<'e, 'a> {
     pub edges: Vec<Edge>,
     /// Faces.
     pub faces: Vec<Face>,
+    /// For each face the number of its entity, and its shell among those of its solid.
+    pub origins: Vec<(u64, usize)>,
     /// Solids.
     pub solids: Vec<Solid>,
     /// Places of vertices in the spaces of their representations.
@@ -61,6 +87,7 @@ impl<'e, 'a> Topology<'e, 'a> {
             file,
             edges: vec![],
             faces: vec![],
+            origins: vec![],
             solids: vec![],
             vertices: vec![],
             uses: 0,
@@ -83,8 +110,8 @@ impl<'e, 'a> Topology<'e, 'a> {
         material: String,
     ) -> Result<(), ImportError> {
         let first = self.faces.len();
-        for shell in shells {
-            self.shell(space, shell)?;
+        for (index, shell) in shells.iter().enumerate() {
+            self.shell(space, shell, index)?;
         }
         self.solids.push(Solid {
             name,
@@ -94,21 +121,54 @@ impl<'e, 'a> Topology<'e, 'a> {
         Ok(())
     }
 
-    fn shell(&mut self, space: &mut Space, entity: &'e Entity<'a>) -> Result<(), ImportError> {
+    fn shell(
+        &mut self,
+        space: &mut Space,
+        entity: &'e Entity<'a>,
+        index: usize,
+    ) -> Result<(), ImportError> {
         let oriented = ["ORIENTED_CLOSED_SHELL", "ORIENTED_OPEN_SHELL"];
-        let plain = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
         let (shell, outwards) = match self.file.find(entity, &oriented) {
-            Some(args) => (args.named(2, &plain)?, args.flag(3)?),
-            None => (self.file.need(entity, &plain)?, true),
+            Some(args) => (args.named(2, &SHELLS)?, args.flag(3)?),
+            None => (self.file.need(entity, &SHELLS)?, true),
         };
-        for entity in shell.entities(1)? {
-            let (face, own) = match self.file.find(entity, &["ORIENTED_FACE"]) {
-                Some(args) => (args.entity(2)?, args.flag(3)?),
-                None => (entity, true),
+        for value in shell.list(1)? {
+            if self.faces.len() == MAX_PARTS {
+                return Err(self.too_many("faces", MAX_PARTS));
+            }
+            let (id, face) = match shell.as_entity(value) {
+                Ok(entity) => (entity.id, self.oriented_face(space, entity, outwards)),
+                Err(error) => (0, Err(error)),
             };
-            self.face(space, face, outwards == own)?;
+            // A bad face costs itself.
+            let face = face.unwrap_or_else(|error| Face {
+                name: format!("#{id}"),
+                surface: Surface::Other("face".into()),
+                loops: vec![],
+                reversed: false,
+                material: None,
+                off: 0.0,
+                refused: Some(error.detail()),
+            });
+            self.faces.push(face);
+            self.origins.push((id, index));
         }
         Ok(())
+    }
+
+    fn oriented_face(
+        &mut self,
+        space: &mut Space,
+        entity: &'e Entity<'a>,
+        outwards: bool,
+    ) -> Result<Face, ImportError> {
+        match self.file.find(entity, &["ORIENTED_FACE"]) {
+            Some(args) => {
+                let own = args.flag(3)?;
+                self.face(space, args.entity(2)?, outwards == own)
+            }
+            None => self.face(space, entity, outwards),
+        }
     }
 
     /// A face; `outwards` says that its normal leaves the solid.
@@ -117,14 +177,17 @@ impl<'e, 'a> Topology<'e, 'a> {
         space: &mut Space,
         entity: &'e Entity<'a>,
         outwards: bool,
-    ) -> Result<(), ImportError> {
-        if self.faces.len() == MAX_PARTS {
-            return Err(self.too_many("faces", MAX_PARTS));
-        }
+    ) -> Result<Face, ImportError> {
         let args = self.file.need(entity, &["ADVANCED_FACE", "FACE_SURFACE"])?;
         let same_sense = args.flag(3)?;
-        let (mut surface, mut refused) =
-            surface(self.file, args.entity(2)?, &space.context, &space.place)?;
+        let Found {
+            mut surface,
+            mut refused,
+            off,
+            opposite,
+        } = self.surface(space, args.entity(2)?)?;
+        // The surface's own normal is that of the quadric from here on.
+        let same_sense = same_sense != opposite;
         let mut loops = vec![];
         for bound in args.entities(1)? {
             let bound = self.file.need(bound, &["FACE_BOUND", "FACE_OUTER_BOUND"])?;
@@ -139,7 +202,7 @@ impl<'e, 'a> Topology<'e, 'a> {
         let bare = border(loops.iter().flatten().copied()).is_empty();
         match &mut surface {
             // Its seam alone bounds nothing.
-            Surface::Sphere { .. } if bare => loops.clear(),
+            Surface::Sphere { .. } | Surface::Torus { .. } if bare => loops.clear(),
             Surface::Other(_) => {}
             other if bare && refused.is_none() => {
                 refused = Some(format!(
@@ -150,13 +213,14 @@ impl<'e, 'a> Topology<'e, 'a> {
             Surface::Cone { apex, axis, .. } if self.is_behind(&loops, *apex, *axis) => {
                 *axis = axis.map(|v| 0.0 - v);
             }
+            Surface::Torus { .. } => surface = self.nearer_part(surface, &loops),
             _ => {}
         }
         if refused.is_some() {
             surface = Surface::Other(surface.name().to_owned());
         }
         let label = args.text(0);
-        self.faces.push(Face {
+        Ok(Face {
             name: if label.is_empty() || label == "NONE" {
                 format!("#{}", entity.id)
             } else {
@@ -165,9 +229,21 @@ impl<'e, 'a> Topology<'e, 'a> {
             surface,
             loops,
             reversed: same_sense != outwards,
+            material: None,
+            off,
             refused,
-        });
-        Ok(())
+        })
+    }
+
+    /// A surface; each is looked at once in a representation.
+    fn surface(&mut self, space: &mut Space, entity: &'e Entity<'a>) -> Result<Found, ImportError> {
+        if let Some(known) = space.surfaces.get(&entity.id) {
+            return Ok(known.clone());
+        }
+        let tolerance = CANONICAL * self.file.extent * space.context.length;
+        let found = surface(self.file, entity, &space.context, &space.place, tolerance)?;
+        space.surfaces.insert(entity.id, found.clone());
+        Ok(found)
     }
 
     /// Whether edges are on the side of an apex from which the axis comes.
@@ -177,6 +253,37 @@ impl<'e, 'a> Topology<'e, 'a> {
             .iter()
             .flat_map(|edge_use| self.edges[edge_use.edge].curve.sampled(8));
         points.map(|p| dot(minus(p, apex), axis)).sum::<f64>() < 0.0
+    }
+
+    /// A torus that meets its axis has an outer and an inner part: that on which the border is.
+    fn nearer_part(&self, torus: Surface, loops: &[Vec<EdgeUse>]) -> Surface {
+        let Surface::Torus {
+            centre,
+            axis,
+            major,
+            minor,
+        } = torus
+        else {
+            return torus;
+        };
+        let inner = Surface::Torus {
+            centre,
+            axis,
+            major: -major,
+            minor,
+        };
+        let off = |surface: &Surface| -> f64 {
+            let edges = loops.iter().flatten();
+            let points = edges.flat_map(|u| self.edges[u.edge].curve.sampled(8));
+            points
+                .filter_map(|p| Some(distance(p, surface.nearest(p)?)))
+                .sum()
+        };
+        if minor > major && off(&inner) < off(&torus) {
+            inner
+        } else {
+            torus
+        }
     }
 
     /// The edges of a border, with its face on their left; none for a border that is a point.
@@ -191,8 +298,9 @@ impl<'e, 'a> Topology<'e, 'a> {
             vertex.named(1, &["VERTEX_POINT"])?;
             return Ok(Ok(vec![]));
         }
-        if self.file.find(entity, &["POLY_LOOP"]).is_some() {
-            return Ok(Err("a border that is a POLY_LOOP is not read".into()));
+        if let Some(polygon) = self.file.find(entity, &["POLY_LOOP"]) {
+            let uses = self.polygon(space, &polygon)?;
+            return Ok(Ok(if forward { uses } else { reversed(uses) }));
         }
         let args = self
             .file
@@ -214,15 +322,60 @@ impl<'e, 'a> Topology<'e, 'a> {
         if let Some(reason) = refused {
             return Ok(Err(reason));
         }
-        self.check_chain(&args, &uses)?;
+        if let Err(reason) = self.check_chain(&args, &uses) {
+            return Ok(Err(reason));
+        }
         let uses = uses.into_iter().map(|(edge_use, _)| edge_use).collect();
         Ok(Ok(if forward { uses } else { reversed(uses) }))
     }
 
-    /// Refuses a loop whose edges do not follow each other.
-    fn check_chain(&self, args: &Args, uses: &[(EdgeUse, u64)]) -> Result<(), ImportError> {
+    /// The sides of a polygon; those that two polygons share are one edge.
+    fn polygon(
+        &mut self,
+        space: &mut Space,
+        args: &Args<'e, 'a>,
+    ) -> Result<Vec<EdgeUse>, ImportError> {
+        let points = args.entities(1)?;
+        let mut uses = vec![];
+        for (index, from) in points.iter().enumerate() {
+            let to = points[(index + 1) % points.len()];
+            if self.edges.len() == MAX_PARTS {
+                return Err(self.too_many("edges", MAX_PARTS));
+            }
+            let place = |entity| point(self.file, entity, &space.context);
+            let ends = [place(from)?, place(to)?].map(|p| space.place.point(p));
+            if ends[0] == ends[1] {
+                continue;
+            }
+            let key = [from.id.min(to.id), from.id.max(to.id)];
+            let forward = from.id == key[0];
+            let [low, high] = if forward { ends } else { [ends[1], ends[0]] };
+            let edges = &mut self.edges;
+            let edge = *space.sides.entry(key).or_insert_with(|| {
+                edges.push(Edge {
+                    name: format!("#{}-#{}", key[0], key[1]),
+                    kind: "line",
+                    curve: Curve::Line {
+                        from: low,
+                        to: high,
+                    },
+                    off: 0.0,
+                    vertices: None,
+                });
+                edges.len() - 1
+            });
+            uses.push(EdgeUse { edge, forward });
+        }
+        Ok(uses)
+    }
+
+    /// Why a loop is none: its edges do not follow each other. Two vertices at one place are one.
+    fn check_chain(&self, args: &Args, uses: &[(EdgeUse, u64)]) -> Result<(), String> {
+        let place = format!("`#{}` EDGE_LOOP", args.entity.id);
         if uses.is_empty() {
-            return Err(args.error("it has no edge", "at least one edge is needed"));
+            return Err(format!(
+                "{place}: it has no edge; at least one edge is needed"
+            ));
         }
         let ends = |edge_use: EdgeUse| {
             let [from, to] = self.edges[edge_use.edge].vertices.unwrap_or_default();
@@ -234,14 +387,22 @@ impl<'e, 'a> Topology<'e, 'a> {
         };
         for (index, (edge_use, id)) in uses.iter().enumerate() {
             let (next, after) = uses[(index + 1) % uses.len()];
-            if ends(*edge_use)[1] != ends(next)[0] {
-                return Err(args.error(
-                    format!("`#{id}` does not end where `#{after}` begins"),
-                    "the edges of a loop follow each other from vertex to vertex and come back to the first",
+            let [from, to] = [ends(*edge_use)[1], ends(next)[0]];
+            if from != to && !self.same_place(from, to) {
+                return Err(format!(
+                    "{place}: `#{id}` does not end where `#{after}` begins; \
+                     the edges of a loop follow each other from vertex to vertex and come back to the first"
                 ));
             }
         }
         Ok(())
+    }
+
+    /// Two vertices that the digits of their file do not tell apart.
+    fn same_place(&self, one: usize, other: usize) -> bool {
+        let [p, q] = [self.vertices[one], self.vertices[other]];
+        let size = length(p).max(length(q)).max(1.0);
+        distance(p, q) <= SAME_PLACE * size
     }
 
     fn vertex(
@@ -278,16 +439,19 @@ impl<'e, 'a> Topology<'e, 'a> {
             file: self.file,
             context: &space.context,
             ends: vertices.map(|index| self.vertices[index]),
-            closed: vertices[0] == vertices[1],
+            closed: vertices[0] == vertices[1] || self.same_place(vertices[0], vertices[1]),
             forward: args.flag(4)?,
         };
-        let found = span.of(args.entity(3)?)?;
+        // Other faces of the edge are refused with the same words.
+        let found = args.entity(3).and_then(|curve| span.of(curve));
+        let found = found.unwrap_or_else(|error| Err(error.detail()));
         let edge = found
             .map(|(kind, curve)| {
                 self.edges.push(Edge {
                     name: format!("#{}", entity.id),
                     kind,
                     curve: placed(curve, &space.place),
+                    off: 0.0,
                     vertices: Some(vertices),
                 });
                 self.edges.len() - 1

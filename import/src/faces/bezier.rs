@@ -1,0 +1,271 @@
+//! Rational Bezier patches, and polynomials over them in the Bernstein basis: what bounds a polynomial over a whole patch is its greatest coefficient.
+
+use super::vector::{Vector, cross};
+
+/// A point times its weight, and the weight.
+pub type Pole = [f64; 4];
+
+/// A rational patch over the unit square.
+#[derive(Clone, Debug)]
+pub struct Patch {
+    /// Degrees in u and v.
+    pub degrees: [usize; 2],
+    /// Control points, those of one u after another.
+    pub poles: Vec<Pole>,
+}
+
+impl Patch {
+    /// One coordinate or a combination of the four, as a polynomial.
+    pub fn polynomial(&self, weights: Pole) -> Bernstein {
+        let value = |pole: &Pole| pole.iter().zip(weights).map(|(p, w)| p * w).sum();
+        let plain: Vec<f64> = self.poles.iter().map(value).collect();
+        Bernstein::of(self.degrees, &plain)
+    }
+
+    /// The place of two parameters from 0 to 1, and the directions of growing u and v there.
+    pub fn at(&self, u: f64, v: f64) -> (Vector, [Vector; 2]) {
+        let [p, q] = self.degrees;
+        let rows: Vec<(Pole, Pole)> = (0..=p)
+            .map(|i| casteljau(&self.poles[i * (q + 1)..(i + 1) * (q + 1)], v))
+            .collect();
+        let (place, du) = casteljau(&rows.iter().map(|row| row.0).collect::<Vec<_>>(), u);
+        let (dv, _) = casteljau(&rows.iter().map(|row| row.1).collect::<Vec<_>>(), u);
+        let weight = place[3];
+        let point: Vector = std::array::from_fn(|k| place[k] / weight);
+        let slope = |d: Pole| std::array::from_fn(|k| (d[k] - point[k] * d[3]) / weight);
+        (point, [slope(du), slope(dv)])
+    }
+
+    /// A normal, not of length 1; that of growing u times that of growing v.
+    pub fn normal(&self, u: f64, v: f64) -> Vector {
+        let (_, [du, dv]) = self.at(u, v);
+        cross(du, dv)
+    }
+
+    /// Control points without their weights; the patch is in their convex hull.
+    pub fn hull(&self) -> impl Iterator<Item = Vector> {
+        let plain = |p: &Pole| [p[0] / p[3], p[1] / p[3], p[2] / p[3]];
+        self.poles.iter().map(plain)
+    }
+
+    /// The least weight of a control point, which no place is below.
+    pub fn least_weight(&self) -> f64 {
+        self.poles
+            .iter()
+            .fold(f64::INFINITY, |least, p| least.min(p[3]))
+    }
+}
+
+/// The value and the derivative of a curve by its control points.
+fn casteljau(poles: &[Pole], t: f64) -> (Pole, Pole) {
+    let mut points = poles.to_vec();
+    let degree = points.len() - 1;
+    let mut slope = [0.0; 4];
+    for round in 1..=degree {
+        if round == degree {
+            slope = std::array::from_fn(|k| degree as f64 * (points[1][k] - points[0][k]));
+        }
+        for i in 0..=degree - round {
+            points[i] = std::array::from_fn(|k| (1.0 - t) * points[i][k] + t * points[i + 1][k]);
+        }
+    }
+    (points[0], slope)
+}
+
+/// A polynomial in two variables; coefficients of the Bernstein basis times their binomials, so that products are convolutions.
+#[derive(Clone, Debug)]
+pub struct Bernstein {
+    degrees: [usize; 2],
+    scaled: Vec<f64>,
+}
+
+/// Binomials of a degree.
+fn binomials(degree: usize) -> Vec<f64> {
+    let mut row = vec![1.0];
+    for k in 0..degree {
+        row.push(row[k] * (degree - k) as f64 / (k + 1) as f64);
+    }
+    row
+}
+
+impl Bernstein {
+    fn of(degrees: [usize; 2], plain: &[f64]) -> Bernstein {
+        let [rows, columns] = degrees.map(binomials);
+        let scaled = plain
+            .iter()
+            .enumerate()
+            .map(|(k, value)| value * rows[k / columns.len()] * columns[k % columns.len()]);
+        Bernstein {
+            degrees,
+            scaled: scaled.collect(),
+        }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Bernstein) -> Bernstein {
+        let [p, q] = self.degrees;
+        let [r, s] = other.degrees;
+        let width = q + s + 1;
+        let mut scaled = vec![0.0; (p + r + 1) * width];
+        for (i, a) in self.scaled.iter().enumerate().filter(|(_, a)| **a != 0.0) {
+            let start = i / (q + 1) * width + i % (q + 1);
+            for (j, b) in other.scaled.iter().enumerate() {
+                scaled[start + j / (s + 1) * width + j % (s + 1)] += a * b;
+            }
+        }
+        Bernstein {
+            degrees: [p + r, q + s],
+            scaled,
+        }
+    }
+
+    /// The square.
+    pub fn squared(&self) -> Bernstein {
+        self.times(self)
+    }
+
+    /// `self + factor * other`, of the same degrees.
+    pub fn plus(mut self, factor: f64, other: &Bernstein) -> Bernstein {
+        for (value, other) in self.scaled.iter_mut().zip(&other.scaled) {
+            *value += factor * other;
+        }
+        self
+    }
+
+    /// No place of the patch has a greater absolute value.
+    pub fn bound(&self) -> f64 {
+        let [rows, columns] = self.degrees.map(binomials);
+        let each = self.scaled.iter().enumerate();
+        each.map(|(k, value)| {
+            (value / (rows[k / columns.len()] * columns[k % columns.len()])).abs()
+        })
+        .fold(0.0, f64::max)
+    }
+}
+
+/// The Bezier pieces of a B-spline curve: the polar form at the ends of each of its intervals.
+pub fn pieces(degree: usize, knots: &[f64], poles: &[Pole]) -> Vec<Vec<Pole>> {
+    let spans = (degree..poles.len()).filter(|span| knots[*span] < knots[span + 1]);
+    spans
+        .map(|span| {
+            let (low, high) = (knots[span], knots[span + 1]);
+            (0..=degree)
+                .map(|k| {
+                    let arguments: Vec<f64> = (0..degree)
+                        .map(|n| if n < degree - k { low } else { high })
+                        .collect();
+                    polar(
+                        degree,
+                        knots,
+                        &poles[span - degree..=span],
+                        span,
+                        &arguments,
+                    )
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// The polar form of the piece of a span (de Boor with an argument for each round).
+fn polar(degree: usize, knots: &[f64], poles: &[Pole], span: usize, arguments: &[f64]) -> Pole {
+    let mut points = poles.to_vec();
+    for (round, u) in (1..=degree).zip(arguments) {
+        for k in (round..=degree).rev() {
+            let left = knots[span - degree + k];
+            let right = knots[span + 1 + k - round];
+            let share = if right > left {
+                (u - left) / (right - left)
+            } else {
+                0.0
+            };
+            let before = points[k - 1];
+            points[k] = std::array::from_fn(|n| (1.0 - share) * before[n] + share * points[k][n]);
+        }
+    }
+    points[degree]
+}
+
+/// The patches of a B-spline surface; `poles[i][j]` is that of the i-th in u and the j-th in v.
+pub fn patches(degrees: [usize; 2], knots: [&[f64]; 2], poles: &[Vec<Pole>]) -> Vec<Patch> {
+    let along_v: Vec<Vec<Vec<Pole>>> = poles
+        .iter()
+        .map(|row| pieces(degrees[1], knots[1], row))
+        .collect();
+    let mut all = vec![];
+    for piece in 0..along_v[0].len() {
+        // For each control point of the piece in v the column in u.
+        let columns: Vec<Vec<Vec<Pole>>> = (0..=degrees[1])
+            .map(|j| {
+                let column: Vec<Pole> = along_v.iter().map(|row| row[piece][j]).collect();
+                pieces(degrees[0], knots[0], &column)
+            })
+            .collect();
+        for own in 0..columns[0].len() {
+            let pole = |k: usize| columns[k % (degrees[1] + 1)][own][k / (degrees[1] + 1)];
+            let count = (degrees[0] + 1) * (degrees[1] + 1);
+            all.push(Patch {
+                degrees,
+                poles: (0..count).map(pole).collect(),
+            });
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faces::vector::distance;
+
+    /// `x = u^2 v, y = u + v, z = 1` with weight `1 + u` over the unit square; poles by their polar forms.
+    fn example() -> Patch {
+        let value = |[a, b]: [f64; 2], v: f64| {
+            // Polar in u of u^2, u, 1 + u.
+            let (square, mean) = (a * b, 0.5 * (a + b));
+            [square * v, mean + v, 1.0, 1.0 + mean]
+        };
+        let pairs = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        Patch {
+            degrees: [2, 1],
+            poles: pairs
+                .iter()
+                .flat_map(|pair| [value(*pair, 0.0), value(*pair, 1.0)])
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn patches_and_products_are_the_polynomials_they_are_made_of() {
+        let patch = example();
+        let x = patch.polynomial([1.0, 0.0, 0.0, 0.0]);
+        let y = patch.polynomial([0.0, 1.0, 0.0, 0.0]);
+        let product = x.times(&y);
+        for k in 0..25 {
+            let (u, v) = (f64::from(k % 5) / 4.0, f64::from(k / 5) / 4.0);
+            let w = 1.0 + u;
+            let (p, [du, _]) = patch.at(u, v);
+            assert!(distance(p, [u * u * v / w, (u + v) / w, 1.0 / w]) < 1e-14);
+            let slope = (2.0 * u * v * w - u * u * v) / (w * w);
+            assert!((du[0] - slope).abs() < 1e-13);
+            assert!((u * u * v * (u + v)).abs() <= product.bound() + 1e-15);
+        }
+        // The greatest value, at u = v = 1, is a coefficient.
+        assert!((product.bound() - 2.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn pieces_join_and_are_the_curve() {
+        // u^2 over knots 0, 1, 3 by its polar form.
+        let knots = [0.0, 0.0, 0.0, 1.0, 3.0, 3.0, 3.0];
+        let poles: Vec<Pole> = (0..4)
+            .map(|k| [knots[k + 1] * knots[k + 2], 0.0, 0.0, 1.0])
+            .collect();
+        let pieces = pieces(2, &knots, &poles);
+        let xs: Vec<Vec<f64>> = pieces
+            .iter()
+            .map(|p| p.iter().map(|q| q[0]).collect())
+            .collect();
+        assert_eq!(xs, [[0.0, 0.0, 1.0], [1.0, 3.0, 9.0]]);
+    }
+}

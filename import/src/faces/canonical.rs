@@ -1,0 +1,417 @@
+//! Quadrics and tori in disguise: free-form surfaces that are planes, cylinders, cones, spheres or tori but for the digits of their file.
+//!
+//! A candidate is fitted to places and normals; what it is off is then bounded over the whole surface, not at places: the equation of the
+//! candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
+
+use super::bezier::{Bernstein, Patch};
+use super::surface::Surface;
+use super::vector::{
+    Vector, across, along, cross, distance, dot, frame, length, minus, plus, times, unit,
+};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
+
+/// Places of a patch in each direction.
+const PLACES: usize = 5;
+/// Most patches from which places are taken.
+const MOST_SAMPLED: usize = 40;
+/// Steps of the search for the best of a kind.
+const STEPS: usize = 6;
+/// Smallest and greatest angle of a cone, radians.
+const ANGLES: [f64; 2] = [
+    0.1 * std::f64::consts::PI / 180.0,
+    89.9 * std::f64::consts::PI / 180.0,
+];
+
+/// A place of a surface and its unit normal.
+type Place = (Vector, Vector);
+
+/// What a surface is.
+#[derive(Clone, Debug)]
+pub struct Canonical {
+    /// The quadric, plane or torus.
+    pub surface: Surface,
+    /// No place of the surface is farther off it, scene units.
+    pub deviation: f64,
+    /// Its own normal is opposite to that of the free-form surface.
+    pub opposite: bool,
+}
+
+/// The quadric, plane or torus that a surface of patches is within a length of.
+pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Canonical> {
+    let places = places(patches);
+    let middle = mean(places.iter().map(|(p, _)| *p));
+    let candidates = [plane, cylinder, sphere, cone, torus];
+    let found = candidates.iter().filter_map(|fit| {
+        let surface = improved(fit(&places, middle)?, &places);
+        let near = |(p, _): &Place| {
+            surface
+                .nearest(*p)
+                .is_some_and(|q| distance(*p, q) <= tolerance)
+        };
+        if !places.iter().all(near) {
+            return None;
+        }
+        let deviation = patches
+            .iter()
+            .map(|patch| bound(patch, &surface))
+            .fold(0.0, f64::max);
+        (deviation <= tolerance).then_some((surface, deviation))
+    });
+    // The simpler kind of two that are as good.
+    let (surface, deviation) = found.min_by(|a, b| (a.1 - 1e-12).total_cmp(&b.1))?;
+    let agree = places
+        .iter()
+        .filter_map(|(p, n)| Some(dot(surface.normal_at(*p)?, *n)));
+    let opposite = agree.sum::<f64>() < 0.0;
+    Some(match surface {
+        Surface::Plane { origin, normal } if opposite => Canonical {
+            surface: Surface::Plane {
+                origin,
+                normal: normal.map(|v| 0.0 - v),
+            },
+            deviation,
+            opposite: false,
+        },
+        surface => Canonical {
+            surface,
+            deviation,
+            opposite,
+        },
+    })
+}
+
+fn places(patches: &[Patch]) -> Vec<Place> {
+    let step = patches.len().div_ceil(MOST_SAMPLED);
+    let mut all = vec![];
+    for patch in patches.iter().step_by(step.max(1)) {
+        for k in 0..PLACES * PLACES {
+            let share = |k: usize| (k as f64 + 0.5) / PLACES as f64;
+            let (u, v) = (share(k % PLACES), share(k / PLACES));
+            let normal = patch.normal(u, v);
+            if length(normal) > 0.0 {
+                all.push((patch.at(u, v).0, unit(normal)));
+            }
+        }
+    }
+    all
+}
+
+fn mean(points: impl Iterator<Item = Vector>) -> Vector {
+    let (sum, count) = points.fold(([0.0; 3], 0), |(sum, n), p| (plus(sum, p), n + 1));
+    times(1.0 / f64::from(count.max(1)), sum)
+}
+
+fn plane(places: &[Place], middle: Vector) -> Option<Surface> {
+    let normal = unit(mean(places.iter().map(|(_, n)| *n)));
+    (length(normal) > 0.0).then_some(Surface::Plane {
+        origin: middle,
+        normal,
+    })
+}
+
+/// The direction in which vectors are least, as eigenvector of the sum of their squares.
+fn least(vectors: impl Iterator<Item = Vector>) -> Vector {
+    let mut sum = Matrix3::zeros();
+    for v in vectors {
+        let v = Vector3::from(v);
+        sum += v * v.transpose();
+    }
+    let eigen = sum.symmetric_eigen();
+    let axis = eigen.eigenvectors.column(eigen.eigenvalues.imin());
+    unit([axis[0], axis[1], axis[2]])
+}
+
+/// The solution of equations in three unknowns by least squares.
+fn solved(rows: impl Iterator<Item = (Vector, f64)>) -> Option<Vector> {
+    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for (row, value) in rows {
+        let row = Vector3::from(row);
+        matrix += row * row.transpose();
+        right += row * value;
+    }
+    let found = matrix.lu().solve(&right)?;
+    found
+        .iter()
+        .all(|v| v.is_finite())
+        .then_some([found[0], found[1], found[2]])
+}
+
+/// The circle through points of a plane: its centre and its radius.
+fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
+    let row = |[x, y]: &[f64; 2]| ([2.0 * x, 2.0 * y, 1.0], x * x + y * y);
+    let [x, y, rest] = solved(points.iter().map(row))?;
+    let square = rest + x * x + y * y;
+    (square > 0.0).then(|| ([x, y], square.sqrt()))
+}
+
+fn cylinder(places: &[Place], middle: Vector) -> Option<Surface> {
+    let axis = least(places.iter().map(|(_, n)| *n));
+    let e = frame(axis, 0.0);
+    let flat: Vec<[f64; 2]> = places
+        .iter()
+        .map(|(p, _)| e.map(|e| dot(minus(*p, middle), e)))
+        .collect();
+    let ([x, y], radius) = circle(&flat)?;
+    Some(Surface::Cylinder {
+        origin: along(along(middle, x, e[0]), y, e[1]),
+        axis,
+        radius,
+    })
+}
+
+fn sphere(places: &[Place], middle: Vector) -> Option<Surface> {
+    // The normals of a sphere meet in its centre.
+    let rows = places.iter().flat_map(|(p, n)| {
+        let from = minus(*p, middle);
+        frame(*n, 0.0).map(|e| (e, dot(e, from)))
+    });
+    let centre = plus(middle, solved(rows)?);
+    let radius = places
+        .iter()
+        .map(|(p, _)| distance(*p, centre))
+        .sum::<f64>()
+        / places.len() as f64;
+    (radius > 0.0).then_some(Surface::Sphere { centre, radius })
+}
+
+fn cone(places: &[Place], middle: Vector) -> Option<Surface> {
+    let normal = mean(places.iter().map(|(_, n)| *n));
+    let axis = least(places.iter().map(|(_, n)| minus(*n, normal)));
+    let rows = places.iter().map(|(p, n)| (*n, dot(*n, minus(*p, middle))));
+    let apex = plus(middle, solved(rows)?);
+    let axis = if dot(axis, minus(middle, apex)) < 0.0 {
+        axis.map(|v| 0.0 - v)
+    } else {
+        axis
+    };
+    let half_angle = dot(normal, axis).abs().min(1.0).asin();
+    (ANGLES[0]..ANGLES[1])
+        .contains(&half_angle)
+        .then_some(Surface::Cone {
+            apex,
+            axis,
+            half_angle,
+        })
+}
+
+/// All normals of a surface that is turned about an axis meet it: six equations without a right side for the line.
+fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
+    let size = places
+        .iter()
+        .map(|(p, _)| distance(*p, middle))
+        .fold(0.0, f64::max);
+    let mut sum = Matrix6::zeros();
+    for (p, n) in places {
+        let moment = cross(times(1.0 / size, minus(*p, middle)), *n);
+        let row = Vector6::new(n[0], n[1], n[2], moment[0], moment[1], moment[2]);
+        sum += row * row.transpose();
+    }
+    let eigen = sum.symmetric_eigen();
+    let line = eigen.eigenvectors.column(eigen.eigenvalues.imin());
+    let (moment, direction) = ([line[0], line[1], line[2]], [line[3], line[4], line[5]]);
+    let square = dot(direction, direction);
+    if square < 1e-6 {
+        return None;
+    }
+    let foot = plus(middle, times(size / square, cross(direction, moment)));
+    let axis = unit(direction);
+    let profile: Vec<[f64; 2]> = places
+        .iter()
+        .map(|(p, _)| {
+            let from = minus(*p, foot);
+            [length(across(from, axis)), dot(from, axis)]
+        })
+        .collect();
+    let ([major, height], minor) = circle(&profile)?;
+    (major > 1e-6 * size).then_some(Surface::Torus {
+        centre: along(foot, height, axis),
+        axis,
+        major,
+        minor,
+    })
+}
+
+/// The numbers of a surface, for the search.
+fn numbers(surface: &Surface) -> Vec<f64> {
+    match *surface {
+        Surface::Plane { origin, normal } => [origin, normal].concat(),
+        Surface::Cylinder {
+            origin,
+            axis,
+            radius,
+        } => [&origin[..], &axis, &[radius]].concat(),
+        Surface::Cone {
+            apex,
+            axis,
+            half_angle,
+        } => [&apex[..], &axis, &[half_angle]].concat(),
+        Surface::Sphere { centre, radius } => [&centre[..], &[radius]].concat(),
+        Surface::Torus {
+            centre,
+            axis,
+            major,
+            minor,
+        } => [&centre[..], &axis, &[major, minor]].concat(),
+        Surface::Other(_) => vec![],
+    }
+}
+
+/// A surface of the same kind with other numbers.
+fn with_numbers(surface: &Surface, n: &[f64]) -> Surface {
+    let vector = |k: usize| [n[k], n[k + 1], n[k + 2]];
+    match surface {
+        Surface::Plane { .. } => Surface::Plane {
+            origin: vector(0),
+            normal: unit(vector(3)),
+        },
+        Surface::Cylinder { .. } => Surface::Cylinder {
+            origin: vector(0),
+            axis: unit(vector(3)),
+            radius: n[6],
+        },
+        Surface::Cone { .. } => Surface::Cone {
+            apex: vector(0),
+            axis: unit(vector(3)),
+            half_angle: n[6],
+        },
+        Surface::Sphere { .. } => Surface::Sphere {
+            centre: vector(0),
+            radius: n[3],
+        },
+        Surface::Torus { .. } => Surface::Torus {
+            centre: vector(0),
+            axis: unit(vector(3)),
+            major: n[6],
+            minor: n[7],
+        },
+        Surface::Other(name) => Surface::Other(name.clone()),
+    }
+}
+
+/// The best of its kind near a surface, by least squares of the distances (Gauss and Newton).
+fn improved(surface: Surface, places: &[Place]) -> Surface {
+    let off = |surface: &Surface| -> Option<DVector<f64>> {
+        let each = places.iter().map(|(p, _)| {
+            let q = surface.nearest(*p)?;
+            Some(dot(minus(*p, q), surface.normal_at(q)?))
+        });
+        Some(DVector::from_vec(each.collect::<Option<Vec<f64>>>()?))
+    };
+    let mut best = surface;
+    let Some(mut now) = off(&best) else {
+        return best;
+    };
+    let size = places
+        .iter()
+        .map(|(p, _)| distance(*p, places[0].0))
+        .fold(0.0, f64::max);
+    for _ in 0..STEPS {
+        let plain = numbers(&best);
+        let step = 1e-6;
+        let mut columns = vec![];
+        for k in 0..plain.len() {
+            // Places move with the size, directions and angles do not.
+            let own = if k < 3 { step * size } else { step };
+            let moved = |sign: f64| {
+                let mut numbers = plain.clone();
+                numbers[k] += sign * own;
+                off(&with_numbers(&best, &numbers))
+            };
+            let (Some(plus), Some(minus)) = (moved(1.0), moved(-1.0)) else {
+                return best;
+            };
+            columns.push((plus - minus) / (2.0 * own));
+        }
+        let jacobian = DMatrix::from_columns(&columns);
+        let Ok(change) = jacobian.svd(true, true).solve(&now, 1e-9 * size.min(1.0)) else {
+            return best;
+        };
+        let numbers: Vec<f64> = plain
+            .iter()
+            .zip(change.iter())
+            .map(|(a, b)| a - b)
+            .collect();
+        let next = with_numbers(&best, &numbers);
+        match off(&next) {
+            Some(less) if less.norm() < now.norm() => (best, now) = (next, less),
+            _ => return best,
+        }
+    }
+    best
+}
+
+/// No place of a patch is farther off a surface.
+pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
+    let weight = patch.least_weight();
+    if weight <= 0.0 {
+        return f64::INFINITY;
+    }
+    // A length along a direction from a point, times the weight.
+    let along = |from: Vector, d: Vector| patch.polynomial([d[0], d[1], d[2], -dot(from, d)]);
+    let one = patch.polynomial([0.0, 0.0, 0.0, 1.0]);
+    let squares = |from: Vector, axes: &[Vector]| -> Bernstein {
+        let first = along(from, axes[0]).squared();
+        axes[1..].iter().fold(first, |sum, axis| {
+            sum.plus(1.0, &along(from, *axis).squared())
+        })
+    };
+    match *surface {
+        Surface::Plane { origin, normal } => patch
+            .hull()
+            .map(|p| dot(minus(p, origin), normal).abs())
+            .fold(0.0, f64::max),
+        Surface::Cylinder {
+            origin,
+            axis,
+            radius,
+        } => {
+            let rest = squares(origin, &frame(axis, 0.0)).plus(-radius * radius, &one.squared());
+            // The difference of squares over the sum.
+            rest.bound() / (weight * weight * radius)
+        }
+        Surface::Sphere { centre, radius } => {
+            let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            let rest = squares(centre, &axes).plus(-radius * radius, &one.squared());
+            rest.bound() / (weight * weight * radius)
+        }
+        Surface::Cone {
+            apex,
+            axis,
+            half_angle,
+        } => {
+            let (sine, cosine) = half_angle.sin_cos();
+            let out = squares(apex, &frame(axis, 0.0));
+            let up = along(apex, axis).squared();
+            let scaled = out.plus(-(sine / cosine).powi(2), &up);
+            let product = cosine * cosine * scaled.bound() / (weight * weight);
+            // The product of the distances from the cone and from its mirror image, which is at least the height times twice the sine.
+            let height = patch
+                .hull()
+                .map(|p| dot(minus(p, apex), axis))
+                .fold(f64::INFINITY, f64::min);
+            if height < -product.sqrt() {
+                return f64::INFINITY;
+            }
+            product.sqrt().min(product / (height.max(0.0) * sine))
+        }
+        Surface::Torus {
+            centre,
+            axis,
+            major,
+            minor,
+        } => {
+            let [e, f] = frame(axis, 0.0);
+            let out = squares(centre, &[e, f]);
+            let whole = squares(centre, &[e, f, axis]);
+            let unit = one.squared();
+            let inner = major * major - minor * minor;
+            if inner <= 0.0 {
+                return f64::INFINITY;
+            }
+            let sum = whole.plus(inner, &unit);
+            let quartic = sum.squared().plus(-4.0 * major * major, &out.times(&unit));
+            quartic.bound() / (weight.powi(4) * inner * minor)
+        }
+        Surface::Other(_) => f64::INFINITY,
+    }
+}

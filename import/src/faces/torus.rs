@@ -1,0 +1,226 @@
+//! Faces on a torus: bands of cones that meet in circles of the torus.
+//!
+//! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori with one radius of
+//! the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the plane face beside it.
+
+use super::compile::{Compiled, compiled, deviation, parting};
+use super::courses::Courses;
+use super::curve::Curve;
+use super::model::Model;
+use super::planes::Planes;
+use super::sheet::Sheet;
+use super::slabs::{Band, Slabs};
+use super::surface::Surface;
+use super::vector::{Vector, dot, minus};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Most bands of a quarter of the tube.
+const MAX_BANDS: f64 = 1e5;
+/// Most bands of one torus.
+const MOST: usize = 1000;
+/// Angles nearer than this are one, radians.
+const SAME_ANGLE: f64 = 1e-7;
+
+/// The bands of a torus, by the angles between them.
+#[derive(Clone, Debug)]
+pub struct Rings {
+    /// Ascending, from 0 up to a whole turn, the first again at the end.
+    angles: Vec<f64>,
+    /// Greatest angle of a band; what is wider between two angles is reached by no face.
+    step: f64,
+    /// How far the cones are inside the torus, scene units.
+    pub deviation: f64,
+}
+
+impl Rings {
+    /// Within a deviation; edges that are parallels of the torus are between bands.
+    pub fn of(model: &Model, surface: &Surface, max_deviation: f64) -> Option<Rings> {
+        let (Surface::Torus { minor, .. }, Some(sheet)) = (surface, Sheet::of(surface, None))
+        else {
+            return None;
+        };
+        // Half the angle of a chord of this sagitta.
+        let half = (1.0 - (max_deviation / minor).min(0.25)).acos();
+        let count = (0.5 * FRAC_PI_2 / half).ceil().clamp(1.0, MAX_BANDS);
+        let step = FRAC_PI_2 / count;
+        let (edges, ranges) = reached(model, surface, &sheet);
+        let is_reached = |k: &usize| {
+            let (low, high) = (*k as f64 * step, (*k + 1) as f64 * step);
+            ranges.iter().any(|[from, to]| {
+                let turn = ((from - high) / TAU).ceil() * TAU;
+                low + turn <= *to
+            })
+        };
+        let wanted: Vec<usize> = (0..4 * count as usize).filter(is_reached).collect();
+        if wanted.len() > MOST {
+            return None;
+        }
+        let mut angles: Vec<f64> = wanted
+            .iter()
+            .flat_map(|k| [*k as f64 * step, (*k + 1) as f64 * step])
+            .collect();
+        angles.sort_by(f64::total_cmp);
+        angles.dedup_by(|next, kept| *next - *kept <= SAME_ANGLE);
+        if angles.last().is_some_and(|last| *last >= TAU - SAME_ANGLE) {
+            angles.pop();
+            if angles.first().is_none_or(|first| *first > SAME_ANGLE) {
+                angles.insert(0, 0.0);
+            }
+        }
+        for v in edges {
+            let off = |angle: &f64| {
+                let off = (angle - v).rem_euclid(TAU);
+                off.min(TAU - off)
+            };
+            if angles.iter().all(|angle| off(angle) > SAME_ANGLE) {
+                angles.push(v.rem_euclid(TAU));
+            }
+        }
+        angles.sort_by(f64::total_cmp);
+        angles.push(angles[0] + TAU);
+        Some(Rings {
+            angles,
+            step,
+            deviation: minor * (1.0 - (0.5 * step).cos()),
+        })
+    }
+
+    /// The cones.
+    fn bands(&self, sheet: &Sheet) -> Vec<Band> {
+        let band = |pair: &[f64]| {
+            let surface = sheet.chord(pair[0], pair[1])?;
+            Some(Band {
+                quadric: Some(surface.implicit()?),
+                ends: [pair[0], pair[1]],
+            })
+        };
+        let narrow = |pair: &&[f64]| pair[1] - pair[0] <= self.step + SAME_ANGLE;
+        self.angles
+            .windows(2)
+            .filter(narrow)
+            .filter_map(band)
+            .collect()
+    }
+}
+
+/// The angles of edges that are parallels of a torus, and all that its faces reach over.
+fn reached(model: &Model, surface: &Surface, sheet: &Sheet) -> (Vec<f64>, Vec<[f64; 2]>) {
+    let same = |face: &&super::model::Face| face.surface.same(surface, model.rounding());
+    let (mut parallels, mut ranges) = (vec![], vec![]);
+    for face in model.faces.iter().filter(same) {
+        if face.loops.is_empty() {
+            ranges.push([0.0, TAU]);
+        }
+        for edge_use in face.loops.iter().flatten() {
+            let path = sheet.path(&model.edges[edge_use.edge].curve.sampled(32));
+            let range = path
+                .iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, v]| {
+                    [low.min(*v), high.max(*v)]
+                });
+            if range[1] - range[0] <= SAME_ANGLE {
+                parallels.push(path[0][1]);
+            }
+            ranges.push(range);
+        }
+    }
+    // A face goes from the lowest to the highest of its borders only if these, or a seam, join them.
+    if ranges.iter().all(|[low, high]| high - low <= SAME_ANGLE) {
+        ranges.push([0.0, TAU]);
+    }
+    (parallels, ranges)
+}
+
+/// Compiles a face that lies on a torus.
+pub fn torus_face(model: &Model, index: usize, courses: &Courses, planes: &mut Planes) -> Compiled {
+    let face = &model.faces[index];
+    if courses.max_deviation == 0.0 {
+        return Compiled::rejected("a torus is not exact, and a deviation of 0 is accepted");
+    }
+    let (Some(rings), Some(sheet)) = (
+        Rings::of(model, &face.surface, courses.max_deviation),
+        Sheet::of(&face.surface, None),
+    ) else {
+        return Compiled::rejected(format!(
+            "more than {MOST} bands would be needed to be within {:.3e}",
+            courses.max_deviation
+        ));
+    };
+    if rings.deviation > courses.max_deviation {
+        return Compiled::rejected(format!(
+            "its bands would be {:.3e} off, more than {:.3e}",
+            rings.deviation, courses.max_deviation
+        ));
+    }
+    let found = deviation(model, face, courses)
+        .and_then(|off| Ok((off, parting(model, index, courses, planes)?)));
+    match found {
+        Err(reason) => Compiled::rejected(reason),
+        Ok((off, parting)) => {
+            let cells = Slabs {
+                surface: &face.surface,
+                parting: &parting,
+                bands: &rings.bands(&sheet),
+                flat: None,
+                size: model.size(),
+            }
+            .cells(planes);
+            compiled(model, face, cells, off.max(rings.deviation))
+        }
+    }
+}
+
+/// The chords of an edge about the tube of a torus, from its start to its end; nothing for other edges.
+pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Curve>, f64)> {
+    let curve = &model.edges[edge].curve;
+    let Curve::Arc { normal, radii, .. } = curve else {
+        return None;
+    };
+    let of_torus = |face: &usize| {
+        let surface = &model.faces[*face].surface;
+        let Surface::Torus { axis, minor, .. } = surface else {
+            return None;
+        };
+        let off = model.rounding();
+        let about = radii.iter().all(|radius| (radius - minor).abs() <= off);
+        (about && dot(*normal, *axis).abs() <= 1e-9).then_some(surface)
+    };
+    let surface = model.users[edge].iter().find_map(of_torus)?;
+    let rings = Rings::of(model, surface, max_deviation)?;
+    let sheet = Sheet::of(surface, None)?;
+    let path = sheet.path(&curve.sampled(96));
+    let first = path[0];
+    // A circle about the tube is one line u = constant.
+    if path.iter().any(|[u, _]| (u - first[0]).abs() > 1e-6) {
+        return None;
+    }
+    let (from, to) = (first[1], path[path.len() - 1][1]);
+    let mut angles = vec![from];
+    let mut inner: Vec<f64> = [-TAU, 0.0, TAU]
+        .iter()
+        .flat_map(|turn| rings.angles[1..].iter().map(move |v| v + turn))
+        .filter(|v| {
+            let (low, high) = (from.min(to), from.max(to));
+            *v > low + SAME_ANGLE && *v < high - SAME_ANGLE
+        })
+        .collect();
+    inner.sort_by(f64::total_cmp);
+    if to < from {
+        inner.reverse();
+    }
+    angles.extend(inner);
+    angles.push(to);
+    let mut points: Vec<Vector> = angles.iter().map(|v| sheet.point(first[0], *v)).collect();
+    let last = points.len() - 1;
+    let ends = curve.ends();
+    points[0] = ends[0];
+    points[last] = ends[1];
+    let lines = points
+        .windows(2)
+        .filter(|pair| minus(pair[0], pair[1]) != [0.0; 3])
+        .map(|pair| Curve::Line {
+            from: pair[0],
+            to: pair[1],
+        });
+    Some((lines.collect(), rings.deviation))
+}
