@@ -4,6 +4,7 @@ mod command;
 mod failure;
 mod interruption;
 mod missing;
+mod molecules;
 mod output;
 mod paths;
 mod process;

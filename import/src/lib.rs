@@ -1,11 +1,15 @@
 //! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and what is not.
 
+mod compressed;
 mod error;
 pub mod faces;
+mod kind;
 pub mod pdb;
 pub mod terrain;
 
+pub use compressed::{is_compressed, unpack};
 pub use error::{ImportError, Place};
+pub use kind::{Kind, Kinds, is_scene};
 
 use imogene_models::scene::SceneFile;
 

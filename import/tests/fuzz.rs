@@ -65,7 +65,7 @@ const READERS: [Reader; 6] = [
     Reader {
         name: "pdb",
         endings: &[".pdb", ".ent"],
-        read: |bytes| outcome(pdb::read(bytes, "a file", &pdb::Options::default())),
+        read: |bytes| structure(bytes, pdb::Format::Pdb),
     },
     Reader {
         name: "faces",
@@ -103,6 +103,10 @@ const READERS: [Reader; 6] = [
         },
     },
 ];
+
+fn structure(bytes: &[u8], format: pdb::Format) -> Outcome {
+    outcome(pdb::read(bytes, format, "a file", &pdb::Options::default()))
+}
 
 fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
     match read {

@@ -6,6 +6,7 @@ mod terrain;
 
 use clap::{Args, ValueEnum};
 pub use faces::FaceOptions;
+use imogene_import::Kind;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;
 pub use terrain::{CellForm, TerrainOptions};
@@ -13,12 +14,12 @@ pub use terrain::{CellForm, TerrainOptions};
 /// Arguments of `import`.
 #[derive(Debug, Args)]
 pub struct Import {
-    /// File to read: a molecule, a face list, a STEP file or a grid of heights.
+    /// File to read: a molecule, a face list, a STEP file or a grid of heights; it may be compressed with gzip.
     pub file: PathBuf,
     /// Scene file to write.
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: PathBuf,
-    /// What the file is, if its extension does not say so.
+    /// What the file is; found out from what it holds, and else from its name.
     #[arg(long = "as", value_enum, value_name = "KIND")]
     pub kind: Option<ImportKind>,
     /// Options of molecules.
@@ -35,12 +36,30 @@ pub struct Import {
 /// Kinds of files that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ImportKind {
-    /// A structure of the Protein Data Bank (.pdb, .ent).
+    /// A structure of the Protein Data Bank in its PDB format (.pdb, .ent).
     Pdb,
+    /// A structure in the PDBx/mmCIF format (.cif, .mmcif).
+    Mmcif,
+    /// A structure in the BinaryCIF format (.bcif).
+    Bcif,
     /// A list of CAD faces (.faces.toml).
     Faces,
     /// A STEP file, ISO 10303-21 (.step, .stp, .p21).
     Step,
     /// A grid of heights (.heights, .asc).
     Heights,
+}
+
+impl ImportKind {
+    /// The kind that it names.
+    pub fn kind(self) -> Kind {
+        match self {
+            ImportKind::Pdb => Kind::Pdb,
+            ImportKind::Mmcif => Kind::Mmcif,
+            ImportKind::Bcif => Kind::Bcif,
+            ImportKind::Faces => Kind::Faces,
+            ImportKind::Step => Kind::Step,
+            ImportKind::Heights => Kind::Heights,
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Which atoms are bonded: those near enough for their covalent radii, and those that the file says are.
 
-use super::structure::{Atom, unusable};
+use super::structure::{Atom, End, unusable};
 use crate::error::ImportError;
 use std::collections::{HashMap, HashSet};
 
@@ -18,7 +18,7 @@ const MOST_IN_A_CELL: usize = 256;
 pub struct Bonds {
     /// Pairs of places in the list of atoms, the lower first, in ascending order.
     pub pairs: Vec<[usize; 2]>,
-    /// How many of them only the file's CONECT lines say.
+    /// How many of them only the file says, in CONECT lines or _struct_conn.
     pub connected: usize,
     /// Pairs left out because an atom had more bonds than any has.
     pub left_out: usize,
@@ -26,14 +26,26 @@ pub struct Bonds {
 
 type Cell = [i64; 3];
 
-/// Finds the bonds of the atoms of one model; `connections` are pairs of serial numbers.
-pub fn find(atoms: &[Atom], connections: &[[String; 2]], file: &str) -> Result<Bonds, ImportError> {
+/// Finds the bonds of the atoms of one model, which are copies that end at `copies`; what the file says holds within each copy.
+pub fn find(
+    atoms: &[Atom],
+    copies: &[usize],
+    connections: &[[End; 2]],
+    file: &str,
+) -> Result<Bonds, ImportError> {
     let mut pairs = by_distance(atoms, file)?;
-    let known: HashSet<[usize; 2]> = pairs.iter().copied().collect();
-    let mut said: Vec<[usize; 2]> = said(atoms, connections);
-    said.retain(|pair| !known.contains(pair));
-    said.sort_unstable();
-    said.dedup();
+    let mut said: Vec<[usize; 2]> = vec![];
+    if !connections.is_empty() {
+        let starts = std::iter::once(&0).chain(copies);
+        for (start, end) in starts.zip(copies) {
+            let found = said_of(&atoms[*start..*end], connections);
+            said.extend(found.into_iter().map(|pair| pair.map(|k| k + start)));
+        }
+        let known: HashSet<[usize; 2]> = pairs.iter().copied().collect();
+        said.retain(|pair| !known.contains(pair));
+        said.sort_unstable();
+        said.dedup();
+    }
     let connected = said.len();
     pairs.extend(said);
     pairs.sort_unstable();
@@ -105,24 +117,28 @@ fn distance(a: &Atom, b: &Atom) -> f64 {
 /// Near enough, not two hydrogens, and not of different alternates.
 fn are_bonded(a: &Atom, b: &Atom) -> bool {
     let hydrogens = a.element.is_hydrogen() && b.element.is_hydrogen();
-    let apart = a.alternate != b' ' && b.alternate != b' ' && a.alternate != b.alternate;
+    let given = !a.alternate.is_empty() && !b.alternate.is_empty();
+    let apart = given && a.alternate != b.alternate;
     let longest = a.element.covalent() + b.element.covalent() + TOLERANCE;
     let distance = distance(a, b);
     !hydrogens && !apart && distance >= NEAREST && distance <= longest
 }
 
-/// Pairs that CONECT lines name; a serial number that two atoms of the model have says nothing.
-fn said(atoms: &[Atom], connections: &[[String; 2]]) -> Vec<[usize; 2]> {
-    let mut serials: HashMap<&str, Option<usize>> = HashMap::new();
+/// Pairs that the file names; what two atoms of the model are called alike says nothing.
+fn said_of(atoms: &[Atom], connections: &[[End; 2]]) -> Vec<[usize; 2]> {
+    let asked: HashSet<End> = connections.iter().flatten().copied().collect();
+    let mut places: HashMap<End, Option<usize>> = HashMap::new();
     for (index, atom) in atoms.iter().enumerate() {
-        let only = |place: &mut Option<usize>| *place = None;
-        serials
-            .entry(&atom.serial)
-            .and_modify(only)
-            .or_insert(Some(index));
+        let names = [atom.part, atom.number, atom.name, atom.alternate];
+        for end in [End::Serial(atom.serial), End::Names(names)] {
+            if asked.contains(&end) {
+                let only = |place: &mut Option<usize>| *place = None;
+                places.entry(end).and_modify(only).or_insert(Some(index));
+            }
+        }
     }
-    let place = |serial: &str| serials.get(serial).copied().flatten();
-    let pair = |[a, b]: &[String; 2]| {
+    let place = |end: &End| places.get(end).copied().flatten();
+    let pair = |[a, b]: &[End; 2]| {
         let (a, b) = (place(a)?, place(b)?);
         (distance(&atoms[a], &atoms[b]) >= NEAREST).then(|| [a.min(b), a.max(b)])
     };
@@ -133,20 +149,40 @@ fn said(atoms: &[Atom], connections: &[[String; 2]]) -> Vec<[usize; 2]> {
 mod tests {
     use super::*;
     use crate::pdb::element::of_symbol;
+    use crate::pdb::words::{Serial, Word, Words};
     use proptest::prelude::*;
 
-    fn atom(symbol: &str, serial: &str, alternate: u8, place: [f64; 3]) -> Atom {
+    /// An atom; a serial number that is no number is a word.
+    fn atom(symbol: &str, serial: &str, alternate: &str, place: [f64; 3]) -> Atom {
+        let mut words = known();
         Atom {
-            serial: serial.into(),
-            name: symbol.into(),
-            alternate,
-            residue: "LIG".into(),
-            chain: b'A',
-            number: "1".into(),
             place,
-            occupancy: 1.0,
             element: of_symbol(symbol).expect("an element"),
+            serial: Serial::of(serial.as_bytes(), &mut words),
+            occupancy: 1.0,
+            name: words.keep("CA"),
+            alternate: words.find(alternate).expect("a known word"),
+            residue: words.keep("LIG"),
+            number: words.find("7").expect("a known word"),
+            chain: Word::EMPTY,
+            part: words.keep("A"),
         }
+    }
+
+    fn known() -> Words {
+        let mut words = Words::default();
+        for text in ["A", "B", "7", "CA", "LIG", "A0000"] {
+            words.keep(text);
+        }
+        words
+    }
+
+    fn serials(a: &str, b: &str) -> [End; 2] {
+        [a, b].map(|text| End::Serial(Serial::of(text.as_bytes(), &mut known())))
+    }
+
+    fn bonds_of(atoms: &[Atom], said: &[[End; 2]]) -> Bonds {
+        find(atoms, &[atoms.len()], said, "x").unwrap()
     }
 
     #[test]
@@ -154,56 +190,75 @@ mod tests {
         // C and N: 0.76 + 0.71 + 0.45 = 1.92.
         let at = |x: f64| {
             [
-                atom("C", "1", b' ', [0.0; 3]),
-                atom("N", "2", b' ', [x, 0.0, 0.0]),
+                atom("C", "1", "", [0.0; 3]),
+                atom("N", "2", "", [x, 0.0, 0.0]),
             ]
         };
-        let count = |atoms: &[Atom]| find(atoms, &[], "x").unwrap().pairs.len();
+        let count = |atoms: &[Atom]| bonds_of(atoms, &[]).pairs.len();
         assert_eq!(
             [1.91, 1.93, 0.41, 0.39].map(|x| count(&at(x))),
             [1, 0, 1, 0]
         );
         let two = |s: &str, a, b| [atom(s, "1", a, [0.0; 3]), atom(s, "2", b, [0.8, 0.0, 0.0])];
-        assert_eq!(count(&two("H", b' ', b' ')), 0);
-        assert_eq!(count(&two("C", b'A', b'B')), 0);
-        assert_eq!(count(&two("C", b'A', b'A')), 1);
-        assert_eq!(count(&two("C", b'A', b' ')), 1);
+        assert_eq!(count(&two("H", "", "")), 0);
+        assert_eq!(count(&two("C", "A", "B")), 0);
+        assert_eq!(count(&two("C", "A", "A")), 1);
+        assert_eq!(count(&two("C", "A", "")), 1);
     }
 
     #[test]
     fn connections_are_taken_when_their_numbers_are_unique() {
         let far = [
-            atom("C", "1", b' ', [0.0; 3]),
-            atom("C", "A0000", b' ', [5.0, 0.0, 0.0]),
-            atom("C", "3", b' ', [10.0, 0.0, 0.0]),
-            atom("C", "3", b' ', [15.0, 0.0, 0.0]),
+            atom("C", "1", "", [0.0; 3]),
+            atom("C", "A0000", "", [5.0, 0.0, 0.0]),
+            atom("C", "3", "", [10.0, 0.0, 0.0]),
+            atom("C", "3", "", [15.0, 0.0, 0.0]),
         ];
-        let say = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
         let said = [
-            say("1", "A0000"),
-            say("A0000", "1"),
-            say("1", "3"),
-            say("1", "9"),
+            serials("1", "A0000"),
+            serials("A0000", "1"),
+            serials("1", "3"),
+            serials("1", "9"),
         ];
-        let bonds = find(&far, &said, "x").unwrap();
+        let bonds = bonds_of(&far, &said);
         assert_eq!((bonds.pairs, bonds.connected), (vec![[0, 1]], 1));
+    }
+
+    /// Names hold within each copy, whatever its chains are called.
+    #[test]
+    fn connections_hold_within_each_copy() {
+        let copy = |y: f64| {
+            [
+                atom("S", "1", "A", [0.0, y, 0.0]),
+                atom("S", "2", "B", [5.0, y, 0.0]),
+            ]
+        };
+        let atoms = [copy(0.0), copy(20.0)].concat();
+        let words = known();
+        let end =
+            |alternate| End::Names(["A", "7", "CA", alternate].map(|t| words.find(t).unwrap()));
+        let said = [[end("A"), end("B")]];
+        let found = |copies: &[usize]| find(&atoms, copies, &said, "x").unwrap().pairs;
+        assert_eq!(found(&[2, 4]), [[0, 1], [2, 3]]);
+        // As one copy, two atoms have each name.
+        assert!(found(&[4]).is_empty());
     }
 
     #[test]
     fn crowds_are_refused_and_stars_are_thinned() {
         let crowd: Vec<Atom> = (0..1000)
-            .map(|k| atom("C", "1", b' ', [0.001 * f64::from(k), 0.0, 0.0]))
+            .map(|k| atom("C", "1", "", [0.001 * f64::from(k), 0.0, 0.0]))
             .collect();
-        let error = find(&crowd, &[], "f.pdb").unwrap_err().to_string();
+        let error = find(&crowd, &[1000], &[], "f.pdb").unwrap_err().to_string();
         assert!(
             error.starts_with("f.pdb: more than 256 atoms within 2.0 angstroms"),
             "{error}"
         );
         let star: Vec<Atom> = (0..20)
-            .map(|k| atom("C", &k.to_string(), b' ', [100.0 * f64::from(k), 0.0, 0.0]))
+            .map(|k| atom("C", &k.to_string(), "", [100.0 * f64::from(k), 0.0, 0.0]))
             .collect();
-        let said: Vec<[String; 2]> = (1..20).map(|k| ["0".to_owned(), k.to_string()]).collect();
-        let bonds = find(&star, &said, "x").unwrap();
+        let said: Vec<[End; 2]> = (1..20).map(|k| serials("0", &k.to_string())).collect();
+        let bonds = bonds_of(&star, &said);
         assert_eq!((bonds.pairs.len(), bonds.left_out), (16, 3));
     }
 
@@ -211,7 +266,7 @@ mod tests {
         /// The grid finds what trying all pairs finds.
         #[test]
         fn the_grid_misses_no_pair(places in proptest::collection::vec(([-9.0f64..9.0, -9.0..9.0, -9.0..9.0], 0usize..4), 2..60)) {
-            let atoms: Vec<Atom> = places.iter().map(|(p, k)| atom(["H", "C", "S", "Fe"][*k], "1", b' ', *p)).collect();
+            let atoms: Vec<Atom> = places.iter().map(|(p, k)| atom(["H", "C", "S", "Fe"][*k], "1", "", *p)).collect();
             let mut expected = Vec::new();
             for i in 0..atoms.len() {
                 expected.extend((i + 1..atoms.len()).filter(|j| are_bonded(&atoms[i], &atoms[*j])).map(|j| [i, j]));

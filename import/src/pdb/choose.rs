@@ -1,16 +1,26 @@
-//! Which atoms of a file are drawn: models, alternate locations, hydrogens, water.
+//! Which atoms of a file are drawn: models, chains, residues, alternate locations, hydrogens, water, copies.
 
-use super::structure::{Atom, Structure, unusable};
-use super::{Alternates, ModelChoice, Options};
+use super::assembly::Moved;
+use super::options::{Alternates, ModelChoice, Options};
+use super::select::Selection;
+use super::structure::{Atom, Structure, is_water, listed, unusable};
+use super::words::{Word, Words};
 use crate::error::ImportError;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// Most atoms of a picture.
+const MOST_ATOMS: usize = 50_000_000;
 
 /// Atoms that are not drawn, by reason.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct LeftOut {
     /// In models that were not asked for.
     pub other_models: usize,
+    /// In chains that were not asked for.
+    pub other_chains: usize,
+    /// In residues that were not asked for.
+    pub other_residues: usize,
     /// Another location of an atom that is drawn elsewhere.
     pub alternate_locations: usize,
     /// Hydrogens, if they are left out.
@@ -23,8 +33,10 @@ pub struct LeftOut {
 pub struct Chosen {
     /// Number of the model.
     pub number: i64,
-    /// Its atoms.
+    /// Its atoms, copy by copy.
     pub atoms: Vec<Atom>,
+    /// Where each copy ends in them; one copy without an assembly.
+    pub copies: Vec<usize>,
 }
 
 /// The models and atoms that the options ask for.
@@ -35,6 +47,11 @@ pub fn choose(
 ) -> Result<(Vec<Chosen>, LeftOut), ImportError> {
     let mut left_out = LeftOut::default();
     let wanted = models(structure, file, options.model)?;
+    let (chains, residues) = (&options.chains, &options.residues);
+    let mut selection = Selection::new(structure, &wanted, chains, residues, file)?;
+    let assembly = options.assembly.as_deref();
+    let parts = assembly.map(|name| structure.assemblies.find(name, file));
+    let parts = parts.transpose()?;
     let mut chosen = Vec::new();
     for (index, model) in std::mem::take(&mut structure.models)
         .into_iter()
@@ -44,55 +61,104 @@ pub fn choose(
             left_out.other_models += model.atoms.len();
             continue;
         }
-        let atoms = located(model.atoms, options.alternates, &mut left_out);
-        let atoms = kept(atoms, options, &mut left_out);
+        let words = &mut structure.words;
+        let atoms = selected(model.atoms, &mut selection, words, &mut left_out);
+        let atoms = located(atoms, &options.alternates, words, &mut left_out);
+        let atoms = kept(atoms, options, words, &mut left_out);
+        let (atoms, copies) = match &parts {
+            Some(parts) => copied(&atoms, parts, words, file)?,
+            None => {
+                let end = atoms.len();
+                (atoms, vec![end])
+            }
+        };
         chosen.push(Chosen {
             number: model.number,
             atoms,
+            copies,
         });
     }
     if chosen.iter().all(|c| c.atoms.is_empty()) {
-        return Err(unusable(
-            file,
-            "the options leave no atom",
-            "hydrogens and water are kept without --no-hydrogens and --no-water",
-        ));
+        return Err(nothing_left(&left_out, options, file));
     }
     Ok((chosen, left_out))
 }
 
-/// Indices of the models asked for.
+/// Why nothing is left, and what would leave something.
+fn nothing_left(left_out: &LeftOut, options: &Options, file: &str) -> ImportError {
+    let reasons = [
+        (left_out.water, "water is drawn without --without-water"),
+        (
+            left_out.hydrogens,
+            "hydrogens are drawn without --without-hydrogens",
+        ),
+        (left_out.other_residues, "other residues without --residue"),
+        (left_out.other_chains, "other chains without --chain"),
+        (
+            usize::from(options.assembly.is_some()),
+            "the coordinates as they stand without --assembly",
+        ),
+    ];
+    let ways = reasons.iter().filter(|(count, _)| *count > 0);
+    let ways: Vec<&str> = ways.map(|(_, way)| *way).collect();
+    unusable(file, "the options leave no atom", ways.join(", "))
+}
+
+/// Places of the models asked for.
 fn models(
     structure: &Structure,
     file: &str,
     choice: ModelChoice,
-) -> Result<HashSet<usize>, ImportError> {
-    let all = 0..structure.models.len();
+) -> Result<Vec<usize>, ImportError> {
     match choice {
-        ModelChoice::First => Ok(HashSet::from([0])),
-        ModelChoice::All => Ok(all.collect()),
+        ModelChoice::First => Ok(vec![0]),
+        ModelChoice::All => Ok((0..structure.models.len()).collect()),
         ModelChoice::Number(number) => {
             let mut models = structure.models.iter();
             let found = models.position(|m| m.number == number);
-            found.map(|index| HashSet::from([index])).ok_or_else(|| {
+            found.map(|index| vec![index]).ok_or_else(|| {
                 let numbers = structure.models.iter().map(|m| m.number.to_string());
-                let mut numbers: Vec<String> = numbers.take(20).collect();
-                if structure.models.len() > numbers.len() {
-                    numbers.push("...".into());
-                }
                 unusable(
                     file,
                     format!("it has no model {number}"),
-                    format!("{} or all would be accepted", numbers.join(", ")),
+                    format!("{} or all would be accepted", listed(numbers)),
                 )
             })
         }
     }
 }
 
-fn kept(mut atoms: Vec<Atom>, options: &Options, left_out: &mut LeftOut) -> Vec<Atom> {
+fn selected(
+    mut atoms: Vec<Atom>,
+    selection: &mut Selection,
+    words: &Words,
+    left_out: &mut LeftOut,
+) -> Vec<Atom> {
     atoms.retain(|atom| {
-        if !options.water && atom.is_water() {
+        if !selection.has_chain(atom) {
+            left_out.other_chains += 1;
+            return false;
+        }
+        let asked = selection.has_residue(atom, words);
+        left_out.other_residues += usize::from(!asked);
+        asked
+    });
+    atoms
+}
+
+fn kept(
+    mut atoms: Vec<Atom>,
+    options: &Options,
+    words: &Words,
+    left_out: &mut LeftOut,
+) -> Vec<Atom> {
+    let mut known: HashMap<Word, bool> = HashMap::new();
+    let mut of_water = |residue: Word| {
+        let known = known.entry(residue);
+        *known.or_insert_with(|| is_water(words.text(residue)))
+    };
+    atoms.retain(|atom| {
+        if !options.water && of_water(atom.residue) {
             left_out.water += 1;
             return false;
         }
@@ -105,29 +171,85 @@ fn kept(mut atoms: Vec<Atom>, options: &Options, left_out: &mut LeftOut) -> Vec<
     atoms
 }
 
+/// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what operator 2 makes of chain A.
+fn copied(
+    atoms: &[Atom],
+    parts: &[Moved],
+    words: &mut Words,
+    file: &str,
+) -> Result<(Vec<Atom>, Vec<usize>), ImportError> {
+    let (mut copies, mut ends) = (vec![], vec![]);
+    for (chains, operators) in parts {
+        let chains: HashSet<Word> = chains.iter().copied().collect();
+        let members = atoms.iter();
+        let members: Vec<&Atom> = members
+            .filter(|atom| chains.is_empty() || chains.contains(&atom.part))
+            .collect();
+        if copies.len() + members.len() * operators.len() > MOST_ATOMS {
+            return Err(unusable(
+                file,
+                format!("the assembly has more than {MOST_ATOMS} atoms"),
+                "--chain and --residue take a part of it",
+            ));
+        }
+        for operator in operators {
+            let mut names: HashMap<Word, Word> = HashMap::new();
+            for atom in &members {
+                let chain = *names.entry(atom.chain).or_insert_with(|| {
+                    if operator.is_identity() {
+                        return atom.chain;
+                    }
+                    let name = format!("{}-{}", words.text(atom.chain), operator.name);
+                    words.keep(&name)
+                });
+                copies.push(Atom {
+                    place: operator.place(atom.place),
+                    chain,
+                    ..(*atom).clone()
+                });
+            }
+            if ends.last() != Some(&copies.len()) {
+                ends.push(copies.len());
+            }
+        }
+    }
+    Ok((copies, ends))
+}
+
 /// A residue of a model: chain, number and insertion code. Its name is no part of it, because alternate locations may be of different residues.
-type Residue = (u8, String);
+type Residue = (Word, Word);
 
 /// Leaves one location of each atom, all of a residue from the same alternate as far as it has them.
-fn located(atoms: Vec<Atom>, choice: Alternates, left_out: &mut LeftOut) -> Vec<Atom> {
-    if choice == Alternates::All {
+fn located(
+    mut atoms: Vec<Atom>,
+    choice: &Alternates,
+    words: &Words,
+    left_out: &mut LeftOut,
+) -> Vec<Atom> {
+    let asked = match choice {
+        Alternates::All => return atoms,
+        Alternates::Best => None,
+        // A name that no atom has is no alternate's.
+        Alternates::Named(name) => words.find(name),
+    };
+    let residue = |atom: &Atom| -> Residue { (atom.chain, atom.number) };
+    let disordered = atoms.iter().filter(|atom| !atom.alternate.is_empty());
+    let mut residues: HashMap<Residue, Vec<usize>> =
+        disordered.map(|atom| (residue(atom), vec![])).collect();
+    if residues.is_empty() {
         return atoms;
     }
-    let mut residues: HashMap<Residue, Vec<usize>> = HashMap::new();
     for (index, atom) in atoms.iter().enumerate() {
-        let residue = (atom.chain, atom.number.clone());
-        residues.entry(residue).or_default().push(index);
+        if let Some(members) = residues.get_mut(&residue(atom)) {
+            members.push(index);
+        }
     }
     let mut keep = vec![true; atoms.len()];
     for members in residues.into_values() {
-        let disordered = members.iter().any(|i| atoms[*i].alternate != b' ');
-        if disordered {
-            one_location(&atoms, &members, choice, &mut keep);
-        }
+        one_location(&atoms, &members, asked, &mut keep);
     }
     let before = atoms.len();
     let mut flags = keep.into_iter();
-    let mut atoms = atoms;
     atoms.retain(|_| flags.next().expect("one for each atom"));
     left_out.alternate_locations += before - atoms.len();
     atoms
@@ -145,12 +267,12 @@ struct Votes {
 }
 
 /// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then those listed first.
-fn ranking(groups: &BTreeMap<&str, Vec<usize>>, atoms: &[Atom], choice: Alternates) -> Vec<u8> {
-    let mut votes: BTreeMap<u8, Votes> = BTreeMap::new();
+fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Word>) -> Vec<Word> {
+    let mut votes: BTreeMap<Word, Votes> = BTreeMap::new();
     for members in groups.values() {
         // An atom with one location and no letter belongs to all alternates.
         if let [only] = members[..]
-            && atoms[only].alternate == b' '
+            && atoms[only].alternate.is_empty()
         {
             continue;
         }
@@ -161,14 +283,14 @@ fn ranking(groups: &BTreeMap<&str, Vec<usize>>, atoms: &[Atom], choice: Alternat
                     order: *index,
                     ..Votes::default()
                 });
-            entry.occupancy += atoms[*index].occupancy;
+            entry.occupancy += f64::from(atoms[*index].occupancy);
             entry.atoms += 1;
             entry.firsts += usize::from(k == 0);
             entry.order = entry.order.min(*index);
         }
     }
-    let asked = |letter: u8| choice != Alternates::Letter(letter);
-    let mut ranked: Vec<(u8, Votes)> = votes.into_iter().collect();
+    let asked = |alternate: Word| asked != Some(alternate);
+    let mut ranked: Vec<(Word, Votes)> = votes.into_iter().collect();
     ranked.sort_by(|(a, v), (b, w)| {
         let (mean, other) = (v.occupancy / v.atoms as f64, w.occupancy / w.atoms as f64);
         asked(*a)
@@ -177,29 +299,29 @@ fn ranking(groups: &BTreeMap<&str, Vec<usize>>, atoms: &[Atom], choice: Alternat
             .then(w.firsts.cmp(&v.firsts))
             .then(v.order.cmp(&w.order))
     });
-    ranked.into_iter().map(|(letter, _)| letter).collect()
+    ranked.into_iter().map(|(alternate, _)| alternate).collect()
 }
 
-fn one_location(atoms: &[Atom], members: &[usize], choice: Alternates, keep: &mut [bool]) {
-    let mut groups: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &mut [bool]) {
+    let mut groups: BTreeMap<Word, Vec<usize>> = BTreeMap::new();
     for index in members {
-        groups.entry(&atoms[*index].name).or_default().push(*index);
+        groups.entry(atoms[*index].name).or_default().push(*index);
     }
-    let ranked = ranking(&groups, atoms, choice);
+    let ranked = ranking(&groups, atoms, asked);
     // Of alternates that are different residues only one is drawn.
     let best = members
         .iter()
         .find(|i| Some(&atoms[**i].alternate) == ranked.first());
-    let residue = best.map(|i| atoms[*i].residue.as_str());
+    let residue = best.map(|i| atoms[*i].residue);
     for locations in groups.values() {
         let rank = |index: &usize| {
-            let letter = atoms[*index].alternate;
-            let place = ranked.iter().position(|l| *l == letter);
+            let alternate = atoms[*index].alternate;
+            let place = ranked.iter().position(|a| *a == alternate);
             place.unwrap_or(ranked.len())
         };
         let of_residue = |i: &&usize| {
-            let shared = atoms[**i].alternate == b' ';
-            shared || Some(atoms[**i].residue.as_str()) == residue
+            let shared = atoms[**i].alternate.is_empty();
+            shared || Some(atoms[**i].residue) == residue
         };
         // The same name and letter twice is no alternate: both are drawn.
         let first = locations.iter().filter(of_residue).map(rank).min();
@@ -212,7 +334,7 @@ fn one_location(atoms: &[Atom], members: &[usize], choice: Alternates, keep: &mu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pdb::structure::Structure;
+    use crate::pdb::lines::read;
 
     fn lines(atoms: &[(&str, char, &str, f64)]) -> String {
         let line = |(name, alternate, residue, occupancy): &(&str, char, &str, f64)| {
@@ -225,7 +347,7 @@ mod tests {
 
     fn kept_of(atoms: &[(&str, char, &str, f64)], alternates: Alternates) -> String {
         let text = lines(atoms);
-        let mut structure = Structure::read(text.as_bytes(), "x").expect("atoms");
+        let mut structure = read(text.as_bytes(), "x").expect("atoms");
         let options = Options {
             alternates,
             ..Options::default()
@@ -235,9 +357,9 @@ mod tests {
             .atoms
             .iter()
             .map(|a| {
-                format!("{}{}", a.name, a.alternate as char)
-                    .trim()
-                    .to_owned()
+                [a.name, a.alternate]
+                    .map(|w| structure.words.text(w))
+                    .concat()
             })
             .collect();
         assert_eq!(names.len() + left_out.alternate_locations, atoms.len());
@@ -257,8 +379,14 @@ mod tests {
         ];
         // B has the mean 0.6, A that of 0.5; atom by atom CB would be A's.
         assert_eq!(kept_of(&side, Alternates::Best), "N CAB CBB OGB");
-        assert_eq!(kept_of(&side, Alternates::Letter(b'A')), "N CAA CBA OGA");
-        assert_eq!(kept_of(&side, Alternates::Letter(b'Z')), "N CAB CBB OGB");
+        assert_eq!(
+            kept_of(&side, Alternates::Named("A".into())),
+            "N CAA CBA OGA"
+        );
+        assert_eq!(
+            kept_of(&side, Alternates::Named("Z".into())),
+            "N CAB CBB OGB"
+        );
         assert_eq!(kept_of(&side, Alternates::All), "N CAA CAB CBA CBB OGA OGB");
     }
 
@@ -282,7 +410,7 @@ mod tests {
         ];
         assert_eq!(kept_of(&arginine, Alternates::Best), "CZ NH1A NH2A");
         assert_eq!(
-            kept_of(&arginine, Alternates::Letter(b'B')),
+            kept_of(&arginine, Alternates::Named("B".into())),
             "CZB NH1B NH2B"
         );
     }
@@ -298,7 +426,7 @@ mod tests {
             ("CG2", 'B', "THR", 0.7),
         ];
         assert_eq!(kept_of(&both, Alternates::Best), "N CAB OG1B CG2B");
-        assert_eq!(kept_of(&both, Alternates::Letter(b'A')), "N CAA OGA");
+        assert_eq!(kept_of(&both, Alternates::Named("A".into())), "N CAA OGA");
     }
 
     #[test]

@@ -22,10 +22,30 @@ impl<'a> Columns<'a> {
         Columns { file, number, text }
     }
 
+    /// Number of the line, counted from 1.
+    pub fn line(&self) -> usize {
+        self.number
+    }
+
+    /// The column behind the last.
+    pub fn end(&self) -> usize {
+        self.text.len() + 1
+    }
+
+    /// Name of the file.
+    pub fn file(&self) -> &str {
+        self.file
+    }
+
     /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.
     pub fn bytes(&self, first: usize, last: usize) -> &[u8] {
         let end = last.min(self.text.len());
         &self.text[(first - 1).min(end)..end]
+    }
+
+    /// The name of the record in capitals: the first six columns.
+    pub fn record(&self) -> [u8; 6] {
+        std::array::from_fn(|k| self.character(k + 1).to_ascii_uppercase())
     }
 
     /// The same as text, without the spaces around it; control characters are written as `?`.
@@ -89,7 +109,7 @@ impl<'a> Columns<'a> {
                 place: Place {
                     line: self.number,
                     // Where the line ends if it ends before.
-                    column: (first + at).min(self.text.len() + 1),
+                    column: (first + at).min(self.end()),
                 },
                 problem,
                 accepted: format!(

@@ -1,6 +1,7 @@
 //! Names of objects: what a chemist calls the atom, made unique.
 
 use super::structure::Atom;
+use super::words::{Word, Words};
 use std::collections::{HashMap, HashSet};
 
 /// Names given so far.
@@ -28,7 +29,7 @@ impl Names {
 
     /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there are several, and the serial
     /// number if another atom has the same.
-    pub fn of_atom(&mut self, atom: &Atom, model: Option<i64>) -> String {
+    pub fn of_atom(&mut self, atom: &Atom, words: &Words, model: Option<i64>) -> String {
         let or_dash = |text: &str| {
             if text.is_empty() {
                 "-".to_owned()
@@ -36,21 +37,16 @@ impl Names {
                 text.to_owned()
             }
         };
-        let chain = String::from(char::from(atom.chain));
-        let mut name = format!(
-            "{}/{}/{}",
-            or_dash(chain.trim()),
-            or_dash(&atom.number),
-            or_dash(&atom.name)
-        );
-        if atom.alternate != b' ' {
-            name = format!("{name}.{}", char::from(atom.alternate));
+        let text = |word: Word| or_dash(words.text(word));
+        let mut name = [atom.chain, atom.number, atom.name].map(text).join("/");
+        if !atom.alternate.is_empty() {
+            name = format!("{name}.{}", words.text(atom.alternate));
         }
         if let Some(model) = model {
             name = format!("{model}/{name}");
         }
         if self.taken.contains(&name) {
-            name = format!("{name} #{}", or_dash(&atom.serial));
+            name = format!("{name} #{}", or_dash(&atom.serial.text(words)));
         }
         self.unique(name)
     }

@@ -2,8 +2,9 @@
 
 use super::bonds::TOLERANCE;
 use super::choose::{Chosen, LeftOut};
+use super::options::Options;
 use super::scene::Drawn;
-use super::structure::{Remark, Structure};
+use super::structure::{Remark, Structure, listed};
 use imogene_models::text::counted;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -16,6 +17,8 @@ pub struct Read {
     pub atoms: usize,
     /// Numbers of the models.
     pub models: Vec<i64>,
+    /// Names of the assemblies that it describes.
+    pub assemblies: Vec<String>,
 }
 
 impl Read {
@@ -24,6 +27,12 @@ impl Read {
         Read {
             atoms: structure.models.iter().map(|m| m.atoms.len()).sum(),
             models: structure.models.iter().map(|m| m.number).collect(),
+            assemblies: structure
+                .assemblies
+                .names()
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
         }
     }
 }
@@ -35,15 +44,16 @@ pub fn report(
     chosen: &[Chosen],
     left_out: &LeftOut,
     drawn: &Drawn,
+    options: &Options,
 ) -> (Value, Vec<String>) {
     let atoms = || chosen.iter().flat_map(|c| &c.atoms);
     let mut elements: BTreeMap<&str, usize> = BTreeMap::new();
     let mut chains = BTreeSet::new();
     for atom in atoms() {
         *elements.entry(atom.element.symbol).or_default() += 1;
-        chains.insert(char::from(atom.chain).to_string());
+        chains.insert(structure.words.text(atom.chain));
     }
-    let remark = |remark| structure.remarks.get(&remark).copied().unwrap_or(0);
+    let remark = |remark| structure.count(remark);
     let shown: Vec<i64> = chosen.iter().map(|c| c.number).collect();
     let short = |v: f64| (v * 1e4).round() / 1e4;
     let (low, high) = (drawn.extent.0.map(short), drawn.extent.1.map(short));
@@ -58,12 +68,14 @@ pub fn report(
         "left_out": left_out,
         "models": read.models,
         "models_drawn": shown,
+        "assemblies": read.assemblies,
+        "assembly_drawn": options.assembly,
         "chains": chains,
         "elements": elements,
         "elements_from_names": remark(Remark::NamedElement),
         "elements_unknown": remark(Remark::NoElement),
         "bonds": drawn.bonds.pairs.len(),
-        "bonds_from_conect_alone": drawn.bonds.connected,
+        "bonds_from_file_alone": drawn.bonds.connected,
         "spheres": drawn.spheres,
         "cylinders": drawn.cylinders,
         "box": { "low": low, "high": high },
@@ -93,6 +105,36 @@ pub fn report(
             counted(other, "atom")
         ),
     );
+    for (other, of) in [
+        (left_out.other_chains, "chains"),
+        (left_out.other_residues, "residues"),
+    ] {
+        note(
+            other,
+            format!("{} of other {of} left out", counted(other, "atom")),
+        );
+    }
+    if options.assembly.is_none() && !read.assemblies.is_empty() {
+        let names = listed(read.assemblies.iter().cloned());
+        note(
+            1,
+            format!(
+                "the coordinates as they stand; --assembly {names} draws what it makes of them"
+            ),
+        );
+    }
+    note(
+        remark(Remark::OtherBlocks),
+        "further data blocks left out: the first that has atoms is drawn".to_owned(),
+    );
+    let other = remark(Remark::OtherCells);
+    note(
+        other,
+        format!(
+            "{} to other cells of the crystal left out",
+            counted(other, "bond")
+        ),
+    );
     let other = left_out.alternate_locations;
     note(
         other,
@@ -112,7 +154,7 @@ pub fn report(
     note(
         other,
         format!(
-            "{} without a symbol in columns 77 and 78: element from the atom's name",
+            "{} without an element's symbol: element from the atom's name",
             counted(other, "atom")
         ),
     );
@@ -141,7 +183,7 @@ pub fn report(
     note(
         other,
         format!(
-            "{} of CONECT lines alone: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for",
+            "{} that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for",
             counted(other, "bond")
         ),
     );

@@ -4,8 +4,9 @@ use super::bonds::{self, Bonds};
 use super::choose::Chosen;
 use super::framing::{self, Framing};
 use super::names::Names;
+use super::options::{Colouring, Options, Style};
 use super::structure::{Atom, Structure};
-use super::{Colouring, Options, Style};
+use super::words::{Word, Words};
 use crate::error::ImportError;
 use imogene_models::scene::{
     Axis, Cut, ImageSize, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
@@ -35,34 +36,47 @@ pub struct Drawn {
     pub extent: ([f64; 3], [f64; 3]),
 }
 
+/// What gives an atom its colour.
+#[derive(PartialEq, Eq, Hash)]
+enum Key {
+    Element(&'static str),
+    Chain(Word),
+    Model(i64),
+}
+
 /// Materials by what gives the colour.
 struct Materials {
     colouring: Colouring,
     list: Vec<Material>,
-    places: HashMap<String, usize>,
+    places: HashMap<Key, usize>,
 }
 
 impl Materials {
     /// The material of an atom.
-    fn of(&mut self, atom: &Atom, model: i64) -> String {
+    fn of(&mut self, atom: &Atom, model: i64, words: &Words) -> &Material {
         let key = match self.colouring {
-            Colouring::Element if atom.element.symbol == "?" => "unknown element".to_owned(),
-            Colouring::Element => atom.element.symbol.to_owned(),
-            Colouring::Chain if atom.chain == b' ' => "chain without name".to_owned(),
-            Colouring::Chain => format!("chain {}", char::from(atom.chain)),
-            Colouring::Model => format!("model {model}"),
+            Colouring::Element => Key::Element(atom.element.symbol),
+            Colouring::Chain => Key::Chain(atom.chain),
+            Colouring::Model => Key::Model(model),
         };
         let rank = self.places.len() % MOST_COLOURS;
-        let place = *self.places.entry(key.clone()).or_insert(rank);
+        let place = *self.places.entry(key).or_insert(rank);
+        // Beyond the last colour the ranks begin anew, and the list does not grow.
         if place == self.list.len() {
+            let name = match self.colouring {
+                Colouring::Element if atom.element.symbol == "?" => "unknown element".to_owned(),
+                Colouring::Element => atom.element.symbol.to_owned(),
+                Colouring::Chain if atom.chain.is_empty() => "chain without name".to_owned(),
+                Colouring::Chain => format!("chain {}", words.text(atom.chain)),
+                Colouring::Model => format!("model {model}"),
+            };
             let colour = match self.colouring {
                 Colouring::Element => atom.element.colour(),
                 _ => colour_of_rank(place),
             };
-            self.list.push(material(key, colour));
+            self.list.push(material(name, colour));
         }
-        // Beyond the last colour the ranks begin anew, and the list does not grow.
-        self.list[place].name.clone()
+        &self.list[place]
     }
 }
 
@@ -107,10 +121,10 @@ pub fn build(
         let number = (chosen.len() > 1).then_some(model.number);
         for atom in &model.atoms {
             let radius = radius(atom, options.style);
-            let material = materials.of(atom, model.number);
+            let material = materials.of(atom, model.number, &structure.words);
             balls.push((atom.place, radius));
-            let name = names.of_atom(atom, number);
-            objects.push(sphere(name, atom.place, radius, material));
+            let name = names.of_atom(atom, &structure.words, number);
+            objects.push(sphere(name, atom.place, radius, material.name.clone()));
         }
     }
     let framing = framing::frame(&balls);
@@ -122,7 +136,7 @@ pub fn build(
         if options.style == Style::SpaceFilling {
             continue;
         }
-        let found = bonds::find(&model.atoms, &structure.connections, file)?;
+        let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;
         for pair in &found.pairs {
             let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
             sticks.extend(cylinders(ends, framing.eye(), &mut names));

@@ -17,7 +17,7 @@ mod write;
 pub use cell::Cells;
 pub use grid::{HeightGrid, MAX_NODES};
 pub use options::{Region, TerrainOptions};
-pub use read::{Format, read};
+pub use read::{Format, is_grid_keyword, read};
 pub use scene::{MAX_CELLS, scene_of};
 pub use write::heights_text;
 

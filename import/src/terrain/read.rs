@@ -27,12 +27,16 @@ pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid, ImportError> {
 
 fn format_of(text: &str) -> Format {
     let first = text.lines().find_map(|line| words(line, 1).next());
-    let is_key = first.is_some_and(|word| KEYS.contains(&word.text.to_lowercase().as_str()));
-    if is_key {
+    if first.is_some_and(|word| is_grid_keyword(word.text)) {
         Format::EsriAscii
     } else {
         Format::Plain
     }
+}
+
+/// Whether a word is a keyword of the header of an ESRI ASCII grid, in any case.
+pub fn is_grid_keyword(word: &str) -> bool {
+    KEYS.contains(&word.to_lowercase().as_str())
 }
 
 const KEYS: [&str; 10] = [

@@ -75,6 +75,7 @@ impl<'a> State<'a> {
             materials: file.materials.clone(),
             groups: file.groups.clone(),
             objects: file.objects.clone(),
+            molecules: file.molecules.clone(),
         };
         for object in &mut scene.objects {
             self.place(&object.name, &mut object.place);

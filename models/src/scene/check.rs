@@ -39,8 +39,14 @@ const PARALLEL: f64 = 1e-9;
 pub(super) type Checked = Result<(), SceneError>;
 
 impl SceneFile {
-    /// Refuses a scene that cannot be drawn; [`SceneFile::parse`] has done so already.
+    /// Refuses a scene that cannot be drawn; [`SceneFile::parse`] has done so already, unless molecules are to be read.
     pub fn validate(&self) -> Checked {
+        self.check_molecules_read()?;
+        self.validate_text()
+    }
+
+    /// Refuses what cannot be drawn, as far as it stands in the scene's own file.
+    pub(super) fn validate_text(&self) -> Checked {
         if self.format != FORMAT_VERSION {
             return Err(SceneError::value(
                 "format",
@@ -60,7 +66,11 @@ impl SceneFile {
         check_members(self)?;
         self.check_groups()?;
         self.check_objects()?;
-        check_images(self, &names)
+        // An action may be of an object that a molecule will bring.
+        if self.molecules.is_empty() {
+            check_images(self, &names)?;
+        }
+        Ok(())
     }
 
     fn check_lights(&self) -> Checked {
@@ -98,7 +108,7 @@ impl SceneFile {
     }
 
     fn check_objects(&self) -> Checked {
-        if self.objects.is_empty() {
+        if self.objects.is_empty() && self.molecules.is_empty() {
             return Err(SceneError::value(
                 "objects",
                 "the scene has no object",

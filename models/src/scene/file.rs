@@ -9,6 +9,7 @@ use super::error::{SceneError, line_and_column};
 use super::group::{Group, Node};
 use super::image::KeyImage;
 use super::keys::{CameraKeys, LightKeys, ObjectKeys, SceneKeys, StepKeys, numbers};
+use super::molecule::Molecule;
 
 /// The version this code reads and writes.
 pub const FORMAT_VERSION: i64 = 1;
@@ -41,6 +42,8 @@ pub struct SceneFile {
     pub groups: Vec<Group>,
     /// Objects, in the order that breaks ties of equal depth (the first wins).
     pub objects: Vec<Object>,
+    /// Structure files whose atoms become further objects, behind the others, once they are read.
+    pub molecules: Vec<Molecule>,
     /// Images of an animation, in the order in which they are shown.
     pub images: Vec<KeyImage>,
 }
@@ -430,6 +433,7 @@ impl SceneFile {
             materials: vec![],
             groups: vec![],
             objects: vec![],
+            molecules: vec![],
             images: vec![],
         }
     }
@@ -464,13 +468,13 @@ impl SceneFile {
             check_version(text, file)?;
         }
         let scene = Self::deserialize(toml::Deserializer::from(table)).map_err(syntax)?;
-        scene.validate().map_err(|error| error.in_file(file))?;
+        scene.validate_text().map_err(|error| error.in_file(file))?;
         Ok(scene)
     }
 
     /// The scene as the text of a scene file; [`SceneFile::parse`] reads it back as the same scene.
     pub fn to_toml(&self) -> Result<String, SceneError> {
-        self.validate()?;
+        self.validate_text()?;
         toml::to_string(self).map_err(|source| SceneError::Unwritable { source })
     }
 }

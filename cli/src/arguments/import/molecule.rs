@@ -1,7 +1,8 @@
 //! Options of `import` for molecules.
 
 use clap::{Args, ValueEnum};
-use imogene_import::pdb::{Alternates, Colouring, ModelChoice, Options, Style};
+use imogene_import::pdb::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
+use std::str::FromStr;
 
 /// Options of molecules.
 #[derive(Clone, Debug, Args)]
@@ -13,17 +14,32 @@ pub struct MoleculeOptions {
     #[arg(long, alias = "color", value_enum, default_value_t = ColourName::Element)]
     colour: ColourName,
     /// Model to draw: `first`, its number, or `all`, each where its coordinates put it.
-    #[arg(long, default_value = "first", value_parser = model, value_name = "N|first|all")]
+    #[arg(long, default_value = "first", value_parser = ModelChoice::from_str, value_name = "N|first|all", allow_hyphen_values = true)]
     model: ModelChoice,
     /// Alternate locations to draw: `best` of each residue by occupancy, those of a letter, or `all`.
-    #[arg(long, default_value = "best", value_parser = alternates, value_name = "LETTER|best|all")]
+    #[arg(long, default_value = "best", value_parser = Alternates::from_str, value_name = "LETTER|best|all")]
     alternates: Alternates,
+    /// Chains to draw, by the names that their authors gave them.
+    #[arg(long, value_name = "CHAIN,...", value_delimiter = ',')]
+    chain: Vec<String>,
+    /// Residues to draw: numbers (with insertion code: 52A), ranges of numbers, and names.
+    #[arg(long, value_name = "10-20,55,HEM,...", value_delimiter = ',', value_parser = Residues::from_str, allow_hyphen_values = true)]
+    residue: Vec<Residues>,
+    /// Draw an assembly, put together of copies of the chains, instead of the coordinates as they stand.
+    #[arg(long, value_name = "ID")]
+    assembly: Option<String>,
     /// Leave hydrogens out.
-    #[arg(long)]
-    no_hydrogens: bool,
+    #[arg(long, alias = "no-hydrogens")]
+    without_hydrogens: bool,
     /// Leave water out.
+    #[arg(long, alias = "no-water")]
+    without_water: bool,
+    /// Write a scene that names the structure file and is filled from it when it is read; so it is with more than 20 000 objects.
+    #[arg(long, conflicts_with = "inline")]
+    pub reference: bool,
+    /// Write an object for each atom and bond, however many there are.
     #[arg(long)]
-    no_water: bool,
+    pub inline: bool,
 }
 
 /// Styles.
@@ -60,29 +76,12 @@ impl MoleculeOptions {
                 ColourName::Model => Colouring::Model,
             },
             model: self.model,
-            alternates: self.alternates,
-            hydrogens: !self.no_hydrogens,
-            water: !self.no_water,
+            alternates: self.alternates.clone(),
+            hydrogens: !self.without_hydrogens,
+            water: !self.without_water,
+            chains: self.chain.clone(),
+            residues: self.residue.clone(),
+            assembly: self.assembly.clone(),
         }
-    }
-}
-
-fn model(text: &str) -> Result<ModelChoice, String> {
-    match text {
-        "first" => Ok(ModelChoice::First),
-        "all" => Ok(ModelChoice::All),
-        number => number
-            .parse()
-            .map(ModelChoice::Number)
-            .map_err(|_| "a number, first or all would be accepted".into()),
-    }
-}
-
-fn alternates(text: &str) -> Result<Alternates, String> {
-    match (text, text.as_bytes()) {
-        ("best", _) => Ok(Alternates::Best),
-        ("all", _) => Ok(Alternates::All),
-        (_, [letter]) if letter.is_ascii_graphic() => Ok(Alternates::Letter(*letter)),
-        _ => Err("one letter or digit, best or all would be accepted".into()),
     }
 }

@@ -4,10 +4,12 @@ mod faces;
 mod molecule;
 mod terrain;
 
-use crate::arguments::{Import, ImportKind};
+use crate::arguments::Import;
 use crate::failure::Failure;
+use crate::molecules::load;
 use crate::output;
-use imogene_import::Imported;
+use imogene_import::pdb::Format;
+use imogene_import::{Imported, Kind, Kinds, is_scene};
 use imogene_models::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -23,26 +25,24 @@ struct ImportReport {
     files: Vec<PathBuf>,
 }
 
-/// Most bytes of a file: ten million atoms in PDB's columns take eight hundred million.
-const MAX_BYTES: u64 = 1 << 30;
-
 /// Reads a file and writes its scene.
 pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
+    let bytes = load(&options.file)?;
     let kind = match options.kind {
-        Some(kind) => kind,
-        None => kind_of(&options.file)?,
+        Some(kind) => kind.kind(),
+        None => kind_of(&bytes, &options.file)?,
     };
-    let bytes = imogene_files::read(&options.file, MAX_BYTES)
-        .map_err(|e| Failure::Input(format!("cannot read '{}': {e}", options.file.display())))?;
-    let (kind, imported) = match kind {
-        ImportKind::Pdb => ("pdb", molecule::import(&bytes, options)?),
-        ImportKind::Faces => ("faces", faces::import(&bytes, options)?),
-        ImportKind::Step => ("step", faces::import_step(&bytes, options)?),
-        ImportKind::Heights => ("heights", terrain::import(&bytes, options)?),
+    let imported = match kind {
+        Kind::Pdb => molecule::import(&bytes, Format::Pdb, options)?,
+        Kind::Mmcif => molecule::import(&bytes, Format::Mmcif, options)?,
+        Kind::Bcif => molecule::import(&bytes, Format::Bcif, options)?,
+        Kind::Faces => faces::import(&bytes, options)?,
+        Kind::Step => faces::import_step(&bytes, options)?,
+        Kind::Heights => terrain::import(&bytes, options)?,
     };
     let text = imported.scene.to_toml().map_err(Failure::input)?;
     output::write_text(&options.output, &text)?;
-    print(options, kind, imported, json);
+    print(options, kind.name(), imported, json);
     Ok(())
 }
 
@@ -68,18 +68,17 @@ fn print(options: &Import, kind: &'static str, imported: Imported, json: bool) {
     ));
 }
 
-fn kind_of(file: &Path) -> Result<ImportKind, Failure> {
-    let name = file.to_string_lossy().to_lowercase();
-    let kinds: [(&[&str], ImportKind); 4] = [
-        (&[".pdb", ".ent"], ImportKind::Pdb),
-        (&[".faces.toml"], ImportKind::Faces),
-        (&[".step", ".stp", ".p21"], ImportKind::Step),
-        (&[".heights", ".asc"], ImportKind::Heights),
-    ];
-    let ends = |(endings, _): &&(&[&str], ImportKind)| endings.iter().any(|e| name.ends_with(e));
-    kinds.iter().find(ends).map(|(_, kind)| *kind).ok_or_else(|| {
+/// What a file is, or what would be read.
+fn kind_of(bytes: &[u8], file: &Path) -> Result<Kind, Failure> {
+    let found = Kind::of(bytes, &file.to_string_lossy());
+    found.ok_or_else(|| {
+        let problem = if is_scene(bytes) {
+            "this is a scene already, which every command takes as it is"
+        } else {
+            "it is nothing that is known"
+        };
         Failure::Input(format!(
-            "'{}' has no extension that says what it is; .pdb, .ent, .faces.toml, .step, .stp, .p21, .heights or .asc, or --as pdb, faces, step or heights",
+            "{}: {problem}; {Kinds} is read, each also compressed with gzip, or what --as says it is",
             file.display()
         ))
     })

@@ -2,10 +2,11 @@
 
 use crate::arguments::Import;
 use crate::failure::Failure;
-use imogene_import::{Imported, pdb};
+use imogene_import::Imported;
+use imogene_import::pdb::{self, Format};
 
 /// The scene of a file.
-pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
+pub fn import(bytes: &[u8], format: Format, options: &Import) -> Result<Imported, Failure> {
     let file = options.file.display().to_string();
-    pdb::read(bytes, &file, &options.molecule.options()).map_err(Failure::input)
+    pdb::read(bytes, format, &file, &options.molecule.options()).map_err(Failure::input)
 }

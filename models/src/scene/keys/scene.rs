@@ -4,6 +4,7 @@ use super::numbers;
 use crate::scene::file::{Camera, ImageSize, Light, Material, Object, SceneFile, white};
 use crate::scene::group::Group;
 use crate::scene::image::KeyImage;
+use crate::scene::molecule::Molecule;
 use serde::{Deserialize, Serialize};
 
 /// The keys of the top level as they stand in the file.
@@ -31,6 +32,8 @@ pub(in crate::scene) struct SceneKeys {
     groups: Vec<Group>,
     #[serde(default)]
     objects: Vec<Object>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    molecules: Vec<Molecule>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     images: Vec<KeyImage>,
 }
@@ -68,6 +71,7 @@ impl TryFrom<SceneKeys> for SceneFile {
             materials: keys.materials,
             groups: keys.groups,
             objects: keys.objects,
+            molecules: keys.molecules,
             images: keys.images,
         })
     }
@@ -88,6 +92,7 @@ impl From<SceneFile> for SceneKeys {
             materials: file.materials,
             groups: file.groups,
             objects: file.objects,
+            molecules: file.molecules,
             images: file.images,
         }
     }

@@ -1,0 +1,69 @@
+//! Files compressed with gzip.
+
+use crate::error::ImportError;
+use flate2::read::MultiGzDecoder;
+use std::io::Read;
+
+/// Whether bytes begin as gzip's do.
+pub fn is_compressed(bytes: &[u8]) -> bool {
+    bytes.starts_with(&[0x1f, 0x8b])
+}
+
+/// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that messages give it.
+pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
+    let refuse = |problem: String, accepted: String| {
+        Err(ImportError::Unusable {
+            file: file.to_owned(),
+            problem,
+            accepted,
+        })
+    };
+    let mut unpacked = vec![];
+    let mut decoder = MultiGzDecoder::new(bytes).take(limit + 1);
+    match decoder.read_to_end(&mut unpacked) {
+        Err(error) => refuse(
+            format!("it cannot be unpacked ({error})"),
+            "a whole file compressed with gzip would be accepted".to_owned(),
+        ),
+        Ok(count) if count as u64 > limit => refuse(
+            format!("it unpacks to more than {limit} bytes"),
+            format!("up to {limit} bytes would be accepted"),
+        ),
+        Ok(_) => Ok(unpacked),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use std::io::Write;
+
+    fn packed(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(vec![], Compression::best());
+        encoder.write_all(bytes).expect("memory");
+        encoder.finish().expect("memory")
+    }
+
+    #[test]
+    fn what_is_unpacked_has_a_limit() {
+        let zeros = packed(&[0; 1_000_000]);
+        assert!(is_compressed(&zeros) && zeros.len() < 2_000);
+        assert_eq!(
+            unpack(&zeros, 1_000_000, "f").expect("whole").len(),
+            1_000_000
+        );
+        let error = unpack(&zeros, 999_999, "f").unwrap_err().to_string();
+        assert!(
+            error.starts_with("f: it unpacks to more than 999999 bytes"),
+            "{error}"
+        );
+        let error = unpack(&zeros[..900], 1_000_000, "f")
+            .unwrap_err()
+            .to_string();
+        assert!(error.starts_with("f: it cannot be unpacked"), "{error}");
+        let two = [packed(b"one "), packed(b"two")].concat();
+        assert_eq!(unpack(&two, 100, "f").expect("two members"), b"one two");
+    }
+}

@@ -1,0 +1,170 @@
+//! What a file is, by what it holds and else by what it is called.
+
+use crate::terrain::is_grid_keyword;
+use std::fmt;
+
+/// Kinds of files that are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A structure in the PDB format.
+    Pdb,
+    /// A structure in the PDBx/mmCIF format.
+    Mmcif,
+    /// A structure in the BinaryCIF format.
+    Bcif,
+    /// A list of CAD faces.
+    Faces,
+    /// A STEP file, ISO 10303-21.
+    Step,
+    /// A grid of heights.
+    Heights,
+}
+
+/// Each kind with its name on the command line, what a person calls it, and endings of its files.
+const KINDS: [(Kind, &str, &str, &[&str]); 6] = [
+    (
+        Kind::Pdb,
+        "pdb",
+        "a structure in the PDB format",
+        &[".pdb", ".ent"],
+    ),
+    (
+        Kind::Mmcif,
+        "mmcif",
+        "a structure in the PDBx/mmCIF format",
+        &[".cif", ".mmcif"],
+    ),
+    (
+        Kind::Bcif,
+        "bcif",
+        "a structure in the BinaryCIF format",
+        &[".bcif"],
+    ),
+    (
+        Kind::Faces,
+        "faces",
+        "a list of CAD faces",
+        &[".faces.toml"],
+    ),
+    (
+        Kind::Step,
+        "step",
+        "a STEP file",
+        &[".step", ".stp", ".p21"],
+    ),
+    (
+        Kind::Heights,
+        "heights",
+        "a grid of heights",
+        &[".heights", ".asc"],
+    ),
+];
+
+/// Records that a PDB file begins with; its coordinates may come much later.
+const RECORDS: [&str; 26] = [
+    "HEADER", "OBSLTE", "TITLE", "SPLIT", "CAVEAT", "COMPND", "SOURCE", "KEYWDS", "EXPDTA",
+    "NUMMDL", "MDLTYP", "AUTHOR", "REVDAT", "SPRSDE", "JRNL", "REMARK", "DBREF", "SEQRES",
+    "CRYST1", "ORIGX1", "SCALE1", "MODEL", "ATOM", "HETATM", "USER", "ANISOU",
+];
+
+/// Bytes that are looked at.
+const LOOKED_AT: usize = 1 << 16;
+
+impl Kind {
+    /// The name that the command line has for it.
+    pub fn name(self) -> &'static str {
+        self.row().1
+    }
+
+    fn row(self) -> &'static (Kind, &'static str, &'static str, &'static [&'static str]) {
+        let row = KINDS.iter().find(|(kind, ..)| *kind == self);
+        row.expect("every kind has a row")
+    }
+
+    /// What the bytes of a file, not compressed, and its name say; the bytes count for more.
+    pub fn of(bytes: &[u8], file: &str) -> Option<Kind> {
+        Kind::of_bytes(bytes).or_else(|| Kind::of_name(file))
+    }
+
+    fn of_name(file: &str) -> Option<Kind> {
+        let name = file.to_lowercase();
+        let name = name.strip_suffix(".gz").unwrap_or(&name);
+        let ends = |endings: &[&str]| endings.iter().any(|e| name.ends_with(e));
+        let row = KINDS.iter().find(|(.., endings)| ends(endings));
+        row.map(|(kind, ..)| *kind)
+    }
+
+    fn of_bytes(bytes: &[u8]) -> Option<Kind> {
+        let bytes = &bytes[..bytes.len().min(LOOKED_AT)];
+        let is_map = matches!(bytes.first(), Some(0x80..=0x8f | 0xde | 0xdf));
+        let has = |word: &[u8]| bytes.windows(word.len()).any(|w| w == word);
+        if is_map && (has(b"dataBlocks") || has(b"encoder")) {
+            return Some(Kind::Bcif);
+        }
+        let text = String::from_utf8_lossy(bytes);
+        let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+        let lines = || text.split(['\n', '\r']).map(str::trim_end);
+        let is_told = |line: &&str| !line.is_empty() && !line.starts_with('#');
+        let first = lines().find(is_told)?;
+        if first.trim_start().starts_with("ISO-10303-21") {
+            return Some(Kind::Step);
+        }
+        let word = first.split_whitespace().next()?;
+        if is_cif(word) {
+            return Some(Kind::Mmcif);
+        }
+        if is_grid_keyword(word) || is_heights(first) {
+            return Some(Kind::Heights);
+        }
+        let has_table = |name: &str| lines().any(|line| line.trim() == name);
+        if has_table("[[faces]]") || has_table("[[edges]]") || has_table("[vertices]") {
+            return Some(Kind::Faces);
+        }
+        let is_record = |line: &str| {
+            let name = line.get(..6).unwrap_or(line).trim_end();
+            let is = |record: &&str| name.eq_ignore_ascii_case(record);
+            // A serial number may reach into the name.
+            RECORDS.iter().any(is) || line.starts_with("ATOM ")
+        };
+        is_record(first).then_some(Kind::Pdb)
+    }
+}
+
+/// The first word of a CIF text that is no comment.
+fn is_cif(word: &str) -> bool {
+    let word = word.to_ascii_lowercase();
+    ["data_", "loop_", "global_", "_"]
+        .iter()
+        .any(|start| word.starts_with(start))
+}
+
+/// A row of numbers, or the line that gives their distances.
+fn is_heights(line: &str) -> bool {
+    let mut words = line.split_whitespace().peekable();
+    words.next_if(|word| *word == "step");
+    words.all(|word| word.parse::<f64>().is_ok())
+}
+
+/// What is read, with the endings of the names.
+pub struct Kinds;
+
+impl fmt::Display for Kinds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, (_, _, what, endings)) in KINDS.iter().enumerate() {
+            let between = match place {
+                0 => "",
+                _ if place + 1 == KINDS.len() => " or ",
+                _ => ", ",
+            };
+            write!(f, "{between}{what} ({})", endings.join(", "))?;
+        }
+        Ok(())
+    }
+}
+
+/// Whether a text is a scene, which needs no import.
+pub fn is_scene(bytes: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(LOOKED_AT)]);
+    let has = |name: &str| text.lines().any(|line| line.trim() == name);
+    has("[camera]") && (has("[[objects]]") || has("[[molecules]]"))
+}

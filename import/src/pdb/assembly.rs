@@ -1,0 +1,292 @@
+//! Assemblies: the molecules of a file as copies of its chains, moved by operators.
+
+use super::structure::{listed, unusable};
+use super::words::Word;
+use crate::error::ImportError;
+use std::collections::HashMap;
+
+/// Most operators of a part of an assembly; the largest virus shells have some thousand.
+const MOST_OPERATORS: usize = 100_000;
+
+/// A movement, or the copy of a crystal: three rows of a matrix, each with its displacement in angstroms behind.
+pub type Rows = [[f64; 4]; 3];
+
+/// No movement.
+pub const IDENTITY: Rows = [
+    [1.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+];
+
+/// An operator by the name that the file gives it, or that its parts have together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operator {
+    /// Its name.
+    pub name: String,
+    /// Where it takes a point.
+    pub rows: Rows,
+}
+
+impl Operator {
+    /// The place of a point, to 10^-4 angstroms: operators have six to ten digits.
+    pub fn place(&self, point: [f64; 3]) -> [f64; 3] {
+        if self.is_identity() {
+            return point;
+        }
+        self.rows.map(|[a, b, c, d]| {
+            let value = a * point[0] + b * point[1] + c * point[2] + d;
+            (value * 1e4).round() / 1e4
+        })
+    }
+
+    /// Whether it leaves points where they are.
+    pub fn is_identity(&self) -> bool {
+        self.rows == IDENTITY
+    }
+
+    /// This one after another.
+    fn after(&self, first: &Operator) -> Operator {
+        let value = |row: &[f64; 4], column: usize| {
+            let sum: f64 = (0..3).map(|k| row[k] * first.rows[k][column]).sum();
+            sum + if column == 3 { row[3] } else { 0.0 }
+        };
+        Operator {
+            name: format!("{}-{}", self.name, first.name),
+            rows: self.rows.map(|row| std::array::from_fn(|c| value(&row, c))),
+        }
+    }
+}
+
+/// How a file says which operators.
+#[derive(Debug)]
+pub enum Copies {
+    /// One after another.
+    List(Vec<Operator>),
+    /// By their names: `1,2`, `(1-60)`, or `(X0)(1-5)`, of which the right is applied first.
+    Expression(String),
+}
+
+/// Chains, and what is made of them.
+#[derive(Debug)]
+pub struct Part {
+    /// The assembly it belongs to.
+    pub assembly: String,
+    /// Its chains; all if there are none.
+    pub chains: Vec<Word>,
+    /// The copies of each.
+    pub copies: Copies,
+}
+
+/// Chains, all if there are none, and the copies of each.
+pub type Moved = (Vec<Word>, Vec<Operator>);
+
+/// What can be put together of copies of the chains of a file.
+#[derive(Debug, Default)]
+pub struct Assemblies {
+    /// Parts of all assemblies.
+    pub parts: Vec<Part>,
+    /// Operators by name.
+    pub operators: HashMap<String, Rows>,
+    /// Why they cannot be used, if they cannot: told to those who ask for one.
+    pub problem: Option<ImportError>,
+}
+
+impl Assemblies {
+    /// Their names in the order of the file.
+    pub fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = vec![];
+        for part in &self.parts {
+            if !names.contains(&part.assembly.as_str()) {
+                names.push(&part.assembly);
+            }
+        }
+        names
+    }
+
+    /// Chains and operators of the parts of one of them.
+    pub fn find(&mut self, name: &str, file: &str) -> Result<Vec<Moved>, ImportError> {
+        if let Some(problem) = self.problem.take() {
+            return Err(problem);
+        }
+        let parts = self.parts.iter().filter(|part| part.assembly == name);
+        let found: Result<Vec<_>, ImportError> = parts
+            .map(|part| {
+                let operators = match &part.copies {
+                    Copies::List(operators) => Ok(operators.clone()),
+                    Copies::Expression(text) => expand(text, &self.operators),
+                };
+                let refuse = |problem| {
+                    unusable(
+                        file,
+                        format!("assembly {name}: {problem}"),
+                        "the coordinates as they stand are drawn without --assembly",
+                    )
+                };
+                Ok((part.chains.clone(), operators.map_err(refuse)?))
+            })
+            .collect();
+        match found {
+            Ok(parts) if parts.is_empty() => Err(self.unknown(name, file)),
+            found => found,
+        }
+    }
+
+    fn unknown(&self, name: &str, file: &str) -> ImportError {
+        let names = self.names();
+        if names.is_empty() {
+            let accepted = "the coordinates as they stand are drawn without --assembly";
+            return unusable(file, "it describes no assembly", accepted);
+        }
+        let accepted = format!("--assembly {} would be accepted", listed(names));
+        unusable(file, format!("it has no assembly {name}"), accepted)
+    }
+}
+
+/// The operators of an expression.
+fn expand(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, String> {
+    let mut all: Option<Vec<Operator>> = None;
+    for factor in factors(text)? {
+        let factor = list(factor, known)?;
+        let next: Vec<Operator> = match all {
+            None => factor,
+            Some(outer) if outer.len() * factor.len() > MOST_OPERATORS => {
+                return Err(format!("`{text}` is more than {MOST_OPERATORS} operators"));
+            }
+            Some(outer) => {
+                let pairs = outer.iter().flat_map(|o| factor.iter().map(|f| o.after(f)));
+                pairs.collect()
+            }
+        };
+        all = Some(next);
+    }
+    all.filter(|all| !all.is_empty())
+        .ok_or_else(|| "it names no operator".to_owned())
+}
+
+/// The lists of an expression, those in brackets and those without.
+fn factors(text: &str) -> Result<Vec<&str>, String> {
+    let wrong = || format!("`{text}` is no list of operators such as 1,2 or (X0)(1-5)");
+    let mut rest = text.trim();
+    let mut factors = vec![];
+    while !rest.is_empty() {
+        let (factor, behind) = match rest.strip_prefix('(') {
+            Some(inner) => inner.split_once(')').ok_or_else(wrong)?,
+            None => rest.split_at(rest.find('(').unwrap_or(rest.len())),
+        };
+        if factor.contains(['(', ')']) {
+            return Err(wrong());
+        }
+        factors.push(factor);
+        rest = behind.trim_start();
+    }
+    Ok(factors)
+}
+
+fn list(text: &str, known: &HashMap<String, Rows>) -> Result<Vec<Operator>, String> {
+    let find = |name: &str| {
+        let rows = known.get(name).copied();
+        let name = name.to_owned();
+        match rows {
+            Some(rows) => Ok(Operator { name, rows }),
+            None => Err(format!("there is no operator `{name}`")),
+        }
+    };
+    let mut operators = vec![];
+    for item in text.split(',').map(str::trim).filter(|i| !i.is_empty()) {
+        let range = || {
+            let (first, last) = item.split_once('-')?;
+            Some((
+                first.trim().parse::<u32>().ok()?,
+                last.trim().parse::<u32>().ok()?,
+            ))
+        };
+        match range() {
+            Some((first, last)) if !known.contains_key(item) => {
+                if first > last {
+                    return Err(format!("`{item}` runs backwards"));
+                }
+                // The first name that is not there ends the longest range.
+                for number in first..=last {
+                    operators.push(find(&number.to_string())?);
+                }
+            }
+            _ => operators.push(find(item)?),
+        }
+        if operators.len() > MOST_OPERATORS {
+            return Err(format!("`{text}` is more than {MOST_OPERATORS} operators"));
+        }
+    }
+    Ok(operators)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known() -> HashMap<String, Rows> {
+        // Operator n moves by n along x, X0 turns x into y.
+        let moved = |n: f64| {
+            let mut rows = IDENTITY;
+            rows[0][3] = n;
+            rows
+        };
+        let mut known: HashMap<String, Rows> = (1..=30)
+            .map(|n| (n.to_string(), moved(f64::from(n))))
+            .collect();
+        let turned = [
+            [0.0, -1.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+        ];
+        known.insert("X0".into(), turned);
+        known
+    }
+
+    fn names(text: &str) -> Result<String, String> {
+        let all = expand(text, &known())?;
+        Ok(all
+            .iter()
+            .map(|o| o.name.as_str())
+            .collect::<Vec<_>>()
+            .join(" "))
+    }
+
+    #[test]
+    fn expressions_are_lists_ranges_and_products() {
+        let good = [
+            ("1", "1"),
+            ("1,2, 3", "1 2 3"),
+            ("(1-4)", "1 2 3 4"),
+            ("(1-2,21-22)", "1 2 21 22"),
+            ("(X0)(1-3)", "X0-1 X0-2 X0-3"),
+            ("(1,2)(3,4)", "1-3 1-4 2-3 2-4"),
+            ("X0(1)", "X0-1"),
+        ];
+        for (text, expected) in good {
+            assert_eq!(names(text).as_deref(), Ok(expected), "{text}");
+        }
+        let bad = [
+            ("", "names no operator"),
+            ("()", "names no operator"),
+            ("(1-99999999)", "no operator `31`"),
+            ("(3-1)", "backwards"),
+            ("(1", "is no list"),
+            ("1)", "is no list"),
+            ("(P)", "no operator `P`"),
+            ("(1-30)(1-30)(1-30)(1-30)", "more than"),
+        ];
+        for (text, problem) in bad {
+            let error = names(text).unwrap_err();
+            assert!(error.contains(problem), "{text}: {error}");
+        }
+    }
+
+    /// The right one first: along x to 3, then x is turned into y.
+    #[test]
+    fn the_right_operator_is_applied_first() {
+        let all = expand("(X0)(2)", &known()).unwrap();
+        assert_eq!(all[0].place([1.0, 0.0, 5.0]), [0.0, 3.0, 5.0]);
+        let all = expand("(2)(X0)", &known()).unwrap();
+        assert_eq!(all[0].place([1.0, 0.0, 5.0]), [2.0, 1.0, 5.0]);
+    }
+}

@@ -1,0 +1,359 @@
+//! Encoded columns of BinaryCIF (D. Sehnal and others, "BinaryCIF and CIFTools", PLoS Comput. Biol. 2020), version 0.3.
+
+use rmpv::ValueRef;
+use std::fmt::Write;
+
+/// A column's values, without its mask.
+#[derive(Debug, PartialEq)]
+pub enum Values<'a> {
+    /// Whole numbers.
+    Whole(Vec<i64>),
+    /// Other numbers.
+    Numbers(Vec<f64>),
+    /// Texts, and which of them each row has; a negative one is no text.
+    Texts(Vec<&'a str>, Vec<i64>),
+}
+
+/// Values that may still be decoded: a short file must not fill the memory.
+pub struct Budget(pub usize);
+
+impl Budget {
+    fn take(&mut self, count: usize) -> Result<(), String> {
+        match self.0.checked_sub(count) {
+            Some(rest) => {
+                self.0 = rest;
+                Ok(())
+            }
+            None => Err("it holds more values than a file of its size can".to_owned()),
+        }
+    }
+}
+
+impl Values<'_> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::Whole(values) => values.len(),
+            Values::Numbers(values) => values.len(),
+            Values::Texts(_, places) => places.len(),
+        }
+    }
+
+    /// Writes the text of a value into an empty string.
+    pub fn write(&self, row: usize, text: &mut String) {
+        let written = match self {
+            Values::Whole(values) => write!(text, "{}", values[row]),
+            Values::Numbers(values) => write!(text, "{}", values[row]),
+            Values::Texts(texts, places) => {
+                let found = usize::try_from(places[row]).ok().and_then(|k| texts.get(k));
+                text.write_str(found.copied().unwrap_or_default())
+            }
+        };
+        written.expect("a string takes any text");
+    }
+}
+
+/// The value of a key.
+pub fn get<'a, 'v>(map: &'v ValueRef<'a>, key: &str) -> Result<&'v ValueRef<'a>, String> {
+    let found = match map {
+        ValueRef::Map(pairs) => pairs.iter().find(|(name, _)| text(name) == Ok(key)),
+        _ => None,
+    };
+    found
+        .map(|(_, value)| value)
+        .ok_or_else(|| format!("it has no `{key}`"))
+}
+
+/// A text.
+pub fn text<'a>(value: &ValueRef<'a>) -> Result<&'a str, String> {
+    let text = match value {
+        ValueRef::String(text) => text.into_str(),
+        _ => None,
+    };
+    text.ok_or_else(|| "a text is missing".to_owned())
+}
+
+/// The members of an array.
+pub fn array<'a, 'v>(value: &'v ValueRef<'a>) -> Result<&'v [ValueRef<'a>], String> {
+    match value {
+        ValueRef::Array(members) => Ok(members),
+        _ => Err("an array is missing".to_owned()),
+    }
+}
+
+fn number(map: &ValueRef, key: &str) -> Result<f64, String> {
+    let value = match get(map, key)? {
+        ValueRef::Integer(whole) => whole.as_f64(),
+        ValueRef::F32(value) => Some(f64::from(*value)),
+        ValueRef::F64(value) => Some(*value),
+        _ => None,
+    };
+    value
+        .filter(|v| v.is_finite())
+        .ok_or_else(|| format!("its `{key}` is no number"))
+}
+
+fn whole(map: &ValueRef, key: &str) -> Result<i64, String> {
+    let value = number(map, key)?;
+    if value.fract() == 0.0 && value.abs() < 1e15 {
+        Ok(value as i64)
+    } else {
+        Err(format!("its `{key}` is no whole number"))
+    }
+}
+
+fn count(map: &ValueRef, key: &str, budget: &mut Budget) -> Result<usize, String> {
+    let count =
+        usize::try_from(whole(map, key)?).map_err(|_| format!("its `{key}` is negative"))?;
+    budget.take(count)?;
+    Ok(count)
+}
+
+/// Decodes `data`: its bytes went through the encodings from the first to the last, and come back the other way.
+pub fn decode<'a>(data: &ValueRef<'a>, budget: &mut Budget) -> Result<Values<'a>, String> {
+    chain(get(data, "data")?, array(get(data, "encoding")?)?, budget)
+}
+
+fn chain<'a>(
+    bytes: &ValueRef<'a>,
+    encodings: &[ValueRef<'a>],
+    budget: &mut Budget,
+) -> Result<Values<'a>, String> {
+    let ValueRef::Binary(bytes) = bytes else {
+        return Err("its bytes are missing".to_owned());
+    };
+    let (last, before) = encodings.split_last().ok_or("it has no encoding")?;
+    let mut values = match text(get(last, "kind")?)? {
+        "ByteArray" => byte_array(bytes, whole(last, "type")?, budget)?,
+        "StringArray" => string_array(bytes, last, budget)?,
+        other => return Err(format!("its last encoding is `{other}`")),
+    };
+    for encoding in before.iter().rev() {
+        let kind = text(get(encoding, "kind")?)?;
+        let Values::Whole(numbers) = values else {
+            return Err(format!("its encoding `{kind}` is not of whole numbers"));
+        };
+        values = match kind {
+            "FixedPoint" => fixed_point(&numbers, number(encoding, "factor")?)?,
+            "IntervalQuantization" => interval(&numbers, encoding)?,
+            "RunLength" => run_length(&numbers, count(encoding, "srcSize", budget)?)?,
+            "Delta" => delta(&numbers, whole(encoding, "origin")?),
+            "IntegerPacking" => packed(&numbers, encoding, budget)?,
+            other => return Err(format!("its encoding `{other}` is not known")),
+        };
+    }
+    Ok(values)
+}
+
+fn byte_array<'a>(bytes: &[u8], kind: i64, budget: &mut Budget) -> Result<Values<'a>, String> {
+    fn each<const N: usize, T>(
+        bytes: &[u8],
+        budget: &mut Budget,
+        value: impl Fn([u8; N]) -> T,
+    ) -> Result<Vec<T>, String> {
+        let (chunks, rest) = bytes.as_chunks::<N>();
+        if !rest.is_empty() {
+            return Err(format!("its bytes are no multiple of {N}"));
+        }
+        budget.take(chunks.len())?;
+        Ok(chunks.iter().map(|c| value(*c)).collect())
+    }
+    // The shortest decimal that a short number can be, as its writer meant it.
+    let short = |bytes| {
+        let text = f32::from_le_bytes(bytes).to_string();
+        text.parse().unwrap_or(f64::NAN)
+    };
+    Ok(match kind {
+        1 => Values::Whole(each(bytes, budget, |b| i64::from(i8::from_le_bytes(b)))?),
+        2 => Values::Whole(each(bytes, budget, |b| i64::from(i16::from_le_bytes(b)))?),
+        3 => Values::Whole(each(bytes, budget, |b| i64::from(i32::from_le_bytes(b)))?),
+        4 => Values::Whole(each(bytes, budget, |b| i64::from(u8::from_le_bytes(b)))?),
+        5 => Values::Whole(each(bytes, budget, |b| i64::from(u16::from_le_bytes(b)))?),
+        6 => Values::Whole(each(bytes, budget, |b| i64::from(u32::from_le_bytes(b)))?),
+        32 => Values::Numbers(each(bytes, budget, short)?),
+        33 => Values::Numbers(each(bytes, budget, f64::from_le_bytes)?),
+        other => return Err(format!("its type {other} is not known")),
+    })
+}
+
+fn string_array<'a>(
+    bytes: &[u8],
+    encoding: &ValueRef<'a>,
+    budget: &mut Budget,
+) -> Result<Values<'a>, String> {
+    let all = text(get(encoding, "stringData")?)?;
+    let offsets = chain(
+        get(encoding, "offsets")?,
+        array(get(encoding, "offsetEncoding")?)?,
+        budget,
+    )?;
+    let places = chain(
+        &ValueRef::Binary(bytes),
+        array(get(encoding, "dataEncoding")?)?,
+        budget,
+    )?;
+    let (Values::Whole(offsets), Values::Whole(places)) = (offsets, places) else {
+        return Err("its texts have no whole offsets".to_owned());
+    };
+    let texts: Option<Vec<&str>> = offsets
+        .windows(2)
+        .map(|pair| {
+            let [from, to] = [pair[0], pair[1]].map(|offset| usize::try_from(offset).ok());
+            all.get(from?..to?)
+        })
+        .collect();
+    let texts = texts.ok_or("its texts have wrong offsets")?;
+    Ok(Values::Texts(texts, places))
+}
+
+fn fixed_point<'a>(numbers: &[i64], factor: f64) -> Result<Values<'a>, String> {
+    if factor == 0.0 {
+        return Err("its `factor` is zero".to_owned());
+    }
+    let values = numbers.iter().map(|n| *n as f64 / factor);
+    Ok(Values::Numbers(values.collect()))
+}
+
+fn interval<'a>(numbers: &[i64], encoding: &ValueRef) -> Result<Values<'a>, String> {
+    let (low, high) = (number(encoding, "min")?, number(encoding, "max")?);
+    let steps = whole(encoding, "numSteps")? as f64 - 1.0;
+    let step = if steps > 0.0 {
+        (high - low) / steps
+    } else {
+        0.0
+    };
+    let values = numbers.iter().map(|n| low + step * *n as f64);
+    Ok(Values::Numbers(values.collect()))
+}
+
+fn run_length<'a>(numbers: &[i64], size: usize) -> Result<Values<'a>, String> {
+    let mut values = Vec::with_capacity(size);
+    for pair in numbers.chunks(2) {
+        let [value, times] = *pair else {
+            return Err("its last run has no length".to_owned());
+        };
+        let times = usize::try_from(times).ok();
+        let times = times.filter(|times| *times <= size - values.len());
+        let times = times.ok_or("its runs are longer than it")?;
+        values.extend(std::iter::repeat_n(value, times));
+    }
+    Ok(Values::Whole(values))
+}
+
+fn delta<'a>(numbers: &[i64], origin: i64) -> Values<'a> {
+    let sums = numbers.iter().scan(origin, |sum, n| {
+        *sum = sum.wrapping_add(*n);
+        Some(*sum)
+    });
+    Values::Whole(sums.collect())
+}
+
+/// Small numbers; the least and the greatest of their size say that the next one is added.
+fn packed<'a>(
+    numbers: &[i64],
+    encoding: &ValueRef,
+    budget: &mut Budget,
+) -> Result<Values<'a>, String> {
+    let is_unsigned = matches!(get(encoding, "isUnsigned")?, ValueRef::Boolean(true));
+    let size = count(encoding, "srcSize", budget)?;
+    let ends = match (whole(encoding, "byteCount")?, is_unsigned) {
+        (1, true) => [i64::MIN, 0xff],
+        (1, false) => [-0x80, 0x7f],
+        (2, true) => [i64::MIN, 0xffff],
+        (2, false) => [-0x8000, 0x7fff],
+        (other, _) => return Err(format!("its `byteCount` is {other}")),
+    };
+    let mut values = Vec::with_capacity(size.min(numbers.len()));
+    let mut sum = 0i64;
+    for number in numbers {
+        sum = sum.wrapping_add(*number);
+        if !ends.contains(number) {
+            values.push(sum);
+            sum = 0;
+        }
+    }
+    Ok(Values::Whole(values))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map<'a>(pairs: &[(&'a str, ValueRef<'a>)]) -> ValueRef<'a> {
+        let pairs = pairs
+            .iter()
+            .map(|(key, value)| ((*key).into(), value.clone()));
+        ValueRef::Map(pairs.collect())
+    }
+
+    /// The examples of the format's description.
+    #[test]
+    fn the_examples_of_the_description_are_decoded() {
+        assert_eq!(
+            run_length(&[1, 3, 2, 1, 3, 2], 6),
+            Ok(Values::Whole(vec![1, 1, 1, 2, 3, 3]))
+        );
+        assert_eq!(
+            delta(&[0, 3, 2, 1], 1000),
+            Values::Whole(vec![1000, 1003, 1005, 1006])
+        );
+        assert_eq!(
+            fixed_point(&[120, 123, 12], 100.0),
+            Ok(Values::Numbers(vec![1.2, 1.23, 0.12]))
+        );
+        let quantized = map(&[("min", 1.into()), ("max", 2.into()), ("numSteps", 3.into())]);
+        assert_eq!(
+            interval(&[0, 0, 1, 2, 2, 1], &quantized),
+            Ok(Values::Numbers(vec![1.0, 1.0, 1.5, 2.0, 2.0, 1.5]))
+        );
+        let signed = map(&[
+            ("byteCount", 1.into()),
+            ("isUnsigned", ValueRef::Boolean(false)),
+            ("srcSize", 6.into()),
+        ]);
+        let bytes = [1, 2, -3, 127, 1, -128, -1, 127, 0];
+        assert_eq!(
+            packed(&bytes, &signed, &mut Budget(100)),
+            Ok(Values::Whole(vec![1, 2, -3, 128, -129, 127]))
+        );
+        let plain = |kind: i64| vec![map(&[("kind", "ByteArray".into()), ("type", kind.into())])];
+        let texts = map(&[
+            ("kind", "StringArray".into()),
+            ("dataEncoding", ValueRef::Array(plain(1))),
+            ("stringData", "aAB".into()),
+            ("offsetEncoding", ValueRef::Array(plain(4))),
+            ("offsets", ValueRef::Binary(&[0, 1, 3])),
+        ]);
+        let data = map(&[
+            ("encoding", ValueRef::Array(vec![texts])),
+            ("data", ValueRef::Binary(&[0, 1, 0, 255])),
+        ]);
+        let values = decode(&data, &mut Budget(100)).unwrap();
+        let text = |row| {
+            let mut text = String::new();
+            values.write(row, &mut text);
+            text
+        };
+        assert_eq!([0, 1, 2, 3].map(text), ["a", "AB", "a", ""]);
+        assert_eq!(
+            byte_array(&[0xcd, 0xcc, 0x9d, 0x41], 32, &mut Budget(1)),
+            Ok(Values::Numbers(vec![19.725]))
+        );
+    }
+
+    #[test]
+    fn a_short_file_does_not_fill_the_memory() {
+        let run = map(&[
+            ("kind", "RunLength".into()),
+            ("srcSize", (1i64 << 40).into()),
+        ]);
+        let last = map(&[("kind", "ByteArray".into()), ("type", 3.into())]);
+        let data = map(&[
+            ("encoding", ValueRef::Array(vec![run, last])),
+            ("data", ValueRef::Binary(&[1, 0, 0, 0, 255, 255, 255, 127])),
+        ]);
+        let error = decode(&data, &mut Budget(1000)).unwrap_err();
+        assert!(error.contains("more values than"), "{error}");
+        assert!(run_length(&[1, 7], 6).is_err() && run_length(&[1, -1], 6).is_err());
+    }
+}

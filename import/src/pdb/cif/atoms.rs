@@ -1,0 +1,222 @@
+//! Rows of `_atom_site`.
+
+use super::super::element::{self, Element, UNKNOWN};
+use super::super::lines::letters;
+use super::super::structure::{Atom, Model, Remark, Structure};
+use super::super::words::{Serial, Word, plain};
+use std::collections::HashMap;
+
+/// The items that are read, in the order in which a row is handed on.
+pub const WANTED: [&str; 17] = [
+    "cartn_x",
+    "cartn_y",
+    "cartn_z",
+    "id",
+    "type_symbol",
+    "label_atom_id",
+    "auth_atom_id",
+    "label_alt_id",
+    "auth_comp_id",
+    "label_comp_id",
+    "auth_asym_id",
+    "label_asym_id",
+    "auth_seq_id",
+    "label_seq_id",
+    "pdbx_pdb_ins_code",
+    "occupancy",
+    "pdbx_pdb_model_num",
+];
+
+/// Largest magnitude of a coordinate, in angstroms.
+const MOST: f64 = 1e8;
+
+/// A value that cannot be used: its place in [`WANTED`], what is wrong, and what would be accepted.
+#[derive(Debug)]
+pub struct Defect {
+    /// Place in [`WANTED`].
+    pub column: usize,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be accepted.
+    pub accepted: &'static str,
+}
+
+/// What the rows before have shown: the next one has most of its words too.
+#[derive(Default)]
+pub struct Atoms {
+    models: HashMap<i64, usize>,
+    /// Text of the model of the last atom, and its place.
+    model: (Vec<u8>, usize),
+    residue: (Vec<u8>, Word),
+    chain: (Vec<u8>, Word),
+    part: (Vec<u8>, Word),
+    number: ([Vec<u8>; 2], Word),
+}
+
+impl Atoms {
+    /// Adds an atom; an empty value is one that the file does not give.
+    pub fn push(
+        &mut self,
+        structure: &mut Structure,
+        row: &[&[u8]; WANTED.len()],
+    ) -> Result<(), Defect> {
+        let [
+            x,
+            y,
+            z,
+            id,
+            symbol,
+            name,
+            own_name,
+            alternate,
+            own_residue,
+            residue,
+            own_chain,
+            chain,
+            own_number,
+            number,
+            insertion,
+            occupancy,
+            model,
+        ] = *row;
+        let place = [
+            coordinate(x, 0, 'x')?,
+            coordinate(y, 1, 'y')?,
+            coordinate(z, 2, 'z')?,
+        ];
+        let model = self.model(structure, model)?;
+        let name = given(name, own_name);
+        let residue = given(own_residue, residue);
+        let element = element(structure, symbol, name, residue);
+        let occupancy = share(structure, occupancy);
+        let words = &mut structure.words;
+        let mut again = |known: &mut (Vec<u8>, Word), text: &[u8]| {
+            if known.0 != text {
+                *known = (text.to_vec(), words.keep_bytes(text));
+            }
+            known.1
+        };
+        let residue = again(&mut self.residue, residue);
+        let part = again(&mut self.part, given(chain, own_chain));
+        let chain = again(&mut self.chain, given(own_chain, chain));
+        let number = given(own_number, number);
+        if self.number.0[0] != number || self.number.0[1] != insertion {
+            let whole = [number, insertion].concat();
+            self.number = (
+                [number.to_vec(), insertion.to_vec()],
+                words.keep_bytes(&whole),
+            );
+        }
+        let atom = Atom {
+            place,
+            element,
+            serial: Serial::of(id, words),
+            occupancy,
+            name: words.keep_bytes(name),
+            alternate: words.keep_bytes(alternate),
+            residue,
+            number: self.number.1,
+            chain,
+            part,
+        };
+        structure.models[model].atoms.push(atom);
+        Ok(())
+    }
+
+    /// The place of a model, which begins with its first atom.
+    fn model(&mut self, structure: &mut Structure, text: &[u8]) -> Result<usize, Defect> {
+        if self.model.0 == text && !structure.models.is_empty() {
+            return Ok(self.model.1);
+        }
+        let number = match std::str::from_utf8(text).ok().map(str::parse) {
+            Some(Ok(number)) => number,
+            _ if text.is_empty() => 1,
+            _ => {
+                return Err(Defect {
+                    column: 16,
+                    problem: format!(
+                        "the number `{}` of the model is not a whole number",
+                        plain(text)
+                    ),
+                    accepted: "a number such as 1 would be accepted",
+                });
+            }
+        };
+        let next = structure.models.len();
+        let place = *self.models.entry(number).or_insert(next);
+        if place == next {
+            let atoms = vec![];
+            structure.models.push(Model { number, atoms });
+        }
+        self.model = (text.to_vec(), place);
+        Ok(place)
+    }
+}
+
+/// The first that the file gives.
+fn given<'a>(first: &'a [u8], second: &'a [u8]) -> &'a [u8] {
+    if first.is_empty() { second } else { first }
+}
+
+/// A number; its uncertainty may stand behind it in brackets.
+pub fn number(text: &[u8]) -> Option<f64> {
+    let end = text.iter().position(|c| *c == b'(').unwrap_or(text.len());
+    let text = &text[..end];
+    // Rust would also take "nan" and "inf".
+    let plain = |c: &u8| c.is_ascii_digit() || b"+-.eE".contains(c);
+    if !text.iter().all(plain) {
+        return None;
+    }
+    let value: f64 = std::str::from_utf8(text).ok()?.parse().ok()?;
+    (value.abs() <= MOST).then_some(value)
+}
+
+fn coordinate(text: &[u8], column: usize, axis: char) -> Result<f64, Defect> {
+    number(text).ok_or_else(|| Defect {
+        column,
+        problem: if text.is_empty() {
+            format!("the atom has no {axis} coordinate")
+        } else {
+            format!(
+                "the {axis} coordinate `{}` is not a number up to 1e8",
+                plain(text)
+            )
+        },
+        accepted: "a decimal number such as -12.345 would be accepted",
+    })
+}
+
+fn share(structure: &mut Structure, text: &[u8]) -> f32 {
+    if text.is_empty() {
+        return 1.0;
+    }
+    let number = number(text).unwrap_or_else(|| {
+        structure.remark(Remark::NoOccupancy);
+        1.0
+    });
+    number as f32
+}
+
+fn element(
+    structure: &mut Structure,
+    symbol: &[u8],
+    name: &[u8],
+    residue: &[u8],
+) -> &'static Element {
+    // A charge may stand behind the symbol.
+    if let Some(element) = element::of_symbol(letters(symbol)) {
+        return element;
+    }
+    // As a short name stands in the columns of the other format.
+    let first = usize::from(name.len() < 4);
+    let columns = std::array::from_fn(|k| {
+        let letter = k.checked_sub(first).and_then(|k| name.get(k));
+        letter.copied().filter(u8::is_ascii).unwrap_or(b' ')
+    });
+    let found = element::of_name(columns, &plain(residue));
+    structure.remark(match found {
+        Some(_) => Remark::NamedElement,
+        None => Remark::NoElement,
+    });
+    found.unwrap_or(&UNKNOWN)
+}

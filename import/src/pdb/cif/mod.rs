@@ -1,0 +1,296 @@
+//! The PDBx/mmCIF format: categories of items in a CIF text.
+//!
+//! Only the categories that a picture needs are kept; the atoms, by far the largest, go from the text into the structure row by row.
+
+mod atoms;
+mod meaning;
+mod table;
+mod token;
+
+pub use atoms::{Atoms, WANTED};
+pub use meaning::finish;
+pub use table::{Cell, Table};
+
+use super::structure::{Remark, Structure, unusable};
+use super::words::plain;
+use crate::error::ImportError;
+use std::collections::HashMap;
+use token::{Token, Tokens};
+
+/// The category of the atoms.
+pub const ATOMS: &str = "_atom_site";
+/// The other categories that are kept.
+pub const KEPT: [&str; 5] = [
+    "_entry",
+    "_struct",
+    "_struct_conn",
+    "_pdbx_struct_assembly_gen",
+    "_pdbx_struct_oper_list",
+];
+
+/// Categories by name.
+pub type Tables = HashMap<&'static str, Table>;
+
+/// Where the items of [`WANTED`] stand among those of a file; nothing if it has no coordinates.
+pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {
+    let columns = WANTED.map(|name| items.iter().position(|item| item == name));
+    columns[..3].iter().all(Option::is_some).then_some(columns)
+}
+
+/// A data block.
+#[derive(Default)]
+struct Block {
+    name: String,
+    tables: Tables,
+    /// What stands instead of atoms.
+    other: Option<&'static str>,
+}
+
+/// Reads a text.
+pub fn read(bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
+    let mut reader = Reader {
+        tokens: Tokens::new(bytes, file),
+        ahead: None,
+        block: Block::default(),
+        structure: Structure::default(),
+    };
+    reader.blocks()?;
+    let Reader {
+        tokens,
+        block,
+        mut structure,
+        ..
+    } = reader;
+    if structure.models.is_empty() {
+        return Err(no_atoms(block.other, file));
+    }
+    finish(&mut structure, &block.tables, &|at, problem, accepted| {
+        tokens.malformed(at, problem, accepted)
+    });
+    if structure.entry.is_empty() {
+        structure.entry = block.name;
+    }
+    Ok(structure)
+}
+
+/// Why a file without atoms is refused.
+pub fn no_atoms(other: Option<&str>, file: &str) -> ImportError {
+    unusable(
+        file,
+        other.unwrap_or("it has no atom in the category _atom_site"),
+        "a structure in the PDBx/mmCIF format, with atoms in _atom_site.Cartn_x, _y and _z, would be accepted",
+    )
+}
+
+/// What a category says of a file that has no atoms.
+pub fn instead_of_atoms(category: &str) -> Option<&'static str> {
+    const OTHERS: [(&str, &str); 3] = [
+        (
+            "_atom_site_fract_x",
+            "this is the CIF of a small molecule or a crystal, with atoms as fractions of its cell in _atom_site_fract_x",
+        ),
+        (
+            "_chem_comp_atom",
+            "this is the definition of a chemical component, which has no _atom_site",
+        ),
+        (
+            "_refln",
+            "these are structure factors, which have no _atom_site",
+        ),
+    ];
+    let found = OTHERS.iter().find(|(name, _)| *name == category);
+    found.map(|(_, problem)| *problem)
+}
+
+struct Reader<'a> {
+    tokens: Tokens<'a>,
+    /// A word that has been looked at, and where it begins.
+    ahead: Option<(Token<'a>, usize)>,
+    block: Block,
+    structure: Structure,
+}
+
+/// The category and the item of a tag; the items of small molecules have no point.
+fn parts(tag: &[u8]) -> (String, String) {
+    let tag = String::from_utf8_lossy(tag);
+    match tag.split_once('.') {
+        Some((category, item)) => (category.to_ascii_lowercase(), item.to_ascii_lowercase()),
+        None => (tag.to_ascii_lowercase(), String::new()),
+    }
+}
+
+/// Its name in [`KEPT`] or [`ATOMS`].
+pub fn kept(category: &str) -> Option<&'static str> {
+    KEPT.into_iter()
+        .chain([ATOMS])
+        .find(|name| *name == category)
+}
+
+impl<'a> Reader<'a> {
+    fn next(&mut self) -> Result<Option<(Token<'a>, usize)>, ImportError> {
+        if let Some(ahead) = self.ahead.take() {
+            return Ok(Some(ahead));
+        }
+        let token = self.tokens.next()?;
+        Ok(token.map(|token| (token, self.tokens.start())))
+    }
+
+    /// A value, if one follows.
+    fn value(&mut self) -> Result<Option<Cell<'a>>, ImportError> {
+        Ok(match self.next()? {
+            Some((Token::Bare(b"?" | b"."), at)) => Some((&[], at)),
+            Some((Token::Bare(text) | Token::Quoted(text), at)) => Some((text, at)),
+            other => {
+                self.ahead = other;
+                None
+            }
+        })
+    }
+
+    /// The blocks up to the end of the first that has atoms.
+    fn blocks(&mut self) -> Result<(), ImportError> {
+        while let Some((token, at)) = self.next()? {
+            match token {
+                Token::Data(name) => {
+                    self.only_atom()?;
+                    if !self.structure.models.is_empty() {
+                        self.structure.remark(Remark::OtherBlocks);
+                        return Ok(());
+                    }
+                    self.block = Block {
+                        name: plain(name),
+                        tables: Tables::default(),
+                        other: self.block.other,
+                    };
+                }
+                Token::Loop => self.whole_loop(at)?,
+                Token::Tag(tag) => self.item(tag, at)?,
+                Token::Other => {}
+                Token::Bare(_) | Token::Quoted(_) => {
+                    return Err(self.tokens.malformed(
+                        at,
+                        "a value without a name",
+                        "a name such as _entry.id before each value would be accepted",
+                    ));
+                }
+            }
+        }
+        self.only_atom()
+    }
+
+    fn item(&mut self, tag: &[u8], at: usize) -> Result<(), ImportError> {
+        let (category, item) = parts(tag);
+        let Some(value) = self.value()? else {
+            return Err(self.tokens.malformed(
+                at,
+                format!("the item `{}` has no value", plain(tag)),
+                "a value behind each name, such as ?, would be accepted",
+            ));
+        };
+        self.notice(&category);
+        if let Some(name) = kept(&category) {
+            let table = self.block.tables.entry(name).or_default();
+            table.push_item(item, value);
+        }
+        Ok(())
+    }
+
+    fn notice(&mut self, category: &str) {
+        let other = &mut self.block.other;
+        *other = other.or_else(|| instead_of_atoms(category));
+    }
+
+    /// Takes over the atom whose items stood one by one.
+    fn only_atom(&mut self) -> Result<(), ImportError> {
+        let Some(table) = self.block.tables.remove(ATOMS) else {
+            return Ok(());
+        };
+        let mut atoms = Atoms::default();
+        for row in table.rows() {
+            let cells = WANTED.map(|item| row.value(item));
+            if cells[..3].iter().any(|(text, _)| !text.is_empty()) {
+                self.atom(&mut atoms, cells.map(|(text, at)| (text.as_bytes(), at)))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn atom(&mut self, atoms: &mut Atoms, cells: [Cell; WANTED.len()]) -> Result<(), ImportError> {
+        let pushed = atoms.push(&mut self.structure, &cells.map(|(text, _)| text));
+        pushed.map_err(|defect| {
+            let at = cells[defect.column].1;
+            self.tokens.malformed(at, defect.problem, defect.accepted)
+        })
+    }
+
+    fn whole_loop(&mut self, start: usize) -> Result<(), ImportError> {
+        let (mut category, mut items) = (String::new(), vec![]);
+        while let Some((token, at)) = self.next()? {
+            let Token::Tag(tag) = token else {
+                self.ahead = Some((token, at));
+                break;
+            };
+            let (of, item) = parts(tag);
+            self.notice(&of);
+            category = of;
+            items.push(item);
+        }
+        let width = items.len();
+        if width == 0 {
+            return Err(self.tokens.malformed(
+                start,
+                "a loop without names",
+                "names such as _atom_site.id behind `loop_` would be accepted",
+            ));
+        }
+        match kept(&category) {
+            Some(ATOMS) => match columns(&items) {
+                Some(columns) => {
+                    let mut atoms = Atoms::default();
+                    self.rows(width, |reader, row| {
+                        let cells = columns.map(|k| k.map_or((&[][..], row[0].1), |k| row[k]));
+                        reader.atom(&mut atoms, cells)
+                    })
+                }
+                None => self.rows(width, |_, _| Ok(())),
+            },
+            Some(name) => {
+                let mut table = Table::new(items);
+                self.rows(width, |_, row| {
+                    table.push_row(row.iter().copied());
+                    Ok(())
+                })?;
+                self.block.tables.insert(name, table);
+                Ok(())
+            }
+            None => self.rows(width, |_, _| Ok(())),
+        }
+    }
+
+    /// Hands on the rows of a loop.
+    fn rows(
+        &mut self,
+        width: usize,
+        mut take: impl FnMut(&mut Self, &[Cell<'a>]) -> Result<(), ImportError>,
+    ) -> Result<(), ImportError> {
+        let mut row: Vec<Cell> = Vec::with_capacity(width);
+        while let Some(value) = self.value()? {
+            row.push(value);
+            if row.len() == width {
+                take(self, &row)?;
+                row.clear();
+            }
+        }
+        match row.first() {
+            Some((_, at)) => Err(self.tokens.malformed(
+                *at,
+                format!(
+                    "the last row of the loop has {} of {width} values",
+                    row.len()
+                ),
+                format!("{width} values in each row, one for each name, would be accepted"),
+            )),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! The words of a CIF text (S. R. Hall and others, "The crystallographic information file", version 1.1).
+
+use crate::error::{ImportError, Place};
+
+/// A word, with its text where it has one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Token<'a> {
+    /// `data_NAME`.
+    Data(&'a [u8]),
+    /// `loop_`.
+    Loop,
+    /// `save_NAME`, `save_`, `global_` or `stop_`: of dictionaries.
+    Other,
+    /// `_category.item`, with the underscore.
+    Tag(&'a [u8]),
+    /// A value, bare.
+    Bare(&'a [u8]),
+    /// A value in quotes or between semicolons.
+    Quoted(&'a [u8]),
+}
+
+/// The words of a text, one after another.
+#[derive(Clone)]
+pub struct Tokens<'a> {
+    file: &'a str,
+    bytes: &'a [u8],
+    at: usize,
+    /// Where the last word begins.
+    start: usize,
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\r')
+}
+
+impl<'a> Tokens<'a> {
+    /// Of a whole text; `file` is the name that messages give it.
+    pub fn new(bytes: &'a [u8], file: &'a str) -> Self {
+        Tokens {
+            file,
+            bytes,
+            at: 0,
+            start: 0,
+        }
+    }
+
+    /// Where the last word begins, in bytes.
+    pub fn start(&self) -> usize {
+        self.start
+    }
+
+    /// The next word, or nothing at the end.
+    pub fn next(&mut self) -> Result<Option<Token<'a>>, ImportError> {
+        self.skip();
+        self.start = self.at;
+        let Some(&first) = self.bytes.get(self.at) else {
+            return Ok(None);
+        };
+        let token = match first {
+            b';' if self.begins_line() => self.text_field()?,
+            b'\'' | b'"' => self.quoted(first)?,
+            _ => self.bare(),
+        };
+        Ok(Some(token))
+    }
+
+    /// Blanks and comments.
+    fn skip(&mut self) {
+        while let Some(&byte) = self.bytes.get(self.at) {
+            if byte == b'#' {
+                self.at += line_length(&self.bytes[self.at..]);
+            } else if is_blank(byte) {
+                self.at += 1;
+            } else {
+                return;
+            }
+        }
+    }
+
+    fn begins_line(&self) -> bool {
+        self.at == 0 || matches!(self.bytes[self.at - 1], b'\n' | b'\r')
+    }
+
+    fn bare(&mut self) -> Token<'a> {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| is_blank(*b)).unwrap_or(rest.len());
+        let word = &rest[..length];
+        self.at += length;
+        if word[0] == b'_' {
+            return Token::Tag(word);
+        }
+        // Few values begin as a keyword does.
+        if !matches!(word[0] | 0x20, b'd' | b'l' | b's' | b'g') || !word.contains(&b'_') {
+            return Token::Bare(word);
+        }
+        let is = |name: &[u8]| word.eq_ignore_ascii_case(name);
+        let begins = |name: &[u8]| {
+            let start = word.get(..name.len());
+            start.is_some_and(|start| start.eq_ignore_ascii_case(name))
+        };
+        if begins(b"data_") {
+            Token::Data(&word[5..])
+        } else if is(b"loop_") {
+            Token::Loop
+        } else if begins(b"save_") || is(b"global_") || is(b"stop_") {
+            Token::Other
+        } else {
+            Token::Bare(word)
+        }
+    }
+
+    /// A quote ends where a blank stands behind it: `'5'-end'` is one word.
+    fn quoted(&mut self, quote: u8) -> Result<Token<'a>, ImportError> {
+        let line = &self.bytes[self.at..];
+        let line = &line[..line_length(line)];
+        let ends = |k: &usize| line[*k] == quote && line.get(k + 1).is_none_or(|b| is_blank(*b));
+        match (1..line.len()).find(ends) {
+            Some(end) => {
+                self.at += end + 1;
+                Ok(Token::Quoted(&line[1..end]))
+            }
+            None => Err(self.malformed(
+                self.start,
+                "the quote is not closed on its line",
+                "a value such as 'two words' would be accepted",
+            )),
+        }
+    }
+
+    /// From a semicolon that begins a line to the next.
+    fn text_field(&mut self) -> Result<Token<'a>, ImportError> {
+        let from = self.at + 1;
+        let mut at = from;
+        loop {
+            at += line_length(&self.bytes[at..]);
+            if at >= self.bytes.len() {
+                return Err(self.malformed(
+                    self.start,
+                    "the text that begins here is not closed",
+                    "a line that begins with a semicolon would close it",
+                ));
+            }
+            let end = at;
+            at += 1;
+            if self.bytes[end] == b'\r' && self.bytes.get(at) == Some(&b'\n') {
+                at += 1;
+            }
+            if self.bytes.get(at) == Some(&b';') {
+                self.at = at + 1;
+                return Ok(Token::Quoted(&self.bytes[from..end]));
+            }
+        }
+    }
+
+    /// Line and column of a byte.
+    pub fn place(&self, offset: usize) -> Place {
+        let before = &self.bytes[..offset.min(self.bytes.len())];
+        // Old Macintosh files end their lines with a carriage return alone.
+        let end = if self.bytes.contains(&b'\n') {
+            b'\n'
+        } else {
+            b'\r'
+        };
+        let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
+        Place {
+            line: before.iter().filter(|b| **b == end).count() + 1,
+            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
+        }
+    }
+
+    /// What is wrong at a byte, and what would be accepted there.
+    pub fn malformed(
+        &self,
+        offset: usize,
+        problem: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> ImportError {
+        ImportError::Malformed {
+            file: self.file.to_owned(),
+            place: self.place(offset),
+            problem: problem.into(),
+            accepted: accepted.into(),
+        }
+    }
+}
+
+/// Bytes before the end of the line.
+fn line_length(bytes: &[u8]) -> usize {
+    let end = bytes.iter().position(|b| matches!(b, b'\n' | b'\r'));
+    end.unwrap_or(bytes.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all(text: &str) -> Result<Vec<Token<'_>>, ImportError> {
+        let mut tokens = Tokens::new(text.as_bytes(), "f");
+        let mut found = vec![];
+        while let Some(token) = tokens.next()? {
+            found.push(token);
+        }
+        Ok(found)
+    }
+
+    #[test]
+    fn every_kind_of_word_is_known() {
+        let text = "# a comment\r\nDATA_1abc\r\nLoop_ _a.b _A.c # behind\r\n'5'-end' \"a 'b'\" . ? -1.5(2) d_x\r\n;two\r\nlines; \r\n;\r\nsave_x stop_ GLOBAL_ loop_x a#b";
+        let expected = [
+            Token::Data(b"1abc"),
+            Token::Loop,
+            Token::Tag(b"_a.b"),
+            Token::Tag(b"_A.c"),
+            Token::Quoted(b"5'-end"),
+            Token::Quoted(b"a 'b'"),
+            Token::Bare(b"."),
+            Token::Bare(b"?"),
+            Token::Bare(b"-1.5(2)"),
+            Token::Bare(b"d_x"),
+            Token::Quoted(b"two\r\nlines; "),
+            Token::Other,
+            Token::Other,
+            Token::Other,
+            Token::Bare(b"loop_x"),
+            Token::Bare(b"a#b"),
+        ];
+        assert_eq!(all(text).unwrap(), expected);
+        // A semicolon within a line is a word like any other; lines may end with a carriage return alone.
+        assert_eq!(
+            all("a ;b").unwrap(),
+            [Token::Bare(b"a"), Token::Bare(b";b")]
+        );
+        assert_eq!(all("a\r;b\r;\r").unwrap()[1], Token::Quoted(b"b"));
+        assert_eq!(all(";\n;").unwrap(), [Token::Quoted(b"")]);
+    }
+
+    #[test]
+    fn what_is_not_closed_is_refused_where_it_begins() {
+        let cases = [
+            ("data_x\n _a 'b c\nd'", "f:2:5: the quote"),
+            ("data_x\n_a\n;b\n c", "f:3:1: the text"),
+            (";", "f:1:1: the text"),
+            ("\u{e9} \"", "f:1:3: the quote"),
+        ];
+        for (text, start) in cases {
+            let error = all(text).unwrap_err().to_string();
+            assert!(error.starts_with(start), "{error}");
+        }
+    }
+}

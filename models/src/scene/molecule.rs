@@ -1,0 +1,96 @@
+//! Molecules of a scene that stand in a structure file of their own.
+
+use super::error::SceneError;
+use super::file::SceneFile;
+use super::keys::{is_yes, yes};
+use serde::{Deserialize, Serialize};
+
+/// A structure file, and what of it is drawn and how; crate `imogene-import` reads it and knows what each key takes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Molecule {
+    /// Path of the structure file, from the folder of the scene.
+    pub file: String,
+    /// Stands in front of the names of its objects.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Name of the group that its objects belong to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub group: Option<String>,
+    /// How it is drawn.
+    #[serde(default = "space_filling")]
+    pub style: String,
+    /// What gives the colours.
+    #[serde(default = "element")]
+    pub colour: String,
+    /// Which models.
+    #[serde(default = "first")]
+    pub model: String,
+    /// Which alternate locations.
+    #[serde(default = "best")]
+    pub alternates: String,
+    /// Whether hydrogens are drawn.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub hydrogens: bool,
+    /// Whether water is drawn.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub water: bool,
+    /// Chains by name; all if there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub chains: Vec<String>,
+    /// Residues by number, range or name; all if there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub residues: Vec<String>,
+    /// The assembly whose copies are drawn; the coordinates as they stand without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub assembly: Option<String>,
+}
+
+impl Default for Molecule {
+    fn default() -> Self {
+        Self {
+            file: String::new(),
+            name: None,
+            group: None,
+            style: space_filling(),
+            colour: element(),
+            model: first(),
+            alternates: best(),
+            hydrogens: true,
+            water: true,
+            chains: vec![],
+            residues: vec![],
+            assembly: None,
+        }
+    }
+}
+
+fn space_filling() -> String {
+    "space-filling".to_owned()
+}
+
+fn element() -> String {
+    "element".to_owned()
+}
+
+fn first() -> String {
+    "first".to_owned()
+}
+
+fn best() -> String {
+    "best".to_owned()
+}
+
+impl SceneFile {
+    /// Refuses a scene whose molecules have not been read from their files: their atoms would be missing.
+    pub(super) fn check_molecules_read(&self) -> Result<(), SceneError> {
+        let Some(molecule) = self.molecules.first() else {
+            return Ok(());
+        };
+        Err(SceneError::value(
+            "molecules",
+            format!("`{}` has not been read", molecule.file),
+            "the scene is drawn once each is turned into objects",
+        ))
+    }
+}
