@@ -1,7 +1,8 @@
 //! Structure files: those that are imported, and those that scenes name.
 
 use crate::failure::Failure;
-use imogene_import::{is_compressed, unpack};
+use imogene_import::{Kind, is_compressed, pdb, unpack};
+use imogene_models::scene::SceneFile;
 use std::path::Path;
 
 /// Most bytes of a file, as it is and unpacked: ten million atoms in PDB's columns take eight hundred million.
@@ -15,4 +16,30 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Failure> {
         return Ok(bytes);
     }
     unpack(&bytes, MAX_BYTES, &path.display().to_string()).map_err(Failure::input)
+}
+
+/// Reads a scene, and the molecules that it names from their files.
+pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
+    let mut scene = SceneFile::read(path).map_err(Failure::input)?;
+    let molecules = std::mem::take(&mut scene.molecules);
+    if molecules.is_empty() {
+        return Ok(scene);
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    for molecule in &molecules {
+        let file = folder.join(&molecule.file);
+        let name = file.display().to_string();
+        let bytes = load(&file)?;
+        let format = Kind::of(&bytes, &name).and_then(Kind::format);
+        let format = format.ok_or_else(|| {
+            Failure::Input(format!(
+                "{name}: it is no structure, as the scene {} says; the PDB, PDBx/mmCIF or BinaryCIF format would be accepted",
+                path.display()
+            ))
+        })?;
+        pdb::add(&mut scene, molecule, &bytes, format, &name).map_err(Failure::input)?;
+    }
+    let named = |error| Failure::input(format!("{}: {error}", path.display()));
+    scene.validate().map_err(named)?;
+    Ok(scene)
 }

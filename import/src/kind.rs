@@ -1,5 +1,6 @@
 //! What a file is, by what it holds and else by what it is called.
 
+use crate::pdb::Format;
 use crate::terrain::is_grid_keyword;
 use std::fmt;
 
@@ -74,6 +75,16 @@ impl Kind {
     /// The name that the command line has for it.
     pub fn name(self) -> &'static str {
         self.row().1
+    }
+
+    /// The format, if it is a structure.
+    pub fn format(self) -> Option<Format> {
+        match self {
+            Kind::Pdb => Some(Format::Pdb),
+            Kind::Mmcif => Some(Format::Mmcif),
+            Kind::Bcif => Some(Format::Bcif),
+            _ => None,
+        }
     }
 
     fn row(self) -> &'static (Kind, &'static str, &'static str, &'static [&'static str]) {

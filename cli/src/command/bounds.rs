@@ -3,6 +3,7 @@
 use super::frame_scene;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
+use crate::molecules;
 use crate::output;
 use imogene_models::check::headroom::{Headroom, Summary, headroom, summaries};
 use imogene_models::check::trial::{self, FORMATS, Term, TrialReport};
@@ -134,7 +135,7 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
     let bar = output::progress(steps as u64, "scenes, sizes, formats");
     let mut rows = vec![];
     for path in &options.scenes {
-        let file = SceneFile::read(path).map_err(Failure::input)?;
+        let file = molecules::read_scene(path)?;
         for &size in &options.sizes {
             for &format in &options.formats {
                 rows.push(row(path, &file, size, format)?);

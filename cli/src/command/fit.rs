@@ -5,6 +5,7 @@ mod contract;
 use super::{fitted, size_of, threads};
 use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
+use crate::molecules;
 use crate::{missing, output};
 use imogene_models::animation::Playback;
 use imogene_models::fit::budget::{Budget, Item};
@@ -142,7 +143,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
 fn frames(options: &Fit) -> Result<Frames, Failure> {
     let mut files: Vec<(String, SceneFile)> = vec![];
     for path in &options.scenes {
-        let file = SceneFile::read(path).map_err(Failure::input)?;
+        let file = molecules::read_scene(path)?;
         let name = path.display().to_string();
         if file.images.is_empty() {
             let size = size_of(&file, options.size);

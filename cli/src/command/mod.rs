@@ -36,7 +36,7 @@ pub mod units;
 
 use crate::arguments::{Guards, Scene, Shape, Size, View, Widths};
 use crate::failure::Failure;
-use crate::{missing, output};
+use crate::{missing, molecules, output};
 use imogene_models::animation::Playback;
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare_reporting, steps};
@@ -58,7 +58,7 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
 
 /// A scene file with the camera and the frame that are asked for.
 fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
-    let mut file = SceneFile::read(path).map_err(Failure::input)?;
+    let mut file = molecules::read_scene(path)?;
     let named = |problem: String| Failure::input(format!("{}: {problem}", path.display()));
     if let Some(name) = &view.camera {
         let found = file.look_through(name);

@@ -5,11 +5,11 @@ mod parts;
 use super::{fitted, size_of};
 use crate::arguments::{Points, Trade, TradeEngine};
 use crate::failure::Failure;
+use crate::molecules;
 use crate::{missing, output};
 use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::prepare::Options;
-use imogene_models::scene::SceneFile;
 use imogene_models::text::counted;
 use imogene_models::trade::design::Space;
 use imogene_models::trade::page::page;
@@ -26,7 +26,7 @@ use std::time::Instant;
 /// Measures the points of the design space and shows them.
 pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
-    let file = SceneFile::read(&options.scene).map_err(Failure::input)?;
+    let file = molecules::read_scene(&options.scene)?;
     let size = size_of(&file, options.size);
     let file = missing::reduced(file, size, Format::BASE, Options::ROOTS)?;
     let target = Target::from_name(&options.target).map_err(Failure::input)?;

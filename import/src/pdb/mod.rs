@@ -22,9 +22,11 @@ mod structure;
 mod words;
 
 pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
+pub use report::Contents;
 
 use crate::Imported;
 use crate::error::ImportError;
+use imogene_models::scene::{Molecule, SceneFile};
 use structure::{Structure, unusable};
 
 /// The formats of structures.
@@ -63,7 +65,7 @@ pub fn read(
     options: &Options,
 ) -> Result<Imported, ImportError> {
     let mut structure = format.read(bytes, file)?;
-    let count = report::Read::of(&structure);
+    let count = Contents::of(&structure);
     let (chosen, left_out) = choose::choose(&mut structure, file, options)?;
     let drawn = scene::build(&structure, &chosen, file, options)?;
     let (report, notes) = report::report(&structure, &count, &chosen, &left_out, &drawn, options);
@@ -72,4 +74,40 @@ pub fn read(
         report,
         notes,
     })
+}
+
+/// What the bytes of a structure hold; `file` is the name that messages give it.
+pub fn contents(bytes: &[u8], format: Format, file: &str) -> Result<Contents, ImportError> {
+    Ok(Contents::of(&format.read(bytes, file)?))
+}
+
+/// Adds the objects of a molecule to a scene, as [`read`] makes them, and the materials that the scene has not.
+pub fn add(
+    scene: &mut SceneFile,
+    molecule: &Molecule,
+    bytes: &[u8],
+    format: Format,
+    file: &str,
+) -> Result<(), ImportError> {
+    let options = Options::of(molecule).map_err(|problem| {
+        let accepted = "see docs/scene-format.md for the keys of [[molecules]]";
+        unusable(file, problem, accepted)
+    })?;
+    let read = read(bytes, format, file, &options)?.scene;
+    let known = scene.materials.len();
+    for material in read.materials {
+        let mut own = scene.materials[..known].iter();
+        if own.all(|m| m.name != material.name) {
+            scene.materials.push(material);
+        }
+    }
+    scene.objects.reserve(read.objects.len());
+    for mut object in read.objects {
+        if let Some(name) = &molecule.name {
+            object.name = format!("{name}/{}", object.name);
+        }
+        object.group.clone_from(&molecule.group);
+        scene.objects.push(object);
+    }
+    Ok(())
 }

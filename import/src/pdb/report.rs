@@ -10,9 +10,9 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What the file holds.
+/// What a file holds.
 #[derive(Clone, Debug, Serialize)]
-pub struct Read {
+pub struct Contents {
     /// Atoms of all models.
     pub atoms: usize,
     /// Numbers of the models.
@@ -21,10 +21,10 @@ pub struct Read {
     pub assemblies: Vec<String>,
 }
 
-impl Read {
+impl Contents {
     /// Counts of a structure.
-    pub fn of(structure: &Structure) -> Read {
-        Read {
+    pub fn of(structure: &Structure) -> Contents {
+        Contents {
             atoms: structure.models.iter().map(|m| m.atoms.len()).sum(),
             models: structure.models.iter().map(|m| m.number).collect(),
             assemblies: structure
@@ -40,7 +40,7 @@ impl Read {
 /// The report, and its notes.
 pub fn report(
     structure: &Structure,
-    read: &Read,
+    read: &Contents,
     chosen: &[Chosen],
     left_out: &LeftOut,
     drawn: &Drawn,

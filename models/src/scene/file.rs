@@ -346,9 +346,9 @@ pub enum Shape {
     /// The quadric `sum of w_ii b_i^2 + sum of w_ij 2 b_i b_j = 0` inside a tetrahedron, b the barycentric coordinates of its corners.
     TetrahedronPatch {
         /// Corners 0 to 3.
-        corners: [[f64; 3]; 4],
+        corners: Box<[[f64; 3]; 4]>,
         /// w00, w11, w22, w33, w01, w02, w03, w12, w13, w23.
-        weights: [f64; 10],
+        weights: Box<[f64; 10]>,
     },
 }
 

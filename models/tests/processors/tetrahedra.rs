@@ -21,7 +21,10 @@ fn tetrahedral_patches_are_their_bernstein_form() {
         let corners: [[f64; 3]; 4] =
             std::array::from_fn(|_| std::array::from_fn(|_| decimal(&mut random)));
         let weights: [f64; 10] = std::array::from_fn(|_| decimal(&mut random));
-        let shape = Shape::TetrahedronPatch { corners, weights };
+        let shape = Shape::TetrahedronPatch {
+            corners: corners.into(),
+            weights: weights.into(),
+        };
         let quadric = Quadric::from_shape(&shape).expect("a volume");
         for _ in 0..10 {
             let mut b: Vec<BigRational> = (0..3).map(|_| random_rational(&mut random)).collect();
@@ -67,8 +70,8 @@ fn pair(random: &mut Random, orthographic: bool) -> SceneFile {
             weights[k] = middle + jog(0.3);
         }
         object.shape = Shape::TetrahedronPatch {
-            corners: [common[0], [side, jog(0.3), jog(0.3)], common[1], common[2]],
-            weights,
+            corners: [common[0], [side, jog(0.3), jog(0.3)], common[1], common[2]].into(),
+            weights: weights.into(),
         };
     }
     if orthographic {

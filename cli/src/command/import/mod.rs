@@ -33,24 +33,26 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
         None => kind_of(&bytes, &options.file)?,
     };
     let imported = match kind {
-        Kind::Pdb => molecule::import(&bytes, Format::Pdb, options)?,
-        Kind::Mmcif => molecule::import(&bytes, Format::Mmcif, options)?,
-        Kind::Bcif => molecule::import(&bytes, Format::Bcif, options)?,
+        Kind::Pdb => molecule::import(bytes, Format::Pdb, options)?,
+        Kind::Mmcif => molecule::import(bytes, Format::Mmcif, options)?,
+        Kind::Bcif => molecule::import(bytes, Format::Bcif, options)?,
         Kind::Faces => faces::import(&bytes, options)?,
         Kind::Step => faces::import_step(&bytes, options)?,
         Kind::Heights => terrain::import(&bytes, options)?,
     };
+    let objects = imported.scene.objects.len();
+    let imported = molecule::referred(imported, kind, options)?;
     let text = imported.scene.to_toml().map_err(Failure::input)?;
     output::write_text(&options.output, &text)?;
-    print(options, kind.name(), imported, json);
+    print(options, kind.name(), objects, imported, json);
     Ok(())
 }
 
-fn print(options: &Import, kind: &'static str, imported: Imported, json: bool) {
+fn print(options: &Import, kind: &'static str, objects: usize, imported: Imported, json: bool) {
     let report = ImportReport {
         file: options.file.clone(),
         kind,
-        objects: imported.scene.objects.len(),
+        objects,
         report: imported.report,
         notes: imported.notes,
         files: vec![options.output.clone()],

@@ -154,11 +154,10 @@ impl ObjectKeys {
         let corners = require(self.corners.as_deref(), owner, wanted)?;
         let corners = points(corners, &format!("object `{}`", self.name), "corners")?;
         Ok(Shape::TetrahedronPatch {
-            corners: corners
-                .as_slice()
-                .try_into()
-                .map_err(|_| format!("{owner} needs {wanted}; found {} corners", corners.len()))?,
-            weights: fixed::<10>(self.weights.as_deref(), owner, wanted)?,
+            corners: corners.try_into().map_err(|corners: Vec<_>| {
+                format!("{owner} needs {wanted}; found {} corners", corners.len())
+            })?,
+            weights: Box::new(fixed::<10>(self.weights.as_deref(), owner, wanted)?),
         })
     }
 
