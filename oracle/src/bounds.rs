@@ -53,6 +53,7 @@ impl Bounds {
                     Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
                 }
                 FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
+                FramedObject::Unseen(_) => Bound::Level([0.0; 2]),
                 // Polyhedra and quotients state their own.
                 _ => match &prepared.objects[id] {
                     PreparedObject::Parts(parts) => {

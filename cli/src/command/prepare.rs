@@ -76,6 +76,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
         match object {
             PreparedObject::Quadric(o) | PreparedObject::Patch(o) => describe(framed, o),
             PreparedObject::Parts(o) => describe_parts(framed, o),
+            PreparedObject::Unseen(_) => unreachable!("every object is framed"),
         }
     }
     for v in &scene.volumes {
@@ -88,7 +89,7 @@ pub fn run(options: &Prepare, json: bool) -> Result<(), Failure> {
 fn parts(framed: &FramedObject, o: &PreparedObject) -> Value {
     let needed = match o {
         PreparedObject::Parts(parts) => json!(parts.needed),
-        PreparedObject::Quadric(_) | PreparedObject::Patch(_) => json!([]),
+        _ => json!([]),
     };
     json!({
         "name": o.name(),

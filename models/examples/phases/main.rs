@@ -1,5 +1,5 @@
 //! Times of each step from a scene in memory to a picture, and the greatest memory so far:
-//! `phases ATOMS [sticks] [turned] [OUT.toml]`.
+//! `phases ATOMS [all] [sticks] [turned] [OUT.toml]`.
 
 #[path = "../../benches/molecule/mod.rs"]
 mod molecule;
@@ -28,9 +28,13 @@ fn main() {
     scene.validate().expect("valid");
     told("check");
     let (width, height) = (1920, 1080);
-    let framed = scene.frame(width, height).expect("valid");
-    told("frame");
     let format = Format::new(24).expect("of the catalogue");
+    let framed = match has("all") {
+        true => scene.frame(width, height),
+        false => scene.frame_seen(width, height, &format),
+    };
+    let framed = framed.expect("valid");
+    told("frame");
     let prepared = prepare_with(&framed, format, Options::default()).expect("fits");
     told("prepare");
     let slots = prepared.slots();

@@ -130,6 +130,9 @@ impl<'a> Judge<'a> {
             return Judge::Words(quadric, *format);
         }
         let words = object.words();
+        if matches!(framed, FramedObject::Unseen(_)) {
+            return Judge::Nothing;
+        }
         // A mesh may be there where its rounded facets are not; any other object is nowhere beside its box.
         let is_mesh = matches!(framed, FramedObject::Mesh(_));
         if words.is_empty() && !is_mesh {

@@ -113,7 +113,7 @@ pub(super) fn report(
         highlights: false,
         needed: match object {
             PreparedObject::Parts(parts) => parts.needed.clone(),
-            PreparedObject::Quadric(_) | PreparedObject::Patch(_) => vec![],
+            _ => vec![],
         },
         bounds: PartsBounds {
             depth_lsb: found.depth,
@@ -141,6 +141,7 @@ fn findings(comparison: &Comparison, window: &ScreenBox) -> Findings {
 
 fn kind(framed: &FramedObject) -> &'static str {
     match framed {
+        FramedObject::Unseen(_) => "unseen",
         FramedObject::Polyhedron(_) => "polyhedron",
         FramedObject::Mesh(_) => "mesh",
         FramedObject::Sphere(_) | FramedObject::CurvedSphere(_) => "sphere",

@@ -82,7 +82,7 @@ impl Moving {
         let copy = |&[x, y]: &[i64; 2]| {
             let mut object = self.object.clone();
             object.words = object.words.for_zone(-x, -y, width.into(), height.into());
-            PreparedObject::Quadric(object)
+            PreparedObject::Quadric(Box::new(object))
         };
         PreparedScene {
             width,

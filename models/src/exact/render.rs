@@ -33,6 +33,8 @@ pub struct ExactPixel {
 pub(super) enum Rays {
     Cut(Box<RayObject>),
     Mesh(RayMesh),
+    /// Nowhere to be seen.
+    Unseen,
 }
 
 impl Rays {
@@ -43,7 +45,7 @@ impl Rays {
                 Rays::Mesh(RayMesh::new(mesh, projection, width, height))
             }
             (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, projection, width, height))),
-            (_, None) => unreachable!("only a mesh is no cut quadric"),
+            (_, None) => Rays::Unseen,
         }
     }
 
@@ -51,6 +53,7 @@ impl Rays {
         match self {
             Rays::Cut(object) => object.first_hit(x, y),
             Rays::Mesh(mesh) => mesh.first_hit(x, y),
+            Rays::Unseen => None,
         }
     }
 }
@@ -170,6 +173,7 @@ fn full_depth(projection: &Projection) -> f64 {
 enum Normals<'a> {
     Cut(Box<Gradient>),
     Mesh(MeshNormals<'a>),
+    Unseen,
 }
 
 impl Normals<'_> {
@@ -177,7 +181,7 @@ impl Normals<'_> {
         match (object, object.cut_quadric()) {
             (FramedObject::Mesh(mesh), _) => Normals::Mesh(MeshNormals::new(mesh)),
             (_, Some(cut)) => Normals::Cut(Box::new(Gradient::new(&cut))),
-            (_, None) => unreachable!("only a mesh is no cut quadric"),
+            (_, None) => Normals::Unseen,
         }
     }
 
@@ -185,6 +189,7 @@ impl Normals<'_> {
         match self {
             Normals::Cut(gradient) => gradient.direction(pixel.number, point),
             Normals::Mesh(mesh) => mesh.at(pixel.part as usize, point),
+            Normals::Unseen => unreachable!("no pixel shows it"),
         }
     }
 }

@@ -45,8 +45,11 @@ impl Located {
         object: &FramedObject,
         context: &Context,
     ) -> Result<PreparedObject, PrepareError> {
+        if let FramedObject::Unseen(unseen) = object {
+            return Ok(PreparedObject::Unseen(unseen.clone()));
+        }
         let (Some(quadric), Some(place)) = (cut(object), &self.places[index]) else {
-            return prepare_parts(object, context).map(PreparedObject::Parts);
+            return prepare_parts(object, context).map(parts);
         };
         let again;
         let projected = match &self.projected[index] {
@@ -60,7 +63,7 @@ impl Located {
         match object {
             FramedObject::Polyhedron(_) => {
                 polyhedron::prepare_polyhedron(quadric, projected, place, context)
-                    .map(PreparedObject::Parts)
+                    .map(parts)
             }
             FramedObject::Patch(_) => {
                 prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
@@ -68,6 +71,10 @@ impl Located {
             _ => prepare_cut(quadric, projected, place, context, PreparedObject::Quadric),
         }
     }
+}
+
+fn parts(parts: PreparedParts) -> PreparedObject {
+    PreparedObject::Parts(Box::new(parts))
 }
 
 /// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
@@ -82,7 +89,10 @@ pub(super) fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
 fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedParts, PrepareError> {
     refuse_fitted(object.name(), context)?;
     match object {
-        FramedObject::Quadric(_) | FramedObject::Patch(_) | FramedObject::Polyhedron(_) => {
+        FramedObject::Quadric(_)
+        | FramedObject::Patch(_)
+        | FramedObject::Polyhedron(_)
+        | FramedObject::Unseen(_) => {
             unreachable!("these are prepared where they are")
         }
         FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
@@ -110,16 +120,16 @@ fn prepare_cut(
     projected: &Projected,
     place: &Place,
     context: &Context,
-    by_its_own: fn(PreparedQuadric) -> PreparedObject,
+    by_its_own: fn(Box<PreparedQuadric>) -> PreparedObject,
 ) -> Result<PreparedObject, PrepareError> {
     if let Some(parts) = quotient::prepare_on_eye(object, projected, place, context)? {
-        return Ok(PreparedObject::Parts(parts));
+        return Ok(PreparedObject::Parts(Box::new(parts)));
     }
     match object::prepare_quadric(object, projected, place, context) {
         Err(problem @ PrepareError::TooLarge { .. }) => {
             let near = quotient::prepare_near_eye(object, projected, place, context)?;
-            near.map(PreparedObject::Parts).ok_or(problem)
+            near.map(parts).ok_or(problem)
         }
-        prepared => prepared.map(by_its_own),
+        prepared => prepared.map(|prepared| by_its_own(Box::new(prepared))),
     }
 }

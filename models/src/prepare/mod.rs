@@ -24,6 +24,7 @@ pub mod rounding;
 pub mod screen_box;
 mod seams;
 pub mod shader;
+mod unseen;
 pub mod volume;
 
 use crate::format::{FittedWidths, Format};
@@ -413,7 +414,7 @@ fn prepare_objects(
                 leave_out(context, missing, false, reason)?;
                 let note = "left out: it cannot be drawn";
                 let absent = object::absent(object.name(), Class::default(), note);
-                Ok(PreparedObject::Quadric(absent))
+                Ok(PreparedObject::Quadric(Box::new(absent)))
             })
         })
         .collect()

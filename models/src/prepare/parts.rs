@@ -3,17 +3,21 @@
 use super::PreparedQuadric;
 use crate::object::quadric::ScreenBox;
 use crate::object::slot::ProcessorWords;
+use crate::scene::Unseen;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// One object: the words of its processor, and what is known of them.
 #[derive(Clone, Debug)]
 pub enum PreparedObject {
     /// Words of a quadric processor.
-    Quadric(PreparedQuadric),
+    Quadric(Box<PreparedQuadric>),
     /// The same words for a patch processor.
-    Patch(PreparedQuadric),
+    Patch(Box<PreparedQuadric>),
     /// Words of any other processor, one or more.
-    Parts(PreparedParts),
+    Parts(Box<PreparedParts>),
+    /// No words: the object was left out of the frame.
+    Unseen(Arc<Unseen>),
 }
 
 /// An object of processors whose picture has no bounds that are proven pixel by pixel.
@@ -50,6 +54,7 @@ impl PreparedObject {
         match self {
             Self::Quadric(object) | Self::Patch(object) => &object.name,
             Self::Parts(parts) => &parts.name,
+            Self::Unseen(unseen) => &unseen.name,
         }
     }
 
@@ -58,6 +63,7 @@ impl PreparedObject {
         match self {
             Self::Quadric(object) | Self::Patch(object) => &object.notes,
             Self::Parts(parts) => &parts.notes,
+            Self::Unseen(_) => &[],
         }
     }
 
@@ -66,6 +72,7 @@ impl PreparedObject {
         let notes = match self {
             Self::Quadric(object) | Self::Patch(object) => &mut object.notes,
             Self::Parts(parts) => &mut parts.notes,
+            Self::Unseen(_) => return,
         };
         notes.push(note.to_owned());
     }
@@ -75,6 +82,7 @@ impl PreparedObject {
         match self {
             Self::Quadric(object) | Self::Patch(object) => &object.words.screen_box,
             Self::Parts(parts) => &parts.screen_box,
+            Self::Unseen(_) => &ScreenBox::EMPTY,
         }
     }
 
@@ -82,7 +90,7 @@ impl PreparedObject {
     pub fn quadric(&self) -> Option<&PreparedQuadric> {
         match self {
             Self::Quadric(object) | Self::Patch(object) => Some(object),
-            Self::Parts(_) => None,
+            Self::Parts(_) | Self::Unseen(_) => None,
         }
     }
 
@@ -92,6 +100,7 @@ impl PreparedObject {
             Self::Quadric(object) => vec![ProcessorWords::Quadric(object.words.clone())],
             Self::Patch(object) => vec![ProcessorWords::Patch(object.words.clone())],
             Self::Parts(parts) => parts.words.clone(),
+            Self::Unseen(_) => vec![],
         }
     }
 }

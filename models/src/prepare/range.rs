@@ -14,6 +14,7 @@
 //!    widened, no further than helps and at most by 2^[`WIDEST`]. What then still does not fit is drawn by a quotient
 //!    ([`super::quotient`]).
 
+mod levels;
 mod words;
 
 use super::extent::Extent;
@@ -24,17 +25,16 @@ use super::{Context, Options};
 use crate::format::Format;
 use crate::rational::{integer, to_f64};
 use crate::scene::{
-    CutOff, DepthRange, End, FramedMesh, FramedObject, FramedScene, Object, Plane, Quadric,
+    CutOff, DepthRange, End, FramedMesh, FramedObject, FramedScene, Plane, Quadric,
     RangeOrigin, SceneError, SceneFile, Surface,
 };
 use num_traits::{Signed, Zero};
 use rayon::prelude::*;
-use std::ops::Range;
+pub(super) use levels::{is_level_of, levels_met};
+use levels::{LEVELS, orthographic_shell, perspective_shell};
 pub(super) use words::remedy;
 use words::{Change, Computed, Limits};
 
-/// Powers of two of the range that the camera suggests, between which content is looked for.
-const LEVELS: Range<i32> = -24..24;
 /// Most powers of two between the near end and the nearest point of the object that begins farthest away.
 const DEEPEST: i32 = 10;
 /// Powers of two by which a near end may be nearer than what is seen.
@@ -56,16 +56,16 @@ impl SceneFile {
     }
 }
 
-/// The same of a checked and flattened scene; `kept` hands out objects that are framed already, for the range that
-/// the camera suggests or names.
+/// The same of a checked and flattened scene; `kept` hands out objects that are framed already, by their index, for
+/// the range that the camera suggests or names.
 pub(crate) fn frame_keeping(
     scene: &SceneFile,
     size: (u32, u32),
-    kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
 ) -> Result<FramedScene, SceneError> {
     let suggested = DepthRange::of_camera(&scene.camera);
     let mut framed = scene.frame_within(&suggested, size, kept)?;
-    let chosen = Depths::new(&framed).choose();
+    let chosen = Depths::new(&framed).choose(None).range;
     if chosen.near != suggested.near || chosen.far != suggested.far {
         framed = scene.frame_within(&chosen, size, |_, _| Ok(None))?;
     }
@@ -74,12 +74,23 @@ pub(crate) fn frame_keeping(
 }
 
 /// A scene in the range that its camera suggests, as far as depth is concerned.
-struct Depths<'a> {
+pub(super) struct Depths<'a> {
     scene: &'a FramedScene,
     context: Context,
     /// Depth in pixels that fills the word.
     full: f64,
     bodies: Vec<Body>,
+}
+
+/// A range, and how it was found.
+pub(super) struct Choice {
+    pub range: DepthRange,
+    /// Its level.
+    pub level: i32,
+    /// The level in which all that is seen fits, before it was widened.
+    pub seen: i32,
+    /// Least and greatest level of all objects that count.
+    pub ends: Option<[i32; 2]>,
 }
 
 /// Where an object may be.
@@ -91,10 +102,18 @@ struct Body {
     is_about_eye: bool,
 }
 
+impl Body {
+    const NOWHERE: Body = Body {
+        regions: vec![],
+        reach: (f64::INFINITY, f64::NEG_INFINITY),
+        is_about_eye: false,
+    };
+}
+
 const EVERYWHERE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 impl<'a> Depths<'a> {
-    fn new(scene: &'a FramedScene) -> Depths<'a> {
+    pub fn new(scene: &'a FramedScene) -> Depths<'a> {
         // In depths that fill the word, all formats of the catalogue hold the same.
         let context = Context::of(scene, Format::BASE, Options::default());
         let objects = scene.objects.par_iter();
@@ -106,34 +125,48 @@ impl<'a> Depths<'a> {
         }
     }
 
-    fn choose(&self) -> DepthRange {
+    /// The range for the objects, and for others of which only the least and the greatest level is known.
+    pub fn choose(&self, others: Option<[i32; 2]>) -> Choice {
         let suggested = &self.scene.range;
         let levels = self.bodies.par_iter().map(|body| self.level(body));
         let levels: Vec<Option<i32>> = levels.collect();
+        let ends = self.ends(levels.iter().flatten().copied().chain(others.into_iter().flatten()));
+        let seen = match suggested.origin {
+            RangeOrigin::Hand => 0,
+            _ => self.seen(ends),
+        };
         let level = match suggested.origin {
             RangeOrigin::Hand => 0,
-            _ => self.widened(self.seen(&levels)),
+            _ => self.widened(seen),
         };
         let mut range = suggested.scaled(level);
         range.cut = self.cut(&levels, level);
-        range
+        Choice {
+            range,
+            level,
+            seen,
+            ends,
+        }
+    }
+
+    /// Least and greatest of the levels; of an orthographic view only of those that end somewhere.
+    fn ends(&self, levels: impl Iterator<Item = i32>) -> Option<[i32; 2]> {
+        let levels = levels.filter(|&end| self.context.perspective || end < LEVELS.end);
+        levels.fold(None, |ends, level| {
+            let [first, last] = ends.unwrap_or([level; 2]);
+            Some([first.min(level), last.max(level)])
+        })
     }
 
     /// The level of the range in which all that is seen fits, as far as it can.
-    fn seen(&self, levels: &[Option<i32>]) -> i32 {
-        let levels = || levels.iter().flatten().copied();
-        if !self.context.perspective {
-            if self.scene.range.origin == RangeOrigin::Camera {
-                return 0;
+    fn seen(&self, ends: Option<[i32; 2]>) -> i32 {
+        let is_named = !self.context.perspective && self.scene.range.origin == RangeOrigin::Camera;
+        match ends {
+            Some([_, last]) if !self.context.perspective && !is_named => last,
+            Some([first, last]) if self.context.perspective && !(0..=SPARE).contains(&first) => {
+                first.max(last - DEEPEST)
             }
-            return levels().filter(|&end| end < LEVELS.end).max().unwrap_or(0);
-        }
-        let (Some(first), Some(last)) = (levels().min(), levels().max()) else {
-            return 0;
-        };
-        match first {
-            0..=SPARE => 0,
-            _ => first.max(last - DEEPEST),
+            _ => 0,
         }
     }
 
@@ -197,8 +230,7 @@ impl<'a> Depths<'a> {
     /// plane.
     fn level(&self, body: &Body) -> Option<i32> {
         if self.context.perspective {
-            let distance = |level: i32| self.full * (1.0 - 2.0 / f64::exp2(f64::from(level)));
-            let is_at = |&level: &i32| self.is_met(body, [distance(level), distance(level + 1)]);
+            let is_at = |&level: &i32| self.is_met(body, perspective_shell(level, self.full));
             return LEVELS.clone().find(is_at);
         }
         let is_at = |&level: &i32| {
@@ -210,10 +242,10 @@ impl<'a> Depths<'a> {
 
     /// The depths between an orthographic level and the next, on one side.
     fn shell(&self, level: i32, side: f64) -> [f64; 2] {
-        let inner = self.full * f64::exp2(f64::from(level));
+        let [inner, outer] = orthographic_shell(level, self.full);
         match side < 0.0 {
-            true => [-2.0 * inner, -inner],
-            false => [inner, 2.0 * inner],
+            true => [-outer, -inner],
+            false => [inner, outer],
         }
     }
 
@@ -252,11 +284,10 @@ impl<'a> Depths<'a> {
 }
 
 fn body(object: &FramedObject, context: &Context) -> Body {
-    let Some(framed) = object.cut_quadric() else {
-        let FramedObject::Mesh(mesh) = object else {
-            unreachable!("all but meshes are quadrics")
-        };
-        return between_corners(mesh, context);
+    let framed = match (object, object.cut_quadric()) {
+        (_, Some(framed)) => framed,
+        (FramedObject::Mesh(mesh), None) => return between_corners(mesh, context),
+        _ => return Body::NOWHERE,
     };
     let (quadric, planes) = on_screen(&framed, &context.inverse_distance);
     let eye_is_inside =

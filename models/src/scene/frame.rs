@@ -88,12 +88,12 @@ pub enum FramedLight {
 
 impl SceneFile {
     /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth
-    /// word of a range, taking over the objects that `kept` hands out for an object and its material.
+    /// word of a range, taking over the objects that `kept` hands out for the index of an object and its material.
     pub(crate) fn frame_within(
         &self,
         range: &DepthRange,
         (width, height): (u32, u32),
-        kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+        kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
     ) -> Result<FramedScene, SceneError> {
         check_image_size(width, height)?;
         let (camera, projection) = camera_frame(&self.camera, height, range)?;
@@ -123,20 +123,21 @@ impl SceneFile {
     fn framed_objects(
         &self,
         camera: &Transform,
-        kept: impl Fn(&Object, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+        kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
     ) -> Result<Vec<FramedObject>, SceneError> {
         let whole = WholeTransform::new(camera);
         // Collected before the first error is taken, so that the same object is named in every run.
         let framed: Vec<Result<FramedObject, SceneError>> = self
             .objects
             .par_iter()
-            .map(|object| {
+            .enumerate()
+            .map(|(index, object)| {
                 let material = self
                     .materials
                     .iter()
                     .position(|material| material.name == object.material)
                     .expect("validated: every material exists");
-                match kept(object, material)? {
+                match kept(index, material)? {
                     Some(framed) => Ok(framed),
                     None => framed_object(object, material, camera, &whole),
                 }
@@ -187,6 +188,36 @@ fn camera_frame(
     }
 }
 
+/// A camera in floating point: how pixels and distances follow from a point of the scene.
+pub(crate) struct FloatCamera {
+    /// The eye of a perspective camera, the target of an orthographic one.
+    pub origin: [f64; 3],
+    /// To the right, down and along the view; the framed scene takes these very numbers as exact.
+    pub axes: [[f64; 3]; 3],
+    /// Pixels for one scene unit: at a distance of one unit from the eye, or everywhere.
+    pub pixels: f64,
+}
+
+impl FloatCamera {
+    /// The camera of a picture of so many lines.
+    pub fn of(camera: &Camera, height: u32) -> Result<FloatCamera, SceneError> {
+        let sight = Sight::of(camera)?;
+        let (origin, pixels) = match camera {
+            Camera::Perspective {
+                viewer_distance,
+                view_height,
+                ..
+            } => (&sight.eye, viewer_distance / view_height),
+            Camera::Orthographic { view_height, .. } => (&sight.target, view_height.recip()),
+        };
+        Ok(FloatCamera {
+            origin: origin.each_ref().map(to_f64),
+            axes: sight.axes(),
+            pixels: pixels * f64::from(height),
+        })
+    }
+}
+
 /// Where an observer stands in the scene, and where it looks.
 struct Sight {
     eye: [BigRational; 3],
@@ -228,13 +259,17 @@ impl Sight {
         })
     }
 
-    /// The frame with its origin at `origin`, z along the view, and `up` towards -y.
-    fn frame(&self, origin: &[BigRational; 3], pixels_per_unit: &BigRational) -> Transform {
+    /// Directions to the right, down and along the view.
+    fn axes(&self) -> [[f64; 3]; 3] {
         let forward = normalised(self.view);
         let right = normalised(cross(forward, normalised(self.up)));
-        let down = cross(forward, right);
+        [right, cross(forward, right), forward]
+    }
+
+    /// The frame with its origin at `origin`, z along the view, and `up` towards -y.
+    fn frame(&self, origin: &[BigRational; 3], pixels_per_unit: &BigRational) -> Transform {
         let to_origin = Transform::translation(origin.each_ref().map(|value| -value));
-        let turned = Transform::linear([right, down, forward]).after(&to_origin);
+        let turned = Transform::linear(self.axes()).after(&to_origin);
         Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
     }
 }
@@ -247,25 +282,26 @@ fn framed_object(
 ) -> Result<FramedObject, SceneError> {
     let to_camera = || camera.after(&Transform::placement(&object.place));
     let name = &object.name;
-    let cut = || cut_quadric(object, material, whole);
+    let cut = || Box::new(cut_quadric(object, material, whole));
+    let ball = |radius: f64| Box::new(FramedSphere::new(name, material, radius, &to_camera()));
     Ok(match (&object.shape, object.drawn_by()) {
         (Shape::Mesh(mesh), _) => {
-            FramedObject::Mesh(FramedMesh::new(name, material, mesh, &to_camera()))
+            FramedObject::Mesh(Box::new(FramedMesh::new(name, material, mesh, &to_camera())))
         }
         (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
         (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
         (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),
         (_, Some(Processor::FirstGeneration)) => FramedObject::FirstGeneration(cut()),
         (Shape::Sphere { radius }, Some(Processor::Paraboloid)) => {
-            FramedObject::Sphere(FramedSphere::new(name, material, *radius, &to_camera()))
+            FramedObject::Sphere(ball(*radius))
         }
         (Shape::Sphere { radius }, Some(Processor::CurvedFacet)) => {
-            FramedObject::CurvedSphere(FramedSphere::new(name, material, *radius, &to_camera()))
+            FramedObject::CurvedSphere(ball(*radius))
         }
         (Shape::EllipticCylinder { radii }, Some(Processor::Paraboloid)) => {
             let ends = [&object.cuts[0], &object.cuts[1]].map(|cut| from_decimal(cut.point[1]));
             let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera())?;
-            FramedObject::Cylinder(cylinder)
+            FramedObject::Cylinder(Box::new(cylinder))
         }
         (_, Some(Processor::Paraboloid | Processor::CurvedFacet)) => {
             let facet = cut();

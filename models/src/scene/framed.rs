@@ -5,28 +5,51 @@ use super::mesh::FramedMesh;
 use super::plane::Plane;
 use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
+use std::sync::Arc;
 
 /// An object in the camera frame, by the processor that draws it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FramedObject {
     /// A cut quadric for the quadric processor.
-    Quadric(FramedQuadric),
+    Quadric(Box<FramedQuadric>),
     /// A cut surface for the patch processor.
-    Patch(FramedQuadric),
+    Patch(Box<FramedQuadric>),
     /// A quadric between two parallel planes for the first generation.
-    FirstGeneration(FramedQuadric),
+    FirstGeneration(Box<FramedQuadric>),
     /// A convex solid of planes: a quadric that is everywhere, [`Quadric::everywhere`], with its cuts.
-    Polyhedron(FramedQuadric),
+    Polyhedron(Box<FramedQuadric>),
     /// Flat facets.
-    Mesh(FramedMesh),
+    Mesh(Box<FramedMesh>),
     /// A sphere for the sphere processor.
-    Sphere(FramedSphere),
+    Sphere(Box<FramedSphere>),
     /// A cylinder with its two discs for the cylinder processor.
-    Cylinder(FramedCylinder),
+    Cylinder(Box<FramedCylinder>),
     /// A sphere as one non-planar facet.
-    CurvedSphere(FramedSphere),
+    CurvedSphere(Box<FramedSphere>),
     /// A surface with one depth of second degree at each pixel, as one non-planar facet; its planes are perpendicular to the screen.
-    CurvedFacet(FramedQuadric),
+    CurvedFacet(Box<FramedQuadric>),
+    /// Left out because it is proven to be nowhere in the picture; see [`SceneFile::frame_seen`](super::SceneFile::frame_seen).
+    Unseen(Arc<Unseen>),
+}
+
+/// An object that was left out of a frame because nothing of it is seen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unseen {
+    /// Unique name.
+    pub name: Box<str>,
+    /// Index of the material.
+    pub material: usize,
+    /// Why.
+    pub why: Absence,
+}
+
+/// Why nothing of an object is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absence {
+    /// Nearer objects hide it at every pixel.
+    Hidden,
+    /// It lies beside the picture or behind the viewer.
+    OffScreen,
 }
 
 /// A quadric bounded by planes, in the camera frame.
@@ -48,7 +71,7 @@ pub struct FramedQuadric {
 
 impl From<FramedQuadric> for FramedObject {
     fn from(object: FramedQuadric) -> FramedObject {
-        FramedObject::Quadric(object)
+        FramedObject::Quadric(Box::new(object))
     }
 }
 
@@ -56,6 +79,7 @@ impl FramedObject {
     /// Unique name.
     pub fn name(&self) -> &str {
         match self {
+            Self::Unseen(unseen) => &unseen.name,
             Self::Mesh(mesh) => &mesh.name,
             Self::Sphere(sphere) | Self::CurvedSphere(sphere) => &sphere.name,
             Self::Cylinder(cylinder) => &cylinder.name,
@@ -70,6 +94,7 @@ impl FramedObject {
     /// Index of the material.
     pub fn material(&self) -> usize {
         match self {
+            Self::Unseen(unseen) => unseen.material,
             Self::Mesh(mesh) => mesh.material,
             Self::Sphere(sphere) | Self::CurvedSphere(sphere) => sphere.material,
             Self::Cylinder(cylinder) => cylinder.material,
@@ -84,6 +109,7 @@ impl FramedObject {
     /// Name of the processor that draws it.
     pub fn processor(&self) -> &'static str {
         match self {
+            Self::Unseen(_) => "none",
             Self::Quadric(_) => "quadric",
             Self::Patch(_) => "patch",
             Self::FirstGeneration(_) => "first_generation",
@@ -111,10 +137,10 @@ impl FramedObject {
         }
     }
 
-    /// The true object as a cut quadric; a mesh is none.
+    /// The true object as a cut quadric; a mesh is none, and what is left out has none any more.
     pub fn cut_quadric(&self) -> Option<FramedQuadric> {
         match self {
-            Self::Mesh(_) => None,
+            Self::Mesh(_) | Self::Unseen(_) => None,
             Self::Sphere(sphere) => Some(sphere.cut_quadric(Surface::Solid)),
             Self::CurvedSphere(sphere) => Some(sphere.cut_quadric(Surface::Patch)),
             Self::Cylinder(cylinder) => Some(cylinder.cut_quadric()),
@@ -122,7 +148,7 @@ impl FramedObject {
             | Self::Patch(q)
             | Self::FirstGeneration(q)
             | Self::Polyhedron(q)
-            | Self::CurvedFacet(q) => Some(q.clone()),
+            | Self::CurvedFacet(q) => Some((**q).clone()),
         }
     }
 }

@@ -38,8 +38,9 @@ pub use file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
     Rotation, Scale, SceneFile, Shape, Step, Surface,
 };
+pub(crate) use frame::FloatCamera;
 pub use frame::{FramedLight, FramedScene, Projection};
-pub use framed::{FramedObject, FramedQuadric};
+pub use framed::{FramedObject, FramedQuadric, Absence, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
 pub use image_check::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
@@ -53,4 +54,4 @@ pub(crate) use round::root;
 pub use round::{FramedCylinder, FramedSphere};
 pub use source::{FramedSource, SpotCone};
 pub use transform::Transform;
-pub(crate) use transform::cofactor;
+pub(crate) use transform::{cofactor, rotation_matrix};

@@ -227,7 +227,7 @@ pub(super) fn product(
 }
 
 /// Rodrigues' formula, written so that the axis of a coordinate rotation keeps its exact zeros and ones.
-fn rotation_matrix(rotation: &Rotation) -> [[f64; 3]; 3] {
+pub(crate) fn rotation_matrix(rotation: &Rotation) -> [[f64; 3]; 3] {
     let [x, y, z] = match rotation.axis {
         Axis::X => [1.0, 0.0, 0.0],
         Axis::Y => [0.0, 1.0, 0.0],

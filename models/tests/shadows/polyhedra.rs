@@ -10,7 +10,8 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 fn polyhedron(name: &str, planes: &[[i64; 4]]) -> FramedObject {
-    FramedObject::Polyhedron(object(name, Surface::Solid, Quadric::everywhere(), planes))
+    let solid = object(name, Surface::Solid, Quadric::everywhere(), planes);
+    FramedObject::Polyhedron(Box::new(solid))
 }
 
 /// A box whose six sides are out of square, and with ten planes a corner less at every second of its corners.
@@ -123,11 +124,11 @@ fn a_source_inside_a_polyhedron_is_refused_by_name() {
 fn a_polyhedron_can_be_without_shadow() {
     let quiet = |name| {
         let planes = CUBE.map(plane).to_vec();
-        FramedObject::Polyhedron(FramedQuadric {
+        FramedObject::Polyhedron(Box::new(FramedQuadric {
             casts_shadow: false,
             planes,
             ..object(name, Surface::Solid, Quadric::everywhere(), &[])
-        })
+        }))
     };
     let mut framed = before_a_wall(0, [quiet("first"), polyhedron("second", &CUBE)]);
     framed.sources = vec![source([0, 0, -100, 1])];

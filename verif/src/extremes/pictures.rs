@@ -63,6 +63,7 @@ impl Pictures {
         let (x, y) = (index % self.frame.width, index / self.frame.width);
         let bound = match &self.prepared.objects[exact.id as usize] {
             PreparedObject::Parts(parts) => parts.depth_bound.ok_or("no bound is known")?,
+            PreparedObject::Unseen(_) => return Err("it was left out".into()),
             PreparedObject::Quadric(object) | PreparedObject::Patch(object) => {
                 let f2 = object.words.f2.exact_at(x as i64, y as i64);
                 let f2 = i64::try_from(f2);

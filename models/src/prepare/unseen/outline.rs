@@ -1,0 +1,410 @@
+//! What a processor computes of a ball, in depth words, with what rounding can change of it.
+
+use super::ball::Ball;
+use crate::format::Format;
+use crate::object::quadric::ScreenBox;
+use crate::scene::FloatCamera;
+
+/// How depth words follow from the camera's distances.
+pub(in crate::prepare) struct View<'a> {
+    pub camera: &'a FloatCamera,
+    pub width: u32,
+    pub height: u32,
+    pub depth: DepthWord,
+}
+
+/// A depth word of a distance along the view.
+#[derive(Clone, Copy)]
+pub(in crate::prepare) enum DepthWord {
+    /// `zmax (1 - 2 near / distance)`.
+    Perspective { near: f64, z_max: f64 },
+    /// `zmax (distance - middle) / half`.
+    Orthographic { middle: f64, half: f64, z_max: f64 },
+}
+
+/// f1 and f2 of a ball about the pixel place `at`, which need be no pixel.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::prepare) struct Outline {
+    at: [f64; 2],
+    /// Value at `at`, and for one column and one line more.
+    f1: [f64; 3],
+    /// How far `f1` may be from that of the true ball within the box.
+    f1_spare: f64,
+    /// Of the outer and the inner ball.
+    outer: Conic,
+    inner: Conic,
+}
+
+/// `c + d x + e y + a x^2 + b y^2 + m x y`, where it is not negative an ellipse.
+#[derive(Clone, Copy, Debug)]
+struct Conic {
+    c: f64,
+    d: f64,
+    e: f64,
+    a: f64,
+    b: f64,
+    m: f64,
+}
+
+/// Greatest errors of the words of an object whose box reaches so many columns and lines from the pixel about which it
+/// is rounded, in depth words: of f1, and of f2.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::prepare) struct WordErrors {
+    f1: f64,
+    f2: f64,
+}
+
+impl WordErrors {
+    /// Of the exact expressions.
+    pub const NONE: WordErrors = WordErrors { f1: 0.0, f2: 0.0 };
+
+    /// Half a bit for each factor, times what it is multiplied with; the guard bits are not counted on. One more for
+    /// what guard bits, the root and its rows that are left out cut off.
+    pub fn of(reach: [f64; 2], format: &Format) -> WordErrors {
+        let [u, v] = reach;
+        let rows = f64::from(1u32 << format.dropped_rows);
+        WordErrors {
+            f1: 0.5 * (u + v + 1.0) + 2.0 + rows,
+            f2: 0.5 * (u * u + v * v + u * v + u + v + 1.0) + 2.0,
+        }
+    }
+
+    /// Most that a drawn depth differs from the true one: `|sqrt(f2 + e) - sqrt(f2)| <= sqrt(|e|)`.
+    fn depth(&self) -> f64 {
+        self.f1 + self.f2.sqrt()
+    }
+}
+
+/// Where a ball is on the screen, beyond doubt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::prepare) enum Span {
+    /// All of it within the screen, at pixels of this box at most.
+    Inside(ScreenBox),
+    /// All of it beside the screen.
+    Beside,
+    /// Anything else.
+    Open,
+}
+
+/// What is at least computed of a ball: greatest magnitudes.
+pub(in crate::prepare) struct Magnitudes {
+    f1_and_root: f64,
+    f2: f64,
+}
+
+/// Bits of the words that have to hold them, with room for a margin.
+impl Magnitudes {
+    pub fn fit(&self, sum: u32, quadratic: u32) -> bool {
+        let most = |bits: u32| 0.99 * f64::exp2(f64::from(bits - 1)) - 4.0;
+        self.f1_and_root < most(sum) && self.f2 < most(quadratic)
+    }
+}
+
+impl DepthWord {
+    pub fn z_max(&self) -> f64 {
+        match *self {
+            Self::Perspective { z_max, .. } | Self::Orthographic { z_max, .. } => z_max,
+        }
+    }
+}
+
+impl View<'_> {
+    pub fn is_perspective(&self) -> bool {
+        matches!(self.depth, DepthWord::Perspective { .. })
+    }
+
+    /// The depth in pixels that fills the word.
+    pub fn full_depth(&self) -> f64 {
+        match self.depth {
+            DepthWord::Perspective { .. } => self.camera.pixels,
+            DepthWord::Orthographic { half, .. } => half * self.camera.pixels,
+        }
+    }
+
+    /// Depth words of one pixel of depth.
+    pub fn words_per_pixel(&self) -> f64 {
+        self.depth.z_max() / self.full_depth()
+    }
+
+    /// The depth in pixels of a distance along the view.
+    pub fn depth_in_pixels(&self, distance: f64) -> f64 {
+        match self.depth {
+            DepthWord::Perspective { near, .. } => {
+                self.full_depth() * (1.0 - 2.0 * near / distance)
+            }
+            DepthWord::Orthographic { middle, .. } => (distance - middle) * self.camera.pixels,
+        }
+    }
+
+    /// Pixel columns and lines of the screen's middle.
+    fn middle(&self) -> [f64; 2] {
+        [self.width, self.height].map(|n| 0.5 * f64::from(n))
+    }
+
+    /// The whole screen.
+    pub fn screen(&self) -> ScreenBox {
+        ScreenBox {
+            x0: 0,
+            x1: i64::from(self.width) - 1,
+            y0: 0,
+            y1: i64::from(self.height) - 1,
+        }
+    }
+}
+
+impl Outline {
+    /// Of a ball that lies wholly before the eye or behind it, and not too near to be a plain case; nothing for any other.
+    pub fn of(ball: &Ball, view: &View) -> Option<Outline> {
+        let pixels = view.camera.pixels;
+        let middle = view.middle();
+        let [x, y, z] = ball.centre;
+        match view.depth {
+            DepthWord::Orthographic { middle: zero, half, z_max } => {
+                let scale = z_max / half;
+                let unit = scale / pixels;
+                let conic = |radius: f64| Conic {
+                    c: (scale * radius).powi(2),
+                    d: 0.0,
+                    e: 0.0,
+                    a: -unit * unit,
+                    b: -unit * unit,
+                    m: 0.0,
+                };
+                Some(Outline {
+                    at: [middle[0] + x * pixels, middle[1] + y * pixels],
+                    f1: [scale * (z - zero), 0.0, 0.0],
+                    f1_spare: scale * ball.spare + 1.0,
+                    outer: conic(ball.radius + ball.spare),
+                    inner: conic(ball.radius - ball.spare),
+                })
+            }
+            DepthWord::Perspective { near, z_max } => {
+                // Then |c|^2 - r^2 is at least three quarters of |c|^2, whatever else is between r -+ spare.
+                if z.abs() < 2.01 * ball.radius {
+                    return None;
+                }
+                let length = x * x + y * y + z * z;
+                let strength = |radius: f64| 2.0 * near * z_max / (length - radius * radius);
+                let conic = |radius: f64| {
+                    let (s, r) = (strength(radius).powi(2), radius * radius);
+                    Conic {
+                        c: s * r * (1.0 + (x * x + y * y) / (z * z)),
+                        d: s * 2.0 * r * x / z / pixels,
+                        e: s * 2.0 * r * y / z / pixels,
+                        a: s * (r - z * z - y * y) / (pixels * pixels),
+                        b: s * (r - z * z - x * x) / (pixels * pixels),
+                        m: s * 2.0 * x * y / (pixels * pixels),
+                    }
+                };
+                let s = strength(ball.radius);
+                let slant = 1.0 + (middle[0] + middle[1]) / pixels + (x.abs() + y.abs()) / z;
+                Some(Outline {
+                    at: [middle[0] + x / z * pixels, middle[1] + y / z * pixels],
+                    f1: [
+                        z_max - s * ((x * x + y * y) / z + z),
+                        -s * x / pixels,
+                        -s * y / pixels,
+                    ],
+                    // |s' p.c' - s p.c| <= s |p| spare + |s' - s| |p| |c|, and |s' - s| / s <= 8 spare / |c|.
+                    f1_spare: 9.0 * s * slant * ball.spare + 1.0,
+                    outer: conic(ball.radius + ball.spare),
+                    inner: conic(ball.radius - ball.spare),
+                })
+            }
+        }
+    }
+
+    /// Where the ball is seen.
+    pub fn span(&self, view: &View) -> Span {
+        // A millionth of a pixel covers the rounding of the ends.
+        let Some([[x0, x1], [y0, y1]]) = self.ends(0.0) else {
+            return Span::Open;
+        };
+        let (right, bottom) = (f64::from(view.width) - 1.0, f64::from(view.height) - 1.0);
+        let along = |low: f64, high: f64, last: f64| {
+            if low > 0.0 && high < last {
+                Some(true)
+            } else {
+                (high < 0.0 || low > last).then_some(false)
+            }
+        };
+        match (along(x0, x1, right), along(y0, y1, bottom)) {
+            (Some(true), Some(true)) => Span::Inside(ScreenBox {
+                x0: x0.ceil() as i64,
+                x1: x1.floor() as i64,
+                y0: y0.ceil() as i64,
+                y1: y1.floor() as i64,
+            }),
+            (Some(_), Some(_)) => Span::Beside,
+            _ => Span::Open,
+        }
+    }
+
+    /// Least and greatest column and line at which f2 of the outer ball is not below `-spare`, a millionth of a pixel wider.
+    fn ends(&self, spare: f64) -> Option<[[f64; 2]; 2]> {
+        let Conic { c, d, e, a, b, m } = self.outer;
+        let c = c + spare;
+        // The greatest value of f2 along the other axis is of second degree in this one.
+        let ends = |d: f64, e: f64, a: f64, b: f64| {
+            let square = a - m * m / (4.0 * b);
+            let linear = d - e * m / (2.0 * b);
+            let constant = c - e * e / (4.0 * b);
+            let root = (linear * linear - 4.0 * square * constant).sqrt();
+            let ends = [(-linear + root) / (2.0 * square), (-linear - root) / (2.0 * square)];
+            (b < 0.0 && square < 0.0).then_some(ends)
+        };
+        let wider = |[low, high]: [f64; 2], at: f64| {
+            let margin = 1e-6 + 1e-9 * (high - low);
+            [at + low - margin, at + high + margin]
+        };
+        let (x, y) = (ends(d, e, a, b)?, ends(e, d, b, a)?);
+        let all = [wider(x, self.at[0]), wider(y, self.at[1])];
+        all.iter().flatten().all(|v| v.is_finite()).then_some(all)
+    }
+
+    /// The pixels of a box at which anything of the ball may be drawn.
+    pub fn touched(&self, view: &View, errors: &WordErrors) -> Option<ScreenBox> {
+        let [[x0, x1], [y0, y1]] = self.ends(errors.f2)?;
+        let screen = view.screen();
+        let clamped = |v: f64, last: i64| v.clamp(-1.0, last as f64 + 1.0) as i64;
+        Some(ScreenBox {
+            x0: clamped(x0.ceil(), screen.x1).max(0),
+            x1: clamped(x1.floor(), screen.x1).min(screen.x1),
+            y0: clamped(y0.ceil(), screen.y1).max(0),
+            y1: clamped(y1.floor(), screen.y1).min(screen.y1),
+        })
+    }
+
+    /// Greatest distance of the box from the middle, in columns and lines.
+    fn reach(&self, window: &ScreenBox) -> [f64; 2] {
+        let far = |low: i64, high: i64, at: f64| {
+            (at - low as f64).abs().max((high as f64 - at).abs())
+        };
+        [
+            far(window.x0, window.x1, self.at[0]),
+            far(window.y0, window.y1, self.at[1]),
+        ]
+    }
+
+    /// Greatest magnitudes on a box.
+    pub fn magnitudes(&self, window: &ScreenBox, errors: &WordErrors) -> Magnitudes {
+        let [u, v] = self.reach(window);
+        let Conic { c, d, e, a, b, m } = self.outer;
+        let linear = d.abs() * u + e.abs() * v;
+        let f2 = (c + linear).max(a.abs() * u * u + b.abs() * v * v + m.abs() * u * v + linear);
+        let f1 = self.f1[0].abs() + self.f1[1].abs() * u + self.f1[2].abs() * v;
+        Magnitudes {
+            f1_and_root: f1 + self.f1_spare + errors.f1 + (c + linear + errors.f2).sqrt(),
+            f2: f2 + errors.f2,
+        }
+    }
+
+    /// Nothing that is drawn of the ball on the box is nearer.
+    pub fn nearest(&self, window: &ScreenBox, errors: &WordErrors) -> f64 {
+        let at = |x: i64, y: i64| {
+            self.f1[1] * (x as f64 - self.at[0]) + self.f1[2] * (y as f64 - self.at[1])
+        };
+        let corners = [
+            at(window.x0, window.y0),
+            at(window.x1, window.y0),
+            at(window.x0, window.y1),
+            at(window.x1, window.y1),
+        ];
+        let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+        self.f1[0] + least - self.outer.greatest().sqrt() - self.f1_spare - errors.depth()
+    }
+
+    /// True if the ball lies between the ends of the depth, and not within two pixels of depth of one.
+    pub fn is_within_ends(&self, view: &View, window: &ScreenBox) -> bool {
+        let end = view.depth.z_max() - 2.0 * view.words_per_pixel();
+        self.is_between([-end, end], window, &WordErrors::NONE)
+    }
+
+    /// True if all that is computed of the ball lies between these depth words.
+    pub fn is_between(&self, [low, high]: [f64; 2], window: &ScreenBox, errors: &WordErrors) -> bool {
+        let [u, v] = self.reach(window);
+        let spread = self.f1[1].abs() * u
+            + self.f1[2].abs() * v
+            + self.outer.greatest().sqrt()
+            + self.f1_spare
+            + errors.depth();
+        low < self.f1[0] - spread && self.f1[0] + spread < high
+    }
+
+    /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth that is not nearer
+    /// than the one that is drawn there.
+    pub fn covered(&self, y: i64, window: &ScreenBox, errors: &WordErrors, mut each: impl FnMut(i64, f64)) {
+        let line = self.inner.on_line(y as f64 - self.at[1]);
+        // One more for the rounding of this sum.
+        let (least, spare) = (errors.f2 + 1.0, self.f1_spare + errors.depth() + 1.0);
+        let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) + spare;
+        for x in line.columns(-least, self.at[0], window) {
+            let u = x as f64 - self.at[0];
+            let f2 = line.at(u);
+            if f2 >= least {
+                each(x, constant + self.f1[1] * u - f2.sqrt());
+            }
+        }
+    }
+
+    /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where `each` says so.
+    pub fn may_cover(&self, y: i64, window: &ScreenBox, errors: &WordErrors, mut each: impl FnMut(i64, f64) -> bool) -> bool {
+        let line = self.outer.on_line(y as f64 - self.at[1]);
+        let spare = self.f1_spare + errors.depth() + 1.0;
+        let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) - spare;
+        line.columns(errors.f2 + 1.0, self.at[0], window).all(|x| {
+            let u = x as f64 - self.at[0];
+            each(x, constant + self.f1[1] * u - line.at(u).max(0.0).sqrt())
+        })
+    }
+}
+
+/// `a u^2 + d u + c`: a conic on one line.
+struct Line {
+    a: f64,
+    d: f64,
+    c: f64,
+}
+
+impl Line {
+    fn at(&self, u: f64) -> f64 {
+        (self.a * u + self.d) * u + self.c
+    }
+
+    /// The columns of a box at which the value is not below `-spare`, and perhaps one more on each side.
+    fn columns(&self, spare: f64, at: f64, window: &ScreenBox) -> std::ops::RangeInclusive<i64> {
+        let radicand = self.d * self.d - 4.0 * self.a * (self.c + spare);
+        if radicand < 0.0 && self.c + spare < 0.0 {
+            let margin = 1e-9 * (self.d * self.d + (4.0 * self.a * self.c).abs());
+            if radicand < -margin {
+                return 1..=0;
+            }
+        }
+        let root = radicand.max(0.0).sqrt();
+        let [low, high] = [-1.0, 1.0].map(|sign| at + (-self.d - sign * root * self.a.signum()) / (2.0 * self.a));
+        let (low, high) = (low.min(high), low.max(high));
+        let first = (low - 1e-3).ceil().max(window.x0 as f64) as i64;
+        let last = (high + 1e-3).floor().min(window.x1 as f64) as i64;
+        first..=last
+    }
+}
+
+impl Conic {
+    fn on_line(&self, v: f64) -> Line {
+        Line {
+            a: self.a,
+            d: self.d + self.m * v,
+            c: self.c + (self.e + self.b * v) * v,
+        }
+    }
+
+    /// The greatest value anywhere.
+    fn greatest(&self) -> f64 {
+        let determinant = 4.0 * self.a * self.b - self.m * self.m;
+        let (x, y) = (
+            (self.m * self.e - 2.0 * self.b * self.d) / determinant,
+            (self.m * self.d - 2.0 * self.a * self.e) / determinant,
+        );
+        (self.c + 0.5 * (self.d * x + self.e * y)) * (1.0 + 1e-9)
+    }
+}
