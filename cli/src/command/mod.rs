@@ -56,6 +56,18 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     )
 }
 
+/// The same of a scene of which only the picture counts: without the objects that nobody sees.
+fn load_seen(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
+    let file = read_scene(&scene.scene, &scene.view)?;
+    let ((width, height), format) = (size_of(&file, scene.size), format_of(scene)?);
+    let framed = file
+        .frame_seen(width, height, &format)
+        .map_err(Failure::input)?;
+    // A file of a million objects takes more memory than what is kept of them.
+    drop(file);
+    prepared(framed, format)
+}
+
 /// A scene file with the camera and the frame that are asked for.
 fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
     let mut file = molecules::read_scene(path)?;
@@ -113,7 +125,11 @@ fn frame_in(
     format: Format,
 ) -> Result<(FramedScene, PreparedScene), Failure> {
     let (width, height) = size_of(file, size);
-    let framed = file.frame(width, height).map_err(Failure::input)?;
+    prepared(file.frame(width, height).map_err(Failure::input)?, format)
+}
+
+/// A framed scene and its words.
+fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, PreparedScene), Failure> {
     let bar = output::progress(steps(&framed), "preparation");
     let prepared = prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1));
     bar.finish_and_clear();

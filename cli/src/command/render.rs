@@ -3,7 +3,7 @@
 mod frames;
 mod split;
 
-use super::{load_scene, threads, verdict};
+use super::{load_scene, load_seen, threads, verdict};
 use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
@@ -14,7 +14,7 @@ use imogene_models::machine::split::Division;
 use imogene_models::machine::{beam, shading};
 use imogene_models::metrics::Drawing;
 use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::{FramedScene, FramedSource, RangeReport};
+use imogene_models::scene::{Absent, FramedScene, FramedSource, RangeReport};
 use imogene_models::text::counted;
 use imogene_models::trade::measure::zones;
 use imogene_models::{exact, picture};
@@ -37,6 +37,9 @@ struct RenderReport {
     pixels_per_second: f64,
     covered_pixels: usize,
     volumes: usize,
+    /// Objects that were left out because nobody sees them.
+    #[serde(flatten)]
+    absent: Absent,
     /// The range of the depth word.
     range: RangeReport,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -50,7 +53,13 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         return frames::run(options, range, json);
     }
     let started = Instant::now();
-    let (framed, prepared) = load_scene(&options.scene)?;
+    // Zones round anew, pieces count the work of all objects, and hardware has a processor for each.
+    let is_picture =
+        options.zone.is_none() && options.split.split.is_none() && options.model != Model::Rtl;
+    let (framed, prepared) = match is_picture {
+        true => load_seen(&options.scene)?,
+        false => load_scene(&options.scene)?,
+    };
     let prepare_seconds = started.elapsed().as_secs_f64();
     if let Some(zone) = options.zone {
         return zoned(options, zone, &framed, &prepared, json);
@@ -85,6 +94,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
             pixels_per_second: per_second(&prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            absent: Absent::of(&framed.objects),
             range: framed.range.report(prepared.format.z_max()),
             split: None,
             files,
@@ -138,6 +148,7 @@ fn zoned(
             pixels_per_second: per_second(prepared, seconds),
             covered_pixels: frame.covered(),
             volumes: prepared.volumes.len(),
+            absent: Absent::of(&framed.objects),
             range: framed.range.report(prepared.format.z_max()),
             split: None,
             files,
@@ -170,6 +181,7 @@ fn divided(
             pixels_per_second: per_second(prepared, seconds),
             covered_pixels: divided.frame.covered(),
             volumes: prepared.volumes.len(),
+            absent: Absent::of(&framed.objects),
             range: framed.range.report(prepared.format.z_max()),
             split: Some(split),
             files,
@@ -196,6 +208,13 @@ fn report(report: RenderReport, json: bool) {
                 "{}; prepared in {:.3} s",
                 counted(report.volumes, "shadow or light volume"),
                 report.prepare_seconds
+            ));
+        }
+        let Absent { hidden, off_screen } = report.absent;
+        if hidden + off_screen > 0 {
+            output::text(format!(
+                "{} not prepared: {hidden} hidden by others, {off_screen} off the screen",
+                counted(hidden + off_screen, "object")
             ));
         }
         if let Some(split) = &report.split {

@@ -25,14 +25,17 @@ impl Globule {
         let mut state = 1u64;
         // Thousandths between -0.6 and 0.6.
         let mut jitter = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             ((state >> 40) % 1201) as f64 / 1e3 - 0.6
         };
         let mut places = vec![];
         let all = -steps..=steps;
         for (i, j, k) in all.clone().flat_map(|i| {
             let all = all.clone();
-            all.clone().flat_map(move |j| all.clone().map(move |k| (i, j, k)))
+            all.clone()
+                .flat_map(move |j| all.clone().map(move |k| (i, j, k)))
         }) {
             let place = [i, j, k].map(|n| ((n as f64 * SPACING + jitter()) * 1e3).round() / 1e3);
             if place.iter().map(|v| v * v).sum::<f64>() <= radius * radius {
@@ -76,7 +79,9 @@ pub fn scene(atoms: usize, sticks: bool, towards: [f64; 3]) -> SceneFile {
         let radius = (radius * 1e4).round() / 1e4;
         let step = vec![Step::Translate(place)];
         let name = format!("{} {k}", ["C", "N", "O", "S"][k % 4]);
-        scene.objects.push(object(name, Shape::Sphere { radius }, k % 4, step, vec![]));
+        scene
+            .objects
+            .push(object(name, Shape::Sphere { radius }, k % 4, step, vec![]));
     }
     if sticks {
         for (k, pair) in globule.places.windows(2).enumerate() {
@@ -108,7 +113,13 @@ fn stick(k: usize, from: [f64; 3], to: [f64; 3]) -> Vec<Object> {
     };
     let piece = |name: String, from: f64, to: f64, material: usize| {
         let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
-        object(name, shape, material, place.clone(), vec![cut(from, -1.0), cut(to, 1.0)])
+        object(
+            name,
+            shape,
+            material,
+            place.clone(),
+            vec![cut(from, -1.0), cut(to, 1.0)],
+        )
     };
     if k % 2 == 0 {
         return vec![piece(format!("stick {k}"), 0.0, length, k % 4)];

@@ -12,16 +12,30 @@ use std::time::Instant;
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let has = |word: &str| arguments.iter().any(|argument| argument == word);
-    let atoms = arguments.first().and_then(|n| n.parse().ok()).unwrap_or(10_000);
-    let towards = if has("turned") { [0.617, 0.523, 1.271] } else { [0.0, 0.0, 1.0] };
+    let atoms = arguments
+        .first()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(10_000);
+    let towards = if has("turned") {
+        [0.617, 0.523, 1.271]
+    } else {
+        [0.0, 0.0, 1.0]
+    };
     let mut last = Instant::now();
     let mut told = |step: &str| {
-        println!("{step:<10} {:>8.3} s {:>8} MB", last.elapsed().as_secs_f64(), peak());
+        println!(
+            "{step:<10} {:>8.3} s {:>8} MB",
+            last.elapsed().as_secs_f64(),
+            peak()
+        );
         last = Instant::now();
     };
     let scene = molecule::scene(atoms, has("sticks"), towards);
     told("scene");
-    if let Some(path) = arguments.iter().find(|argument| argument.ends_with(".toml")) {
+    if let Some(path) = arguments
+        .iter()
+        .find(|argument| argument.ends_with(".toml"))
+    {
         std::fs::write(path, scene.to_toml().expect("valid")).expect("written");
         return told("write");
     }
@@ -40,7 +54,11 @@ fn main() {
     let slots = prepared.slots();
     let frame = beam::render(&slots, &format, width as usize, height as usize, || ());
     told("draw");
-    println!("{} objects, {} pixels covered", prepared.objects.len(), frame.covered());
+    println!(
+        "{} objects, {} pixels covered",
+        prepared.objects.len(),
+        frame.covered()
+    );
 }
 
 /// Greatest memory of the process so far, in megabytes.

@@ -28,7 +28,7 @@ pub struct Kept {
 
 struct KeptObject {
     framed: FramedObject,
-    place: Option<Place>,
+    place: Option<Box<Place>>,
     /// Without the notes on its shadow.
     prepared: PreparedObject,
     /// Where it is seen, if that was asked for.
@@ -77,7 +77,7 @@ impl Known<'_> {
     }
 
     /// Forgets the objects whose expressions now count in other boxes than before.
-    fn forget_moved(&mut self, places: &[Option<Place>]) {
+    fn forget_moved(&mut self, places: &[Option<Box<Place>>]) {
         for (known, place) in self.objects.iter_mut().zip(places) {
             *known = known.filter(|kept| kept.place == *place);
         }
@@ -141,7 +141,7 @@ impl Kept {
     fn keep(
         &mut self,
         scene: &FramedScene,
-        places: Vec<Option<Place>>,
+        places: Vec<Option<Box<Place>>>,
         fresh: Vec<Option<PreparedObject>>,
         volumes: &Volumes,
         context: &Context,

@@ -14,18 +14,18 @@ use rayon::prelude::*;
 /// A scene's objects on the screen, before any word of them is known.
 pub(super) struct Located {
     /// Of the cut quadrics that are not known.
-    projected: Vec<Option<Projected>>,
+    projected: Vec<Option<Box<Projected>>>,
     /// Of all cut quadrics.
-    pub places: Vec<Option<Place>>,
+    pub places: Vec<Option<Box<Place>>>,
 }
 
 impl Located {
     pub fn new(scene: &FramedScene, context: &Context, known: &Known) -> Located {
         let objects = scene.objects.par_iter().enumerate();
-        let projected: Vec<Option<Projected>> = objects
+        let projected: Vec<Option<Box<Projected>>> = objects
             .map(|(index, object)| match known.window(index) {
                 Some(_) => None,
-                None => Some(Projected::new(cut(object)?, context)),
+                None => Some(Box::new(Projected::new(cut(object)?, context))),
             })
             .collect();
         let windows = projected.iter().enumerate().map(|(index, projected)| {
@@ -62,8 +62,7 @@ impl Located {
         };
         match object {
             FramedObject::Polyhedron(_) => {
-                polyhedron::prepare_polyhedron(quadric, projected, place, context)
-                    .map(parts)
+                polyhedron::prepare_polyhedron(quadric, projected, place, context).map(parts)
             }
             FramedObject::Patch(_) => {
                 prepare_cut(quadric, projected, place, context, PreparedObject::Patch)

@@ -394,14 +394,14 @@ fn prepare_objects(
     done: &(impl Fn() + Sync),
 ) -> Result<Vec<PreparedObject>, PrepareError> {
     // Collected before the first error is taken, so that the same object is named in every run.
-    let objects: Vec<Result<PreparedObject, PrepareError>> = scene
+    let objects: Vec<Result<PreparedObject, Box<PrepareError>>> = scene
         .objects
         .par_iter()
         .enumerate()
         .map(|(index, object)| {
             let prepared = match known.object(index) {
                 Some(known) => Ok(known.clone()),
-                None => located.prepare(index, object, context),
+                None => located.prepare(index, object, context).map_err(Box::new),
             };
             done();
             prepared
@@ -411,7 +411,7 @@ fn prepare_objects(
     named
         .map(|(prepared, object)| {
             prepared.or_else(|reason| {
-                leave_out(context, missing, false, reason)?;
+                leave_out(context, missing, false, *reason)?;
                 let note = "left out: it cannot be drawn";
                 let absent = object::absent(object.name(), Class::default(), note);
                 Ok(PreparedObject::Quadric(Box::new(absent)))

@@ -25,13 +25,13 @@ use super::{Context, Options};
 use crate::format::Format;
 use crate::rational::{integer, to_f64};
 use crate::scene::{
-    CutOff, DepthRange, End, FramedMesh, FramedObject, FramedScene, Plane, Quadric,
-    RangeOrigin, SceneError, SceneFile, Surface,
+    CutOff, DepthRange, End, FramedMesh, FramedObject, FramedScene, Plane, Quadric, RangeOrigin,
+    SceneError, SceneFile, Surface,
 };
+use levels::{LEVELS, orthographic_shell, perspective_shell};
+pub(super) use levels::{is_level_of, levels_met};
 use num_traits::{Signed, Zero};
 use rayon::prelude::*;
-pub(super) use levels::{is_level_of, levels_met};
-use levels::{LEVELS, orthographic_shell, perspective_shell};
 pub(super) use words::remedy;
 use words::{Change, Computed, Limits};
 
@@ -130,7 +130,13 @@ impl<'a> Depths<'a> {
         let suggested = &self.scene.range;
         let levels = self.bodies.par_iter().map(|body| self.level(body));
         let levels: Vec<Option<i32>> = levels.collect();
-        let ends = self.ends(levels.iter().flatten().copied().chain(others.into_iter().flatten()));
+        let ends = self.ends(
+            levels
+                .iter()
+                .flatten()
+                .copied()
+                .chain(others.into_iter().flatten()),
+        );
         let seen = match suggested.origin {
             RangeOrigin::Hand => 0,
             _ => self.seen(ends),

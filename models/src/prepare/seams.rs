@@ -42,15 +42,15 @@ type Key = Vec<BigRational>;
 pub(super) fn places(
     objects: &[FramedObject],
     windows: &[Option<ScreenBox>],
-) -> Vec<Option<Place>> {
-    let keys: Vec<Option<Keys>> = objects
+) -> Vec<Option<Box<Place>>> {
+    let keys: Vec<Option<Box<Keys>>> = objects
         .par_iter()
         .zip(windows)
         .map(|(object, window)| {
             let seen = window.is_some_and(|window| !window.is_empty());
             let quadric = cut(object).filter(|_| seen)?;
             // An object without planes meets nothing.
-            (!quadric.planes.is_empty()).then(|| Keys::of(quadric))
+            (!quadric.planes.is_empty()).then(|| Box::new(Keys::of(quadric)))
         })
         .collect();
     let mut shared: HashMap<&Key, Vec<ScreenBox>> = HashMap::new();
@@ -66,19 +66,23 @@ pub(super) fn places(
         let mut boxes = shared[key].iter();
         *boxes.find(|b| b.touches(window)).expect("joined above")
     };
-    let place = |(keys, (object, window)): (&Option<Keys>, (&FramedObject, &Option<ScreenBox>))| {
+    type Of<'a> = (
+        &'a Option<Box<Keys>>,
+        (&'a FramedObject, &'a Option<ScreenBox>),
+    );
+    let place = |(keys, (object, window)): Of| {
         let window = (*window)?;
         let Some(keys) = keys else {
-            return Some(Place::alone(window, cut(object)?.planes.len()));
+            return Some(Box::new(Place::alone(window, cut(object)?.planes.len())));
         };
-        Some(Place {
+        Some(Box::new(Place {
             window,
             quadric: keys
                 .quadric
                 .as_ref()
                 .map_or(window, |key| around(key, &window)),
             planes: keys.planes.iter().map(|key| around(key, &window)).collect(),
-        })
+        }))
     };
     let each = keys.iter().zip(objects.iter().zip(windows));
     each.map(place).collect()

@@ -285,9 +285,12 @@ fn framed_object(
     let cut = || Box::new(cut_quadric(object, material, whole));
     let ball = |radius: f64| Box::new(FramedSphere::new(name, material, radius, &to_camera()));
     Ok(match (&object.shape, object.drawn_by()) {
-        (Shape::Mesh(mesh), _) => {
-            FramedObject::Mesh(Box::new(FramedMesh::new(name, material, mesh, &to_camera())))
-        }
+        (Shape::Mesh(mesh), _) => FramedObject::Mesh(Box::new(FramedMesh::new(
+            name,
+            material,
+            mesh,
+            &to_camera(),
+        ))),
         (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
         (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
         (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),

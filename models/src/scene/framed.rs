@@ -5,6 +5,7 @@ use super::mesh::FramedMesh;
 use super::plane::Plane;
 use super::quadric::Quadric;
 use super::round::{FramedCylinder, FramedSphere};
+use serde::Serialize;
 use std::sync::Arc;
 
 /// An object in the camera frame, by the processor that draws it.
@@ -41,6 +42,30 @@ pub struct Unseen {
     pub material: usize,
     /// Why.
     pub why: Absence,
+}
+
+/// How many objects of a scene were left out of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Absent {
+    /// Behind nearer ones.
+    pub hidden: usize,
+    /// Beside the picture or behind the viewer.
+    pub off_screen: usize,
+}
+
+impl Absent {
+    /// Of these objects.
+    pub fn of(objects: &[FramedObject]) -> Absent {
+        let mut absent = Absent::default();
+        for object in objects {
+            match object {
+                FramedObject::Unseen(unseen) if unseen.why == Absence::Hidden => absent.hidden += 1,
+                FramedObject::Unseen(_) => absent.off_screen += 1,
+                _ => {}
+            }
+        }
+        absent
+    }
 }
 
 /// Why nothing of an object is seen.

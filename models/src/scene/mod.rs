@@ -40,7 +40,7 @@ pub use file::{
 };
 pub(crate) use frame::FloatCamera;
 pub use frame::{FramedLight, FramedScene, Projection};
-pub use framed::{FramedObject, FramedQuadric, Absence, Unseen};
+pub use framed::{Absence, Absent, FramedObject, FramedQuadric, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
 pub use image_check::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};

@@ -64,15 +64,12 @@ impl Ball {
         let from: [f64; 3] = std::array::from_fn(|k| place[k] - camera.origin[k]);
         let spare = PLACE * (sum + size(&camera.origin)) + SHAPE * radius;
         (spare < 1e-3 * radius).then(|| Ball {
-            centre: camera.axes.map(|axis| (0..3).map(|k| axis[k] * from[k]).sum()),
+            centre: camera
+                .axes
+                .map(|axis| (0..3).map(|k| axis[k] * from[k]).sum()),
             radius,
             spare,
         })
-    }
-
-    /// Wholly behind the viewer of a perspective view.
-    pub fn is_behind(&self) -> bool {
-        self.along_view()[1] < 0.0
     }
 
     /// Least and greatest distance along the view of the outer ball.

@@ -20,7 +20,10 @@ impl Buffer {
     pub fn of(placed: &[Option<Placed>], view: &View) -> Buffer {
         let (width, height) = (view.width as usize, view.height as usize);
         let mut bands: Vec<Vec<&Placed>> = vec![vec![]; height.div_ceil(TILE)];
-        let drawn = placed.iter().flatten().filter(|placed| placed.span != Span::Beside);
+        let drawn = placed
+            .iter()
+            .flatten()
+            .filter(|placed| placed.span != Span::Beside);
         for placed in drawn.filter(|placed| !placed.window.is_empty()) {
             let lines = placed.window.y0 as usize / TILE..=placed.window.y1 as usize / TILE;
             bands[lines].iter_mut().for_each(|band| band.push(placed));
@@ -32,7 +35,10 @@ impl Buffer {
             }
             farthest_of_tiles(lines, width)
         };
-        let tiles = depth.par_chunks_mut(width * TILE).enumerate().flat_map_iter(draw);
+        let tiles = depth
+            .par_chunks_mut(width * TILE)
+            .enumerate()
+            .flat_map_iter(draw);
         Buffer {
             tiles: tiles.collect(),
             width,
@@ -55,7 +61,11 @@ impl Buffer {
         }
         (window.y0..=window.y1).all(|y| {
             let line = &self.depth[y as usize * self.width..];
-            placed.outline.may_cover(y, window, &placed.errors, |x, nearest| line[x as usize] < nearest)
+            placed
+                .outline
+                .may_cover(y, window, &placed.errors, |x, nearest| {
+                    line[x as usize] < nearest
+                })
         })
     }
 
@@ -74,10 +84,12 @@ fn cover(placed: &Placed, top: i64, lines: &mut [f64], width: usize) {
     let last = top + (lines.len() / width) as i64 - 1;
     for y in window.y0.max(top)..=window.y1.min(last) {
         let line = &mut lines[(y - top) as usize * width..][..width];
-        placed.outline.covered(y, window, &placed.errors, |x, depth| {
-            let pixel = &mut line[x as usize];
-            *pixel = pixel.min(depth);
-        });
+        placed
+            .outline
+            .covered(y, window, &placed.errors, |x, depth| {
+                let pixel = &mut line[x as usize];
+                *pixel = pixel.min(depth);
+            });
     }
 }
 

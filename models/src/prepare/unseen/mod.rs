@@ -10,8 +10,8 @@ mod buffer;
 mod outline;
 
 use super::range::{self, Depths, frame_keeping};
-use crate::object::quadric::ScreenBox;
 use crate::format::Format;
+use crate::object::quadric::ScreenBox;
 use crate::rational::to_f64;
 use crate::scene::{
     Absence, Camera, DepthRange, FloatCamera, FramedObject, FramedScene, Light, SceneError,
@@ -36,7 +36,12 @@ impl SceneFile {
     /// # Errors
     ///
     /// What the checks of a scene refuse, such as a size that is out of range.
-    pub fn frame_seen(&self, width: u32, height: u32, format: &Format) -> Result<FramedScene, SceneError> {
+    pub fn frame_seen(
+        &self,
+        width: u32,
+        height: u32,
+        format: &Format,
+    ) -> Result<FramedScene, SceneError> {
         self.validate()?;
         let (scene, size) = (self.flattened(), (width, height));
         if scene.lights.iter().any(has_volumes) {
@@ -146,7 +151,12 @@ impl Balls {
                 let left_out = FramedObject::Unseen(nobody.clone());
                 Ok((!is_exact[index]).then_some(left_out))
             })?;
-            let left_out = || estimates.iter().zip(&is_exact).filter(|(_, exact)| !**exact);
+            let left_out = || {
+                estimates
+                    .iter()
+                    .zip(&is_exact)
+                    .filter(|(_, exact)| !**exact)
+            };
             let certain = left_out().filter_map(|(levels, _)| {
                 let levels = levels.as_ref()?;
                 levels.ends.filter(|_| levels.is_certain)
@@ -156,7 +166,9 @@ impl Balls {
             let own = self.view(&suggested.scaled(choice.seen), &RANGE_FORMAT);
             let agrees = |levels: &Levels, ball: &Ball| {
                 let is_usual = levels.ends.is_none_or(|[low, high]| {
-                    let within = choice.ends.is_some_and(|[first, last]| low >= first && high <= last);
+                    let within = choice
+                        .ends
+                        .is_some_and(|[first, last]| low >= first && high <= last);
                     let is_whole = match self.is_perspective {
                         true => low >= choice.level,
                         false => high <= choice.level,
@@ -210,16 +222,19 @@ impl Placed {
         let outline = Outline::of(ball, view)?;
         let screen = view.screen();
         let span = match outline.span(view) {
-            _ if ball.is_behind() => Span::Beside,
+            _ if view.is_behind(ball) => Span::Beside,
             span => span,
         };
         // The box of an object beside the screen is empty only if no end of the depth is passed.
-        let is_unseen = ball.is_behind() || outline.is_within_ends(view, &screen);
+        let is_unseen = view.is_behind(ball) || outline.is_within_ends(view, &screen);
         let (window, errors) = match span {
             Span::Beside if is_unseen => (screen, WordErrors::NONE),
             Span::Inside(window) if outline.is_within_ends(view, &window) => {
                 let reach = [window.x1 - window.x0, window.y1 - window.y0];
-                (window, WordErrors::of(reach.map(|n| 0.5 * n as f64 + 1.0), format))
+                (
+                    window,
+                    WordErrors::of(reach.map(|n| 0.5 * n as f64 + 1.0), format),
+                )
             }
             _ => {
                 // Its box may be larger than it has to be.
@@ -255,19 +270,20 @@ fn levels(ball: &Ball, outline: &Outline, view: &View) -> Levels {
     // The search works with whole pixels of depth around it.
     let wide = [low - 1.01, high + 1.01];
     let ends = range::levels_met(wide, view.full_depth(), view.is_perspective());
-    let is_inside = matches!(outline.span(view), Span::Inside(_)) && !ball.is_behind();
+    let is_inside = matches!(outline.span(view), Span::Inside(_)) && !view.is_behind(ball);
     let between = ([low, high], 0.01 + 2.0 * ball.spare * view.camera.pixels);
-    let is_level = |level| range::is_level_of(level, between, view.full_depth(), view.is_perspective());
+    let is_level =
+        |level| range::is_level_of(level, between, view.full_depth(), view.is_perspective());
     Levels {
-        is_certain: is_inside
-            && ends.is_some_and(|[first, last]| first == last && is_level(first)),
+        is_certain: is_inside && ends.is_some_and(|[first, last]| first == last && is_level(first)),
         ends,
     }
 }
 
 /// True if f1 and f2 of a ball surely hold in their words in a range, on its box in the range that is suggested.
 fn fits(ball: &Ball, own: &View, suggested: &View) -> bool {
-    let (Some(outline), Some(located)) = (Outline::of(ball, own), Outline::of(ball, suggested)) else {
+    let (Some(outline), Some(located)) = (Outline::of(ball, own), Outline::of(ball, suggested))
+    else {
         return false;
     };
     let window = match located.span(suggested) {

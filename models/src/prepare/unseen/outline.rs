@@ -113,6 +113,11 @@ impl View<'_> {
         matches!(self.depth, DepthWord::Perspective { .. })
     }
 
+    /// Does a ball lie wholly behind the viewer, if there is any.
+    pub fn is_behind(&self, ball: &Ball) -> bool {
+        self.is_perspective() && ball.along_view()[1] < 0.0
+    }
+
     /// The depth in pixels that fills the word.
     pub fn full_depth(&self) -> f64 {
         match self.depth {
@@ -159,7 +164,11 @@ impl Outline {
         let middle = view.middle();
         let [x, y, z] = ball.centre;
         match view.depth {
-            DepthWord::Orthographic { middle: zero, half, z_max } => {
+            DepthWord::Orthographic {
+                middle: zero,
+                half,
+                z_max,
+            } => {
                 let scale = z_max / half;
                 let unit = scale / pixels;
                 let conic = |radius: f64| Conic {
@@ -250,7 +259,10 @@ impl Outline {
             let linear = d - e * m / (2.0 * b);
             let constant = c - e * e / (4.0 * b);
             let root = (linear * linear - 4.0 * square * constant).sqrt();
-            let ends = [(-linear + root) / (2.0 * square), (-linear - root) / (2.0 * square)];
+            let ends = [
+                (-linear + root) / (2.0 * square),
+                (-linear - root) / (2.0 * square),
+            ];
             (b < 0.0 && square < 0.0).then_some(ends)
         };
         let wider = |[low, high]: [f64; 2], at: f64| {
@@ -277,9 +289,8 @@ impl Outline {
 
     /// Greatest distance of the box from the middle, in columns and lines.
     fn reach(&self, window: &ScreenBox) -> [f64; 2] {
-        let far = |low: i64, high: i64, at: f64| {
-            (at - low as f64).abs().max((high as f64 - at).abs())
-        };
+        let far =
+            |low: i64, high: i64, at: f64| (at - low as f64).abs().max((high as f64 - at).abs());
         [
             far(window.x0, window.x1, self.at[0]),
             far(window.y0, window.y1, self.at[1]),
@@ -321,7 +332,12 @@ impl Outline {
     }
 
     /// True if all that is computed of the ball lies between these depth words.
-    pub fn is_between(&self, [low, high]: [f64; 2], window: &ScreenBox, errors: &WordErrors) -> bool {
+    pub fn is_between(
+        &self,
+        [low, high]: [f64; 2],
+        window: &ScreenBox,
+        errors: &WordErrors,
+    ) -> bool {
         let [u, v] = self.reach(window);
         let spread = self.f1[1].abs() * u
             + self.f1[2].abs() * v
@@ -333,7 +349,13 @@ impl Outline {
 
     /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth that is not nearer
     /// than the one that is drawn there.
-    pub fn covered(&self, y: i64, window: &ScreenBox, errors: &WordErrors, mut each: impl FnMut(i64, f64)) {
+    pub fn covered(
+        &self,
+        y: i64,
+        window: &ScreenBox,
+        errors: &WordErrors,
+        mut each: impl FnMut(i64, f64),
+    ) {
         let line = self.inner.on_line(y as f64 - self.at[1]);
         // One more for the rounding of this sum.
         let (least, spare) = (errors.f2 + 1.0, self.f1_spare + errors.depth() + 1.0);
@@ -348,7 +370,13 @@ impl Outline {
     }
 
     /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where `each` says so.
-    pub fn may_cover(&self, y: i64, window: &ScreenBox, errors: &WordErrors, mut each: impl FnMut(i64, f64) -> bool) -> bool {
+    pub fn may_cover(
+        &self,
+        y: i64,
+        window: &ScreenBox,
+        errors: &WordErrors,
+        mut each: impl FnMut(i64, f64) -> bool,
+    ) -> bool {
         let line = self.outer.on_line(y as f64 - self.at[1]);
         let spare = self.f1_spare + errors.depth() + 1.0;
         let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) - spare;
@@ -381,7 +409,8 @@ impl Line {
             }
         }
         let root = radicand.max(0.0).sqrt();
-        let [low, high] = [-1.0, 1.0].map(|sign| at + (-self.d - sign * root * self.a.signum()) / (2.0 * self.a));
+        let [low, high] =
+            [-1.0, 1.0].map(|sign| at + (-self.d - sign * root * self.a.signum()) / (2.0 * self.a));
         let (low, high) = (low.min(high), low.max(high));
         let first = (low - 1e-3).ceil().max(window.x0 as f64) as i64;
         let last = (high + 1e-3).floor().min(window.x1 as f64) as i64;
