@@ -54,9 +54,30 @@ pub struct Arguments {
     /// End with exit code 0 though an object that cannot be drawn is left out.
     #[arg(long, global = true)]
     pub allow_missing: bool,
+    /// Most memory to take, such as 512M or 2G, for scenes of very many objects [default: what the machine has].
+    #[arg(long, global = true, value_name = "SIZE", value_parser = bytes)]
+    pub max_memory: Option<u64>,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+/// Bytes, with a unit of 1024, 1024^2 or 1024^3 of them.
+fn bytes(text: &str) -> Result<u64, String> {
+    let (digits, unit) = match text.char_indices().last() {
+        Some((at, letter)) if letter.is_ascii_alphabetic() => (&text[..at], letter),
+        _ => (text, ' '),
+    };
+    let shift = match unit.to_ascii_uppercase() {
+        ' ' => Some(0),
+        'K' => Some(10),
+        'M' => Some(20),
+        'G' => Some(30),
+        _ => None,
+    };
+    let number: Option<u64> = digits.parse().ok().filter(|number| *number > 0);
+    let bytes = number.zip(shift).and_then(|(number, shift)| number.checked_mul(1 << shift));
+    bytes.ok_or_else(|| "a number of bytes is expected, such as 512M or 2G".to_owned())
 }
 
 /// What to do about objects that cannot be drawn.
@@ -155,4 +176,20 @@ pub enum Command {
 fn depth_word(text: &str) -> Result<u32, String> {
     text.parse()
         .map_err(|_| "expected a number of bits: 16, 20, 24, 28 or 32".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bytes;
+
+    #[test]
+    fn sizes_have_units() {
+        assert_eq!(bytes("3"), Ok(3));
+        assert_eq!(bytes("2k"), Ok(2048));
+        assert_eq!(bytes("512M"), Ok(512 << 20));
+        assert_eq!(bytes("2G"), Ok(2 << 30));
+        for text in ["", "G", "0", "0M", "-1", "1.5G", "2T", "2GB", "99999999999G", "é"] {
+            assert!(bytes(text).is_err(), "{text}");
+        }
+    }
 }

@@ -12,7 +12,7 @@ mod usage;
 
 use failure::Failure;
 use imogene::arguments::{self, Arguments, Command};
-use imogene_files::Scratch;
+use imogene_files::{Scratch, limit_memory};
 use paths::Paths;
 use serde_json::json;
 use std::process::ExitCode;
@@ -56,6 +56,9 @@ fn end(json: bool, outcome: Result<(), Failure>) -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), Failure> {
     let json = arguments.json;
     missing::set(arguments.policy());
+    if let Some(bytes) = arguments.max_memory {
+        limit_memory(bytes);
+    }
     Paths::of(&arguments.command).check(json)?;
     match &arguments.command {
         Command::Demo(options) => command::demo::run(options, json),

@@ -1,10 +1,10 @@
-//! What a command puts out: one JSON document, or text for a person, on standard output; files; progress bars on
-//! standard error when that is a terminal.
+//! What a command puts out: one JSON document, or text for a person, on standard output; files; progress on standard
+//! error, as a bar if that is a terminal and else as a line now and then.
 
 use crate::failure::Failure;
 use crate::process;
 use imogene_files::{Identity, Outputs, end_process};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, WeakProgressBar};
 use serde::Serialize;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
 use std::path::Path;
@@ -14,6 +14,9 @@ use std::time::{Duration, Instant};
 
 /// Text that waits no longer than this while more comes: a person sees slow results one by one.
 const LATEST: Duration = Duration::from_millis(100);
+
+/// Time between two lines of progress where there is no bar.
+const PERIOD: Duration = Duration::from_secs(10);
 
 /// Standard output, written through one buffer.
 struct Printer {
@@ -130,14 +133,62 @@ pub fn warning(value: impl std::fmt::Display) {
     complain(format_args!("warning: {value}"));
 }
 
-/// A progress bar of `length` steps, hidden unless standard error is a terminal.
+/// Progress of `length` steps, nothing if they are not known: a bar on a terminal, and else a line every ten seconds.
 pub fn progress(length: u64, what: &'static str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
+        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
+        tell_now_and_then(bar.downgrade(), what);
+        return bar;
     }
     let style = ProgressStyle::with_template("{msg:<28} {bar:40} {percent:>3} % {eta:>6}")
         .expect("a valid template");
     ProgressBar::new(length)
         .with_style(style)
         .with_message(what)
+}
+
+/// Says how far it is until the work has ended.
+fn tell_now_and_then(bar: WeakProgressBar, what: &'static str) {
+    let started = Instant::now();
+    std::thread::spawn(move || {
+        loop {
+            std::thread::sleep(PERIOD);
+            match bar.upgrade().filter(|bar| !bar.is_finished()) {
+                Some(bar) => {
+                    let length = bar.length().unwrap_or(0);
+                    complain(progress_line(what, bar.position(), length, started.elapsed()));
+                }
+                None => return,
+            }
+        }
+    });
+}
+
+/// How far it is, and how long it will still take if it goes on as it did.
+fn progress_line(what: &str, done: u64, length: u64, taken: Duration) -> String {
+    if length == 0 {
+        return format!("{what}: {done}");
+    }
+    let percent = 100 * done.min(length) / length;
+    if done == 0 {
+        return format!("{what}: {percent} %");
+    }
+    let left = taken.as_secs_f64() * length.saturating_sub(done) as f64 / done as f64;
+    format!("{what}: {percent} %, {left:.0} s left")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_says_how_far_it_is_and_how_long_it_takes() {
+        let taken = Duration::from_secs(30);
+        let line = |done, length| progress_line("framing", done, length, taken);
+        assert_eq!(line(25, 100), "framing: 25 %, 90 s left");
+        assert_eq!(line(0, 100), "framing: 0 %");
+        assert_eq!(line(100, 100), "framing: 100 %, 0 s left");
+        assert_eq!(line(120, 100), "framing: 100 %, 0 s left");
+        assert_eq!(line(7, 0), "framing: 7");
+    }
 }

@@ -11,7 +11,7 @@ mod read;
 mod target;
 
 pub use litter::{Scratch, end_process, end_process_at_once};
-pub use memory::free_memory;
+pub use memory::{free_memory, limit_memory, memory_limit};
 pub use outputs::{Outputs, WriteError, write_whole};
 pub use read::{read, read_text};
 pub use target::{Identity, Target, check_folder};

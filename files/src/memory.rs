@@ -1,8 +1,22 @@
 //! Memory that this process can still take.
 
 use std::fs;
+use std::sync::OnceLock;
 
-/// Bytes that are free for this process: of the machine, of the control group that holds it, of its own limit; none
+static LIMIT: OnceLock<u64> = OnceLock::new();
+
+/// Lets this process take no more than so many bytes in all, as far as it asks before it takes them; the first limit
+/// stays.
+pub fn limit_memory(bytes: u64) {
+    let _ = LIMIT.set(bytes);
+}
+
+/// The limit of [`limit_memory`].
+pub fn memory_limit() -> Option<u64> {
+    LIMIT.get().copied()
+}
+
+/// Bytes that are free for this process: of the machine, of the control group that holds it, of its own limits; none
 /// if the system tells nothing of it.
 pub fn free_memory() -> Option<u64> {
     let read = |path: &str| fs::read_to_string(path).ok();
@@ -20,7 +34,11 @@ pub fn free_memory() -> Option<u64> {
         let taken = field(&read("/proc/self/status")?, "VmSize:")? << 10;
         Some(most.saturating_sub(taken))
     });
-    [machine, group, own].into_iter().flatten().min()
+    let limit = LIMIT.get().map(|limit| {
+        let taken = read("/proc/self/status").and_then(|status| field(&status, "VmRSS:"));
+        limit.saturating_sub(taken.unwrap_or(0) << 10)
+    });
+    [machine, group, own, limit].into_iter().flatten().min()
 }
 
 /// The number that follows a name at the beginning of a line.

@@ -37,9 +37,10 @@ pub mod units;
 use crate::arguments::{Guards, Scene, Shape, Size, View, Widths};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
+use imogene_files::{free_memory, memory_limit};
 use imogene_models::animation::Playback;
 use imogene_models::format::Format;
-use imogene_models::prepare::{PreparedScene, prepare_reporting, steps};
+use imogene_models::prepare::{PreparedScene, Seen, memory, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, SceneFile};
 use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
@@ -60,9 +61,11 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
 fn load_seen(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     let file = read_scene(&scene.scene, &scene.view)?;
     let ((width, height), format) = (size_of(&file, scene.size), format_of(scene)?);
-    let framed = file
-        .frame_seen(width, height, &format)
-        .map_err(Failure::input)?;
+    let bar = output::progress(file.frame_steps(), "framing");
+    let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1)).map_err(Failure::input)?;
+    has_room(seen.memory(), file.objects.len())?;
+    let framed = seen.frame(&|| bar.inc(1)).map_err(Failure::input)?;
+    bar.finish_and_clear();
     // A file of a million objects takes more memory than what is kept of them.
     drop(file);
     prepared(framed, format)
@@ -125,7 +128,29 @@ fn frame_in(
     format: Format,
 ) -> Result<(FramedScene, PreparedScene), Failure> {
     let (width, height) = size_of(file, size);
-    prepared(file.frame(width, height).map_err(Failure::input)?, format)
+    has_room(memory::of_scene(file), file.objects.len())?;
+    let bar = output::progress(file.frame_steps(), "framing");
+    let framed = file.frame_reporting(width, height, &|| bar.inc(1));
+    bar.finish_and_clear();
+    prepared(framed.map_err(Failure::input)?, format)
+}
+
+/// Refuses a preparation that would not fit into memory.
+fn has_room(needed: u64, objects: usize) -> Result<(), Failure> {
+    let Some(free) = free_memory().filter(|free| *free < needed) else {
+        return Ok(());
+    };
+    let mib = |bytes: u64| bytes.div_ceil(1 << 20);
+    let remedy = match memory_limit() {
+        Some(limit) => format!("--max-memory {}M", mib(limit + needed - free)),
+        None => format!("{}M more memory", mib(needed - free)),
+    };
+    Err(Failure::Input(format!(
+        "preparing {} takes up to {}M of memory, and {}M are left; {remedy} would do, or fewer objects",
+        counted(objects, "object"),
+        mib(needed),
+        mib(free)
+    )))
 }
 
 /// A framed scene and its words.

@@ -152,7 +152,7 @@ impl<'a> Animator<'a> {
                 Some(kept) => Ok(Some(kept.clone())),
                 None => flat.check_moved(object).map(|()| None),
             }
-        })?;
+        }, done)?;
         let options = self.options;
         let (prepared, reuse) = prepare_again(&framed, self.format, options, &mut self.kept, done)?;
         self.before = Some(Before::of(flat.into_owned(), &framed));

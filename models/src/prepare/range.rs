@@ -51,8 +51,27 @@ impl SceneFile {
     ///
     /// What the checks of a scene refuse, such as a size that is out of range.
     pub fn frame(&self, width: u32, height: u32) -> Result<FramedScene, SceneError> {
+        self.frame_reporting(width, height, &|| ())
+    }
+
+    /// The same; `done` is called about once for each of [`SceneFile::frame_steps`], from any thread.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`SceneFile::frame`].
+    pub fn frame_reporting(
+        &self,
+        width: u32,
+        height: u32,
+        done: &(impl Fn() + Sync),
+    ) -> Result<FramedScene, SceneError> {
         self.validate()?;
-        frame_keeping(&self.flattened(), (width, height), |_, _| Ok(None))
+        frame_keeping(&self.flattened(), (width, height), |_, _| Ok(None), done)
+    }
+
+    /// Steps of the framing, for a bar of its progress.
+    pub fn frame_steps(&self) -> u64 {
+        2 * self.objects.len() as u64
     }
 }
 
@@ -62,10 +81,11 @@ pub(crate) fn frame_keeping(
     scene: &SceneFile,
     size: (u32, u32),
     kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    done: &(impl Fn() + Sync),
 ) -> Result<FramedScene, SceneError> {
     let suggested = DepthRange::of_camera(&scene.camera);
     let mut framed = scene.frame_within(&suggested, size, kept)?;
-    let chosen = Depths::new(&framed).choose(None).range;
+    let chosen = Depths::new(&framed).choose(None, done).range;
     if chosen.near != suggested.near || chosen.far != suggested.far {
         framed = scene.frame_within(&chosen, size, |_, _| Ok(None))?;
     }
@@ -126,9 +146,15 @@ impl<'a> Depths<'a> {
     }
 
     /// The range for the objects, and for others of which only the least and the greatest level is known.
-    pub fn choose(&self, others: Option<[i32; 2]>) -> Choice {
+    ///
+    /// `done` is called about twice for each object.
+    pub fn choose(&self, others: Option<[i32; 2]>, done: &(impl Fn() + Sync)) -> Choice {
         let suggested = &self.scene.range;
-        let levels = self.bodies.par_iter().map(|body| self.level(body));
+        let levels = self.bodies.par_iter().map(|body| {
+            let level = self.level(body);
+            done();
+            level
+        });
         let levels: Vec<Option<i32>> = levels.collect();
         let ends = self.ends(
             levels
@@ -143,7 +169,7 @@ impl<'a> Depths<'a> {
         };
         let level = match suggested.origin {
             RangeOrigin::Hand => 0,
-            _ => self.widened(seen),
+            _ => self.widened(seen, done),
         };
         let mut range = suggested.scaled(level);
         range.cut = self.cut(&levels, level);
@@ -177,7 +203,7 @@ impl<'a> Depths<'a> {
     }
 
     /// The same, widened until f2 and f1 + r of as many objects as possible stay in their words.
-    fn widened(&self, level: i32) -> i32 {
+    fn widened(&self, level: i32, done: &(impl Fn() + Sync)) -> i32 {
         let (step, widest) = match self.context.perspective {
             true => (-1, WIDEST[0]),
             false => (1, WIDEST[1]),
@@ -185,7 +211,11 @@ impl<'a> Depths<'a> {
         let computed = |search| -> Vec<Computed> {
             let objects = self.scene.objects.par_iter();
             objects
-                .filter_map(|object| self.computed(object, level + step * widest, search))
+                .filter_map(|object| {
+                    let computed = self.computed(object, level + step * widest, search);
+                    done();
+                    computed
+                })
                 .collect()
         };
         let limits = Limits::of(&self.context.format);

@@ -9,6 +9,7 @@ mod ball;
 mod buffer;
 mod outline;
 
+use super::memory;
 use super::range::{self, Depths, frame_keeping};
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
@@ -21,6 +22,7 @@ use ball::Ball;
 use buffer::Buffer;
 use outline::{DepthWord, Outline, Span, View, WordErrors};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Words per depth word of the format in which a range is chosen.
@@ -42,14 +44,72 @@ impl SceneFile {
         height: u32,
         format: &Format,
     ) -> Result<FramedScene, SceneError> {
-        self.validate()?;
-        let (scene, size) = (self.flattened(), (width, height));
-        if scene.lights.iter().any(has_volumes) {
-            return frame_keeping(&scene, size, |_, _| Ok(None));
-        }
-        let balls = Balls::of(&scene, size)?;
-        let range = balls.range(&scene)?;
-        let absent = balls.absent(&range, format);
+        Seen::of(self, (width, height), format, &|| ())?.frame(&|| ())
+    }
+}
+
+/// What of a scene may be seen, before it is framed.
+pub struct Seen<'a> {
+    scene: Cow<'a, SceneFile>,
+    size: (u32, u32),
+    /// The range of the depth; nothing if all objects are kept.
+    range: Option<DepthRange>,
+    absent: Vec<Option<Absence>>,
+}
+
+impl<'a> Seen<'a> {
+    /// Finds what may be seen of a picture of so many columns and lines; `done` is called about once for each of
+    /// [`SceneFile::frame_steps`], from any thread.
+    ///
+    /// # Errors
+    ///
+    /// What the checks of a scene refuse.
+    pub fn of(
+        file: &'a SceneFile,
+        size: (u32, u32),
+        format: &Format,
+        done: &(impl Fn() + Sync),
+    ) -> Result<Seen<'a>, SceneError> {
+        file.validate()?;
+        let scene = file.flattened();
+        let keeps_all = scene.lights.iter().any(has_volumes);
+        let (range, absent) = if keeps_all {
+            (None, vec![None; scene.objects.len()])
+        } else {
+            let balls = Balls::of(&scene, size)?;
+            let range = balls.range(&scene, done)?;
+            let absent = balls.absent(&range, format);
+            (Some(range), absent)
+        };
+        Ok(Seen {
+            scene,
+            size,
+            range,
+            absent,
+        })
+    }
+
+    /// Bytes of memory that framing and preparing it will take at most.
+    pub fn memory(&self) -> u64 {
+        let objects = self.scene.objects.iter().zip(&self.absent);
+        memory::of_objects(&self.scene, objects.map(|(object, absent)| (object, absent.is_some())))
+    }
+
+    /// The scene in the camera frame; `done` as in [`Seen::of`].
+    ///
+    /// # Errors
+    ///
+    /// If an object cannot be had where it is placed.
+    pub fn frame(self, done: &(impl Fn() + Sync)) -> Result<FramedScene, SceneError> {
+        let Seen {
+            scene,
+            size,
+            range,
+            absent,
+        } = self;
+        let Some(range) = range else {
+            return frame_keeping(&scene, size, |_, _| Ok(None), done);
+        };
         let mut framed = scene.frame_within(&range, size, |index, material| {
             let unseen = |why| {
                 FramedObject::Unseen(Arc::new(Unseen {
@@ -131,7 +191,11 @@ impl Balls {
     }
 
     /// The range of the depth that the whole scene has, for which only those objects are framed that may decide it.
-    fn range(&self, scene: &SceneFile) -> Result<DepthRange, SceneError> {
+    fn range(
+        &self,
+        scene: &SceneFile,
+        done: &(impl Fn() + Sync),
+    ) -> Result<DepthRange, SceneError> {
         let suggested = DepthRange::of_camera(&scene.camera);
         let view = self.view(&suggested, &RANGE_FORMAT);
         let estimate = |ball: &Option<Ball>| {
@@ -162,7 +226,7 @@ impl Balls {
                 levels.ends.filter(|_| levels.is_certain)
             });
             let certain = certain.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
-            let choice = Depths::new(&framed).choose(certain);
+            let choice = Depths::new(&framed).choose(certain, done);
             let own = self.view(&suggested.scaled(choice.seen), &RANGE_FORMAT);
             let agrees = |levels: &Levels, ball: &Ball| {
                 let is_usual = levels.ends.is_none_or(|[low, high]| {
