@@ -4,71 +4,13 @@ Nobody needs it to use them; it says what they are, and tests count on these num
 """
 
 import math
-import pathlib
-import re
 import sys
 
 import cadquery as cq
-from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
-from OCP.IFSelect import IFSelect_RetDone
-from OCP.Interface import Interface_Static
-from OCP.STEPCAFControl import STEPCAFControl_Writer
-from OCP.STEPControl import STEPControl_AsIs, STEPControl_Writer
-from OCP.TCollection import TCollection_HAsciiString
+
+from step_output import assembly, solid
 
 FOLDER = sys.argv[1]
-
-
-def header(model, name):
-    """A header without a path, a person or a time of day."""
-    text = TCollection_HAsciiString
-    head = APIHeaderSection_MakeHeader(model)
-    head.SetName(text(name))
-    head.SetTimeStamp(text("2026-01-01T00:00:00"))
-    head.SetAuthorValue(1, text(""))
-    head.SetOrganizationValue(1, text(""))
-    head.SetOriginatingSystem(text("cadquery 2.8.0, OpenCASCADE 7.9.3"))
-    head.SetPreprocessorVersion(text(""))
-    head.SetAuthorisation(text(""))
-    head.Apply(model)
-
-
-def settings(unit="MM", pcurves=0):
-    Interface_Static.SetCVal_s("write.step.unit", unit)
-    Interface_Static.SetIVal_s("write.surfacecurve.mode", pcurves)
-    Interface_Static.SetIVal_s("write.precision.mode", 0)
-
-
-def solid(name, shape, **kind):
-    writer = STEPControl_Writer()
-    settings(**kind)
-    Interface_Static.SetCVal_s("write.step.product.name", name)
-    writer.Transfer(shape.wrapped, STEPControl_AsIs)
-    header(writer.Model(), name)
-    finish(writer, name)
-
-
-def finish(writer, name):
-    """Writes a file; the number that OpenCASCADE puts behind the name of a product goes."""
-    path = pathlib.Path(FOLDER) / f"{name}.step"
-    assert writer.Write(str(path)) == IFSelect_RetDone
-    path.write_text(re.sub(rf"'{name} \d+'", f"'{name}'", path.read_text()))
-
-
-def assembly(name, parts, **kind):
-    from OCP.TDocStd import TDocStd_Document
-    from OCP.TCollection import TCollection_ExtendedString
-    from OCP.XCAFApp import XCAFApp_Application
-    from cadquery.occ_impl.assembly import toCAF
-
-    _, document = toCAF(parts, True)
-    writer = STEPCAFControl_Writer()
-    settings(**kind)
-    writer.SetColorMode(True)
-    writer.SetNameMode(True)
-    writer.Transfer(document, STEPControl_AsIs)
-    header(writer.ChangeWriter().Model(), name)
-    finish(writer, name)
 
 
 def cylinder(radius, foot, axis, height):
@@ -147,10 +89,10 @@ def stand():
     return parts
 
 
-solid("flange", flange())
-solid("fillet", fillet())
-solid("cross-drilled", cross_drilled())
-solid("fixture", fixture(), pcurves=1)
-solid("nut", nut())
-solid("hollow", hollow())
-assembly("stand", stand(), unit="INCH")
+solid(FOLDER, "flange", flange())
+solid(FOLDER, "fillet", fillet())
+solid(FOLDER, "cross-drilled", cross_drilled())
+solid(FOLDER, "fixture", fixture(), pcurves=1)
+solid(FOLDER, "nut", nut())
+solid(FOLDER, "hollow", hollow())
+assembly(FOLDER, "stand", stand(), unit="INCH")
