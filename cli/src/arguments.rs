@@ -76,7 +76,9 @@ fn bytes(text: &str) -> Result<u64, String> {
         _ => None,
     };
     let number: Option<u64> = digits.parse().ok().filter(|number| *number > 0);
-    let bytes = number.zip(shift).and_then(|(number, shift)| number.checked_mul(1 << shift));
+    let bytes = number
+        .zip(shift)
+        .and_then(|(number, shift)| number.checked_mul(1 << shift));
     bytes.ok_or_else(|| "a number of bytes is expected, such as 512M or 2G".to_owned())
 }
 
@@ -188,7 +190,18 @@ mod tests {
         assert_eq!(bytes("2k"), Ok(2048));
         assert_eq!(bytes("512M"), Ok(512 << 20));
         assert_eq!(bytes("2G"), Ok(2 << 30));
-        for text in ["", "G", "0", "0M", "-1", "1.5G", "2T", "2GB", "99999999999G", "é"] {
+        for text in [
+            "",
+            "G",
+            "0",
+            "0M",
+            "-1",
+            "1.5G",
+            "2T",
+            "2GB",
+            "99999999999G",
+            "é",
+        ] {
             assert!(bytes(text).is_err(), "{text}");
         }
     }

@@ -156,7 +156,12 @@ fn tell_now_and_then(bar: WeakProgressBar, what: &'static str) {
             match bar.upgrade().filter(|bar| !bar.is_finished()) {
                 Some(bar) => {
                     let length = bar.length().unwrap_or(0);
-                    complain(progress_line(what, bar.position(), length, started.elapsed()));
+                    complain(progress_line(
+                        what,
+                        bar.position(),
+                        length,
+                        started.elapsed(),
+                    ));
                 }
                 None => return,
             }

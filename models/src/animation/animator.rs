@@ -146,13 +146,18 @@ impl<'a> Animator<'a> {
         let scene = self.playback.scene(index)?;
         let flat = scene.flattened();
         let (width, height) = self.size;
-        let framed = frame_keeping(&flat, (width, height), |index, material| {
-            let object = &flat.objects[index];
-            match self.framed_before(object, material, &flat.camera) {
-                Some(kept) => Ok(Some(kept.clone())),
-                None => flat.check_moved(object).map(|()| None),
-            }
-        }, done)?;
+        let framed = frame_keeping(
+            &flat,
+            (width, height),
+            |index, material| {
+                let object = &flat.objects[index];
+                match self.framed_before(object, material, &flat.camera) {
+                    Some(kept) => Ok(Some(kept.clone())),
+                    None => flat.check_moved(object).map(|()| None),
+                }
+            },
+            done,
+        )?;
         let options = self.options;
         let (prepared, reuse) = prepare_again(&framed, self.format, options, &mut self.kept, done)?;
         self.before = Some(Before::of(flat.into_owned(), &framed));

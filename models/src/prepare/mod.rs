@@ -44,11 +44,11 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
-pub use unseen::Seen;
 pub use parts::{NeededWord, PreparedObject, PreparedParts};
 use rayon::prelude::*;
 use rounding::Anchor;
 use serde::Serialize;
+pub use unseen::Seen;
 use volume::{PreparedVolume, Volumes, prepare_volumes};
 
 /// A scene as a machine of a format is loaded with it.

@@ -1,8 +1,8 @@
 //! `imogene import` of faces: face lists and STEP files.
 
-use super::MAX_BYTES;
 use crate::arguments::Import;
 use crate::failure::Failure;
+use crate::molecules::load;
 use imogene_import::Imported;
 use imogene_import::faces::{FaceOptions, read, read_step};
 use std::path::Path;
@@ -15,7 +15,7 @@ pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
 /// The scene of a STEP file.
 pub fn import_step(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
     let folder = options.file.parent().unwrap_or(Path::new(""));
-    let beside = |name: &str| imogene_files::read(&folder.join(name), MAX_BYTES).ok();
+    let beside = |name: &str| load(&folder.join(name)).ok();
     read_step(bytes, &name(options), &asked(options), &beside).map_err(Failure::input)
 }
 

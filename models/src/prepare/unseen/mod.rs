@@ -92,7 +92,10 @@ impl<'a> Seen<'a> {
     /// Bytes of memory that framing and preparing it will take at most.
     pub fn memory(&self) -> u64 {
         let objects = self.scene.objects.iter().zip(&self.absent);
-        memory::of_objects(&self.scene, objects.map(|(object, absent)| (object, absent.is_some())))
+        memory::of_objects(
+            &self.scene,
+            objects.map(|(object, absent)| (object, absent.is_some())),
+        )
     }
 
     /// The scene in the camera frame; `done` as in [`Seen::of`].
