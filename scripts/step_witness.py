@@ -21,7 +21,8 @@ as docs/scene-format.md says. The worse of both views is printed:
 Faces that OpenCASCADE cannot mesh, though it has them, are counted ("not meshed"): where there are some, what differs
 may be its fault. A ghost is a face that the importer has beyond those of OpenCASCADE. Each file is read in a process of
 its own.
-Standard output has the table in Markdown; `--json FILE` and `--table FILE` write it to files.
+The table, in Markdown, goes to standard output and to `--table FILE` (witness.md in the folder for temporary files);
+`--json FILE` has all that was found.
 
 Exit code 1: a file in which OpenCASCADE finds a solid is refused, a ghost appears, or IoU is below 0.999 for a file
 without rejected faces (and, with --strict-holes, has holes or strays). 2: usage.
@@ -106,8 +107,10 @@ def recognised_kind(face, tolerance):
     kinds = {Geom_Plane: "plane", Geom_CylindricalSurface: "cylinder", Geom_ConicalSurface: "cone",
              Geom_SphericalSurface: "sphere", Geom_ToroidalSurface: "torus"}
     try:
-        bounds = BRepTools.UVBounds_s(face)
         surface = BRep_Tool.Surface_s(face)
+        # OpenCASCADE 7.9 crashes where the bounds of a face are a rounding error beyond those of its spline.
+        limits = surface.Bounds()
+        bounds = [min(max(v, limits[k // 2 * 2]), limits[k // 2 * 2 + 1]) for k, v in enumerate(BRepTools.UVBounds_s(face))]
         found = GeomConvert_SurfToAnaSurf(surface).ConvertToAnalytical(tolerance, *bounds)
         if found is None:
             from OCP.Geom import Geom_RectangularTrimmedSurface
@@ -414,7 +417,7 @@ def table(results):
             kinds += f"; {result['without_triangles']} not meshed" if result.get("without_triangles") else ""
         row = [pathlib.Path(result["file"]).name, occ and occ["solids"], occ and occ["faces"], kinds]
         if own["code"]:
-            row += [f"exit code {own['code']}: {own['message'].splitlines()[0] if own['message'] else ''}"] + [""] * 9
+            row += [f"exit code {own['code']}: {own['message'][:160]}"] + [""] * 9
         else:
             row += [own[key] for key in ("solids", "faces", "exact", "approximated", "rejected", "objects")]
             if result["views"]:
@@ -423,7 +426,7 @@ def table(results):
             else:
                 row += [""] * 4
         row.append("; ".join(result["wrong"]))
-        lines.append("| " + " | ".join(str("" if cell is None else cell).replace("|", "/") for cell in row) + " |")
+        lines.append("| " + " | ".join(str("" if cell is None else cell).replace("|", "/").replace("\n", " ") for cell in row) + " |")
     return "\n".join(lines)
 
 
@@ -455,7 +458,8 @@ def arguments():
     parser.add_argument("--timeout", type=float, default=120, help="seconds for one run of imogene")
     parser.add_argument("--jobs", type=int, default=2, help="files at a time")
     parser.add_argument("--json", help="file to write all results to")
-    parser.add_argument("--table", help="file to write the table to")
+    table_file = os.path.join(tempfile.gettempdir(), "witness.md")
+    parser.add_argument("--table", default=table_file, help="file to write the table to")
     parser.add_argument("--keep", help="folder for the distances of both programs, NAME-VIEW.npz")
     parser.add_argument("--strict-holes", action="store_true", help="holes and strays are failures too")
     parser.add_argument("--one", action="store_true", help=argparse.SUPPRESS)
