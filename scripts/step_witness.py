@@ -295,7 +295,7 @@ def run(command, seconds):
 
 
 def imported(options, path, scene):
-    code, document, message = run([options.imogene, "import", path, "-o", scene, "--json"], options.timeout)
+    code, document, message = run([options.imogene, "--allow-missing", "import", path, "-o", scene, "--json"], options.timeout)
     report = document.get("report", {})
     faces = report.get("faces", [])
     total = report.get("total", {})
@@ -317,7 +317,7 @@ def imported(options, path, scene):
 def rendered(options, scene, folder):
     """Distances along the view, infinite where the picture is empty; or None and why."""
     ids, depth = os.path.join(folder, "ids.npy"), os.path.join(folder, "depth.npy")
-    command = [options.imogene, "render", scene, "--json", "--allow-missing", "--size", f"{options.width}x{options.height}"]
+    command = [options.imogene, "--allow-missing", "render", scene, "--json", "--allow-missing", "--size", f"{options.width}x{options.height}"]
     command += ["-o", os.path.join(folder, "picture.png"), "--ids", ids, "--depth", depth]
     code, document, message = run(command, options.timeout)
     if code:

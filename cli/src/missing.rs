@@ -9,6 +9,7 @@ use imogene::arguments::Policy;
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, PreparedScene, refused};
 use imogene_models::scene::{DepthRange, End, FramedScene, SceneFile};
+use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -52,6 +53,24 @@ pub fn tell(place: &str, framed: &FramedScene, prepared: &PreparedScene) -> Resu
     }
     tell_ends(place, &framed.range);
     MISSING.fetch_add(prepared.missing.len(), Ordering::Relaxed);
+    Ok(())
+}
+
+/// Warns of what a scene lacks of the file that it was made from; `what` is the key of the scene.
+///
+/// # Errors
+///
+/// With `--strict`.
+pub fn incomplete(path: &Path, what: Option<&str>) -> Result<(), Failure> {
+    let Some(what) = what else { return Ok(()) };
+    if policy() == Policy::Strict {
+        return Err(Failure::Input(format!(
+            "{}: {what}; without --strict the rest is drawn",
+            path.display()
+        )));
+    }
+    output::warning(format_args!("{}: {what}", path.display()));
+    MISSING.fetch_add(1, Ordering::Relaxed);
     Ok(())
 }
 
@@ -115,8 +134,13 @@ pub fn verdict() -> Result<(), Failure> {
     match (MISSING.load(Ordering::Relaxed), policy()) {
         (0, _) | (_, Policy::Allow) => Ok(()),
         (n, _) => Err(Failure::Check(format!(
-            "{n} of the scene's objects or shadows could not be drawn and are missing; \
-             --allow-missing accepts that, --strict refuses such scenes"
+            "{} missing from the picture or the scene; \
+             --allow-missing accepts that, --strict refuses such scenes",
+            if n == 1 {
+                "something is".to_owned()
+            } else {
+                format!("{n} things are")
+            }
         ))),
     }
 }

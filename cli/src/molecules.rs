@@ -1,6 +1,7 @@
 //! Structure files: those that are imported, and those that scenes name.
 
 use crate::failure::Failure;
+use crate::missing;
 use imogene_import::{Kind, is_compressed, pdb, unpack};
 use imogene_models::scene::SceneFile;
 use std::path::Path;
@@ -21,6 +22,7 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Failure> {
 /// Reads a scene, and the molecules that it names from their files.
 pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
     let mut scene = SceneFile::read(path).map_err(Failure::input)?;
+    missing::incomplete(path, scene.incomplete.as_deref())?;
     let molecules = std::mem::take(&mut scene.molecules);
     if molecules.is_empty() {
         return Ok(scene);

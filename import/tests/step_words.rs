@@ -275,7 +275,7 @@ fn what_is_not_drawn_is_rejected_by_its_name() {
     let imported = read(&text).unwrap();
     assert_eq!(imported.report["step"]["left_out"]["CSG_SOLID"], 1);
     assert!(
-        imported.notes[0].starts_with("1 BLOCK left out"),
+        imported.notes[1].starts_with("1 BLOCK left out"),
         "{:?}",
         imported.notes
     );

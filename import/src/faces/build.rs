@@ -220,7 +220,12 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
         for list in &key.loops {
             loops.push(edge_loop(source, list, &by_name, edges)?);
         }
-        if loops.is_empty() && !matches!(surface, Surface::Sphere { .. } | Surface::Other(_)) {
+        if loops.is_empty()
+            && !matches!(
+                surface,
+                Surface::Sphere { .. } | Surface::Torus { .. } | Surface::Other(_)
+            )
+        {
             return Err(source.error(
                 key.name.span(),
                 format!(
@@ -228,7 +233,7 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
                     key.name.as_ref(),
                     surface.name()
                 ),
-                "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere alone has none",
+                "`loops = [[\"edge\", ...], ...]` is needed; a whole sphere or torus alone has none",
             ));
         }
         faces.push(Face {

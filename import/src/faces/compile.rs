@@ -308,13 +308,16 @@ pub fn parting(
         for curve in &course.pieces {
             let plane = match curve.plane() {
                 Some((point, normal)) => planes.find_or_add(point, normal),
-                None => courses.generator(index, edge_use.edge).ok_or_else(|| {
-                    format!(
-                        "edge `{}` is straight and no line of a {}",
-                        model.edges[edge_use.edge].name,
-                        face.surface.name()
-                    )
-                })?,
+                None => match courses.generator(index, edge_use.edge) {
+                    Some(plane) => plane,
+                    None => upright(curve, &face.surface, planes).ok_or_else(|| {
+                        format!(
+                            "edge `{}` is straight and no line of a {}",
+                            model.edges[edge_use.edge].name,
+                            face.surface.name()
+                        )
+                    })?,
+                },
             };
             let separator = parting.plane(planes, plane, EDGE);
             parting.boundaries.push(Boundary {
@@ -329,6 +332,14 @@ pub fn parting(
         parting.plane(planes, nappes, AUXILIARY);
     }
     Ok(parting)
+}
+
+/// The plane through a straight edge across its surface, which it follows within the accepted deviation.
+fn upright(curve: &Curve, surface: &Surface, planes: &mut Planes) -> Option<usize> {
+    let [from, to] = curve.ends();
+    let middle = surface.nearest(times(0.5, plus(from, to)))?;
+    let across = cross(minus(to, from), surface.normal_at(middle)?);
+    (length(across) > 0.0).then(|| planes.find_or_add(from, unit(across)))
 }
 
 /// Planes halfway between loops with edges that are taken apart: what bounds one has nothing to do with what bounds the other.

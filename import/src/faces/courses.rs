@@ -35,13 +35,15 @@ pub struct Courses {
     generators: Generators,
     /// Largest deviation that is accepted, scene units.
     pub max_deviation: f64,
+    /// Largest deviation of the bands of a torus, scene units.
+    pub bands: f64,
 }
 
 impl Courses {
     /// Of all edges of a model.
-    pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64) -> Courses {
+    pub fn new(model: &Model, planes: &mut Planes, max_deviation: f64, bands: f64) -> Courses {
         let courses = (0..model.edges.len())
-            .map(|edge| course(model, edge, max_deviation))
+            .map(|edge| course(model, edge, max_deviation, bands))
             .collect();
         let mut generators = Generators::new();
         for face in 0..model.faces.len() {
@@ -51,6 +53,7 @@ impl Courses {
             courses,
             generators,
             max_deviation,
+            bands,
         }
     }
 
@@ -65,7 +68,7 @@ impl Courses {
     }
 }
 
-fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, String> {
+fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result<Course, String> {
     let edge = &model.edges[index];
     let Curve::Points {
         points,
@@ -76,7 +79,7 @@ fn course(model: &Model, index: usize, max_deviation: f64) -> Result<Course, Str
     else {
         return Ok(Course {
             pieces: vec![edge.curve.clone()],
-            chords: super::torus::chords(model, index, max_deviation),
+            chords: super::torus::chords(model, index, bands),
             deviation: edge.off,
         });
     };

@@ -46,6 +46,7 @@ pub use surface::{Implicit, Surface};
 
 use crate::{ImportError, Imported, Place};
 use courses::Courses;
+use imogene_models::text::counted;
 use model::Model;
 use words::with_article;
 
@@ -71,10 +72,12 @@ pub struct Part {
 
 /// Share of the part's size that borders may be off by if the user does not say.
 pub const DEFAULT_DEVIATION: f64 = 1e-3;
+/// The same of tori: a silhouette shows more than a border.
+pub const DEFAULT_BANDS: f64 = 2e-4;
 
 /// Reads a face list and compiles it to a scene.
 pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
-    imported(&compile(bytes, file, options)?, file)
+    imported(&compile(bytes, file, options)?, file, &[])
 }
 
 /// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report. `beside` opens the files of
@@ -86,13 +89,16 @@ pub fn read_step(
     beside: Beside,
 ) -> Result<Imported, ImportError> {
     let (model, summary) = step::build(bytes, file, beside)?;
-    let mut imported = imported(&compile_model(model, options), file)?;
-    imported.notes.splice(0..0, summary.notes());
+    let part = compile_model(model, options);
+    debug_assert_eq!(summary.placed_faces, part.model.faces.len());
+    let mut imported = imported(&part, file, &summary.missing)?;
+    // What is missing first in one line, then in detail.
+    imported.notes.splice(1..1, summary.notes());
     imported.report["step"] = serde_json::to_value(summary).expect("a summary has plain keys");
     Ok(imported)
 }
 
-fn imported(part: &Part, file: &str) -> Result<Imported, ImportError> {
+fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported, ImportError> {
     let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
     let unusable = |problem: String, accepted: &str| ImportError::Unusable {
@@ -103,9 +109,18 @@ fn imported(part: &Part, file: &str) -> Result<Imported, ImportError> {
     let mut scene = scene.ok_or_else(|| {
         unusable(
             format!("no face can be drawn: {}", notes.join("; ")),
-            "at least one face on a plane, cylinder, cone or sphere is needed",
+            "at least one face on a plane, cylinder, cone, sphere or torus is needed",
         )
     })?;
+    let parts = match missing.len() {
+        0 => None,
+        count => Some(counted(count, "part or placement")),
+    };
+    let lacks: Vec<String> = report.rejected().into_iter().chain(parts).collect();
+    if !lacks.is_empty() {
+        let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+        scene.incomplete = Some(format!("{} of {name} missing", lacks.join(" and ")));
+    }
     scene
         .validate()
         .map_err(|error| unusable(error.to_string(), "another part is needed"))?;
@@ -158,6 +173,9 @@ fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
     let asked = options
         .max_deviation
         .unwrap_or(DEFAULT_DEVIATION * model.size());
+    let bands = options
+        .max_deviation
+        .unwrap_or(DEFAULT_BANDS * model.size());
     let mut planes = Planes::new(model::COINCIDENT * model.size());
     // The planes of faces first: an edge that lies in one takes its numbers.
     for face in &model.faces {
@@ -165,7 +183,7 @@ fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
             planes.find_or_add(origin, normal);
         }
     }
-    let courses = Courses::new(&model, &mut planes, asked);
+    let courses = Courses::new(&model, &mut planes, asked, bands);
     let solids = (0..model.solids.len())
         .map(|solid| compile_solid(&model, solid, &courses, &mut planes, options))
         .collect();

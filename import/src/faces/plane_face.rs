@@ -28,36 +28,19 @@ pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
     let Surface::Plane { origin, normal } = face.surface else {
         return Compiled::rejected("it is not plane");
     };
-    let deviation = match deviation(model, face, courses) {
-        Ok(deviation) => deviation,
+    let flat = planes.find_or_add(origin, normal);
+    let (parting, conics, chords, off) = match border(model, index, courses, planes, true) {
+        Ok(Border {
+            parting,
+            conics,
+            chords,
+            deviation,
+            ..
+        }) => (parting, conics, chords, deviation),
         Err(reason) => return Compiled::rejected(reason),
     };
-    let flat = planes.find_or_add(origin, normal);
-    let mut border = Border {
-        model,
-        face: index,
-        origin,
-        normal,
-        courses,
-        parting: Parting::default(),
-        conics: vec![],
-        chords: vec![],
-        deviation,
-    };
-    for edge_use in face.border() {
-        if let Err(reason) = border.edge(edge_use, planes) {
-            return Compiled::rejected(reason);
-        }
-    }
-    let Border {
-        mut parting,
-        conics,
-        chords,
-        deviation,
-        ..
-    } = border;
-    let border = parting.clone();
-    parting.split(planes, &chords);
+    let mut searched = parting.clone();
+    searched.split(planes, &chords);
     let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
         refined(parting, terms, samples, &conics, &face.surface)
     };
@@ -65,21 +48,61 @@ pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
         fits: &fits,
         refine: &refine,
     };
-    let cells = match terms(model, &face.surface, &mut parting, planes, &rules) {
-        Ok(terms) => Ok(terms
-            .iter()
-            .map(|term| cell(&parting, term, flat))
-            .collect()),
-        Err(_) => Slabs {
+    if let Ok(terms) = terms(model, &face.surface, &mut searched, planes, &rules) {
+        let cells = terms.iter().map(|term| cell(&searched, term, flat));
+        return compiled(model, face, Ok(cells.collect()), off);
+    }
+    let slabs = |parting: &Parting, planes: &mut Planes| {
+        let slabs = Slabs {
             surface: &face.surface,
-            parting: &border,
+            parting,
             bands: &Band::whole(&face.surface),
             flat: Some(flat),
             size: model.size(),
-        }
-        .cells(planes),
+        };
+        slabs.cells(planes)
     };
-    compiled(model, face, cells, deviation)
+    if let Ok(cells) = slabs(&parting, planes) {
+        return compiled(model, face, Ok(cells), off);
+    }
+    // A polygon can always be taken apart.
+    match border(model, index, courses, planes, false) {
+        Ok(polygon) => {
+            let cells = slabs(&polygon.parting, planes);
+            compiled(model, face, cells, polygon.deviation)
+        }
+        Err(reason) => Compiled::rejected(reason),
+    }
+}
+
+/// The border of a face, with conics or with chords in their place.
+fn border<'a>(
+    model: &'a Model,
+    index: usize,
+    courses: &'a Courses,
+    planes: &mut Planes,
+    conics: bool,
+) -> Result<Border<'a>, String> {
+    let face = &model.faces[index];
+    let Surface::Plane { origin, normal } = face.surface else {
+        return Err("it is not plane".into());
+    };
+    let mut border = Border {
+        model,
+        face: index,
+        origin,
+        normal,
+        courses,
+        with_conics: conics,
+        parting: Parting::default(),
+        conics: vec![],
+        chords: vec![],
+        deviation: deviation(model, face, courses)?,
+    };
+    for edge_use in face.border() {
+        border.edge(edge_use, planes)?;
+    }
+    Ok(border)
 }
 
 fn conics_of(parting: &Parting, term: &Term) -> Vec<(usize, bool)> {
@@ -150,6 +173,8 @@ struct Border<'a> {
     origin: Vector,
     normal: Vector,
     courses: &'a Courses,
+    /// Curves may be conics.
+    with_conics: bool,
     parting: Parting,
     conics: Vec<(usize, Conic)>,
     chords: Vec<(Vector, Vector)>,
@@ -212,6 +237,9 @@ impl Border<'_> {
 
     /// The separator of a curved edge in the plane: the neighbour's quadric, or the cylinder upright on a circle or ellipse.
     fn conic(&mut self, edge: usize, curve: &Curve) -> Option<usize> {
+        if !self.with_conics {
+            return None;
+        }
         let neighbour = self
             .model
             .neighbours(self.face, edge)

@@ -165,30 +165,98 @@ fn edges(model: &Model, courses: &Courses) -> EdgeCounts {
     counts
 }
 
+/// Most names that a line for a person has.
+const MOST_NAMES: usize = 4;
+
+/// The summary first, then what is rejected by its reasons, and the worst of what is approximated.
 fn notes(report: &Report) -> Vec<String> {
-    let mut notes = vec![];
-    for face in &report.faces {
-        match (&face.deviation, &face.reason) {
-            (Some(off), _) => notes.push(format!(
-                "face `{}` ({}): approximated, its border is off by at most {off:.3e}",
-                face.name, face.surface
-            )),
-            (_, Some(reason)) => notes.push(format!(
-                "face `{}` ({}): rejected, {reason}",
-                face.name, face.surface
-            )),
-            _ => {}
-        }
-    }
     let Counts {
         exact,
         approximated,
         rejected,
     } = report.total;
-    notes.push(format!(
+    let mut notes = vec![format!(
         "{} of {}: {exact} exact, {approximated} approximated, {rejected} rejected",
         counted(report.faces.len(), "face"),
         counted(report.solids, "solid")
-    ));
+    )];
+    let mut reasons: Vec<(&FaceReport, String, Vec<&str>, bool)> = vec![];
+    for face in &report.faces {
+        let Some(reason) = &face.reason else { continue };
+        let kind = without_numbers(reason);
+        match reasons
+            .iter_mut()
+            .find(|(first, known, ..)| first.surface == face.surface && *known == kind)
+        {
+            Some((first, _, names, same)) => {
+                names.push(&face.name);
+                *same &= first.reason == face.reason;
+            }
+            None => reasons.push((face, kind, vec![&face.name], true)),
+        }
+    }
+    for (first, kind, names, same) in &reasons {
+        let surface = &first.surface;
+        let reason = first.reason.as_deref().unwrap_or_default();
+        notes.push(match &names[..] {
+            [name] => format!("face `{name}` ({surface}): rejected, {reason}"),
+            names => format!(
+                "{} ({surface}): rejected, {}: {}",
+                counted(names.len(), "face"),
+                if *same { reason } else { kind },
+                listed(names)
+            ),
+        });
+    }
+    let deviations = report.faces.iter().filter_map(|f| Some((f.deviation?, f)));
+    if let Some((off, face)) = deviations.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        notes.push(format!(
+            "{approximated} approximated: face `{}` ({}) is off by at most {off:.3e}, the others by no more",
+            face.name, face.surface
+        ));
+    }
     notes
+}
+
+/// A reason with `...` for the numbers and names of its own face.
+fn without_numbers(reason: &str) -> String {
+    let mut words: Vec<&str> = vec![];
+    for word in reason.split(' ') {
+        let own = word.contains('#') || word.chars().any(|c| c.is_ascii_digit());
+        words.push(if own { "..." } else { word });
+    }
+    words.join(" ")
+}
+
+/// The first of some names, and how many more there are.
+fn listed(names: &[&str]) -> String {
+    let first: Vec<String> = names
+        .iter()
+        .take(MOST_NAMES)
+        .map(|n| format!("`{n}`"))
+        .collect();
+    match names.len().saturating_sub(MOST_NAMES) {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
+    }
+}
+
+impl Report {
+    /// What is not drawn, by kinds of surfaces; nothing if all is.
+    pub fn rejected(&self) -> Option<String> {
+        let kinds: Vec<String> = self
+            .counts
+            .iter()
+            .filter(|(_, counts)| counts.rejected > 0)
+            .map(|(kind, counts)| format!("{} {kind}", counts.rejected))
+            .collect();
+        (!kinds.is_empty()).then(|| {
+            format!(
+                "{} of {} ({})",
+                self.total.rejected,
+                counted(self.faces.len(), "face"),
+                kinds.join(", ")
+            )
+        })
+    }
 }

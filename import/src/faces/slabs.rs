@@ -770,12 +770,26 @@ impl Work<'_> {
         strips.iter().enumerate().any(|(slab, strips)| {
             let middle = self.middle(slab);
             strips.iter().filter(|strip| !strip.inside).any(|strip| {
-                let v = self.inner(strip.at, strip.at);
-                let p = self.sheet.point(middle, v);
-                let wide = strip.at[1] - strip.at[0] > 1e-6 * self.face.size.min(1.0);
-                wide && cell.takes(p, planes)
+                let mut places = self.probes(strip.at).into_iter();
+                places.any(|v| cell.takes(self.sheet.point(middle, v), planes))
             })
         })
+    }
+
+    /// Places between two v, far out where one is open: a conic may come back there.
+    fn probes(&self, [low, high]: [f64; 2]) -> Vec<f64> {
+        if high - low <= WIDEST_GAP * self.face.size {
+            return vec![];
+        }
+        let far = [0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0].map(|share| share * self.face.size);
+        match (low.is_finite(), high.is_finite()) {
+            (true, true) => [0.1, 0.5, 0.9]
+                .map(|share| low + share * (high - low))
+                .to_vec(),
+            (true, false) => far.map(|way| low + way).to_vec(),
+            (false, true) => far.map(|way| high - way).to_vec(),
+            (false, false) => vec![0.0],
+        }
     }
 }
 

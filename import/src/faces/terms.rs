@@ -12,6 +12,12 @@ use super::vector::{Vector, along, dot, minus, plus, times, unit};
 /// Most rounds of splitting a face before it is given up: the depth limit of trim structures (thesis section III.4.2).
 pub const MAX_ROUNDS: usize = 13;
 
+/// Most pieces of a border from which a search for few terms is worth its time.
+const MOST_SEARCHED: usize = 40;
+
+/// Most pieces of a surface that are searched.
+const MOST_SAMPLES: usize = 20_000;
+
 /// Planes that take terms apart, a point and a normal each.
 pub type Refine<'a> = &'a dyn Fn(&Parting, &[Term], &[Sample]) -> Vec<PlaneOf>;
 
@@ -33,6 +39,9 @@ pub fn terms(
     planes: &mut Planes,
     rules: &Rules,
 ) -> Result<Vec<Term>, String> {
+    if parting.separators.len() > MOST_SEARCHED {
+        return Err("its border has too many pieces for the search".into());
+    }
     let start = parting.clone();
     match attempt(model, surface, parting, planes, rules, false) {
         Err(Trouble::Unresolved(_)) if matches!(surface, Surface::Plane { .. }) => {
@@ -76,6 +85,9 @@ fn attempt(
         let samples = division
             .samples()
             .map_err(|confusion| Trouble::Wrong(reason(confusion)))?;
+        if samples.len() > MOST_SAMPLES {
+            break;
+        }
         if !samples.iter().any(|sample| sample.inside) {
             return Err(Trouble::Wrong("its loops enclose nothing".into()));
         }

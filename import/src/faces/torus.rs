@@ -138,20 +138,14 @@ pub fn torus_face(model: &Model, index: usize, courses: &Courses, planes: &mut P
         return Compiled::rejected("a torus is not exact, and a deviation of 0 is accepted");
     }
     let (Some(rings), Some(sheet)) = (
-        Rings::of(model, &face.surface, courses.max_deviation),
+        Rings::of(model, &face.surface, courses.bands),
         Sheet::of(&face.surface, None),
     ) else {
         return Compiled::rejected(format!(
             "more than {MOST} bands would be needed to be within {:.3e}",
-            courses.max_deviation
+            courses.bands
         ));
     };
-    if rings.deviation > courses.max_deviation {
-        return Compiled::rejected(format!(
-            "its bands would be {:.3e} off, more than {:.3e}",
-            rings.deviation, courses.max_deviation
-        ));
-    }
     let found = deviation(model, face, courses)
         .and_then(|off| Ok((off, parting(model, index, courses, planes)?)));
     match found {

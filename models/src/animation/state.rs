@@ -68,6 +68,7 @@ impl<'a> State<'a> {
             active_camera: file.active_camera.clone(),
             format: file.format,
             title: file.title.clone(),
+            incomplete: file.incomplete.clone(),
             background: file.background,
             ambient: file.ambient,
             image: file.image,

@@ -22,6 +22,8 @@ pub struct SceneFile {
     pub format: i64,
     /// Title of the picture.
     pub title: String,
+    /// What of its source the scene lacks, for the warning of every command that reads it; nothing if it has all.
+    pub incomplete: Option<String>,
     /// Colour of a pixel that no object covers, 0 to 1 for each of red, green, blue.
     pub background: [f64; 3],
     /// Ambient light `I_a`, 0 to 1 for each of red, green, blue.
@@ -428,6 +430,7 @@ impl SceneFile {
             image: ImageSize::default(),
             camera,
             cameras: vec![],
+            incomplete: None,
             active_camera: None,
             lights: vec![],
             materials: vec![],

@@ -7,7 +7,7 @@ mod terrain;
 use crate::arguments::Import;
 use crate::failure::Failure;
 use crate::molecules::load;
-use crate::output;
+use crate::{missing, output};
 use imogene_import::pdb::Format;
 use imogene_import::{Imported, Kind, Kinds, is_scene};
 use imogene_models::text::counted;
@@ -42,6 +42,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     };
     let objects = imported.scene.objects.len();
     let imported = molecule::referred(imported, kind, options)?;
+    missing::incomplete(&options.file, imported.scene.incomplete.as_deref())?;
     let text = imported.scene.to_toml().map_err(Failure::input)?;
     output::write_text(&options.output, &text)?;
     print(options, kind.name(), objects, imported, json);

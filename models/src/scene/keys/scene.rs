@@ -13,6 +13,8 @@ use serde::{Deserialize, Serialize};
 pub(in crate::scene) struct SceneKeys {
     format: i64,
     title: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    incomplete: Option<String>,
     #[serde(default, deserialize_with = "numbers")]
     background: [f64; 3],
     #[serde(default = "white", deserialize_with = "numbers")]
@@ -66,6 +68,7 @@ impl TryFrom<SceneKeys> for SceneFile {
             image: keys.image,
             camera,
             cameras,
+            incomplete: keys.incomplete,
             active_camera: keys.active_camera,
             lights: keys.lights,
             materials: keys.materials,
@@ -84,6 +87,7 @@ impl From<SceneFile> for SceneKeys {
             title: file.title,
             background: file.background,
             ambient: file.ambient,
+            incomplete: file.incomplete,
             active_camera: file.active_camera,
             image: file.image,
             camera: Some(file.camera),

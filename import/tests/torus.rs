@@ -1,0 +1,185 @@
+//! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the deviation, and no other place has.
+
+use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, Surface, Verdict, compile};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+const R: f64 = 20.0;
+const TUBE: f64 = 5.0;
+
+/// Faces of one solid.
+fn part(edges: &str, faces: &str, names: &str, max_deviation: f64) -> Part {
+    let text = format!(
+        "format = 1\ntitle = \"t\"\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n{edges}\n{faces}
+[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [{names}]\n"
+    );
+    let options = FaceOptions {
+        max_deviation: Some(max_deviation),
+        no_volumes: true,
+    };
+    compile(text.as_bytes(), "t", &options).unwrap()
+}
+
+fn face(part: &Part, index: usize) -> &Compiled {
+    let Compilation::Faces(faces) = &part.solids[0] else {
+        panic!("volumes are switched off")
+    };
+    &faces[index]
+}
+
+/// A place at the angle u about the y axis and v about the tube, so far from the middle of the tube.
+fn place(u: f64, v: f64, from_middle: f64) -> [f64; 3] {
+    let out = R + from_middle * v.cos();
+    [out * u.cos(), from_middle * v.sin(), -out * u.sin()]
+}
+
+/// Cells that have a place within the deviation below the torus, straight down to the middle of the tube.
+fn covering(part: &Part, compiled: &Compiled, u: f64, v: f64, off: f64) -> usize {
+    let [below, above] = [TUBE - off - 1e-9, TUBE + 1e-9].map(|r| place(u, v, r));
+    let has = |cell: &&imogene_import::faces::Cell| {
+        let quadric = cell.quadric.unwrap();
+        if (quadric.value(below) <= 0.0) == (quadric.value(above) <= 0.0) {
+            return false;
+        }
+        let (mut low, mut high) = (TUBE - off - 1e-9, TUBE + 1e-9);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (quadric.value(place(u, v, middle)) <= 0.0) == (quadric.value(below) <= 0.0) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let p = place(u, v, low);
+        cell.cuts.iter().all(|(plane, positive)| {
+            let plane = part.planes.get(*plane);
+            let above: f64 = (0..3)
+                .map(|k| (p[k] - plane.point[k]) * plane.normal[k])
+                .sum();
+            (above > 0.0) == *positive
+        })
+    };
+    compiled.cells.iter().filter(has).count()
+}
+
+/// Asks places all over the torus; `inside` says which are of the face, `border` how far a place is from its border (radians).
+fn agrees(
+    part: &Part,
+    index: usize,
+    inside: impl Fn(f64, f64) -> bool,
+    border: impl Fn(f64, f64) -> f64,
+) {
+    let compiled = face(part, index);
+    let Verdict::Approximated(off) = compiled.verdict else {
+        panic!("{:?}", compiled.verdict)
+    };
+    let mut counts = [0, 0];
+    for i in 0..180 {
+        for j in 0..120 {
+            let (u, v) = (
+                TAU * (f64::from(i) + 0.37) / 180.0,
+                TAU * (f64::from(j) + 0.41) / 120.0,
+            );
+            if border(u, v) < 0.03 {
+                continue;
+            }
+            let expected = inside(u, v);
+            counts[usize::from(expected)] += 1;
+            let found = covering(part, compiled, u, v, off);
+            assert_eq!(found > 0, expected, "u {u} v {v}");
+        }
+    }
+    assert!(counts[1] > 300, "{counts:?}");
+}
+
+fn torus(loops: &str) -> String {
+    format!(
+        "[[faces]]\nname = \"tube\"\nsurface = {{ kind = \"torus\", centre = [0, 0, 0], axis = [0, 1, 0], major = {R}, minor = {TUBE} }}\nloops = {loops}\n"
+    )
+}
+
+fn apart(a: f64, b: f64) -> f64 {
+    ((a - b + PI).rem_euclid(TAU) - PI).abs()
+}
+
+#[test]
+fn a_whole_ring_is_bands_all_round() {
+    for deviation in [0.2, 0.05, 0.01] {
+        let part = part("", &torus("[]"), "\"tube\"", deviation);
+        let Verdict::Approximated(off) = face(&part, 0).verdict else {
+            panic!("approximated")
+        };
+        assert!(off <= deviation && off > 0.2 * deviation);
+        agrees(&part, 0, |_, _| true, |_, _| 1.0);
+    }
+}
+
+/// Between the foot of a fillet (v = 270 degrees) and its top (v = 180 degrees), and the other three quarters of the same ring.
+#[test]
+fn a_fillet_is_a_quarter_and_its_rest_three() {
+    let circle = |name: &str, y: f64, radius: f64| {
+        format!(
+            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = [0, {y}, 0]\naxis = [0, 1, 0]\nradius = {radius}\n"
+        )
+    };
+    let edges = circle("foot", -TUBE, R) + &circle("top", 0.0, R - TUBE);
+    let quarter = |v: f64| v > PI && v < 1.5 * PI;
+    let border = |_: f64, v: f64| apart(v, PI).min(apart(v, 1.5 * PI));
+    let fillet = part(&edges, &torus("[[\"-foot\"], [\"top\"]]"), "\"tube\"", 0.02);
+    agrees(&fillet, 0, |_, v| quarter(v), border);
+    let rest = part(&edges, &torus("[[\"foot\"], [\"-top\"]]"), "\"tube\"", 0.02);
+    agrees(&rest, 0, |_, v| !quarter(v), border);
+    assert!(
+        fillet.model.faces[0]
+            .surface
+            .same(&rest.model.faces[0].surface, 0.0)
+    );
+}
+
+/// A quarter of a ring between two discs, which are polygons of the bands: no gap is left between them.
+#[test]
+fn an_elbow_and_the_discs_that_close_it_have_the_same_border() {
+    let circle = |name: &str, centre: [f64; 3], axis: [f64; 3]| {
+        format!(
+            "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = {centre:?}\naxis = {axis:?}\nradius = {TUBE}\n"
+        )
+    };
+    // At u = 0 the tube stands on the x axis, at u = 90 degrees on the negative z axis.
+    let edges = circle("one", [R, 0.0, 0.0], [0.0, 0.0, 1.0])
+        + &circle("other", [0.0, 0.0, -R], [1.0, 0.0, 0.0]);
+    let discs = "[[faces]]\nname = \"disc\"\nsurface = { kind = \"plane\", origin = [20, 0, 0], normal = [0, 0, 1] }\nloops = [[\"one\"]]
+[[faces]]\nname = \"lid\"\nsurface = { kind = \"plane\", origin = [0, 0, -20], normal = [-1, 0, 0] }\nloops = [[\"-other\"]]\n";
+    let elbow = part(
+        &edges,
+        &(torus("[[\"-one\"], [\"other\"]]") + discs),
+        "\"tube\", \"disc\", \"lid\"",
+        0.05,
+    );
+    let border = |u: f64, _: f64| apart(u, 0.0).min(apart(u, FRAC_PI_2));
+    agrees(&elbow, 0, |u, _| u < FRAC_PI_2, border);
+    let Surface::Torus { .. } = elbow.model.faces[0].surface else {
+        panic!("a torus")
+    };
+    // Beside the disc, just below the bands and just above them.
+    let disc = face(&elbow, 1);
+    let off = match disc.verdict {
+        Verdict::Approximated(off) => off,
+        ref other => panic!("{other:?}"),
+    };
+    for k in 0..720 {
+        let v = TAU * (f64::from(k) + 0.3) / 720.0;
+        let kept = |r: f64| {
+            let p = place(0.0, v, r);
+            disc.cells.iter().any(|cell| {
+                let sides = cell.cuts.iter().all(|(plane, positive)| {
+                    let plane = elbow.planes.get(*plane);
+                    let above: f64 = (0..3)
+                        .map(|i| (p[i] - plane.point[i]) * plane.normal[i])
+                        .sum();
+                    (above > 0.0) == *positive
+                });
+                sides && cell.quadric.is_none_or(|q| q.value(p) <= 0.0)
+            })
+        };
+        assert!(kept(TUBE - off - 1e-6) && !kept(TUBE + 1e-6), "v {v}");
+    }
+}
