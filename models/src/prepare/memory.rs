@@ -7,9 +7,9 @@
 use crate::scene::{Light, Object, SceneFile, Shape};
 
 /// Bytes of an object that is framed and prepared.
-const OBJECT: u64 = 6_000;
+const OBJECT: u64 = 8_600;
 /// More for each of its cuts.
-const CUT: u64 = 1_200;
+const CUT: u64 = 3_000;
 /// More for each corner of a mesh, which has words for every facet around it.
 const CORNER: u64 = 4_000;
 /// Of an object that is left out.

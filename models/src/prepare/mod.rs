@@ -27,6 +27,7 @@ mod seams;
 pub mod shader;
 mod unseen;
 pub mod volume;
+mod witness;
 
 use crate::format::{FittedWidths, Format};
 use crate::object::quadric::{QuadricWords, ScreenBox};

@@ -21,6 +21,7 @@ use super::extent::Extent;
 use super::object::tangent_box;
 use super::perspective::on_screen;
 use super::screen_box::{Cell, Existence, Region, Search, screen_between};
+use super::witness::witnesses;
 use super::{Context, Options};
 use crate::format::Format;
 use crate::rational::{integer, to_f64};
@@ -85,7 +86,8 @@ pub(crate) fn frame_keeping(
 ) -> Result<FramedScene, SceneError> {
     let suggested = DepthRange::of_camera(&scene.camera);
     let mut framed = scene.frame_within(&suggested, size, kept)?;
-    let chosen = Depths::new(&framed).choose(None, done).range;
+    let witnesses = witnesses(scene, size.1, &suggested);
+    let chosen = Depths::new(&framed, &witnesses).choose(None, done).range;
     if chosen.near != suggested.near || chosen.far != suggested.far {
         framed = scene.frame_within(&chosen, size, |_, _| Ok(None))?;
     }
@@ -120,6 +122,8 @@ struct Body {
     /// Between these depths.
     reach: (f64, f64),
     is_about_eye: bool,
+    /// A point that may lie in one of the parts.
+    witness: Option<[f64; 3]>,
 }
 
 impl Body {
@@ -127,20 +131,28 @@ impl Body {
         regions: vec![],
         reach: (f64::INFINITY, f64::NEG_INFINITY),
         is_about_eye: false,
+        witness: None,
     };
 }
 
 const EVERYWHERE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 impl<'a> Depths<'a> {
-    pub fn new(scene: &'a FramedScene) -> Depths<'a> {
+    /// Of a scene in the range that is suggested, with points that may lie in its objects.
+    pub fn new(scene: &'a FramedScene, witnesses: &[Option<[f64; 3]>]) -> Depths<'a> {
         // In depths that fill the word, all formats of the catalogue hold the same.
         let context = Context::of(scene, Format::BASE, Options::default());
         let objects = scene.objects.par_iter();
         Depths {
             scene,
             full: to_f64(&context.full_depth),
-            bodies: objects.map(|object| body(object, &context)).collect(),
+            bodies: objects
+                .zip(witnesses)
+                .map(|(object, witness)| Body {
+                    witness: *witness,
+                    ..body(object, &context)
+                })
+                .collect(),
             context,
         }
     }
@@ -292,6 +304,10 @@ impl<'a> Depths<'a> {
         }
         let resolution = [1.0, 1.0, (far - near) / 64.0];
         let cell = screen_between(self.scene.width, self.scene.height, [near, far]);
+        let witness = body.witness.filter(|point| cell.holds(point));
+        if witness.is_some_and(|point| body.regions.iter().any(|region| region.holds(point))) {
+            return true;
+        }
         let is_met = |region: &Region| region.existence(cell, resolution) == Existence::Possible;
         body.regions.is_empty() || body.regions.iter().any(is_met)
     }
@@ -333,6 +349,7 @@ fn body(object: &FramedObject, context: &Context) -> Body {
             regions: walls(&quadric.q, &planes),
             reach: EVERYWHERE,
             is_about_eye: true,
+            witness: None,
         };
     }
     let extent = planes.is_empty().then(|| Extent::of(&quadric.q)).flatten();
@@ -343,6 +360,7 @@ fn body(object: &FramedObject, context: &Context) -> Body {
         }),
         regions: vec![Region::new(&quadric.q, &planes, framed.surface)],
         is_about_eye: false,
+        witness: None,
     }
 }
 
@@ -370,5 +388,6 @@ fn between_corners(mesh: &FramedMesh, context: &Context) -> Body {
         regions: vec![],
         reach: (least, greatest),
         is_about_eye: false,
+        witness: None,
     }
 }

@@ -68,6 +68,11 @@ impl Cell {
         std::array::from_fn::<f64, 3, _>(|k| 2.0 * self.half[k] / units[k]).into_iter()
     }
 
+    /// Does it hold a point, not nearer to a side than the rounding of a few halvings.
+    pub(super) fn holds(&self, point: &[f64; 3]) -> bool {
+        (0..3).all(|k| (point[k] - self.centre[k]).abs() < self.half[k] * (1.0 - 1e-9))
+    }
+
     /// Halves along the axis on which it is widest in these units.
     fn halves(&self, units: &[f64; 3]) -> [Cell; 2] {
         let (axis, _) = self
@@ -145,6 +150,18 @@ impl Region {
             value - first - cross + down - margin,
             value + first + cross + up + margin,
         )
+    }
+
+    /// True if a point surely lies in the region of a solid, so that no search in a cell around it can find the cell empty.
+    pub(super) fn holds(&self, point: [f64; 3]) -> bool {
+        let cell = Cell {
+            centre: point,
+            half: [0.0; 3],
+        };
+        let kept = |plane: &[f64; 4]| plane_low(&plane.map(|v| -v), &cell) >= 0.0;
+        self.surface == Surface::Solid
+            && self.planes.iter().all(kept)
+            && self.quadric_range(&cell).1 <= 0.0
     }
 
     /// Searches the cell for a point of the region, down to cells of `resolution` along each axis.

@@ -1,5 +1,6 @@
 //! The checks of a scene that its grammar cannot make.
 
+use rayon::prelude::*;
 use std::collections::HashSet;
 
 use super::check_kind::check_kind;
@@ -116,19 +117,23 @@ impl SceneFile {
             ));
         }
         let groups = Groups::of(self);
-        for object in &self.objects {
+        // The first that is wrong, in the order of the file, whoever finds one first.
+        let problem = |object: &Object| {
             let place = format!("object `{}`", object.name);
             self.check_material_name(&place, object)?;
             check_object(&place, object)?;
             if object.group.is_some() {
                 let mut placed = object.clone();
                 placed.place = groups.whole(&object.place, object.group.as_deref());
-                check_kind(&place, &placed, self.active())?;
+                check_kind(&place, &placed, self.active())
             } else {
-                check_kind(&place, object, self.active())?;
+                check_kind(&place, object, self.active())
             }
-        }
-        Ok(())
+        };
+        let objects = self.objects.par_iter();
+        objects
+            .find_map_first(|object| problem(object).err())
+            .map_or(Ok(()), Err)
     }
 
     /// Refuses an object of a flat scene that cannot be had where it has been moved to; all else of it was checked before.

@@ -199,6 +199,13 @@ pub(crate) struct FloatCamera {
 }
 
 impl FloatCamera {
+    /// A point of the scene from the origin, along the axes.
+    pub fn seen(&self, point: [f64; 3]) -> [f64; 3] {
+        let from: [f64; 3] = std::array::from_fn(|k| point[k] - self.origin[k]);
+        self.axes
+            .map(|axis| (0..3).map(|k| axis[k] * from[k]).sum())
+    }
+
     /// The camera of a picture of so many lines.
     pub fn of(camera: &Camera, height: u32) -> Result<FloatCamera, SceneError> {
         let sight = Sight::of(camera)?;

@@ -5,14 +5,19 @@ use std::ops::Range;
 /// All of them.
 pub(super) const LEVELS: Range<i32> = -24..24;
 
+/// A power of two of the size of a level, exactly.
+fn power(level: i32) -> f64 {
+    f64::from_bits(((1023 + i64::from(level)) as u64) << 52)
+}
+
 /// The depths between a perspective level and the next.
 pub(super) fn perspective_shell(level: i32, full: f64) -> [f64; 2] {
-    [level, level + 1].map(|level| full * (1.0 - 2.0 / f64::exp2(f64::from(level))))
+    [level, level + 1].map(|level| full * (1.0 - 2.0 * power(-level)))
 }
 
 /// The depths between an orthographic level and the next, on the far side.
 pub(super) fn orthographic_shell(level: i32, full: f64) -> [f64; 2] {
-    let inner = full * f64::exp2(f64::from(level));
+    let inner = full * power(level);
     [inner, 2.0 * inner]
 }
 

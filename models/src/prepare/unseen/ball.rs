@@ -17,9 +17,8 @@
 //! cancels. The chord of a ray in the inner ball lies in that of the true one, and this in that of the outer one. So
 //! `sqrt(f2)`, half the chord in depth words, of the true ball lies between those of the inner and the outer one.
 
-use crate::scene::{
-    FloatCamera, Object, Processor, Rotation, Scale, Shape, Step, Surface, rotation_matrix,
-};
+use crate::prepare::witness::turned;
+use crate::scene::{FloatCamera, Object, Processor, Scale, Shape, Step, Surface};
 
 /// Error of a placed point, as a part of the sum of the magnitudes on its way.
 const PLACE: f64 = 1e-12;
@@ -61,12 +60,9 @@ impl Ball {
                 Step::Scale(Scale::PerAxis(_)) => return None,
             }
         }
-        let from: [f64; 3] = std::array::from_fn(|k| place[k] - camera.origin[k]);
         let spare = PLACE * (sum + size(&camera.origin)) + SHAPE * radius;
         (spare < 1e-3 * radius).then(|| Ball {
-            centre: camera
-                .axes
-                .map(|axis| (0..3).map(|k| axis[k] * from[k]).sum()),
+            centre: camera.seen(place),
             radius,
             spare,
         })
@@ -81,8 +77,4 @@ impl Ball {
 
 fn size(v: &[f64; 3]) -> f64 {
     v.iter().map(|v| v.abs()).sum()
-}
-
-fn turned(rotation: &Rotation, place: [f64; 3]) -> [f64; 3] {
-    rotation_matrix(rotation).map(|row| (0..3).map(|k| row[k] * place[k]).sum())
 }

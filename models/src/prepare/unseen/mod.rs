@@ -11,6 +11,7 @@ mod outline;
 
 use super::memory;
 use super::range::{self, Depths, frame_keeping};
+use super::witness::witnesses;
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
 use crate::rational::to_f64;
@@ -206,6 +207,7 @@ impl Balls {
             let outline = Outline::of(ball, &view)?;
             Some(levels(ball, &outline, &view))
         };
+        let witnesses = witnesses(scene, self.size.1, &suggested);
         let estimates: Vec<Option<Levels>> = self.balls.par_iter().map(estimate).collect();
         let mut is_exact: Vec<bool> = estimates.iter().map(Option::is_none).collect();
         let nobody = Arc::new(Unseen {
@@ -229,7 +231,7 @@ impl Balls {
                 levels.ends.filter(|_| levels.is_certain)
             });
             let certain = certain.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
-            let choice = Depths::new(&framed).choose(certain, done);
+            let choice = Depths::new(&framed, &witnesses).choose(certain, done);
             let own = self.view(&suggested.scaled(choice.seen), &RANGE_FORMAT);
             let agrees = |levels: &Levels, ball: &Ball| {
                 let is_usual = levels.ends.is_none_or(|[low, high]| {
