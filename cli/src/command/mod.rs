@@ -142,7 +142,8 @@ fn has_room(needed: u64, objects: usize) -> Result<(), Failure> {
     };
     let mib = |bytes: u64| bytes.div_ceil(1 << 20);
     let remedy = match memory_limit() {
-        Some(limit) => format!("--max-memory {}M", mib(limit + needed - free)),
+        // A little more, because two runs do not take the same.
+        Some(limit) => format!("--max-memory {}M", mib(limit + needed - free + needed / 8)),
         None => format!("{}M more memory", mib(needed - free)),
     };
     Err(Failure::Input(format!(
