@@ -1,6 +1,6 @@
 //! The memory that a preparation is said to take, held against what it takes: never less, and not much more.
 
-#[path = "../benches/molecule/mod.rs"]
+#[path = "../examples/phases/molecule.rs"]
 mod molecule;
 
 use imogene_models::format::Format;

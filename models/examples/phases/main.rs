@@ -1,7 +1,6 @@
 //! Times of each step from a scene in memory to a picture, and the greatest memory so far:
 //! `phases ATOMS [all] [sticks] [turned] [OUT.toml]`.
 
-#[path = "../../benches/molecule/mod.rs"]
 mod molecule;
 
 use imogene_models::format::Format;

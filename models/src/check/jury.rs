@@ -130,7 +130,7 @@ impl<'a> Judge<'a> {
             return Judge::Words(quadric, *format);
         }
         let words = object.words();
-        if matches!(framed, FramedObject::Unseen(_)) {
+        if framed.is_unseen() {
             return Judge::Nothing;
         }
         // A mesh may be there where its rounded facets are not; any other object is nowhere beside its box.

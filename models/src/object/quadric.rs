@@ -28,6 +28,16 @@ pub struct ScreenBox {
 }
 
 impl ScreenBox {
+    /// A whole screen.
+    pub fn of_screen(width: u32, height: u32) -> ScreenBox {
+        ScreenBox {
+            x0: 0,
+            x1: i64::from(width) - 1,
+            y0: 0,
+            y1: i64::from(height) - 1,
+        }
+    }
+
     /// A box that contains no pixel.
     pub const EMPTY: ScreenBox = ScreenBox {
         x0: 1,

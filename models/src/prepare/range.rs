@@ -24,6 +24,7 @@ use super::screen_box::{Cell, Existence, Region, Search, screen_between};
 use super::witness::witnesses;
 use super::{Context, Options};
 use crate::format::Format;
+use crate::object::quadric::ScreenBox;
 use crate::rational::{integer, to_f64};
 use crate::scene::{
     CutOff, DepthRange, End, FramedMesh, FramedObject, FramedScene, Plane, Quadric, RangeOrigin,
@@ -220,17 +221,19 @@ impl<'a> Depths<'a> {
             true => (-1, WIDEST[0]),
             false => (1, WIDEST[1]),
         };
+        let limits = Limits::of(&self.context.format);
+        let own = Change::to_level(level, &self.context);
         let computed = |search| -> Vec<Computed> {
             let objects = self.scene.objects.par_iter();
             objects
                 .filter_map(|object| {
-                    let computed = self.computed(object, level + step * widest, search);
+                    let fits = |computed: &Computed| computed.fits(own, &limits);
+                    let computed = self.computed(object, level + step * widest, search, &fits);
                     done();
                     computed
                 })
                 .collect()
         };
-        let limits = Limits::of(&self.context.format);
         let misfits = |computed: &[Computed], level: i32| {
             let change = Change::to_level(level, &self.context);
             let fitting = computed.iter().filter(|c| c.fits(change, &limits));
@@ -313,8 +316,14 @@ impl<'a> Depths<'a> {
     }
 
     /// What an object's depth computes; nothing if it is no root, or nothing of it is on the screen in the range of a
-    /// level.
-    fn computed(&self, object: &FramedObject, level: i32, search: Search) -> Option<Computed> {
+    /// level, or if it fits wherever it is on the screen: then it fits in wider ranges, too, and need not be searched.
+    fn computed(
+        &self,
+        object: &FramedObject,
+        level: i32,
+        search: Search,
+        fits: &impl Fn(&Computed) -> bool,
+    ) -> Option<Computed> {
         let (FramedObject::Quadric(framed)
         | FramedObject::Patch(framed)
         | FramedObject::FirstGeneration(framed)) = object
@@ -325,13 +334,18 @@ impl<'a> Depths<'a> {
         if quadric.eye_value().is_zero() {
             return None;
         }
-        let window = tangent_box(&quadric, &planes, &self.context).unwrap_or_else(|| {
-            let (width, height) = (self.scene.width, self.scene.height);
-            let ends = Change::to_level(level, &self.context).ends(&self.context);
-            let region = Region::new(&quadric.q, &planes, framed.surface);
-            region.box_within(screen_between(width, height, ends), width, height, search)
-        });
-        (!window.is_empty()).then(|| Computed::on(&quadric, &window, &self.context))
+        let on = |window: &ScreenBox| Computed::on(&quadric, window, &self.context);
+        let (width, height) = (self.scene.width, self.scene.height);
+        let window = match tangent_box(&quadric, &planes, &self.context) {
+            Some(window) => window,
+            None if fits(&on(&ScreenBox::of_screen(width, height))) => return None,
+            None => {
+                let ends = Change::to_level(level, &self.context).ends(&self.context);
+                let region = Region::new(&quadric.q, &planes, framed.surface);
+                region.box_within(screen_between(width, height, ends), width, height, search)
+            }
+        };
+        (!window.is_empty()).then(|| on(&window))
     }
 }
 

@@ -101,6 +101,11 @@ impl From<FramedQuadric> for FramedObject {
 }
 
 impl FramedObject {
+    /// Was it left out because nobody sees it?
+    pub fn is_unseen(&self) -> bool {
+        matches!(self, Self::Unseen(_))
+    }
+
     /// Unique name.
     pub fn name(&self) -> &str {
         match self {

@@ -10,6 +10,7 @@ mod check_kind;
 mod error;
 mod file;
 mod flat;
+mod float_camera;
 mod frame;
 mod framed;
 mod group;
@@ -38,7 +39,7 @@ pub use file::{
     Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
     Rotation, Scale, SceneFile, Shape, Step, Surface,
 };
-pub(crate) use frame::FloatCamera;
+pub(crate) use float_camera::FloatCamera;
 pub use frame::{FramedLight, FramedScene, Projection};
 pub use framed::{Absence, Absent, FramedObject, FramedQuadric, Unseen};
 pub use group::{Group, Node};

@@ -1,7 +1,8 @@
 //! A depth buffer that is never too near: what balls surely cover, and how far that is at most.
 
 use super::Placed;
-use super::outline::{Span, View};
+use super::outline::Span;
+use super::view::View;
 use crate::object::quadric::ScreenBox;
 use rayon::prelude::*;
 

@@ -7,7 +7,9 @@
 
 mod ball;
 mod buffer;
+mod conic;
 mod outline;
+mod view;
 
 use super::memory;
 use super::range::{self, Depths, frame_keeping};
@@ -21,10 +23,11 @@ use crate::scene::{
 };
 use ball::Ball;
 use buffer::Buffer;
-use outline::{DepthWord, Outline, Span, View, WordErrors};
+use outline::{Outline, Span, WordErrors};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
+use view::{DepthWord, View};
 
 /// Words per depth word of the format in which a range is chosen.
 const RANGE_FORMAT: Format = Format::BASE;
@@ -56,6 +59,8 @@ pub struct Seen<'a> {
     /// The range of the depth; nothing if all objects are kept.
     range: Option<DepthRange>,
     absent: Vec<Option<Absence>>,
+    /// What was framed on the way, if it is framed in that range.
+    framed: Option<FramedScene>,
 }
 
 impl<'a> Seen<'a> {
@@ -74,19 +79,21 @@ impl<'a> Seen<'a> {
         file.validate()?;
         let scene = file.flattened();
         let keeps_all = scene.lights.iter().any(has_volumes);
-        let (range, absent) = if keeps_all {
-            (None, vec![None; scene.objects.len()])
+        let (range, absent, framed) = if keeps_all {
+            (None, vec![None; scene.objects.len()], None)
         } else {
             let balls = Balls::of(&scene, size)?;
-            let range = balls.range(&scene, done)?;
+            let (range, framed) = balls.range(&scene, done)?;
             let absent = balls.absent(&range, format);
-            (Some(range), absent)
+            let is_same = framed.range.near == range.near && framed.range.far == range.far;
+            (Some(range), absent, is_same.then_some(framed))
         };
         Ok(Seen {
             scene,
             size,
             range,
             absent,
+            framed,
         })
     }
 
@@ -110,6 +117,7 @@ impl<'a> Seen<'a> {
             size,
             range,
             absent,
+            framed: before,
         } = self;
         let Some(range) = range else {
             return frame_keeping(&scene, size, |_, _| Ok(None), done);
@@ -122,8 +130,21 @@ impl<'a> Seen<'a> {
                     why,
                 }))
             };
-            Ok(absent[index].map(unseen))
+            let is_framed = |framed: &FramedScene| !framed.objects[index].is_unseen();
+            let is_known = before.as_ref().is_some_and(is_framed);
+            Ok(absent[index]
+                .or(is_known.then_some(Absence::Hidden))
+                .map(unseen))
         })?;
+        for (index, known) in before
+            .into_iter()
+            .flat_map(|framed| framed.objects)
+            .enumerate()
+        {
+            if absent[index].is_none() && !known.is_unseen() {
+                framed.objects[index] = known;
+            }
+        }
         framed.range = range;
         Ok(framed)
     }
@@ -194,12 +215,13 @@ impl Balls {
         }
     }
 
-    /// The range of the depth that the whole scene has, for which only those objects are framed that may decide it.
+    /// The range of the depth that the whole scene has, and those objects that may decide it, framed in the range that is
+    /// suggested.
     fn range(
         &self,
         scene: &SceneFile,
         done: &(impl Fn() + Sync),
-    ) -> Result<DepthRange, SceneError> {
+    ) -> Result<(DepthRange, FramedScene), SceneError> {
         let suggested = DepthRange::of_camera(&scene.camera);
         let view = self.view(&suggested, &RANGE_FORMAT);
         let estimate = |ball: &Option<Ball>| {
@@ -256,7 +278,7 @@ impl Balls {
                 })
                 .collect();
             if doubtful.is_empty() {
-                return Ok(choice.range);
+                return Ok((choice.range, framed));
             }
             for index in doubtful {
                 is_exact[index] = true;

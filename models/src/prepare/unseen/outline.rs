@@ -1,26 +1,10 @@
 //! What a processor computes of a ball, in depth words, with what rounding can change of it.
 
 use super::ball::Ball;
+use super::conic::Conic;
+use super::view::{DepthWord, View};
 use crate::format::Format;
 use crate::object::quadric::ScreenBox;
-use crate::scene::FloatCamera;
-
-/// How depth words follow from the camera's distances.
-pub(in crate::prepare) struct View<'a> {
-    pub camera: &'a FloatCamera,
-    pub width: u32,
-    pub height: u32,
-    pub depth: DepthWord,
-}
-
-/// A depth word of a distance along the view.
-#[derive(Clone, Copy)]
-pub(in crate::prepare) enum DepthWord {
-    /// `zmax (1 - 2 near / distance)`.
-    Perspective { near: f64, z_max: f64 },
-    /// `zmax (distance - middle) / half`.
-    Orthographic { middle: f64, half: f64, z_max: f64 },
-}
 
 /// f1 and f2 of a ball about the pixel place `at`, which need be no pixel.
 #[derive(Clone, Copy, Debug)]
@@ -33,17 +17,6 @@ pub(in crate::prepare) struct Outline {
     /// Of the outer and the inner ball.
     outer: Conic,
     inner: Conic,
-}
-
-/// `c + d x + e y + a x^2 + b y^2 + m x y`, where it is not negative an ellipse.
-#[derive(Clone, Copy, Debug)]
-struct Conic {
-    c: f64,
-    d: f64,
-    e: f64,
-    a: f64,
-    b: f64,
-    m: f64,
 }
 
 /// Greatest errors of the words of an object whose box reaches so many columns and lines from the pixel about which it
@@ -97,63 +70,6 @@ impl Magnitudes {
     pub fn fit(&self, sum: u32, quadratic: u32) -> bool {
         let most = |bits: u32| 0.99 * f64::exp2(f64::from(bits - 1)) - 4.0;
         self.f1_and_root < most(sum) && self.f2 < most(quadratic)
-    }
-}
-
-impl DepthWord {
-    pub fn z_max(&self) -> f64 {
-        match *self {
-            Self::Perspective { z_max, .. } | Self::Orthographic { z_max, .. } => z_max,
-        }
-    }
-}
-
-impl View<'_> {
-    pub fn is_perspective(&self) -> bool {
-        matches!(self.depth, DepthWord::Perspective { .. })
-    }
-
-    /// Does a ball lie wholly behind the viewer, if there is any.
-    pub fn is_behind(&self, ball: &Ball) -> bool {
-        self.is_perspective() && ball.along_view()[1] < 0.0
-    }
-
-    /// The depth in pixels that fills the word.
-    pub fn full_depth(&self) -> f64 {
-        match self.depth {
-            DepthWord::Perspective { .. } => self.camera.pixels,
-            DepthWord::Orthographic { half, .. } => half * self.camera.pixels,
-        }
-    }
-
-    /// Depth words of one pixel of depth.
-    pub fn words_per_pixel(&self) -> f64 {
-        self.depth.z_max() / self.full_depth()
-    }
-
-    /// The depth in pixels of a distance along the view.
-    pub fn depth_in_pixels(&self, distance: f64) -> f64 {
-        match self.depth {
-            DepthWord::Perspective { near, .. } => {
-                self.full_depth() * (1.0 - 2.0 * near / distance)
-            }
-            DepthWord::Orthographic { middle, .. } => (distance - middle) * self.camera.pixels,
-        }
-    }
-
-    /// Pixel columns and lines of the screen's middle.
-    fn middle(&self) -> [f64; 2] {
-        [self.width, self.height].map(|n| 0.5 * f64::from(n))
-    }
-
-    /// The whole screen.
-    pub fn screen(&self) -> ScreenBox {
-        ScreenBox {
-            x0: 0,
-            x1: i64::from(self.width) - 1,
-            y0: 0,
-            y1: i64::from(self.height) - 1,
-        }
     }
 }
 
@@ -384,56 +300,5 @@ impl Outline {
             let u = x as f64 - self.at[0];
             each(x, constant + self.f1[1] * u - line.at(u).max(0.0).sqrt())
         })
-    }
-}
-
-/// `a u^2 + d u + c`: a conic on one line.
-struct Line {
-    a: f64,
-    d: f64,
-    c: f64,
-}
-
-impl Line {
-    fn at(&self, u: f64) -> f64 {
-        (self.a * u + self.d) * u + self.c
-    }
-
-    /// The columns of a box at which the value is not below `-spare`, and perhaps one more on each side.
-    fn columns(&self, spare: f64, at: f64, window: &ScreenBox) -> std::ops::RangeInclusive<i64> {
-        let radicand = self.d * self.d - 4.0 * self.a * (self.c + spare);
-        if radicand < 0.0 && self.c + spare < 0.0 {
-            let margin = 1e-9 * (self.d * self.d + (4.0 * self.a * self.c).abs());
-            if radicand < -margin {
-                return 1..=0;
-            }
-        }
-        let root = radicand.max(0.0).sqrt();
-        let [low, high] =
-            [-1.0, 1.0].map(|sign| at + (-self.d - sign * root * self.a.signum()) / (2.0 * self.a));
-        let (low, high) = (low.min(high), low.max(high));
-        let first = (low - 1e-3).ceil().max(window.x0 as f64) as i64;
-        let last = (high + 1e-3).floor().min(window.x1 as f64) as i64;
-        first..=last
-    }
-}
-
-impl Conic {
-    fn on_line(&self, v: f64) -> Line {
-        Line {
-            a: self.a,
-            d: self.d + self.m * v,
-            c: self.c + (self.e + self.b * v) * v,
-        }
-    }
-
-    /// The greatest value anywhere.
-    fn greatest(&self) -> f64 {
-        let determinant = 4.0 * self.a * self.b - self.m * self.m;
-        let (x, y) = (
-            (self.m * self.e - 2.0 * self.b * self.d) / determinant,
-            (self.m * self.d - 2.0 * self.a * self.e) / determinant,
-        );
-        (self.c + 0.5 * (self.d * x + self.e * y)) * (1.0 + 1e-9)
     }
 }
