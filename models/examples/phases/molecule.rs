@@ -121,7 +121,7 @@ fn stick(k: usize, from: [f64; 3], to: [f64; 3]) -> Vec<Object> {
             vec![cut(from, -1.0), cut(to, 1.0)],
         )
     };
-    if k % 2 == 0 {
+    if k.is_multiple_of(2) {
         return vec![piece(format!("stick {k}"), 0.0, length, k % 4)];
     }
     vec![

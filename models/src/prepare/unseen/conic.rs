@@ -1,6 +1,7 @@
 //! Expressions of second degree on the screen, in floating point.
 
 use crate::object::quadric::ScreenBox;
+use std::ops::Range;
 
 /// `c + d x + e y + a x^2 + b y^2 + m x y`, where it is not negative an ellipse.
 #[derive(Clone, Copy, Debug)]
@@ -26,30 +27,24 @@ impl Line {
     }
 
     /// The columns of a box at which the value is not below `-spare`, and perhaps one more on each side.
-    pub fn columns(
-        &self,
-        spare: f64,
-        at: f64,
-        window: &ScreenBox,
-    ) -> std::ops::RangeInclusive<i64> {
-        let radicand = self.d * self.d - 4.0 * self.a * (self.c + spare);
-        if radicand < 0.0 && self.c + spare < 0.0 {
-            let margin = 1e-9 * (self.d * self.d + (4.0 * self.a * self.c).abs());
-            if radicand < -margin {
-                return 1..=0;
-            }
+    pub fn columns(&self, spare: f64, at: f64, window: &ScreenBox) -> Range<i64> {
+        let (square, product) = (self.d * self.d, 4.0 * self.a * (self.c + spare));
+        // A pair of roots that is barely complex counts as double.
+        let radicand = square - product;
+        if radicand < -1e-9 * (square + product.abs()) {
+            return 0..0;
         }
-        let root = radicand.max(0.0).sqrt();
-        let [low, high] =
-            [-1.0, 1.0].map(|sign| at + (-self.d - sign * root * self.a.signum()) / (2.0 * self.a));
-        let (low, high) = (low.min(high), low.max(high));
-        let first = (low - 1e-3).ceil().max(window.x0 as f64) as i64;
-        let last = (high + 1e-3).floor().min(window.x1 as f64) as i64;
-        first..=last
+        let reach = radicand.max(0.0).sqrt() / (2.0 * self.a).abs();
+        let middle = at - self.d / (2.0 * self.a);
+        // A thousandth of a pixel covers the rounding of a root.
+        let first = (middle - reach - 1e-3).ceil().max(window.x0 as f64);
+        let last = (middle + reach + 1e-3).floor().min(window.x1 as f64);
+        first as i64..last as i64 + 1
     }
 }
 
 impl Conic {
+    /// What it is on the line `y = v`.
     pub fn on_line(&self, v: f64) -> Line {
         Line {
             a: self.a,

@@ -217,6 +217,10 @@ impl Balls {
 
     /// The range of the depth that the whole scene has, and those objects that may decide it, framed in the range that is
     /// suggested.
+    ///
+    /// A ball that is not framed has no say in it: its level, if it has one, lies between those of others; no end cuts
+    /// it; and f1 and f2 hold in their words, in this range and so in all wider ones, which only draw them nearer to the
+    /// far end or to zero. A ball of which that is not certain is framed, and the range chosen again.
     fn range(
         &self,
         scene: &SceneFile,

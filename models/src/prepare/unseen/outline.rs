@@ -296,7 +296,8 @@ impl Outline {
         let line = self.outer.on_line(y as f64 - self.at[1]);
         let spare = self.f1_spare + errors.depth() + 1.0;
         let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) - spare;
-        line.columns(errors.f2 + 1.0, self.at[0], window).all(|x| {
+        let mut columns = line.columns(errors.f2 + 1.0, self.at[0], window);
+        columns.all(|x| {
             let u = x as f64 - self.at[0];
             each(x, constant + self.f1[1] * u - line.at(u).max(0.0).sqrt())
         })
