@@ -124,7 +124,7 @@ impl Kind {
         if is_cif(word) {
             return Some(Kind::Mmcif);
         }
-        if is_grid_keyword(word) || is_heights(first) {
+        if is_grid_keyword(word) || lines().filter(is_told).take(3).all(is_heights) {
             return Some(Kind::Heights);
         }
         let has_table = |name: &str| lines().any(|line| line.trim() == name);

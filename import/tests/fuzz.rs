@@ -1,9 +1,9 @@
 //! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is malformed has a place in the file.
 //!
 //! Ten million random bytes for each reader, and changed files of the collection; 100 000 of them for each reader under `IMOGENE_FULL=1`. `IMOGENE_FUZZ_FILES` names
-//! a folder of further files to change.
+//! a folder of further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
-use imogene_import::{ImportError, faces, pdb, terrain};
+use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
 use imogene_models::machine::description::MachineDescription;
 use imogene_models::scene::SceneFile;
 use rand_chacha::ChaCha8Rng;
@@ -61,11 +61,32 @@ enum Outcome {
     Refused,
 }
 
-const READERS: [Reader; 6] = [
+const READERS: [Reader; 9] = [
     Reader {
         name: "pdb",
         endings: &[".pdb", ".ent"],
         read: |bytes| structure(bytes, pdb::Format::Pdb),
+    },
+    Reader {
+        name: "mmcif",
+        endings: &[".cif", ".mmcif"],
+        read: |bytes| structure(bytes, pdb::Format::Mmcif),
+    },
+    Reader {
+        name: "bcif",
+        endings: &[".bcif.gz", ".bcif"],
+        read: |bytes| structure(bytes, pdb::Format::Bcif),
+    },
+    Reader {
+        name: "gzip",
+        endings: &[".pdb.gz", ".bcif.gz"],
+        read: |bytes| match unpack(bytes, MOST_UNPACKED, "a file") {
+            Ok(unpacked) => {
+                assert!(unpacked.len() as u64 <= MOST_UNPACKED);
+                Outcome::Read
+            }
+            Err(_) => Outcome::Refused,
+        },
     },
     Reader {
         name: "faces",
@@ -104,8 +125,26 @@ const READERS: [Reader; 6] = [
     },
 ];
 
+/// Bytes that a changed file may be unpacked to.
+const MOST_UNPACKED: u64 = 10_000_000;
+
+/// Reads a structure as it stands, and its first assembly.
 fn structure(bytes: &[u8], format: pdb::Format) -> Outcome {
-    outcome(pdb::read(bytes, format, "a file", &pdb::Options::default()))
+    let read = |options: &pdb::Options| pdb::read(bytes, format, "a file", options);
+    let plain = read(&pdb::Options {
+        style: pdb::Style::BallAndStick,
+        ..pdb::Options::default()
+    });
+    let assembly = read(&pdb::Options {
+        assembly: Some("1".into()),
+        ..pdb::Options::default()
+    });
+    match (outcome(plain), assembly) {
+        (Outcome::Read, Err(ImportError::Malformed { place, .. })) => {
+            Outcome::Malformed(place.line, place.column)
+        }
+        (plain, _) => plain,
+    }
 }
 
 fn outcome(read: Result<imogene_import::Imported, ImportError>) -> Outcome {
@@ -141,7 +180,7 @@ fn of_text<E: std::fmt::Display>(bytes: &[u8], read: impl Fn(&str) -> Result<(),
 /// Files that a reader is for.
 fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut folders = ["scenes", "parts", "machines"]
+    let mut folders = ["scenes", "parts", "machines", "import/tests/data"]
         .map(|name| root.join(name))
         .to_vec();
     folders.extend(std::env::var_os("IMOGENE_FUZZ_FILES").map(PathBuf::from));
@@ -158,10 +197,15 @@ fn files_of(reader: &Reader) -> Vec<Vec<u8>> {
         }
     }
     files.sort();
-    files
-        .iter()
-        .map(|path| std::fs::read(path).expect("a file"))
-        .collect()
+    let read = |path: &PathBuf| {
+        let bytes = std::fs::read(path).expect("a file");
+        if is_compressed(&bytes) && reader.name != "gzip" {
+            unpack(&bytes, MOST_UNPACKED, "a file").expect("a whole file")
+        } else {
+            bytes
+        }
+    };
+    files.iter().map(read).collect()
 }
 
 struct Dice(ChaCha8Rng);
@@ -174,6 +218,16 @@ impl Dice {
     fn bytes(&mut self, count: usize) -> Vec<u8> {
         let mut bytes = vec![0; count];
         self.0.fill_bytes(&mut bytes);
+        bytes
+    }
+
+    /// A file with one to eight other bytes, of which a binary format's reader sees more than of one that is cut.
+    fn spoilt(&mut self, files: &[Vec<u8>]) -> Vec<u8> {
+        let mut bytes = files[self.below(files.len())].clone();
+        for _ in 0..=self.below(8) {
+            let place = self.below(bytes.len());
+            bytes[place] = self.0.next_u64() as u8;
+        }
         bytes
     }
 
@@ -313,7 +367,12 @@ fn run(reader: &Reader, cases: u64, make: impl Fn(&mut Dice) -> Vec<u8> + Sync) 
 fn readers_survive_anything() {
     let is_full = std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1");
     let changed: u64 = if is_full { 100_000 } else { 1_500 };
-    for reader in &READERS {
+    let only = std::env::var("IMOGENE_FUZZ_READERS").ok();
+    let is_asked = |name: &str| {
+        only.as_ref()
+            .is_none_or(|o| o.split(',').any(|n| n == name))
+    };
+    for reader in READERS.iter().filter(|reader| is_asked(reader.name)) {
         let random = run(reader, 20_000, |dice| dice.bytes(RANDOM_BYTES / 20_000));
         println!("{}: random bytes: {random:?}", reader.name);
         assert_eq!(random.read, 0, "{}", reader.name);
@@ -322,13 +381,23 @@ fn readers_survive_anything() {
         for (place, file) in files.iter().enumerate() {
             try_one(reader, file, place as u64);
         }
-        let count = run(reader, changed, |dice| dice.changed(&files));
+        // Bytes have no lines: what is wrong in them is named by its category or not at all.
+        let is_binary = matches!(reader.name, "bcif" | "gzip");
+        let count = run(reader, changed, |dice| match dice.below(4) {
+            1.. if is_binary => dice.spoilt(&files),
+            _ => dice.changed(&files),
+        });
         println!(
             "{}: {changed} changes of {} files: {count:?}",
             reader.name,
             files.len()
         );
-        assert!(count.malformed > changed as usize / 10, "{}", reader.name);
+        let wrong = if is_binary {
+            count.refused
+        } else {
+            count.malformed
+        };
+        assert!(wrong > changed as usize / 10, "{}", reader.name);
         assert!(count.read > 0, "{}", reader.name);
     }
     let most = MOST.load(Ordering::Relaxed);

@@ -80,18 +80,19 @@ pub fn report(
         "cylinders": drawn.cylinders,
         "box": { "low": low, "high": high },
     });
-    let mut notes = vec![format!(
-        "{} of {} drawn, {} of {}{}",
-        drawn.spheres,
-        counted(read.atoms, "atom"),
-        shown.len(),
-        counted(read.models.len(), "model"),
-        if drawn.bonds.pairs.is_empty() {
-            String::new()
-        } else {
-            format!(", {}", counted(drawn.bonds.pairs.len(), "bond"))
-        }
-    )];
+    let bonds = match drawn.bonds.pairs.len() {
+        0 => String::new(),
+        count => format!(", {}", counted(count, "bond")),
+    };
+    let of_all = format!("{} of {}", shown.len(), counted(read.models.len(), "model"));
+    let atoms = counted(read.atoms, "atom");
+    let mut notes = vec![match &options.assembly {
+        Some(name) => format!(
+            "assembly {name}: {} drawn, of {atoms} in the file, {of_all}{bonds}",
+            counted(drawn.spheres, "atom")
+        ),
+        None => format!("{} of {atoms} drawn, {of_all}{bonds}", drawn.spheres),
+    }];
     let mut note = |count: usize, text: String| {
         if count > 0 {
             notes.push(text);

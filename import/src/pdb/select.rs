@@ -4,7 +4,7 @@ use super::options::Residues;
 use super::structure::{Atom, Structure, listed, unusable};
 use super::words::{Word, Words};
 use crate::error::ImportError;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Chains and residues that are drawn.
 pub struct Selection<'a> {
@@ -25,15 +25,15 @@ impl<'a> Selection<'a> {
     ) -> Result<Selection<'a>, ImportError> {
         let words = &structure.words;
         let atoms = || models.iter().flat_map(|m| &structure.models[*m].atoms);
-        let mut there: BTreeMap<Word, ()> = BTreeMap::new();
+        let mut there: HashSet<Word> = HashSet::new();
         if !chains.is_empty() {
-            there.extend(atoms().map(|atom| (atom.chain, ())));
+            there.extend(atoms().map(|atom| atom.chain));
         }
         let chains: Result<Vec<Word>, ImportError> = chains
             .iter()
             .map(|name| {
-                let word = words.find(name).filter(|word| there.contains_key(word));
-                word.ok_or_else(|| no_chain(name, there.keys().map(|w| words.text(*w)), file))
+                let word = words.find(name).filter(|word| there.contains(word));
+                word.ok_or_else(|| no_chain(name, there.iter().map(|w| words.text(*w)), file))
             })
             .collect();
         let selection = Selection {
@@ -103,7 +103,7 @@ fn digits(text: &str) -> Option<i64> {
 }
 
 fn no_chain<'a>(name: &str, there: impl Iterator<Item = &'a str>, file: &str) -> ImportError {
-    let there = there.filter(|chain| !chain.is_empty());
+    let there: BTreeSet<&str> = there.filter(|chain| !chain.is_empty()).collect();
     unusable(
         file,
         format!("it has no chain {name}"),

@@ -3,7 +3,7 @@
 use super::error::SceneError;
 use super::file::SceneFile;
 use super::keys::{is_yes, yes};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A structure file, and what of it is drawn and how; crate `imogene-import` reads it and knows what each key takes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,7 +24,7 @@ pub struct Molecule {
     #[serde(default = "element")]
     pub colour: String,
     /// Which models.
-    #[serde(default = "first")]
+    #[serde(default = "first", deserialize_with = "word_or_number")]
     pub model: String,
     /// Which alternate locations.
     #[serde(default = "best")]
@@ -79,6 +79,23 @@ fn first() -> String {
 
 fn best() -> String {
     "best".to_owned()
+}
+
+/// A word, or a number that stands without quotes.
+fn word_or_number<'de, D: Deserializer<'de>>(input: D) -> Result<String, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(
+        untagged,
+        expecting = "a number, \"first\" or \"all\" would be accepted"
+    )]
+    enum Either {
+        Number(i64),
+        Word(String),
+    }
+    Ok(match Either::deserialize(input)? {
+        Either::Number(number) => number.to_string(),
+        Either::Word(word) => word,
+    })
 }
 
 impl SceneFile {

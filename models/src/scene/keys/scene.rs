@@ -32,7 +32,7 @@ pub(in crate::scene) struct SceneKeys {
     materials: Vec<Material>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     groups: Vec<Group>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     objects: Vec<Object>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     molecules: Vec<Molecule>,
