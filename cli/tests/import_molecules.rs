@@ -136,22 +136,23 @@ fn scenes_that_name_their_file_are_prepared_to_the_same_words() {
             text.contains("file = \"../molecule\"") && !text.contains("[[objects]]"),
             "{text}"
         );
-        for words in ["prepare", "render"] {
-            let run = |scene: &str| {
-                let mut arguments = vec![words, scene, "--size", "64x48"];
-                if words == "render" {
-                    arguments.extend(["--depth", "depth.npy", "-o", "a.png"]);
-                }
-                let mut report = json(&arguments, folder);
-                let object = report.as_object_mut().unwrap();
-                for key in ["scene", "seconds", "prepare_seconds"] {
-                    object.remove(key);
-                }
-                let depth = std::fs::read(folder.join("depth.npy")).ok();
-                (report, depth)
-            };
-            assert_eq!(run("a.toml"), run("scenes/b.toml"), "{words} {options:?}");
-        }
+        let words = |scene: &str| {
+            let prepared = json(&["prepare", scene, "--size", "64x48"], folder);
+            let draw = [
+                "render",
+                scene,
+                "--size",
+                "64x48",
+                "--depth",
+                "depth.npy",
+                "-o",
+                "a.png",
+            ];
+            assert!(json(&draw, folder)["covered_pixels"].as_u64().unwrap() > 50);
+            (prepared, std::fs::read(folder.join("depth.npy")).unwrap())
+        };
+        // The words are too many to be shown.
+        assert!(words("a.toml") == words("scenes/b.toml"), "{options:?}");
     }
 }
 

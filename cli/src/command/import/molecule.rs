@@ -2,6 +2,7 @@
 
 use crate::arguments::Import;
 use crate::failure::Failure;
+use crate::molecules::check_memory;
 use imogene_import::pdb::{self, Format};
 use imogene_import::{Imported, Kind};
 use pathdiff::diff_paths;
@@ -12,6 +13,7 @@ const MOST_LINES: usize = 20_000;
 
 /// The scene of a file.
 pub fn import(bytes: Vec<u8>, format: Format, options: &Import) -> Result<Imported, Failure> {
+    check_memory(&bytes, &options.file)?;
     let file = options.file.display().to_string();
     pdb::read(&bytes, format, &file, &options.molecule.options()).map_err(Failure::input)
 }
