@@ -28,7 +28,7 @@ pub fn check_memory(bytes: &[u8], path: &Path) -> Result<(), Failure> {
     let mib = |bytes: u64| bytes >> 20;
     match imogene_files::free_memory() {
         Some(free) if needed > free => Err(Failure::Input(format!(
-            "{}: its atoms take {} MiB of memory and more, and {} MiB are free; a part of the structure, or more memory, would do",
+            "{}: its atoms take {} MiB of memory and more, and {} MiB are free; so much memory would do",
             path.display(),
             mib(needed),
             mib(free)

@@ -132,10 +132,11 @@ impl Kind {
             return Some(Kind::Faces);
         }
         let is_record = |line: &str| {
-            let name = line.get(..6).unwrap_or(line).trim_end();
-            let is = |record: &&str| name.eq_ignore_ascii_case(record);
-            // A serial number may reach into the name.
-            RECORDS.iter().any(is) || line.starts_with("ATOM ")
+            let (name, rest) = line.split_at_checked(6).unwrap_or((line, ""));
+            let is = |record: &&str| name.trim_end().eq_ignore_ascii_case(record);
+            // A serial number may reach up to the name or into it; a word that goes on is no record.
+            let ends = rest.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
+            (rest.is_empty() || ends) && (RECORDS.iter().any(is) || name.starts_with("ATOM "))
         };
         is_record(first).then_some(Kind::Pdb)
     }

@@ -481,6 +481,7 @@ fn kinds_are_known_by_what_files_hold() {
         ("\u{feff}atom      1  CA", Some(Kind::Pdb)),
         ("\r\n  DATA_x", Some(Kind::Mmcif)),
         ("hello", None),
+        ("HEADER;\nFILE_NAME('x')", None),
         ("", None),
     ];
     for (text, kind) in texts {
