@@ -3,6 +3,7 @@
 //! The formats are those of the wwPDB: PDB, "Protein Data Bank Contents Guide", version 3.3, with what older files and other programs write;
 //! PDBx/mmCIF; and BinaryCIF.
 
+mod alternates;
 mod assembly;
 mod bcif;
 mod biomt;

@@ -1,0 +1,240 @@
+//! Alternate locations: of each atom one is drawn, and those of a residue belong together.
+
+use super::options::Alternates;
+use super::structure::Atom;
+use super::words::{Word, Words};
+use std::collections::{BTreeMap, HashMap};
+
+/// A residue of a model: chain, number and insertion code. Its name is no part of it, because alternate locations may be of different residues.
+type Residue = (Word, Word);
+
+/// Leaves one location of each atom, all of a residue from the same alternate as far as it has them.
+pub fn located(
+    mut atoms: Vec<Atom>,
+    choice: &Alternates,
+    words: &Words,
+    left_out: &mut usize,
+) -> Vec<Atom> {
+    let asked = match choice {
+        Alternates::All => return atoms,
+        Alternates::Best => None,
+        // A name that no atom has is no alternate's.
+        Alternates::Named(name) => words.find(name),
+    };
+    let residue = |atom: &Atom| -> Residue { (atom.chain, atom.number) };
+    let disordered = atoms.iter().filter(|atom| !atom.alternate.is_empty());
+    let mut residues: HashMap<Residue, Vec<usize>> =
+        disordered.map(|atom| (residue(atom), vec![])).collect();
+    if residues.is_empty() {
+        return atoms;
+    }
+    for (index, atom) in atoms.iter().enumerate() {
+        if let Some(members) = residues.get_mut(&residue(atom)) {
+            members.push(index);
+        }
+    }
+    let mut keep = vec![true; atoms.len()];
+    for members in residues.into_values() {
+        one_location(&atoms, &members, asked, &mut keep);
+    }
+    let before = atoms.len();
+    let mut flags = keep.into_iter();
+    atoms.retain(|_| flags.next().expect("one for each atom"));
+    *left_out += before - atoms.len();
+    atoms
+}
+
+/// What speaks for an alternate of a residue.
+#[derive(Default)]
+struct Votes {
+    occupancy: f64,
+    atoms: usize,
+    /// Atoms of which it is the location that stands first in the file.
+    firsts: usize,
+    /// Where it stands first in the file.
+    order: usize,
+}
+
+/// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then those listed first.
+fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Word>) -> Vec<Word> {
+    let mut votes: BTreeMap<Word, Votes> = BTreeMap::new();
+    for members in groups.values() {
+        // An atom with one location and no letter belongs to all alternates.
+        if let [only] = members[..]
+            && atoms[only].alternate.is_empty()
+        {
+            continue;
+        }
+        for (k, index) in members.iter().enumerate() {
+            let entry = votes
+                .entry(atoms[*index].alternate)
+                .or_insert_with(|| Votes {
+                    order: *index,
+                    ..Votes::default()
+                });
+            entry.occupancy += f64::from(atoms[*index].occupancy);
+            entry.atoms += 1;
+            entry.firsts += usize::from(k == 0);
+            entry.order = entry.order.min(*index);
+        }
+    }
+    let asked = |alternate: Word| asked != Some(alternate);
+    let mut ranked: Vec<(Word, Votes)> = votes.into_iter().collect();
+    ranked.sort_by(|(a, v), (b, w)| {
+        let (mean, other) = (v.occupancy / v.atoms as f64, w.occupancy / w.atoms as f64);
+        asked(*a)
+            .cmp(&asked(*b))
+            .then(other.total_cmp(&mean))
+            .then(w.firsts.cmp(&v.firsts))
+            .then(v.order.cmp(&w.order))
+    });
+    ranked.into_iter().map(|(alternate, _)| alternate).collect()
+}
+
+fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &mut [bool]) {
+    let mut groups: BTreeMap<Word, Vec<usize>> = BTreeMap::new();
+    for index in members {
+        groups.entry(atoms[*index].name).or_default().push(*index);
+    }
+    let ranked = ranking(&groups, atoms, asked);
+    // Of alternates that are different residues only one is drawn.
+    let best = members
+        .iter()
+        .find(|i| Some(&atoms[**i].alternate) == ranked.first());
+    let residue = best.map(|i| atoms[*i].residue);
+    for locations in groups.values() {
+        let rank = |index: &usize| {
+            let alternate = atoms[*index].alternate;
+            let place = ranked.iter().position(|a| *a == alternate);
+            place.unwrap_or(ranked.len())
+        };
+        let of_residue = |i: &&usize| {
+            let shared = atoms[**i].alternate.is_empty();
+            shared || Some(atoms[**i].residue) == residue
+        };
+        // The same name and letter twice is no alternate: both are drawn.
+        let first = locations.iter().filter(of_residue).map(rank).min();
+        for index in locations {
+            keep[*index] = Some(rank(index)) == first && of_residue(&index);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::pdb::choose::choose;
+    use crate::pdb::lines::read;
+    use crate::pdb::options::{Alternates, Options};
+
+    fn lines(atoms: &[(&str, char, &str, f64)]) -> String {
+        let line = |(name, alternate, residue, occupancy): &(&str, char, &str, f64)| {
+            format!(
+                "ATOM      1 {name:<4}{alternate}{residue:<3} A   7      11.104  13.207   9.327  {occupancy:.2}  0.00           C\n"
+            )
+        };
+        atoms.iter().map(line).collect()
+    }
+
+    fn kept_of(atoms: &[(&str, char, &str, f64)], alternates: Alternates) -> String {
+        let text = lines(atoms);
+        let mut structure = read(text.as_bytes(), "x").expect("atoms");
+        let options = Options {
+            alternates,
+            ..Options::default()
+        };
+        let (chosen, left_out) = choose(&mut structure, "x", &options).expect("atoms left");
+        let names: Vec<String> = chosen[0]
+            .atoms
+            .iter()
+            .map(|a| {
+                [a.name, a.alternate]
+                    .map(|w| structure.words.text(w))
+                    .concat()
+            })
+            .collect();
+        assert_eq!(names.len() + left_out.alternate_locations, atoms.len());
+        names.join(" ")
+    }
+
+    #[test]
+    fn a_residue_keeps_one_alternate() {
+        let side = [
+            (" N", ' ', "SER", 1.0),
+            (" CA", 'A', "SER", 0.4),
+            (" CA", 'B', "SER", 0.6),
+            (" CB", 'A', "SER", 0.7),
+            (" CB", 'B', "SER", 0.6),
+            (" OG", 'A', "SER", 0.4),
+            (" OG", 'B', "SER", 0.6),
+        ];
+        // B has the mean 0.6, A that of 0.5; atom by atom CB would be A's.
+        assert_eq!(kept_of(&side, Alternates::Best), "N CAB CBB OGB");
+        assert_eq!(
+            kept_of(&side, Alternates::Named("A".into())),
+            "N CAA CBA OGA"
+        );
+        assert_eq!(
+            kept_of(&side, Alternates::Named("Z".into())),
+            "N CAB CBB OGB"
+        );
+        assert_eq!(kept_of(&side, Alternates::All), "N CAA CAB CBA CBB OGA OGB");
+    }
+
+    #[test]
+    fn of_equal_occupancies_the_first_is_kept() {
+        assert_eq!(
+            kept_of(
+                &[("CA", 'B', "SER", 0.5), ("CA", 'A', "SER", 0.5)],
+                Alternates::Best
+            ),
+            "CAB"
+        );
+        // A published file: the first location of CZ has no letter, and belongs to A.
+        let arginine = [
+            ("CZ", ' ', "ARG", 0.5),
+            ("CZ", 'B', "ARG", 0.5),
+            ("NH1", 'A', "ARG", 0.5),
+            ("NH1", 'B', "ARG", 0.5),
+            ("NH2", 'A', "ARG", 0.5),
+            ("NH2", 'B', "ARG", 0.5),
+        ];
+        assert_eq!(kept_of(&arginine, Alternates::Best), "CZ NH1A NH2A");
+        assert_eq!(
+            kept_of(&arginine, Alternates::Named("B".into())),
+            "CZB NH1B NH2B"
+        );
+    }
+
+    #[test]
+    fn of_two_residues_at_one_place_one_is_kept() {
+        let both = [
+            ("N", ' ', "SER", 1.0),
+            ("CA", 'A', "SER", 0.3),
+            ("CA", 'B', "THR", 0.7),
+            ("OG", 'A', "SER", 0.3),
+            ("OG1", 'B', "THR", 0.7),
+            ("CG2", 'B', "THR", 0.7),
+        ];
+        assert_eq!(kept_of(&both, Alternates::Best), "N CAB OG1B CG2B");
+        assert_eq!(kept_of(&both, Alternates::Named("A".into())), "N CAA OGA");
+    }
+
+    #[test]
+    fn an_atom_that_only_the_other_alternate_has_stays() {
+        let atoms = [
+            ("CA", 'A', "SER", 0.6),
+            ("CA", 'B', "SER", 0.4),
+            ("HG", 'B', "SER", 0.4),
+        ];
+        assert_eq!(kept_of(&atoms, Alternates::Best), "CAA HGB");
+        // A molecule of water that is there half of the time, and two atoms of the same name and letter.
+        assert_eq!(kept_of(&[("O", 'A', "HOH", 0.5)], Alternates::Best), "OA");
+        assert_eq!(
+            kept_of(
+                &[("C", 'A', "LIG", 0.5), ("C", 'A', "LIG", 0.5)],
+                Alternates::Best
+            ),
+            "CA CA"
+        );
+    }
+}

@@ -1,0 +1,257 @@
+//! Texts in the PDBx/mmCIF format: their forms, what each item means, what is refused and where, and that no words make the reader panic.
+
+use imogene_import::Imported;
+use imogene_import::pdb::{self, Format, ModelChoice, Options, Style};
+use imogene_models::scene::{Shape, Step};
+use proptest::prelude::*;
+
+fn cif(text: &str, options: &Options) -> Result<Imported, String> {
+    pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
+}
+
+fn names(imported: &Imported) -> Vec<&str> {
+    let objects = imported.scene.objects.iter();
+    objects.map(|object| object.name.as_str()).collect()
+}
+
+fn places(imported: &Imported) -> Vec<[f64; 3]> {
+    let spheres = imported
+        .scene
+        .objects
+        .iter()
+        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
+    let place = |step: &Step| match step {
+        Step::Translate(place) => *place,
+        other => panic!("{other:?}"),
+    };
+    spheres.map(|object| place(&object.place[0])).collect()
+}
+
+/// Two cysteines, which only the file bonds: too far for the distance rule.
+const FAR: &str = "data_far
+loop_
+_struct_conn.id
+_struct_conn.conn_type_id
+_struct_conn.ptnr1_label_asym_id
+_struct_conn.ptnr1_label_atom_id
+_struct_conn.ptnr1_auth_seq_id
+_struct_conn.ptnr1_symmetry
+_struct_conn.ptnr2_label_asym_id
+_struct_conn.ptnr2_label_atom_id
+_struct_conn.ptnr2_auth_seq_id
+_struct_conn.ptnr2_symmetry
+s1 disulf A SG 1 1_555 B SG 2 1_555
+s2 disulf A SG 1 1_555 B SG 3 2_555
+h1 hydrog A SG 1 1_555 B SG 3 1_555
+s3 covale A SG 1 1_555 B SG 9 1_555
+loop_
+_atom_site.type_symbol
+_atom_site.label_atom_id
+_atom_site.label_comp_id
+_atom_site.label_asym_id
+_atom_site.auth_asym_id
+_atom_site.auth_seq_id
+_atom_site.pdbx_PDB_ins_code
+_atom_site.Cartn_x
+_atom_site.Cartn_y
+_atom_site.Cartn_z
+S SG CYS A HH 1 ? 0 0 0
+S SG CYS B HH 2 ? 5 0 0
+S SG CYS B HH 3 ? 10 0 0
+";
+
+#[test]
+fn bonds_of_the_file_are_drawn_where_they_are_in_the_cell() {
+    let options = Options {
+        style: Style::BallAndStick,
+        ..Options::default()
+    };
+    let imported = cif(FAR, &options).expect("readable");
+    assert_eq!(
+        names(&imported),
+        ["HH/1/SG", "HH/2/SG", "HH/3/SG", "HH/1/SG-HH/2/SG"]
+    );
+    assert_eq!(imported.report["bonds_from_file_alone"], 1);
+    let note = |text: &str| imported.notes.iter().any(|note| note.contains(text));
+    assert!(
+        note("1 bond to other cells of the crystal left out"),
+        "{:?}",
+        imported.notes
+    );
+}
+
+/// What an author may leave out, in what order, in which case, with which line ends; and what is not drawn.
+#[test]
+fn texts_of_every_form_are_read() {
+    let columns =
+        "loop_\n_Atom_Site.Cartn_Z\n_atom_site.Cartn_y\n_atom_site.cartn_x\n_atom_site.other\n";
+    let text =
+        format!("# made by hand\ndata_x {columns} 3.5(2) 2 1 'two words' # behind\n -1e1 ? ");
+    let error = cif(&text, &Options::default()).unwrap_err();
+    assert!(
+        error.contains("the last row of the loop has 2 of 4 values"),
+        "{error}"
+    );
+    let text = format!(
+        "data_x {columns} 3.5(2) 2 1\n;text\nof lines\n;\n-1e1 -2.5 +.5 \"a 'b' c\"\ndata_y {columns} 1 2 3 4"
+    );
+    for text in [
+        text.clone(),
+        text.replace('\n', "\r\n"),
+        text.replace('\n', "\r"),
+        format!("\u{feff}{text}"),
+    ] {
+        let imported = cif(&text, &Options::default()).expect("readable");
+        assert_eq!(places(&imported), [[1.0, 2.0, 3.5], [0.5, -2.5, -10.0]]);
+        assert!(
+            imported
+                .notes
+                .iter()
+                .any(|n| n.contains("further data blocks left out"))
+        );
+        assert_eq!(imported.scene.title, "x");
+    }
+    let one = "data_one _entry.id 'an entry' _struct.title\n;a title\nof two lines\n;\n_atom_site.Cartn_x 1 _atom_site.Cartn_y 2 _atom_site.Cartn_z 3 _atom_site.type_symbol Fe3+ _atom_site.label_atom_id FE";
+    let imported = cif(one, &Options::default()).expect("readable");
+    assert_eq!(imported.scene.title, "an entry: a title of two lines");
+    assert_eq!(imported.scene.objects[0].material, "Fe");
+    assert_eq!(names(&imported), ["-/-/FE"]);
+}
+
+/// Chains of several letters, insertion codes, models out of order, alternates, names with quotes, and the names of the authors before the others.
+#[test]
+fn every_column_has_its_meaning() {
+    let text = "data_x loop_
+_atom_site.id _atom_site.type_symbol _atom_site.label_atom_id _atom_site.label_alt_id _atom_site.label_comp_id _atom_site.auth_comp_id
+_atom_site.label_asym_id _atom_site.auth_asym_id _atom_site.label_seq_id _atom_site.auth_seq_id _atom_site.pdbx_PDB_ins_code
+_atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z _atom_site.occupancy _atom_site.pdbx_PDB_model_num
+1 C  \"C1'\" . LIG XXX A AAA 1 -7 B 1 0 0 1.0 5
+2 N  N1    A LIG XXX A ?   1 .  . 2 0 0 0.3 2
+3 N  N1    B LIG XXX A ?   1 .  . 3 0 0 0.7 2
+4 ?  O2    . LIG XXX A .   . ?  ? 4 0 0 ?   5
+";
+    let all = Options {
+        model: ModelChoice::All,
+        ..Options::default()
+    };
+    let imported = cif(text, &all).expect("readable");
+    assert_eq!(
+        names(&imported),
+        ["5/AAA/-7B/C1'", "5/A/-/O2", "2/A/1/N1.B"]
+    );
+    assert_eq!(imported.report["models"], serde_json::json!([5, 2]));
+    assert_eq!(imported.report["elements_from_names"], 1);
+    assert_eq!(imported.scene.objects[1].material, "O");
+    let own = Options {
+        residues: vec!["XXX".parse().expect("a name")],
+        chains: vec!["AAA".into()],
+        ..Options::default()
+    };
+    assert_eq!(names(&cif(text, &own).expect("readable")), ["AAA/-7B/C1'"]);
+}
+
+#[test]
+fn what_is_wrong_is_refused_where_it_stands() {
+    let row = "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+    let cases = [
+        (
+            format!("{row}1 2 x3"),
+            "f.cif:6:5: the z coordinate `x3` is not a number",
+        ),
+        (
+            format!("{row}1 ? 3"),
+            "f.cif:6:3: the atom has no y coordinate",
+        ),
+        (format!("{row}1 nan 3"), "f.cif:6:3: the y coordinate `nan`"),
+        (
+            format!("{row}1 2 1e300"),
+            "f.cif:6:5: the z coordinate `1e300`",
+        ),
+        (
+            format!("{row}1 2 3 4"),
+            "f.cif:6:7: the last row of the loop has 1 of 3 values",
+        ),
+        (format!("{row}1 2 '3"), "f.cif:6:5: the quote is not closed"),
+        (
+            format!("{row};1\n2 3"),
+            "f.cif:6:1: the text that begins here is not closed",
+        ),
+        (
+            row.replace("_atom_site.Cartn_z\n", "_atom_site.pdbx_PDB_model_num\n")
+                + "_atom_site.Cartn_z\n1 2 x 3",
+            "f.cif:7:5: the number `x` of the model",
+        ),
+        (
+            "data_x\nloop_\n1 2".into(),
+            "f.cif:2:1: a loop without names",
+        ),
+        (
+            "data_x\n_entry.id\n_struct.title a".into(),
+            "f.cif:2:1: the item `_entry.id` has no value",
+        ),
+        (
+            "data_x\n\u{e9}\u{e9} y".into(),
+            "f.cif:2:1: a value without a name",
+        ),
+        (
+            "data_x\n_entry.id 1\n_atom_site.id 2".into(),
+            "no atom in the category _atom_site",
+        ),
+        (
+            "data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5".into(),
+            "the CIF of a small molecule",
+        ),
+        ("data_x\n_refln.id 1".into(), "these are structure factors"),
+        (
+            "data_x\n_chem_comp_atom.atom_id 1".into(),
+            "the definition of a chemical component",
+        ),
+    ];
+    for (text, start) in cases {
+        let error = cif(&text, &Options::default()).unwrap_err();
+        assert!(error.contains(start), "{error}\nis not\n{start}");
+        assert!(
+            error.contains("would be accepted") || error.contains("would close it"),
+            "{error}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Whatever the words of a text, there is a scene that can be written, or a message that says what would be accepted.
+    #[test]
+    fn no_words_make_it_panic(words in proptest::collection::vec(word(), 0..80)) {
+        match cif(&words.join(" "), &Options::default()) {
+            Ok(imported) => prop_assert!(imported.scene.to_toml().is_ok()),
+            Err(error) => prop_assert!(error.contains("would"), "{error}"),
+        }
+    }
+}
+
+fn word() -> impl Strategy<Value = String> {
+    let known = [
+        "data_x",
+        "loop_",
+        "_atom_site.Cartn_x",
+        "_atom_site.Cartn_y",
+        "_atom_site.Cartn_z",
+        "_atom_site.id",
+        "_struct_conn.conn_type_id",
+        "_pdbx_struct_oper_list.id",
+        "_pdbx_struct_assembly_gen.assembly_id",
+        "?",
+        ".",
+        "1.5",
+        "'a b'",
+        "\n;\ntext\n;\n",
+        "#",
+        "\n",
+        "save_",
+    ];
+    prop_oneof![
+        9 => (0..known.len()).prop_map(move |k| known[k].to_owned()),
+        1 => any::<String>(),
+    ]
+}
