@@ -54,6 +54,7 @@ fn scene() -> FramedScene {
         width: WIDTH,
         height: HEIGHT,
         range: DepthRange::of_pixels(&projection),
+        sample_at: [0.0; 2],
         projection,
         objects: vec![cut.into()],
         materials: vec![],

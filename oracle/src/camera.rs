@@ -34,7 +34,27 @@ pub struct Sight {
 
 impl Sight {
     /// The lines of sight of a camera, for a picture of `width` x `height` pixels whose depth words cover a range.
+    ///
+    /// They go through the places of pixels at which the camera samples.
     pub fn new(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
+        let mut sight = Sight::through_whole_places(camera, range, width, height);
+        let lines = if sight.perspective {
+            &mut sight.along
+        } else {
+            &mut sight.from
+        };
+        let [column, line, start] = lines;
+        let halves = camera.sample_at().map(|v| from_decimal(v) * integer(2));
+        for (axis, halves) in [column, line].into_iter().zip(&halves) {
+            for (sum, part) in start.iter_mut().zip(axis) {
+                *sum += &*part * halves;
+            }
+        }
+        sight
+    }
+
+    /// Through places (X, Y) alone.
+    fn through_whole_places(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
         let lines = integer(i64::from(height));
         match camera {
             Camera::Perspective {

@@ -195,6 +195,7 @@ fn camera(model: &Model, view: &View) -> Camera {
         viewer_distance: distance,
         view_height: rounded(2.0 * MARGIN * half, size),
         near: None,
+        sample_at: [0.0; 2],
         node: Node::default(),
     }
 }

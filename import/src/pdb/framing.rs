@@ -97,6 +97,7 @@ pub fn frame(balls: &[Ball]) -> Framing {
             viewer_distance: distance,
             view_height: five_digits_up(2.0 * half_height),
             near: None,
+            sample_at: [0.0; 2],
             node: Node::default(),
         },
         axes: [right, up, towards],

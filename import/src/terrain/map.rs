@@ -99,6 +99,7 @@ impl<'a> Map<'a> {
             viewer_distance: self.viewer_distance,
             view_height: short(VIEW * self.viewer_distance),
             near: None,
+            sample_at: [0.0; 2],
             node: Node::default(),
         };
         SceneFile {

@@ -56,6 +56,7 @@ impl Globule {
             viewer_distance: 6.0 * radius,
             view_height: 2.05 * radius,
             near: None,
+            sample_at: [0.0; 2],
             node: Node::default(),
         }
     }

@@ -17,9 +17,20 @@ impl FramedScene {
     /// Where a pixel samples the screen plane.
     pub fn pixel_centre(&self, column: usize, line: usize) -> [f64; 2] {
         [
-            column as f64 - 0.5 * f64::from(self.width),
-            line as f64 - 0.5 * f64::from(self.height),
+            column as f64 - 0.5 * f64::from(self.width) + self.sample_at[0],
+            line as f64 - 0.5 * f64::from(self.height) + self.sample_at[1],
         ]
+    }
+
+    /// The normal in a frame at right angles, of one in the frame that is moved to where pixels are sampled.
+    fn upright(&self, [x, y, z]: Vector) -> Vector {
+        match &self.projection {
+            Projection::Perspective { distance } => {
+                let [u, v] = self.sample_at;
+                [x, y, z - (u * x + v * y) / to_f64(distance)]
+            }
+            Projection::Orthographic { .. } => [x, y, z],
+        }
     }
 }
 
@@ -65,7 +76,7 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
             .projection
             .antecedent(centre, frame.depth[index] as f64 * scale);
         let material = &scene.materials[scene.objects[id].material()];
-        let normal = frame.normal[index].map(f64::from);
+        let normal = scene.upright(frame.normal[index].map(f64::from));
         let flags = lighting.flags[index];
         colour(scene, material, point, normal, flags)
             .map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)

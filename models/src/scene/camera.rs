@@ -46,6 +46,15 @@ impl Camera {
         }
     }
 
+    /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
+    pub fn sample_at(&self) -> [f64; 2] {
+        match self {
+            Self::Perspective { sample_at, .. } | Self::Orthographic { sample_at, .. } => {
+                *sample_at
+            }
+        }
+    }
+
     /// The focal length in millimetres that shows the same window on a film 24 mm high; none for a parallel view.
     pub fn focal(&self) -> Option<f64> {
         match self {

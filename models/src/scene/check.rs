@@ -230,6 +230,17 @@ fn check_camera(camera: &Camera) -> Checked {
         }
     };
     check_numbers(&key("eye"), &eye)?;
+    if let Some(value) = camera
+        .sample_at()
+        .iter()
+        .find(|v| !(-1.0..=1.0).contains(*v))
+    {
+        return Err(SceneError::value(
+            key("sample_at"),
+            format!("{value} is out of range"),
+            "columns and lines from a pixel's whole coordinates are needed, each from -1 to 1",
+        ));
+    }
     check_numbers(&key("target"), &target)?;
     check_direction(&key("up"), up)?;
     let view: [f64; 3] = std::array::from_fn(|axis| target[axis] - eye[axis]);

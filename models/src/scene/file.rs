@@ -88,6 +88,8 @@ pub enum Camera {
         view_height: f64,
         /// Distance from the eye at which the depth word begins; chosen for the scene if not given.
         near: Option<f64>,
+        /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
+        sample_at: [f64; 2],
         /// Name, group and place.
         node: Node,
     },
@@ -107,6 +109,8 @@ pub enum Camera {
         /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of
         /// `half_depth`.
         ends: Option<[f64; 2]>,
+        /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
+        sample_at: [f64; 2],
         /// Name, group and place.
         node: Node,
     },

@@ -13,6 +13,8 @@ pub(crate) struct FloatCamera {
     pub axes: [[f64; 3]; 3],
     /// Pixels for one scene unit: at a distance of one unit from the eye, or everywhere.
     pub pixels: f64,
+    /// Where pixels are sampled: columns and lines from whole coordinates.
+    pub sample_at: [f64; 2],
 }
 
 impl FloatCamera {
@@ -38,6 +40,7 @@ impl FloatCamera {
             origin: origin.each_ref().map(to_f64),
             axes: sight.axes(),
             pixels: pixels * f64::from(height),
+            sample_at: camera.sample_at(),
         })
     }
 }

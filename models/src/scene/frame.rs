@@ -2,7 +2,9 @@
 //!
 //! The camera frame has its origin in the middle of the picture, x to the right, y *down* the screen and z away from the
 //! observer; its unit is one pixel. The screen plane is z = 0. A perspective eye stands at (0, 0, -D); an orthographic one
-//! looks along +z. The pixel of column i and line j samples x = i - width/2, y = j - height/2.
+//! looks along +z. The pixel of column i and line j samples x = i - width/2, y = j - height/2. For a camera that samples
+//! elsewhere in its pixels the whole frame is moved there: parallel to the screen plane, and so far at each depth that the
+//! screen moves by as much. In perspective that is a shear about the eye.
 //!
 //! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries are then
 //! taken as exact, so that everything derived from them is exact.
@@ -38,6 +40,8 @@ pub struct FramedScene {
     pub projection: Projection,
     /// Which distances the depth word tells apart.
     pub range: DepthRange,
+    /// Where pixels are sampled: columns and lines from whole coordinates. Objects and sources are moved by as much, the other way.
+    pub sample_at: [f64; 2],
     /// Objects in the order of the file.
     pub objects: Vec<FramedObject>,
     /// Materials in the order of the file.
@@ -96,19 +100,25 @@ impl SceneFile {
         kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
     ) -> Result<FramedScene, SceneError> {
         check_image_size(width, height)?;
-        let (camera, projection) = camera_frame(&self.camera, height, range)?;
+        let (upright, projection) = camera_frame(&self.camera, height, range)?;
+        let sample_at = self.camera.sample_at();
+        let camera = match sample_at {
+            [0.0, 0.0] => upright.clone(),
+            _ => moved(sample_at, &projection).after(&upright),
+        };
         Ok(FramedScene {
             title: self.title.clone(),
             width,
             height,
             projection,
             range: range.clone(),
+            sample_at,
             objects: self.framed_objects(&camera, kept)?,
             materials: self.materials.clone(),
             lights: self
                 .lights
                 .iter()
-                .map(|light| framed_light(light, &camera))
+                .map(|light| framed_light(light, &upright))
                 .collect(),
             sources: self
                 .lights
@@ -188,12 +198,25 @@ fn camera_frame(
     }
 }
 
+/// Moves the camera frame so that the screen moves by `-sample_at`.
+fn moved(sample_at: [f64; 2], projection: &Projection) -> Transform {
+    let offset = sample_at.map(|v| -from_decimal(v));
+    let mut change = Transform::identity();
+    for (row, offset) in change.rows.iter_mut().zip(offset) {
+        if let Projection::Perspective { distance } = projection {
+            row[2] = &offset / distance;
+        }
+        row[3] = offset;
+    }
+    change
+}
+
 /// Where an observer stands in the scene, and where it looks.
 pub(super) struct Sight {
-    pub eye: [BigRational; 3],
-    pub target: [BigRational; 3],
+    pub(super) eye: [BigRational; 3],
+    pub(super) target: [BigRational; 3],
     view: [f64; 3],
-    up: [f64; 3],
+    pub(super) up: [f64; 3],
 }
 
 impl Sight {
@@ -285,7 +308,11 @@ fn framed_object(
 }
 
 /// An object that is a quadric bounded by planes.
-fn cut_quadric(object: &Object, material: usize, camera: &WholeTransform) -> FramedQuadric {
+pub(super) fn cut_quadric(
+    object: &Object,
+    material: usize,
+    camera: &WholeTransform,
+) -> FramedQuadric {
     let inverse = WholeTransform::of_steps(camera, &object.place).inverse();
     let local = match &object.shape {
         Shape::TetrahedronPatch { corners, weights } => {

@@ -74,6 +74,7 @@ pub fn orthographic(half_depth: f64) -> Camera {
         view_height: f64::from(SCREEN.1),
         half_depth: None,
         ends: Some([-half_depth, half_depth]),
+        sample_at: [0.0; 2],
         node: Node::default(),
     }
 }
@@ -87,6 +88,7 @@ pub fn perspective(distance: f64) -> Camera {
         viewer_distance: distance,
         view_height: f64::from(SCREEN.1),
         near: Some(0.5 * distance),
+        sample_at: [0.0; 2],
         node: Node::default(),
     }
 }

@@ -101,6 +101,7 @@ pub fn scene_of(
         width,
         height,
         range: DepthRange::of_pixels(&projection),
+        sample_at: [0.0; 2],
         projection,
         objects: objects.into_iter().map(FramedObject::from).collect(),
         materials: vec![Material {

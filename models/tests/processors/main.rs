@@ -315,6 +315,7 @@ fn parallel_view(eye: [f64; 3]) -> imogene_models::scene::Camera {
         view_height: 4.0,
         half_depth: Some(4.0),
         ends: None,
+        sample_at: [0.0; 2],
         node: imogene_models::scene::Node::default(),
     }
 }

@@ -122,7 +122,8 @@ impl Outline {
                     }
                 };
                 let s = strength(ball.radius);
-                let slant = 1.0 + (middle[0] + middle[1]) / pixels + (x.abs() + y.abs()) / z;
+                let [u, v] = view.farthest();
+                let slant = 1.0 + (u + v) / pixels + (x.abs() + y.abs()) / z;
                 Some(Outline {
                     at: [middle[0] + x / z * pixels, middle[1] + y / z * pixels],
                     f1: [

@@ -64,7 +64,15 @@ impl View<'_> {
 
     /// Pixel columns and lines of the screen's middle.
     pub fn middle(&self) -> [f64; 2] {
-        [self.width, self.height].map(|n| 0.5 * f64::from(n))
+        let half = [self.width, self.height].map(|n| 0.5 * f64::from(n));
+        std::array::from_fn(|k| half[k] - self.camera.sample_at[k])
+    }
+
+    /// Most columns and lines from the middle to a pixel.
+    pub fn farthest(&self) -> [f64; 2] {
+        let last = [self.width, self.height].map(|n| f64::from(n) - 1.0);
+        let middle = self.middle();
+        std::array::from_fn(|k| middle[k].max(last[k] - middle[k]))
     }
 
     /// The whole screen.

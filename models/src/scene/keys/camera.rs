@@ -33,12 +33,22 @@ pub(in crate::scene) struct CameraKeys {
     near: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     far: Option<f64>,
+    #[serde(
+        default,
+        skip_serializing_if = "is_whole",
+        deserialize_with = "numbers"
+    )]
+    sample_at: [f64; 2],
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     group: Option<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     place: Vec<Step>,
+}
+
+fn is_whole(sample_at: &[f64; 2]) -> bool {
+    *sample_at == [0.0; 2]
 }
 
 #[derive(Serialize, Deserialize)]
@@ -145,6 +155,7 @@ impl TryFrom<CameraKeys> for Camera {
             half_depth,
             near,
             far,
+            sample_at,
             ..
         } = keys;
         let node = Node {
@@ -185,6 +196,7 @@ impl TryFrom<CameraKeys> for Camera {
                     viewer_distance,
                     view_height: window.of_perspective(viewer_distance)?,
                     near,
+                    sample_at,
                     node,
                 })
             }
@@ -202,6 +214,7 @@ impl TryFrom<CameraKeys> for Camera {
                     view_height: window.of_parallel_view()?,
                     half_depth,
                     ends: ends(near, far, half_depth)?,
+                    sample_at,
                     node,
                 })
             }
@@ -219,6 +232,7 @@ impl From<Camera> for CameraKeys {
                 viewer_distance,
                 view_height,
                 near,
+                sample_at,
                 node,
             } => Self {
                 kind: CameraKind::Perspective,
@@ -232,6 +246,7 @@ impl From<Camera> for CameraKeys {
                 half_depth: None,
                 near,
                 far: None,
+                sample_at,
                 name: node.name,
                 group: node.group,
                 place: node.place,
@@ -243,6 +258,7 @@ impl From<Camera> for CameraKeys {
                 view_height,
                 half_depth,
                 ends,
+                sample_at,
                 node,
             } => Self {
                 kind: CameraKind::Orthographic,
@@ -256,6 +272,7 @@ impl From<Camera> for CameraKeys {
                 half_depth,
                 near: ends.map(|[near, _]| near),
                 far: ends.map(|[_, far]| far),
+                sample_at,
                 name: node.name,
                 group: node.group,
                 place: node.place,

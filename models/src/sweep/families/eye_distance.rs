@@ -66,6 +66,7 @@ fn ball(series: usize, distance: &BigRational) -> SceneFile {
         viewer_distance: decimal(&screen),
         view_height: decimal(&(&screen * fraction(3, 4))),
         near: Some(decimal(&(screen / integer(2)))),
+        sample_at: [0.0; 2],
         node: Node::default(),
     };
     let shape = Shape::Sphere {

@@ -44,6 +44,7 @@ fn ellipsoid(_series: usize, offset: &BigRational) -> SceneFile {
         viewer_distance: 200.0,
         view_height: f64::from(SCREEN.1),
         near: Some(100.0),
+        sample_at: [0.0; 2],
         node: Node::default(),
     };
     let shape = Shape::Ellipsoid {
