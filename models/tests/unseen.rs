@@ -95,15 +95,17 @@ fn camera() -> impl Strategy<Value = String> {
         [-2000i32..2000, -2000..2000, 500..2000].prop_map(|v| v.map(|n| f64::from(n) / 1000.0));
     // Far away, close to the first balls, and among them.
     let distance = prop_oneof![Just(60.0), Just(25.0), Just(9.0), Just(4.0), Just(1.0)];
-    (from, distance, 3.0f64..14.0, any::<bool>(), any::<bool>()).prop_map(|(from, distance, height, along, flat)| {
+    // At whole places, at half ones, and at others.
+    let at = prop_oneof![Just([0.0, 0.0]), Just([0.5, 0.5]), Just([-0.375, 0.875])];
+    (from, distance, 3.0f64..14.0, any::<bool>(), any::<bool>(), at).prop_map(|(from, distance, height, along, flat, at)| {
         let from = if along { [0.0, 0.0, 1.0] } else { from };
         let length = from.iter().map(|v| v * v).sum::<f64>().sqrt();
         let eye = from.map(|v| (v / length * distance * 1e3).round() / 1e3);
         let height = (height * 1e2).round() / 1e2;
         match flat {
-            true => format!("kind = \"orthographic\"\neye = {eye:?}\ntarget = [0, 0, 0]\nview_height = {height}"),
+            true => format!("kind = \"orthographic\"\neye = {eye:?}\ntarget = [0, 0, 0]\nview_height = {height}\nsample_at = {at:?}"),
             false => format!(
-                "kind = \"perspective\"\neye = {eye:?}\ntarget = [0, 0, 0]\nviewer_distance = {distance}\nview_height = {height}"
+                "kind = \"perspective\"\neye = {eye:?}\ntarget = [0, 0, 0]\nviewer_distance = {distance}\nview_height = {height}\nsample_at = {at:?}"
             ),
         }
     })

@@ -42,6 +42,7 @@ pub const GROUPS: &[Group] = &[
                     "imogene render scenes/teapot.toml  # writes teapot.png",
                     "imogene render scenes/cone.toml --model rtl --size 160x120 -o cone.png  # by the hardware in simulation",
                     "imogene render scenes/animation/arm.toml --frames -o arm  # arm/animation.png",
+                    "imogene render scenes/teapot.toml --view top --fit --samples 4 -o top.png  # another look, smooth",
                     "imogene render scenes/teapot.toml --depth depth.npy --ids ids.npy  # for NumPy",
                 ],
             ),

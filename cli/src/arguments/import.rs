@@ -5,6 +5,7 @@ mod molecule;
 mod terrain;
 
 use clap::{Args, ValueEnum};
+use super::LookOptions;
 pub use faces::FaceOptions;
 use imogene_import::Kind;
 pub use molecule::MoleculeOptions;
@@ -22,6 +23,9 @@ pub struct Import {
     /// What the file is; found out from what it holds, and else from its name.
     #[arg(long = "as", value_enum, value_name = "KIND")]
     pub kind: Option<ImportKind>,
+    /// How the scene's camera looks at it; its directional lights turn with it.
+    #[command(flatten)]
+    pub look: LookOptions,
     /// Options of molecules.
     #[command(flatten, next_help_heading = "Molecules")]
     pub molecule: MoleculeOptions,

@@ -1,6 +1,6 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, Split, depth_word};
+use super::{FrameRange, LookOptions, Split, depth_word};
 use clap::{Args, ValueEnum};
 use imogene_models::format::FittedWidths;
 use imogene_models::widths::{self, WidthsError};
@@ -87,6 +87,13 @@ pub struct Render {
     /// Scene.
     #[command(flatten)]
     pub scene: Scene,
+    /// Another look at it.
+    #[command(flatten)]
+    pub look: LookOptions,
+    /// Smooth the picture as the machine's accumulator does: the mean of so many pictures, 4 or 16, that sample other places of each pixel. Depth words, indices
+    /// and normals stay those of the plain picture.
+    #[arg(long, value_name = "COUNT", value_parser = samples, conflicts_with_all = ["zone", "split", "frames"])]
+    pub samples: Option<u32>,
     /// Round the coefficients anew for each zone of so many columns and lines, 8 or more (model golden).
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(8..=4096))]
     pub zone: Option<u32>,
@@ -103,7 +110,7 @@ pub struct Render {
     /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
     /// folder of --output.
     #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "",
-          conflicts_with_all = ["zone", "depth", "ids", "normals", "frame"])]
+          conflicts_with_all = ["zone", "depth", "ids", "normals", "frame", "side", "rotate", "fit", "zoom"])]
     pub frames: Option<FrameRange>,
     /// Depth words as a NumPy array (int64, background = 2^(W-1) - 1).
     #[arg(long, value_name = "FILE.npy")]
@@ -131,6 +138,11 @@ impl Render {
             PathBuf::from(name)
         })
     }
+}
+
+fn samples(text: &str) -> Result<u32, String> {
+    let count = text.parse().ok().filter(|count| [4, 16].contains(count));
+    count.ok_or_else(|| "4 or 16 samples of each pixel are possible".to_owned())
 }
 
 /// Arguments of `prepare`.

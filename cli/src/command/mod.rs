@@ -41,7 +41,7 @@ use imogene_files::{free_memory, memory_limit};
 use imogene_models::animation::Playback;
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, Seen, memory, prepare_reporting, steps};
-use imogene_models::scene::{FramedScene, SceneFile};
+use imogene_models::scene::{FramedScene, Look, SceneFile};
 use imogene_models::text::counted;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::EmitRequest;
@@ -57,9 +57,8 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     )
 }
 
-/// The same of a scene of which only the picture counts: without the objects that nobody sees.
-fn load_seen(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    let file = read_scene(&scene.scene, &scene.view)?;
+/// A scene of which only the picture counts, framed and prepared: without the objects that nobody sees.
+fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     let ((width, height), format) = (size_of(&file, scene.size), format_of(scene)?);
     let bar = output::progress(file.frame_steps(), "framing");
     let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1)).map_err(Failure::input)?;
@@ -92,6 +91,18 @@ fn read_scene(path: &Path, view: &View) -> Result<SceneFile, Failure> {
     }
     let found = playback.scene(frame as usize - 1);
     found.map_err(|error| named(error.to_string()))
+}
+
+/// The scene as it is looked at; with a warning of what is endless and does not fit into a picture.
+fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<SceneFile, Failure> {
+    let Some(look) = look else {
+        return Ok(file);
+    };
+    let (file, endless) = look.applied(&file, size_of(&file, size)).map_err(Failure::input)?;
+    for name in &endless {
+        output::warning(format!("object '{name}' has no end that --fit could count with"));
+    }
+    Ok(file)
 }
 
 /// The format that is asked for.

@@ -1,9 +1,10 @@
 //! `imogene render`.
 
 mod frames;
+mod samples;
 mod split;
 
-use super::{load_scene, load_seen, threads, verdict};
+use super::{format_of, frame_in, load_seen, looked, read_scene, threads, verdict};
 use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
@@ -56,9 +57,13 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     // Zones round anew, pieces count the work of all objects, and hardware has a processor for each.
     let is_picture =
         options.zone.is_none() && options.split.split.is_none() && options.model != Model::Rtl;
+    let scene = &options.scene;
+    let file = read_scene(&scene.scene, &scene.view)?;
+    let file = looked(file, options.look.look(false), scene.size)?;
+    let again = options.samples.map(|count| (count, file.clone()));
     let (framed, prepared) = match is_picture {
-        true => load_seen(&options.scene)?,
-        false => load_scene(&options.scene)?,
+        true => load_seen(file, scene)?,
+        false => frame_in(&file, scene.size, format_of(scene)?)?,
     };
     let prepare_seconds = started.elapsed().as_secs_f64();
     if let Some(zone) = options.zone {
@@ -68,25 +73,24 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         return divided(options, division, &framed, &prepared, prepare_seconds, json);
     }
     let started = Instant::now();
-    let (model, frame) = match options.model {
-        Model::Exact => ("exact", exact_frame(&framed, &prepared)),
-        Model::Golden => ("golden", golden_frame(&prepared)),
-        Model::Rtl => ("rtl", hardware_frame(options, &prepared)?),
-    };
-    let lighting = match options.model {
-        Model::Exact => exact_lighting(&framed, &frame),
-        // What is simulated are the object processors; the volumes are those of the golden model.
-        Model::Golden | Model::Rtl => golden_lighting(&frame, &prepared),
+    let (frame, lighting) = draw(options, &framed, &prepared)?;
+    let rgb = match again {
+        Some((count, file)) => samples::colours(options, &file, count)?,
+        None => shading::shade(&frame, &lighting, &framed, &prepared.format),
     };
     let seconds = started.elapsed().as_secs_f64();
-    let files = write(options, &frame, &lighting, &framed, &prepared)?;
+    let files = write(options, &frame, &rgb)?;
     let failing = match options.model {
         Model::Golden => failing(&framed, &prepared),
         Model::Exact | Model::Rtl => vec![],
     };
     report(
         RenderReport {
-            model,
+            model: match options.model {
+                Model::Exact => "exact",
+                Model::Golden => "golden",
+                Model::Rtl => "rtl",
+            },
             width: prepared.width,
             height: prepared.height,
             prepare_seconds,
@@ -102,6 +106,25 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
         json,
     );
     drawn_as_it_is(&failing)
+}
+
+/// The frame by the model that is asked for, and what lights it.
+fn draw(
+    options: &Render,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(Frame, Lighting), Failure> {
+    let frame = match options.model {
+        Model::Exact => exact_frame(framed, prepared),
+        Model::Golden => golden_frame(prepared),
+        Model::Rtl => hardware_frame(options, prepared)?,
+    };
+    let lighting = match options.model {
+        Model::Exact => exact_lighting(framed, &frame),
+        // What is simulated are the object processors; the volumes are those of the golden model.
+        Model::Golden | Model::Rtl => golden_lighting(&frame, prepared),
+    };
+    Ok((frame, lighting))
 }
 
 /// Warns of each object that the golden picture may not show as it is, and fails if there is any.
@@ -137,7 +160,8 @@ fn zoned(
     let frame = Drawing::in_zones(&zones, framed).frame;
     let lighting = golden_lighting(&frame, prepared);
     let seconds = started.elapsed().as_secs_f64();
-    let files = write(options, &frame, &lighting, framed, prepared)?;
+    let rgb = shading::shade(&frame, &lighting, framed, &prepared.format);
+    let files = write(options, &frame, &rgb)?;
     report(
         RenderReport {
             model: "golden",
@@ -170,7 +194,8 @@ fn divided(
     let started = Instant::now();
     let (divided, split) = split::draw(options, division, prepared)?;
     let seconds = started.elapsed().as_secs_f64();
-    let files = write(options, &divided.frame, &divided.lighting, framed, prepared)?;
+    let rgb = shading::shade(&divided.frame, &divided.lighting, framed, &prepared.format);
+    let files = write(options, &divided.frame, &rgb)?;
     report(
         RenderReport {
             model: "golden",
@@ -293,7 +318,11 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
 /// The command that shows the difference again.
 fn reproduce(options: &Render) -> String {
     let Scene { scene, view, .. } = &options.scene;
-    format!("imogene cosim {}{}", scene.display(), view.options())
+    let (scene, view) = (scene.display(), view.options());
+    match options.look.look(false) {
+        None => format!("imogene cosim {scene}{view}"),
+        Some(_) => format!("imogene render {scene}{view} --model rtl, with the same look"),
+    }
 }
 
 /// The frame of a beam machine.
@@ -312,17 +341,10 @@ fn beam_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Fra
     drawn.map_err(Failure::input)
 }
 
-fn write(
-    options: &Render,
-    frame: &Frame,
-    lighting: &Lighting,
-    framed: &FramedScene,
-    prepared: &PreparedScene,
-) -> Result<Vec<PathBuf>, Failure> {
-    let rgb = shading::shade(frame, lighting, framed, &prepared.format);
+fn write(options: &Render, frame: &Frame, rgb: &[u8]) -> Result<Vec<PathBuf>, Failure> {
     let mut files = output::files();
     files.add(&options.output(), |out| {
-        picture::png(out, frame.width, frame.height, &rgb)
+        picture::png(out, frame.width, frame.height, rgb)
     })?;
     type Writer = fn(&mut dyn Write, &Frame) -> std::io::Result<()>;
     let arrays: [(&Option<PathBuf>, Writer); 3] = [

@@ -3,11 +3,11 @@
 use super::compile::{Cell, Compiled};
 use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
-use super::vector::{Vector, along, cross, dot, minus, unit};
+use super::vector::{Vector, along, cross, unit};
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, refused};
 use imogene_models::scene::{
-    Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
+    Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface, fitting_from,
 };
 
 /// What became of a solid.
@@ -44,14 +44,18 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
     }
     let used = |material: &&Material| objects.iter().any(|o| o.material == material.name);
     let materials = model.materials.iter().filter(used).cloned().collect();
-    (!objects.is_empty()).then(|| SceneFile {
+    if objects.is_empty() {
+        return None;
+    }
+    let camera = camera(model, &VIEWS[0], &objects);
+    Some(SceneFile {
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
         image: ImageSize::default(),
         lights: lights(model.up),
         materials,
         objects,
-        ..SceneFile::new(&model.title, camera(model, &VIEWS[0]))
+        ..SceneFile::new(&model.title, camera)
     })
 }
 
@@ -64,7 +68,7 @@ pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> 
     }
     for view in &VIEWS[1..] {
         let other = SceneFile {
-            camera: camera(model, view),
+            camera: camera(model, view, &scene.objects),
             ..scene.clone()
         };
         if refusals(&other).is_empty() {
@@ -166,34 +170,31 @@ const VIEWS: [View; 5] = [
     },
 ];
 
-/// What the picture shows of the part's box, and a margin around it.
-const MARGIN: f64 = 1.08;
-
-/// All of the part, as large as the picture lets it be.
-fn camera(model: &Model, view: &View) -> Camera {
+/// The objects, as large as the picture lets them be.
+fn camera(model: &Model, view: &View, objects: &[Object]) -> Camera {
     let size = model.size();
-    let target = model.middle().map(|v| rounded(v, size));
+    let middle = model.middle();
     let distance = rounded(view.sizes * size, size);
-    let eye = along(target, distance, turned(model.up, unit(view.from))).map(|v| rounded(v, size));
-    let forward = unit(minus(target, eye));
-    let right = unit(cross(forward, turned(model.up, [0.0, 1.0, 0.0])));
-    let down = cross(forward, right);
+    let towards = turned(model.up, unit(view.from));
+    let right = unit(cross(turned(model.up, [0.0, 1.0, 0.0]), towards));
+    let axes = [right, cross(towards, right), towards];
+    let bodies = objects.iter().map(|object| Body::of(object, middle, 1e4 * size));
+    let ends = |axis: &Vector| [*axis, axis.map(|v| -v)];
+    let has_end = |body: &Body| axes.iter().flat_map(ends).all(|end| body.reach(end) < size);
+    let mut bodies: Vec<Body> = bodies.filter(has_end).collect();
+    if bodies.is_empty() {
+        bodies.push(Body::ball([0.0; 3], 0.5 * size));
+    }
     let ImageSize { width, height } = ImageSize::default();
-    let shape = f64::from(height) / f64::from(width);
-    let half = corners(model.bounds)
-        .map(|corner| {
-            let from = minus(corner, eye);
-            let reach = distance / dot(from, forward);
-            let (x, y) = (dot(from, right).abs(), dot(from, down).abs());
-            reach * y.max(x * shape)
-        })
-        .fold(0.0, f64::max);
+    let shape = f64::from(width) / f64::from(height);
+    let ([x, y], tangent) = fitting_from(&bodies, &axes, distance, shape);
+    let target = along(along(middle, x, axes[0]), y, axes[1]).map(|v| rounded(v, size));
     Camera::Perspective {
-        eye,
+        eye: along(target, distance, towards).map(|v| rounded(v, size)),
         target,
         up: turned(model.up, [0.0, 1.0, 0.0]),
         viewer_distance: distance,
-        view_height: rounded(2.0 * MARGIN * half, size),
+        view_height: rounded(2.0 * tangent * distance, size),
         near: None,
         sample_at: [0.0; 2],
         node: Node::default(),
@@ -207,19 +208,6 @@ fn turned(up: Up, [x, y, z]: Vector) -> Vector {
         // Without the sign of a zero.
         Up::Z => [x, 0.0 - z, y],
     }
-}
-
-/// The eight corners of a box.
-fn corners([low, high]: [Vector; 2]) -> impl Iterator<Item = Vector> {
-    (0..8).map(move |k| {
-        std::array::from_fn(|axis| {
-            if k >> axis & 1 == 0 {
-                low[axis]
-            } else {
-                high[axis]
-            }
-        })
-    })
 }
 
 /// To a ten-thousandth of the size, for people who read the file.

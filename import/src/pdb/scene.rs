@@ -9,7 +9,7 @@ use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::ImportError;
 use imogene_models::scene::{
-    Axis, Cut, ImageSize, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
+    Axis, Cut, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
 };
 use std::collections::HashMap;
 
@@ -313,10 +313,7 @@ fn scene(
     SceneFile {
         background: [0.06, 0.08, 0.13],
         ambient: [0.55, 0.55, 0.6],
-        image: ImageSize {
-            width: 960,
-            height: 720,
-        },
+        image: framing::IMAGE,
         lights: vec![
             light([-3.0, 5.0, 7.0], [1.0, 0.97, 0.9], 0.9),
             light([6.0, 1.0, 4.0], [0.6, 0.75, 1.0], 0.35),

@@ -1,7 +1,7 @@
 //! Another look at a scene: from a side, turned, nearer, or so that all of it fills the picture.
 
 use super::error::SceneError;
-use super::file::{Axis, Camera, Rotation, SceneFile};
+use super::file::{Axis, Camera, Light, Rotation, SceneFile};
 use super::frame::Sight;
 use super::reach::Body;
 use super::transform::{cross, dot, normalised, rotation_matrix};
@@ -16,8 +16,8 @@ type Axes = [Vector; 3];
 pub const MARGIN: f64 = 0.04;
 /// An object that reaches so many times farther than the eye is away counts as endless.
 const ENDLESS: f64 = 1e3;
-/// Halvings of the interval in which the opening of a picture is found: to less than a millionth.
-const STEPS: usize = 24;
+/// Steps towards the opening of a picture: of each error a third remains at most.
+const STEPS: usize = 10;
 
 /// A side that a scene is seen from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +93,8 @@ pub struct Look {
     pub fit: bool,
     /// Factor by which everything is then seen larger.
     pub zoom: Option<f64>,
+    /// Directional light turns with the camera.
+    pub lights: bool,
 }
 
 impl Look {
@@ -115,6 +117,7 @@ impl Look {
         let distance = dot(between, between).sqrt();
         let [right, down, forward] = sight.axes();
         let axes = [right, down.map(|v| 0.0 - v), forward.map(|v| 0.0 - v)];
+        let before = axes;
         let axes = self.side.map_or(axes, |side| side.axes(sight.up));
         let axes = self.turn.map_or(axes, |degrees| turned(axes, degrees));
         let mut pose = Pose {
@@ -126,6 +129,11 @@ impl Look {
         if self.fit {
             let shape = f64::from(width) / f64::from(height);
             left_out = pose.fit(&mut scene, shape)?;
+        }
+        for light in scene.lights.iter_mut().filter(|_| self.lights) {
+            if let Light::Directional { from, .. } = light {
+                *from = combined(axes, before.map(|axis| dot(axis, *from)));
+            }
         }
         pose.take(
             &mut scene.camera,
@@ -273,19 +281,16 @@ pub fn fitting(bodies: &[Body], axes: &Axes, tangents: [f64; 2]) -> ([f64; 3], [
     ([0.5 * (right - left), 0.5 * (above - below), away], halves)
 }
 
-/// The narrowest picture of all bodies from an eye so far along the direction towards the viewer: where the eye stands across it, and the tangent of half the
-/// angle that the picture shows upwards, [`MARGIN`] included; `shape` is width by height.
+/// The narrowest picture of all bodies from an eye so far along the direction towards the viewer, at least three times as far as they reach from the origin: where
+/// the eye stands across it, and the tangent of half the angle that the picture shows upwards, [`MARGIN`] included; `shape` is width by height.
 pub fn fitting_from(bodies: &[Body], axes: &Axes, away: f64, shape: f64) -> ([f64; 2], f64) {
     let fits = |tangent: f64| fitting(bodies, axes, [tangent * shape, tangent]);
-    let (mut low, mut high) = (0.0, 4.0);
+    let (mut tangent, mut across) = (0.25, [0.0; 2]);
     for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        if fits(middle).0[2] > away {
-            low = middle;
-        } else {
-            high = middle;
-        }
+        let ([x, y, fitted], _) = fits(tangent);
+        // All would fit from `w / tangent + z` for what touches the sides at a height of w and a depth of z.
+        tangent *= fitted / away;
+        across = [x, y];
     }
-    let ([x, y, _], _) = fits(high);
-    ([x, y], high / (1.0 - MARGIN))
+    (across, tangent / (1.0 - MARGIN))
 }

@@ -4,6 +4,7 @@ mod faces;
 mod molecule;
 mod terrain;
 
+use super::looked;
 use crate::arguments::Import;
 use crate::failure::Failure;
 use crate::molecules::load;
@@ -32,7 +33,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
         Some(kind) => kind.kind(),
         None => kind_of(&bytes, &options.file)?,
     };
-    let imported = match kind {
+    let mut imported = match kind {
         Kind::Pdb => molecule::import(bytes, Format::Pdb, options)?,
         Kind::Mmcif => molecule::import(bytes, Format::Mmcif, options)?,
         Kind::Bcif => molecule::import(bytes, Format::Bcif, options)?,
@@ -40,6 +41,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
         Kind::Step => faces::import_step(&bytes, options)?,
         Kind::Heights => terrain::import(&bytes, options)?,
     };
+    imported.scene = looked(imported.scene, options.look.look(true), None)?;
     let objects = imported.scene.objects.len();
     let imported = molecule::referred(imported, kind, options)?;
     missing::incomplete(&options.file, imported.scene.incomplete.as_deref())?;
