@@ -16,11 +16,15 @@ fn ids(scene: &Path, (width, height): (usize, usize), options: &[&str]) -> Vec<i
     let [png, npy] = ["p.png", "i.npy"].map(|name| folder.path().join(name));
     let size = format!("{width}x{height}");
     let files = [scene, &png, &npy].map(|path| path.to_str().unwrap());
-    let fixed = ["render", files[0], "-o", files[1], "--ids", files[2], "--size", &size];
+    let fixed = [
+        "render", files[0], "-o", files[1], "--ids", files[2], "--size", &size,
+    ];
     run(&[&fixed[..], options].concat());
     let bytes = std::fs::read(npy).unwrap();
     let words = bytes[bytes.len() - 4 * width * height..].chunks_exact(4);
-    words.map(|w| i32::from_le_bytes(w.try_into().unwrap())).collect()
+    words
+        .map(|w| i32::from_le_bytes(w.try_into().unwrap()))
+        .collect()
 }
 
 /// The colours of a picture, red, green and blue.
@@ -28,7 +32,11 @@ fn colours(scene: &Path, size: &str, options: &[&str]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let png = folder.path().join("p.png");
     let files = [scene, &png].map(|path| path.to_str().unwrap());
-    run(&[&["render", files[0], "-o", files[1], "--size", size], options].concat());
+    run(&[
+        &["render", files[0], "-o", files[1], "--size", size],
+        options,
+    ]
+    .concat());
     let file = std::io::BufReader::new(std::fs::File::open(png).unwrap());
     let mut reader = png::Decoder::new(file).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -59,7 +67,10 @@ fn filled(ids: &[i32], what: &str) -> f64 {
         let places = seen.iter().map(|place| place[axis]);
         (places.clone().min().unwrap(), places.max().unwrap())
     });
-    assert!(columns.0 > 0 && columns.1 + 1 < width, "{what}: {columns:?}");
+    assert!(
+        columns.0 > 0 && columns.1 + 1 < width,
+        "{what}: {columns:?}"
+    );
     assert!(lines.0 > 0 && lines.1 + 1 < height, "{what}: {lines:?}");
     let share = |(low, high): (usize, usize), size: usize| (high - low + 1) as f64 / size as f64;
     share(columns, width).max(share(lines, height))
@@ -80,17 +91,32 @@ fn a_fitted_scene_fills_the_picture_and_is_whole() {
     ]
     .map(scene)
     .into();
-    for part in ["parts/flange.step", "parts/cross-drilled.step", "scenes/molecules/helix.pdb"] {
-        let written = folder.path().join(Path::new(part).with_extension("toml").file_name().unwrap());
+    for part in [
+        "parts/flange.step",
+        "parts/cross-drilled.step",
+        "scenes/molecules/helix.pdb",
+    ] {
+        let written = folder
+            .path()
+            .join(Path::new(part).with_extension("toml").file_name().unwrap());
         let file = root.join(part);
-        run(&["import", file.to_str().unwrap(), "-o", written.to_str().unwrap()]);
+        run(&[
+            "import",
+            file.to_str().unwrap(),
+            "-o",
+            written.to_str().unwrap(),
+        ]);
         // Importers fit their pictures to what they write.
         let filled = filled(&ids(&written, SIZE, &[]), part);
         assert!((0.9..=1.0).contains(&filled), "{part}: {filled}");
         scenes.push(written);
     }
     for file in &scenes {
-        for view in [&[][..], &["--view", "iso"], &["--view", "back", "--rotate", "20,-35,10"]] {
+        for view in [
+            &[][..],
+            &["--view", "iso"],
+            &["--view", "back", "--rotate", "20,-35,10"],
+        ] {
             let options = [&["--fit"], view].concat();
             let what = format!("{} {options:?}", file.display());
             let filled = filled(&ids(file, SIZE, &options), &what);
@@ -112,7 +138,12 @@ fn import_writes_the_camera_it_is_asked_for() {
         let camera = scene["camera"].as_table().unwrap().clone();
         ["eye", "target", "up"].map(|key| -> Vec<f64> {
             let numbers = camera[key].as_array().unwrap().iter();
-            numbers.map(|v| v.as_float().unwrap_or_else(|| v.as_integer().unwrap() as f64)).collect()
+            numbers
+                .map(|v| {
+                    v.as_float()
+                        .unwrap_or_else(|| v.as_integer().unwrap() as f64)
+                })
+                .collect()
         })
     };
     let [eye, target, _] = import("plain.toml", &[]);
@@ -130,7 +161,11 @@ fn samples_are_the_mean_of_shifted_pictures() {
     let folder = tempfile::tempdir().unwrap();
     for (name, count, places) in [
         ("teapot.toml", "4", vec![-0.25, 0.25]),
-        ("orthographic.toml", "16", vec![-0.375, -0.125, 0.125, 0.375]),
+        (
+            "orthographic.toml",
+            "16",
+            vec![-0.375, -0.125, 0.125, 0.375],
+        ),
     ] {
         let file = scene(name);
         let mut sums = vec![0u32; 3 * 64 * 48];
@@ -143,13 +178,19 @@ fn samples_are_the_mean_of_shifted_pictures() {
             }
         }
         let passes = (places.len() * places.len()) as u32;
-        let mean: Vec<u8> = sums.iter().map(|s| ((s + passes / 2) / passes) as u8).collect();
+        let mean: Vec<u8> = sums
+            .iter()
+            .map(|s| ((s + passes / 2) / passes) as u8)
+            .collect();
         let plain = colours(&file, "64x48", &[]);
         let drawn = colours(&file, "64x48", &["--samples", count]);
         assert!(drawn == mean, "{name}");
         assert_ne!(drawn, plain);
         let size = (64, 48);
-        assert_eq!(ids(&file, size, &["--samples", count]), ids(&file, size, &[]));
+        assert_eq!(
+            ids(&file, size, &["--samples", count]),
+            ids(&file, size, &[])
+        );
     }
 }
 
@@ -158,7 +199,10 @@ fn samples_are_the_mean_of_shifted_pictures() {
 fn half_pixels_are_the_odd_pixels_of_the_double_size() {
     let folder = tempfile::tempdir().unwrap();
     let (width, height) = (40, 30);
-    let (small, large) = (format!("{width}x{height}"), format!("{}x{}", 2 * width, 2 * height));
+    let (small, large) = (
+        format!("{width}x{height}"),
+        format!("{}x{}", 2 * width, 2 * height),
+    );
     // A wide angle, under which half a pixel turns the line of sight by degrees.
     let wide = folder.path().join("wide.toml");
     let text = std::fs::read_to_string(scene("cut-sphere.toml")).unwrap();
@@ -182,10 +226,17 @@ fn half_pixels_are_the_odd_pixels_of_the_double_size() {
         assert!(found == expected, "{}", file.display());
         assert_ne!(found, ids(&file, (width, height), &exact));
         // The words of depth and normal are rounded for another size of pixel; light is the same.
-        let (found, double) = (colours(&half, &small, &exact), colours(&file, &large, &exact));
+        let (found, double) = (
+            colours(&half, &small, &exact),
+            colours(&file, &large, &exact),
+        );
         for (k, found) in found.chunks_exact(3).enumerate() {
             for (a, b) in found.iter().zip(&double[3 * odd(k)..]) {
-                assert!(a.abs_diff(*b) <= 1, "{}, pixel {k}: {a} {b}", file.display());
+                assert!(
+                    a.abs_diff(*b) <= 1,
+                    "{}, pixel {k}: {a} {b}",
+                    file.display()
+                );
             }
         }
         run(&["raytrace", half.to_str().unwrap(), "--size", &small]);

@@ -17,7 +17,14 @@ const BALL: &str = "[[objects]]\nname = \"b\"\nkind = \"sphere\"\nradius = 1\nma
 /// The eye from the target and the direction upwards.
 fn pose(look: &Look, up: &str) -> [[f64; 3]; 2] {
     let (scene, _) = look.applied(&scene(up, BALL), (4, 3)).expect("a camera");
-    let Camera::Perspective { eye, target, up, near, .. } = scene.camera else {
+    let Camera::Perspective {
+        eye,
+        target,
+        up,
+        near,
+        ..
+    } = scene.camera
+    else {
         panic!("perspective")
     };
     assert_eq!((target, near), ([1.0, 2.0, 3.0], None));
@@ -51,7 +58,11 @@ fn sides_are_where_the_page_says() {
         (Side::Right, Z_UP, [[13.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
         (Side::Top, Z_UP, [[0.0, 0.0, 13.0], [0.0, 1.0, 0.0]]),
         (Side::Bottom, Z_UP, [[0.0, 0.0, -13.0], [0.0, -1.0, 0.0]]),
-        (Side::Iso, Z_UP, [[third, -third, third], [-sixth, sixth, 2.0 * sixth]]),
+        (
+            Side::Iso,
+            Z_UP,
+            [[third, -third, third], [-sixth, sixth, 2.0 * sixth]],
+        ),
     ];
     for (side, up, expected) in cases {
         let look = Look {
@@ -116,12 +127,16 @@ fn lights_turn_only_when_they_are_asked_to() {
             lights,
             ..Look::default()
         };
-        let (other, _) = side.applied(&after, (4, 3)).expect("a camera");
+        let (other, _) = side.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
         let from = [&after, &other].map(|scene| match &scene.lights[0] {
             imogene_models::scene::Light::Directional { from, .. } => *from,
             other => panic!("{other:?}"),
         });
-        let straight = if lights { [13.0, 0.0, 0.0] } else { [3.0, 4.0, 12.0] };
+        let straight = if lights {
+            [13.0, 0.0, 0.0]
+        } else {
+            [3.0, 4.0, 12.0]
+        };
         for (found, expected) in from.iter().zip([[3.0, 4.0, 12.0], straight]) {
             close([*found; 2], [expected; 2], &format!("lights {lights}"));
         }
@@ -162,6 +177,8 @@ fn what_is_endless_is_named_and_left_out() {
     assert_eq!(left_out, ["pole"]);
     let (alone, _) = look.applied(&scene(Y_UP, BALL), (4, 3)).expect("a camera");
     assert_eq!(fitted.camera, alone.camera);
-    let error = look.applied(&scene(Y_UP, endless), (4, 3)).expect_err("nothing to fit");
+    let error = look
+        .applied(&scene(Y_UP, endless), (4, 3))
+        .expect_err("nothing to fit");
     assert!(error.to_string().contains("has an end"), "{error}");
 }

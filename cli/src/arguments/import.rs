@@ -4,8 +4,8 @@ mod faces;
 mod molecule;
 mod terrain;
 
-use clap::{Args, ValueEnum};
 use super::LookOptions;
+use clap::{Args, ValueEnum};
 pub use faces::FaceOptions;
 use imogene_import::Kind;
 pub use molecule::MoleculeOptions;

@@ -67,7 +67,10 @@ impl LookOptions {
 }
 
 fn angles(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    let numbers: Option<Vec<f64>> = text
+        .split(',')
+        .map(|part| part.trim().parse().ok())
+        .collect();
     match numbers.as_deref() {
         Some(&[x, y]) => Ok([x, y, 0.0]),
         Some(&[x, y, z]) => Ok([x, y, z]),

@@ -98,9 +98,13 @@ fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<Sce
     let Some(look) = look else {
         return Ok(file);
     };
-    let (file, endless) = look.applied(&file, size_of(&file, size)).map_err(Failure::input)?;
+    let (file, endless) = look
+        .applied(&file, size_of(&file, size))
+        .map_err(Failure::input)?;
     for name in &endless {
-        output::warning(format!("object '{name}' has no end that --fit could count with"));
+        output::warning(format!(
+            "object '{name}' has no end that --fit could count with"
+        ));
     }
     Ok(file)
 }

@@ -7,7 +7,8 @@ use super::vector::{Vector, along, cross, unit};
 use imogene_models::format::Format;
 use imogene_models::prepare::{Options, refused};
 use imogene_models::scene::{
-    Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface, fitting_from,
+    Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
+    fitting_from,
 };
 
 /// What became of a solid.
@@ -178,7 +179,9 @@ fn camera(model: &Model, view: &View, objects: &[Object]) -> Camera {
     let towards = turned(model.up, unit(view.from));
     let right = unit(cross(turned(model.up, [0.0, 1.0, 0.0]), towards));
     let axes = [right, cross(towards, right), towards];
-    let bodies = objects.iter().map(|object| Body::of(object, middle, 1e4 * size));
+    let bodies = objects
+        .iter()
+        .map(|object| Body::of(object, middle, 1e4 * size));
     let ends = |axis: &Vector| [*axis, axis.map(|v| -v)];
     let has_end = |body: &Body| axes.iter().flat_map(ends).all(|end| body.reach(end) < size);
     let mut bodies: Vec<Body> = bodies.filter(has_end).collect();

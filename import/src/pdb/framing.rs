@@ -88,14 +88,12 @@ pub fn frame(balls: &[Ball]) -> Framing {
     let (up, towards): ([f64; 3], [f64; 3]) = (unit(order[1]), unit(order[2]));
     let right = cross(up, towards);
     let distance = five_digits_up(DISTANCE_IN_RADII * radius);
-    let about_middle = |(place, radius): &Ball| {
-        Body::ball(std::array::from_fn(|k| place[k] - middle[k]), *radius)
-    };
+    let about_middle =
+        |(place, radius): &Ball| Body::ball(std::array::from_fn(|k| place[k] - middle[k]), *radius);
     let bodies: Vec<Body> = balls.iter().map(about_middle).collect();
     let shape = f64::from(IMAGE.width) / f64::from(IMAGE.height);
     let ([x, y], tangent) = fitting_from(&bodies, &[right, up, towards], distance, shape);
-    let target: [f64; 3] =
-        std::array::from_fn(|k| short(middle[k] + x * right[k] + y * up[k]));
+    let target: [f64; 3] = std::array::from_fn(|k| short(middle[k] + x * right[k] + y * up[k]));
     Framing {
         camera: Camera::Perspective {
             eye: std::array::from_fn(|k| short(target[k] + distance * towards[k])),

@@ -14,11 +14,11 @@ use rayon::prelude::*;
 type Vector = [f64; 3];
 
 impl FramedScene {
-    /// Where a pixel samples the screen plane.
+    /// Where a pixel samples the screen plane of the camera frame, which is moved to where pixels are sampled.
     pub fn pixel_centre(&self, column: usize, line: usize) -> [f64; 2] {
         [
-            column as f64 - 0.5 * f64::from(self.width) + self.sample_at[0],
-            line as f64 - 0.5 * f64::from(self.height) + self.sample_at[1],
+            column as f64 - 0.5 * f64::from(self.width),
+            line as f64 - 0.5 * f64::from(self.height),
         ]
     }
 
@@ -71,10 +71,11 @@ pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &F
         let Ok(id) = usize::try_from(frame.id[index]) else {
             return scene.background;
         };
-        let centre = scene.pixel_centre(index % frame.width, index / frame.width);
+        let [x, y] = scene.pixel_centre(index % frame.width, index / frame.width);
+        let [u, v] = scene.sample_at;
         let point = scene
             .projection
-            .antecedent(centre, frame.depth[index] as f64 * scale);
+            .antecedent([x + u, y + v], frame.depth[index] as f64 * scale);
         let material = &scene.materials[scene.objects[id].material()];
         let normal = scene.upright(frame.normal[index].map(f64::from));
         let flags = lighting.flags[index];
