@@ -21,6 +21,8 @@ const MAX_HALVINGS: usize = 6;
 const WIDEST_GAP: f64 = 1e-4;
 /// Steps of an arc on its way over the surface.
 const ARC_STEPS: usize = 96;
+/// Places of a line v at which two planes are asked whether they keep more than a sector.
+const PROBES: u32 = 64;
 /// The widest sector between two planes through an axis, radians.
 const WIDEST: f64 = 2.2;
 
@@ -716,49 +718,60 @@ impl Work<'_> {
                 _ => {}
             }
         }
-        for (u, east) in [(span[0], true), (span[1], false)] {
-            if u.is_finite() {
-                cell.cuts.push(self.side(u, east, span, sample, planes));
-            }
+        if span[0].is_finite() {
+            cell.cuts.extend(self.sides(span, sample, planes));
         }
         cell.cuts.sort_unstable();
         cell.cuts.dedup();
         cell
     }
 
-    /// The plane at an end of a slab: that of an edge that is there, if it has all of the cell on one side.
-    fn side(
-        &self,
-        u: f64,
-        east: bool,
-        span: [f64; 2],
-        sample: Vector,
-        planes: &mut Planes,
-    ) -> (usize, bool) {
-        let narrow = 2.0 * self.face.narrow(self.sheet);
+    /// The planes at both ends of a span: those of edges that are there, if together they keep nothing else of the line v.
+    fn sides(&self, span: [f64; 2], sample: Vector, planes: &mut Planes) -> [(usize, bool); 2] {
         let v = self.sheet.coordinates(sample)[1];
-        for rail in self.rails.iter().filter(|rail| rail.is_upright(narrow)) {
+        let width = span[1] - span[0];
+        let edges = span.map(|u| self.edge_at(u, span, v, planes));
+        let meridians = [0, 1].map(|end| {
+            let plane = self.sheet.meridian_plane(span[end], planes);
+            // The normal of a plane that was there before may point the other way.
+            let inwards = if end == 0 { 1e-3 } else { -1e-3 } * width;
+            let beside = self.sheet.point(span[end] + inwards, v);
+            (plane, planes.is_positive(plane, beside))
+        });
+        let own = [0, 1].map(|end| edges[end].unwrap_or(meridians[end]));
+        let elsewhere = |k: u32| {
+            let u = span[1] + (TAU - width) * (f64::from(k) + 0.5) / f64::from(PROBES);
+            let p = self.sheet.point(u, v);
+            own.iter()
+                .all(|(plane, positive)| planes.is_positive(*plane, p) == *positive)
+        };
+        if !self.sheet.is_round() || edges == [None; 2] || !(0..PROBES).any(elsewhere) {
+            own
+        } else {
+            meridians
+        }
+    }
+
+    /// The plane of an upright edge at an end of a span, if it has all of the span on one side.
+    fn edge_at(&self, u: f64, span: [f64; 2], v: f64, planes: &Planes) -> Option<(usize, bool)> {
+        let narrow = 2.0 * self.face.narrow(self.sheet);
+        let upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
+        for rail in upright {
             let mut off = rail.path[0][0] - u;
             if self.sheet.is_round() {
                 off = (off + PI).rem_euclid(TAU) - PI;
             }
-            let Some(plane) =
-                self.face.parting.planes[rail.separator].filter(|_| off.abs() <= narrow)
-            else {
+            let plane = self.face.parting.planes[rail.separator];
+            let Some(plane) = plane.filter(|_| off.abs() <= narrow) else {
                 continue;
             };
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
             let sides = shares.map(|u| planes.is_positive(plane, self.sheet.point(u, v)));
             if sides == [sides[0]; 3] {
-                return (plane, sides[0]);
+                return Some((plane, sides[0]));
             }
         }
-        let plane = self.sheet.meridian_plane(u, planes);
-        // The normal of a plane that was there before may point the other way.
-        let beside = self
-            .sheet
-            .point(u + if east { 1e-3 } else { -1e-3 } * (span[1] - span[0]), v);
-        (plane, planes.is_positive(plane, beside))
+        None
     }
 
     /// Whether a cell has places of strips that are not of the face.

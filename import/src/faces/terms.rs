@@ -13,10 +13,10 @@ use super::vector::{Vector, along, dot, minus, plus, times, unit};
 pub const MAX_ROUNDS: usize = 13;
 
 /// Most pieces of a border from which a search for few terms is worth its time.
-const MOST_SEARCHED: usize = 40;
+const MOST_SEARCHED: usize = 128;
 
 /// Most pieces of a surface that are searched.
-const MOST_SAMPLES: usize = 20_000;
+const MOST_SAMPLES: usize = 100_000;
 
 /// Planes that take terms apart, a point and a normal each.
 pub type Refine<'a> = &'a dyn Fn(&Parting, &[Term], &[Sample]) -> Vec<PlaneOf>;
