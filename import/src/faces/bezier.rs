@@ -201,14 +201,14 @@ pub fn patches(degrees: [usize; 2], knots: [&[f64]; 2], poles: &[Vec<Pole>]) -> 
                 pieces(degrees[0], knots[0], &column)
             })
             .collect();
-        for own in 0..columns[0].len() {
+        let count = columns.first().map_or(0, Vec::len);
+        all.extend((0..count).map(|own| {
             let pole = |k: usize| columns[k % (degrees[1] + 1)][own][k / (degrees[1] + 1)];
-            let count = (degrees[0] + 1) * (degrees[1] + 1);
-            all.push(Patch {
+            Patch {
                 degrees,
-                poles: (0..count).map(pole).collect(),
-            });
-        }
+                poles: (0..(degrees[0] + 1) * (degrees[1] + 1)).map(pole).collect(),
+            }
+        }));
     }
     all
 }

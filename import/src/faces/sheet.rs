@@ -1,6 +1,8 @@
 //! Coordinates (u, v) of a surface of which planes cut out the lines u = constant: turned about an axis, or plane.
 
+use super::chart::Separator;
 use super::planes::Planes;
+use super::polynomial::{harmonic, quadratic};
 use super::surface::Surface;
 use super::vector::{Vector, along, cross, dot, frame, length, minus, plus, positive_angle, times};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -189,6 +191,24 @@ impl Sheet {
             axis: times(widening, self.axis),
             half_angle: (spread / rise).abs().atan(),
         })
+    }
+
+    /// All v at which the line u crosses a separator that may cross it twice: a conic of a plane, a plane of a sphere.
+    pub fn crossings(&self, u: f64, separator: &Separator) -> Vec<f64> {
+        match (self.profile, separator) {
+            (Profile::Flat, Separator::Quadric(implicit)) => {
+                let [a, b, c] = implicit.on_line(self.point(u, 0.0), self.e[1]);
+                quadratic(a, b, c)
+            }
+            (Profile::Ball(radius), Separator::Plane { normal, offset }) => {
+                let rest = (offset - dot(*normal, self.origin)) / radius;
+                let [out, up] = [self.radial(u), self.axis].map(|d| dot(*normal, d));
+                let turned = |v: f64| if v > PI { v - TAU } else { v };
+                let all = harmonic(out, up, rest).into_iter().map(turned);
+                all.filter(|v| v.abs() < FRAC_PI_2).collect()
+            }
+            _ => vec![],
+        }
     }
 
     /// A path without jumps of u, and of v on a tube.

@@ -260,13 +260,9 @@ impl Slabs<'_> {
         limits
     }
 
-    /// Slabs that are no wider than this are none.
+    /// Slabs that are no wider than this are none: two ends that should be one.
     fn narrow(&self, sheet: &Sheet) -> f64 {
-        if sheet.is_round() {
-            SMALLEST_PIECE
-        } else {
-            SMALLEST_PIECE * self.size
-        }
+        10.0 * SMALLEST_PIECE * if sheet.is_round() { 1.0 } else { self.size }
     }
 }
 
@@ -321,6 +317,7 @@ impl Work<'_> {
                 cells.push(cell);
             }
         }
+        crowded.extend(self.lost(&cells, &strips, planes));
         Ok(if crowded.is_empty() {
             Ok(cells)
         } else {
@@ -602,28 +599,120 @@ impl Work<'_> {
                 key.planes.push((plane, planes.is_positive(plane, sample)));
             }
         }
-        let mut conics = key.sides.iter().copied();
-        let mut conics = conics
-            .by_ref()
-            .filter(|(k, _)| matches!(separators[*k], Separator::Quadric(_)));
-        let (Some(lower), Some(upper)) = (conics.next(), conics.next()) else {
+        let mut keys = self.between_conics(slab, strip, key, ranges, planes)?;
+        for (end, crossing) in strip.ends.iter().enumerate() {
+            let (Some(crossing), Some(range)) = (crossing, ranges[end]) else {
+                continue;
+            };
+            let same = strip.ends[1 - end].is_some_and(|other| side(&other) == side(crossing));
+            let back = self.comes_back(slab, strip, crossing, end);
+            let Some(back) = back.filter(|_| !same) else {
+                continue;
+            };
+            // The part of the strip that it crosses again is parted off, and needs it no more.
+            let (low, high) = if end == 0 {
+                (range[1], back[0])
+            } else {
+                (back[1], range[0])
+            };
+            if low >= high {
+                return None;
+            }
+            let own = side(crossing);
+            let part = |key: Key| -> Vec<Key> {
+                if key.sides.contains(&own) {
+                    let (beyond, near) = if end == 0 { (high, low) } else { (low, high) };
+                    let at = 0.5 * (low + high);
+                    vec![
+                        self.half(&key, slab, at, beyond, Some(own), planes),
+                        self.half(&key, slab, at, near, None, planes),
+                    ]
+                } else {
+                    vec![key]
+                }
+            };
+            keys = keys.into_iter().flat_map(part).collect();
+        }
+        Some(keys)
+    }
+
+    /// A strip that lies between two conics as two cells; nothing if these are too near.
+    fn between_conics(
+        &self,
+        slab: usize,
+        strip: &Strip,
+        key: Key,
+        ranges: [Option<[f64; 2]>; 2],
+        planes: &mut Planes,
+    ) -> Option<Vec<Key>> {
+        let separators = &self.face.parting.separators;
+        let is_conic = |(k, _): &&(usize, bool)| matches!(separators[*k], Separator::Quadric(_));
+        let conics: Vec<(usize, bool)> = key.sides.iter().filter(is_conic).copied().collect();
+        let [one, other] = conics[..] else {
             return Some(vec![key]);
         };
-        // Between two conics a straight line is needed.
         let (low, high) = (ranges[0]?[1], ranges[1]?[0]);
         if low >= high {
             return None;
         }
-        let plane = self.sheet.parallel_plane(0.5 * (low + high), planes);
-        let middle = self.middle(slab);
-        let half = |gone: (usize, bool), v: f64| {
-            let mut half = key.clone();
-            half.sides.retain(|side| *side != gone);
-            let positive = planes.is_positive(plane, self.sheet.point(middle, v));
-            half.planes.push((plane, positive));
-            half
+        let below = self.rails[strip.ends[0]?.rail].separator;
+        let (lower, upper) = if below == one.0 {
+            (one, other)
+        } else {
+            (other, one)
         };
-        Some(vec![half(upper, low), half(lower, high)])
+        let at = 0.5 * (low + high);
+        Some(vec![
+            self.half(&key, slab, at, low, Some(upper), planes),
+            self.half(&key, slab, at, high, Some(lower), planes),
+        ])
+    }
+
+    /// The part of a cell on the side of the parallel `at` on which `v` is, without one of its sides.
+    fn half(
+        &self,
+        key: &Key,
+        slab: usize,
+        at: f64,
+        v: f64,
+        without: Option<(usize, bool)>,
+        planes: &mut Planes,
+    ) -> Key {
+        let mut half = key.clone();
+        half.sides.retain(|side| Some(*side) != without);
+        let plane = self.sheet.parallel_plane(at, planes);
+        let inside = self.sheet.point(self.middle(slab), v);
+        half.planes.push((plane, planes.is_positive(plane, inside)));
+        half
+    }
+
+    /// Least and greatest v at which the surface of a border crosses its strip again.
+    fn comes_back(
+        &self,
+        slab: usize,
+        strip: &Strip,
+        crossing: &Crossing,
+        end: usize,
+    ) -> Option<[f64; 2]> {
+        let separator = &self.face.parting.separators[self.rails[crossing.rail].separator];
+        let (from, to) = (self.limits[slab], self.limits[slab + 1]);
+        let mut back: Option<[f64; 2]> = None;
+        for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
+            let u = from + share * (to - from);
+            let all = self.sheet.crossings(u, separator);
+            let near = |v: &&f64| (**v - strip.at[end]).abs();
+            let own = all
+                .iter()
+                .min_by(|a, b| near(a).total_cmp(&near(b)))
+                .copied();
+            for v in all.iter().filter(|v| Some(**v) != own) {
+                if *v > strip.at[0] && *v < strip.at[1] {
+                    let [low, high] = back.unwrap_or([*v, *v]);
+                    back = Some([low.min(*v), high.max(*v)]);
+                }
+            }
+        }
+        back
     }
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
@@ -772,6 +861,28 @@ impl Work<'_> {
             }
         }
         None
+    }
+
+    /// Slabs with places of the face that no cell has.
+    fn lost(&self, cells: &[Cell], strips: &[Vec<Strip>], planes: &Planes) -> Crowded {
+        if !self.sheet.is_ball() && self.face.flat.is_none() {
+            return vec![];
+        }
+        let mut lost = vec![];
+        for (slab, strips) in strips.iter().enumerate() {
+            let middle = self.middle(slab);
+            for strip in strips.iter().filter(|strip| strip.inside) {
+                let mut places = self.probes(strip.at).into_iter();
+                let taken = |v: f64| {
+                    let p = self.sheet.point(middle, v);
+                    cells.iter().any(|cell| cell.takes(p, planes))
+                };
+                if !places.all(taken) {
+                    lost.push(middle);
+                }
+            }
+        }
+        lost
     }
 
     /// Whether a cell has places of strips that are not of the face.
