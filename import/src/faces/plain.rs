@@ -8,7 +8,7 @@ use super::vector::{
 };
 use std::f64::consts::TAU;
 
-/// Takes every edge that is given by points for the simplest that it is within what the file takes for the same place.
+/// Takes every edge that is given by points for the simplest that it is within a share of the part's size.
 pub fn plain(model: &mut Model) {
     let tolerance = model.canonical();
     for index in 0..model.edges.len() {
@@ -148,8 +148,8 @@ mod tests {
     use crate::faces::model::{Edge, EdgeUse, Face, Up};
     use crate::faces::vector::plus;
 
-    /// One edge as the border of one face, in a file with this uncertainty.
-    fn part(points: Vec<Vector>, surface: Surface, uncertainty: f64) -> Model {
+    /// One edge as the border of one face.
+    fn part(points: Vec<Vector>, surface: Surface) -> Model {
         let edge = Edge {
             name: "#1".into(),
             kind: "points",
@@ -174,7 +174,7 @@ mod tests {
             title: String::new(),
             up: Up::Z,
             precision: 0.0,
-            uncertainty,
+            uncertainty: 0.0,
             materials: vec![],
             edges: vec![edge],
             faces: vec![face],
@@ -185,20 +185,19 @@ mod tests {
         model
     }
 
-    /// A wave in the plane z = 2, off by up to 1e-5, as the border of a face in that plane.
+    /// A wave in the plane z = 2, off by so much, as the border of a face in that plane; the part has a size of about 3.
     #[test]
-    fn what_the_file_takes_for_in_the_plane_is_in_the_plane() {
-        let point = |k: i32| {
-            let x = f64::from(k) / 10.0;
-            [x, x.sin(), 2.0 + 1e-5 * (7.0 * x).cos()]
-        };
+    fn what_is_in_a_plane_but_for_digits_is_in_the_plane() {
         let plane = Surface::Plane {
             origin: [0.0, 0.0, 2.0],
             normal: [0.0, 0.0, -1.0],
         };
-        for (uncertainty, flat) in [(1e-4, true), (1e-6, false)] {
-            let wave = (0..=30).map(point).collect();
-            let model = part(wave, plane.clone(), uncertainty);
+        for (off, flat) in [(1e-5, true), (1e-3, false)] {
+            let point = |k: i32| {
+                let x = f64::from(k) / 10.0;
+                [x, x.sin(), 2.0 + off * (7.0 * x).cos()]
+            };
+            let model = part((0..=30).map(point).collect(), plane.clone());
             assert_eq!(model.edges[0].curve.plane().is_some(), flat);
             let heights = model.edges[0].curve.sampled(1).into_iter().map(|p| p[2]);
             assert_eq!(heights.into_iter().all(|z| z == 2.0), flat);
@@ -216,7 +215,7 @@ mod tests {
             .map(|k| [f64::from(k), 2.0 * f64::from(k), 1.0])
             .collect();
         assert!(matches!(
-            part(row, ball.clone(), 1e-6).edges[0].curve,
+            part(row, ball.clone()).edges[0].curve,
             Curve::Line {
                 from: [0.0, 0.0, 1.0],
                 to: [8.0, 16.0, 1.0]
@@ -225,7 +224,7 @@ mod tests {
         for sign in [1.0, -1.0] {
             let at = |t: f64| plus([3.0, 1.0, 0.0], [2.0 * t.cos(), 0.0, sign * 2.0 * t.sin()]);
             let points = (0..=40).map(|k| at(f64::from(k) * 0.1)).collect();
-            let model = part(points, ball.clone(), 1e-6);
+            let model = part(points, ball.clone());
             let curve = &model.edges[0].curve;
             let Curve::Arc {
                 centre,

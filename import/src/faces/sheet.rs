@@ -157,11 +157,13 @@ impl Sheet {
     pub fn parallel_plane(&self, v: f64, planes: &mut Planes) -> usize {
         match self.profile {
             Profile::Flat => planes.find_or_add(along(self.origin, v, self.e[1]), self.e[1]),
-            _ => {
-                let (_, up) = self.meridian(v);
-                planes.find_or_add(along(self.origin, up, self.axis), self.axis)
-            }
+            _ => self.level_plane(self.meridian(v).1, planes),
         }
+    }
+
+    /// The plane across the axis at a height, with its normal along the axis.
+    pub fn level_plane(&self, height: f64, planes: &mut Planes) -> usize {
+        planes.find_or_add(along(self.origin, height, self.axis), self.axis)
     }
 
     /// The cone, cylinder or nothing that joins the circles of two parallels, and that is nothing if both are in one plane.

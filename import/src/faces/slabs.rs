@@ -21,6 +21,9 @@ const MAX_HALVINGS: usize = 6;
 const WIDEST_GAP: f64 = 1e-4;
 /// Steps of an arc on its way over the surface.
 const ARC_STEPS: usize = 96;
+/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to neither. Out there a chord is a
+/// twelfth of the deviation off.
+pub const OVERLAP: f64 = 0.02;
 /// Places of a line v at which two planes are asked whether they keep more than a sector.
 const PROBES: u32 = 64;
 /// The widest sector between two planes through an axis, radians.
@@ -33,6 +36,8 @@ pub struct Band {
     pub quadric: Option<Implicit>,
     /// Least and greatest v.
     pub ends: [f64; 2],
+    /// Share of its height by which it goes on beyond the border of its face, within the deviation.
+    pub beyond: f64,
 }
 
 impl Band {
@@ -41,6 +46,7 @@ impl Band {
         vec![Band {
             quadric: surface.implicit(),
             ends: [f64::NEG_INFINITY, f64::INFINITY],
+            beyond: 0.0,
         }]
     }
 }
@@ -136,6 +142,8 @@ struct Part {
     ends: [f64; 2],
     /// Of a place in both.
     v: f64,
+    /// Whether the strip goes on beyond each end.
+    goes_on: [bool; 2],
 }
 
 /// Planes and at most one quadric of a cell, by separators and sides.
@@ -534,7 +542,13 @@ impl Work<'_> {
                     };
                 if ends[1].min(high) - ends[0].max(low) > least {
                     let v = self.inner(strip.at, ends);
-                    found.push(Part { band, ends, v });
+                    let goes_on = [low < ends[0] - least, high > ends[1] + least];
+                    found.push(Part {
+                        band,
+                        ends,
+                        v,
+                        goes_on,
+                    });
                 }
             }
         }
@@ -727,11 +741,17 @@ impl Work<'_> {
         }
         let heights = part.ends.map(|v| self.sheet.meridian(v).1);
         let inside = self.sheet.on_axis(0.5 * (heights[0] + heights[1]));
-        let plane = |v: f64| {
-            let plane = self.sheet.parallel_plane(v, planes);
+        let plane = |end: usize| {
+            let share = if part.goes_on[end] {
+                OVERLAP
+            } else {
+                self.face.bands[part.band].beyond
+            };
+            let height = heights[end] + share * (heights[end] - heights[1 - end]);
+            let plane = self.sheet.level_plane(height, planes);
             (plane, planes.is_positive(plane, inside))
         };
-        part.ends.map(plane).to_vec()
+        [0, 1].map(plane).to_vec()
     }
 
     /// On a round sheet the last slab and the first are neighbours.

@@ -9,7 +9,7 @@ use super::curve::Curve;
 use super::model::Model;
 use super::planes::Planes;
 use super::sheet::Sheet;
-use super::slabs::{Band, Slabs};
+use super::slabs::{Band, OVERLAP, Slabs};
 use super::surface::Surface;
 use super::vector::{Vector, dot, minus};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -89,9 +89,12 @@ impl Rings {
     fn bands(&self, sheet: &Sheet) -> Vec<Band> {
         let band = |pair: &[f64]| {
             let surface = sheet.chord(pair[0], pair[1])?;
+            let [(out, up), (other, higher)] = [pair[0], pair[1]].map(|v| sheet.meridian(v));
+            let chord = (other - out).hypot(higher - up);
             Some(Band {
                 quadric: Some(surface.implicit()?),
                 ends: [pair[0], pair[1]],
+                beyond: OVERLAP.min(0.5 * self.deviation / chord),
             })
         };
         let narrow = |pair: &&[f64]| pair[1] - pair[0] <= self.step + SAME_ANGLE;
