@@ -27,7 +27,7 @@ pub use evaluate::Evaluate;
 pub use fit::{Fit, FitEngine};
 pub use frames::FrameRange;
 pub use help::{Entry, GROUPS, Group, command};
-pub use import::{CellForm, Import, ImportKind};
+pub use import::{CellForm, Deviation, Import, ImportKind};
 pub use look::LookOptions;
 pub use machine::{Machine, Refine};
 pub use oracle::{Cracks, Raytrace, Repair};

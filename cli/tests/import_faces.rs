@@ -232,6 +232,28 @@ fn a_deviation_of_zero_leaves_the_exact_faces() {
     assert_eq!(report["report"]["total"]["rejected"], 2);
 }
 
+/// Four times as near, a pixel is a quarter: so is what the fillet may be off by.
+#[test]
+fn a_deviation_in_pixels_follows_the_view() {
+    let folder = tempfile::tempdir().unwrap();
+    let deviation = |zoom: &str| {
+        let run = imogene()
+            .arg("import")
+            .arg(part("fillet"))
+            .args(["--max-deviation", "0.5px", "--zoom", zoom, "--json", "-o"])
+            .arg(folder.path().join("scene.toml"))
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(0));
+        let report: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+        report["report"]["max_deviation"].as_f64().unwrap()
+    };
+    let (near, far) = (deviation("4"), deviation("1"));
+    assert!((far / near - 4.0).abs() < 1e-6, "{far} {near}");
+    // The part is 60 wide and fills 640x480: a pixel is about a tenth.
+    assert!((0.03..0.07).contains(&far), "{far}");
+}
+
 #[test]
 fn bad_lists_and_options_are_refused_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
@@ -249,7 +271,7 @@ fn bad_lists_and_options_are_refused_and_nothing_is_written() {
     let message = String::from_utf8(run.stderr).unwrap();
     assert!(message.contains("bad.faces.toml:4:5: "), "{message}");
     assert!(!output.exists());
-    for length in ["-1", "nan", "wide"] {
+    for length in ["-1", "nan", "wide", "px", "-1px"] {
         let run = imogene()
             .arg("import")
             .arg(part("flange"))

@@ -118,7 +118,12 @@ fn a_run_whose_server_dies_goes_on_where_it_stopped() {
     let place = out.display().to_string();
     let mut run = command(&out, &["--engine", "hq"]).spawn().unwrap();
     let points = out.join("points");
-    let kept = || std::fs::read_dir(&points).map_or(0, Iterator::count);
+    // Finished points; one that is being written has another name.
+    let is_point = |entry: &std::io::Result<std::fs::DirEntry>| {
+        let path = entry.as_ref().unwrap().path();
+        path.extension().is_some_and(|name| name == "json")
+    };
+    let kept = || std::fs::read_dir(&points).map_or(0, |all| all.filter(is_point).count());
     let started = Instant::now();
     while kept() == 0 && started.elapsed() < DEADLINE {
         std::thread::sleep(Duration::from_millis(2));

@@ -6,7 +6,7 @@ mod terrain;
 
 use super::LookOptions;
 use clap::{Args, ValueEnum};
-pub use faces::FaceOptions;
+pub use faces::{Deviation, FaceOptions};
 use imogene_import::Kind;
 pub use molecule::MoleculeOptions;
 use std::path::PathBuf;

@@ -15,7 +15,7 @@ type Axes = [Vector; 3];
 /// Share of the picture that stays free when a scene fills it, half of it on each side.
 pub const MARGIN: f64 = 0.04;
 /// An object that reaches so many times farther than the eye is away counts as endless.
-const ENDLESS: f64 = 1e3;
+pub(super) const ENDLESS: f64 = 1e3;
 /// Steps towards the opening of a picture: of each error a third remains at most.
 const STEPS: usize = 10;
 

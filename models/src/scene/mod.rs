@@ -21,6 +21,7 @@ mod look;
 mod mesh;
 mod molecule;
 mod names;
+mod pixel;
 mod plane;
 mod quadric;
 mod range;

@@ -1,0 +1,243 @@
+//! The planes and the quadric that bound a strip within a slab.
+
+use super::super::chart::Separator;
+use super::super::planes::Planes;
+use super::super::surface::Surface;
+use super::super::vector::Vector;
+use super::strips::{Crossing, Strip};
+use super::{OVERLAP, Work};
+use std::f64::consts::TAU;
+
+/// What a band has of a strip.
+pub(super) struct Part {
+    pub(super) band: usize,
+    /// Of the band, as many turns on as the strip is.
+    pub(super) ends: [f64; 2],
+    /// Of a place in both.
+    pub(super) v: f64,
+    /// Whether the strip goes on beyond each end.
+    pub(super) goes_on: [bool; 2],
+}
+
+/// Planes and at most one quadric of a cell, by separators and sides.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Key {
+    pub(super) band: usize,
+    pub(super) sides: Vec<(usize, bool)>,
+    pub(super) planes: Vec<(usize, bool)>,
+}
+
+impl Work<'_> {
+    /// The bands that a strip has a part of, with their ends at its turn, and a v of it in each.
+    pub(super) fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
+        let [low, high] = self.extent(slab, strip);
+        let turns: &[f64] = if self.sheet.is_tube() {
+            &[-TAU, 0.0, TAU, 2.0 * TAU]
+        } else {
+            &[0.0]
+        };
+        let mut found = vec![];
+        for (band, own) in self.face.bands.iter().enumerate() {
+            for turn in turns {
+                let ends = own.ends.map(|v| v + turn);
+                let least = 1e-9
+                    * if ends[0].is_finite() {
+                        ends[1] - ends[0]
+                    } else {
+                        1.0
+                    };
+                if ends[1].min(high) - ends[0].max(low) > least {
+                    let v = self.inner(strip.at, ends);
+                    let goes_on = [low < ends[0] - least, high > ends[1] + least];
+                    found.push(Part {
+                        band,
+                        ends,
+                        v,
+                        goes_on,
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; nothing if these are too near.
+    pub(super) fn keys(
+        &self,
+        slab: usize,
+        strip: &Strip,
+        part: &Part,
+        sample: Vector,
+        planes: &mut Planes,
+    ) -> Option<Vec<Key>> {
+        let separators = &self.face.parting.separators;
+        let side = |crossing: &Crossing| {
+            let separator = self.rails[crossing.rail].separator;
+            (separator, separators[separator].is_positive(sample))
+        };
+        let ranges = [0, 1]
+            .map(|end| strip.ends[end].map(|crossing| self.range(slab, &crossing, strip.at[end])));
+        let mut key = Key {
+            band: part.band,
+            sides: vec![],
+            planes: self.band_planes(part, planes),
+        };
+        let least = 1e-9 * (part.ends[1] - part.ends[0]).min(1.0);
+        for end in 0..2 {
+            let (Some(crossing), Some(range)) = (&strip.ends[end], ranges[end]) else {
+                continue;
+            };
+            let comes_in = match end {
+                0 => range[1] > part.ends[0] + least,
+                _ => range[0] < part.ends[1] - least,
+            };
+            let side = side(crossing);
+            if comes_in && !key.sides.contains(&side) {
+                key.sides.push(side);
+            }
+            if self.parallels {
+                let plane = self.sheet.parallel_plane(range[end], planes);
+                key.planes.push((plane, planes.is_positive(plane, sample)));
+            }
+        }
+        let mut keys = self.between_conics(slab, strip, key, ranges, planes)?;
+        for (end, crossing) in strip.ends.iter().enumerate() {
+            let (Some(crossing), Some(range)) = (crossing, ranges[end]) else {
+                continue;
+            };
+            let same = strip.ends[1 - end].is_some_and(|other| side(&other) == side(crossing));
+            let back = self.comes_back(slab, strip, crossing, end);
+            let Some(back) = back.filter(|_| !same) else {
+                continue;
+            };
+            // The part of the strip that it crosses again is parted off, and needs it no more.
+            let (low, high) = if end == 0 {
+                (range[1], back[0])
+            } else {
+                (back[1], range[0])
+            };
+            if low >= high {
+                return None;
+            }
+            let own = side(crossing);
+            let part = |key: Key| -> Vec<Key> {
+                if key.sides.contains(&own) {
+                    let (beyond, near) = if end == 0 { (high, low) } else { (low, high) };
+                    let at = 0.5 * (low + high);
+                    vec![
+                        self.half(&key, slab, at, beyond, Some(own), planes),
+                        self.half(&key, slab, at, near, None, planes),
+                    ]
+                } else {
+                    vec![key]
+                }
+            };
+            keys = keys.into_iter().flat_map(part).collect();
+        }
+        Some(keys)
+    }
+
+    /// A strip that lies between two conics as two cells; nothing if these are too near.
+    pub(super) fn between_conics(
+        &self,
+        slab: usize,
+        strip: &Strip,
+        key: Key,
+        ranges: [Option<[f64; 2]>; 2],
+        planes: &mut Planes,
+    ) -> Option<Vec<Key>> {
+        let separators = &self.face.parting.separators;
+        let is_conic = |(k, _): &&(usize, bool)| matches!(separators[*k], Separator::Quadric(_));
+        let conics: Vec<(usize, bool)> = key.sides.iter().filter(is_conic).copied().collect();
+        let [one, other] = conics[..] else {
+            return Some(vec![key]);
+        };
+        let (low, high) = (ranges[0]?[1], ranges[1]?[0]);
+        if low >= high {
+            return None;
+        }
+        let below = self.rails[strip.ends[0]?.rail].separator;
+        let (lower, upper) = if below == one.0 {
+            (one, other)
+        } else {
+            (other, one)
+        };
+        let at = 0.5 * (low + high);
+        Some(vec![
+            self.half(&key, slab, at, low, Some(upper), planes),
+            self.half(&key, slab, at, high, Some(lower), planes),
+        ])
+    }
+
+    /// The part of a cell on the side of the parallel `at` on which `v` is, without one of its sides.
+    pub(super) fn half(
+        &self,
+        key: &Key,
+        slab: usize,
+        at: f64,
+        v: f64,
+        without: Option<(usize, bool)>,
+        planes: &mut Planes,
+    ) -> Key {
+        let mut half = key.clone();
+        half.sides.retain(|side| Some(*side) != without);
+        let plane = self.sheet.parallel_plane(at, planes);
+        let inside = self.sheet.point(self.middle(slab), v);
+        half.planes.push((plane, planes.is_positive(plane, inside)));
+        half
+    }
+
+    /// Least and greatest v at which the surface of a border crosses its strip again.
+    pub(super) fn comes_back(
+        &self,
+        slab: usize,
+        strip: &Strip,
+        crossing: &Crossing,
+        end: usize,
+    ) -> Option<[f64; 2]> {
+        let separator = &self.face.parting.separators[self.rails[crossing.rail].separator];
+        let (from, to) = (self.limits[slab], self.limits[slab + 1]);
+        let mut back: Option<[f64; 2]> = None;
+        for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
+            let u = from + share * (to - from);
+            let all = self.sheet.crossings(u, separator);
+            let near = |v: &&f64| (**v - strip.at[end]).abs();
+            let own = all
+                .iter()
+                .min_by(|a, b| near(a).total_cmp(&near(b)))
+                .copied();
+            for v in all.iter().filter(|v| Some(**v) != own) {
+                if *v > strip.at[0] && *v < strip.at[1] {
+                    let [low, high] = back.unwrap_or([*v, *v]);
+                    back = Some([low.min(*v), high.max(*v)]);
+                }
+            }
+        }
+        back
+    }
+
+    /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
+    pub(super) fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
+        if let Surface::Cone { .. } = self.face.surface {
+            let plane = self.sheet.parallel_plane(0.0, planes);
+            let inside = self.sheet.on_axis(self.face.size);
+            return vec![(plane, planes.is_positive(plane, inside))];
+        }
+        if !part.ends[0].is_finite() {
+            return vec![];
+        }
+        let heights = part.ends.map(|v| self.sheet.meridian(v).1);
+        let inside = self.sheet.on_axis(0.5 * (heights[0] + heights[1]));
+        let plane = |end: usize| {
+            let share = if part.goes_on[end] {
+                OVERLAP
+            } else {
+                self.face.bands[part.band].beyond
+            };
+            let height = heights[end] + share * (heights[end] - heights[1 - end]);
+            let plane = self.sheet.level_plane(height, planes);
+            (plane, planes.is_positive(plane, inside))
+        };
+        [0, 1].map(plane).to_vec()
+    }
+}

@@ -1,0 +1,236 @@
+//! What lies between the crossings of a slab with the border.
+
+use super::super::surface::Surface;
+use super::Work;
+use std::f64::consts::{PI, TAU};
+
+/// A crossing of the middle of a slab.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing {
+    pub(super) v: f64,
+    pub(super) rail: usize,
+    /// It runs eastwards.
+    pub(super) east: bool,
+    /// The face is above, as the direction of the border says.
+    pub(super) above: bool,
+}
+
+/// What is between two crossings of a slab; a side without one is open.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Strip {
+    pub(super) ends: [Option<Crossing>; 2],
+    /// v of the ends in the middle of the slab.
+    pub(super) at: [f64; 2],
+    pub(super) inside: bool,
+}
+
+impl Work<'_> {
+    /// The strips of every slab.
+    pub(super) fn strips(&self) -> Result<Vec<Vec<Strip>>, String> {
+        let crossings: Vec<Vec<Crossing>> = (0..self.slabs())
+            .map(|slab| self.crossings(self.middle(slab)))
+            .collect();
+        let oriented = self.sheet.is_ball() || self.sheet.is_tube();
+        if crossings.iter().any(|all| all.len() % 2 == 1)
+            && !matches!(
+                self.face.surface,
+                Surface::Cone { .. } | Surface::Sphere { .. }
+            )
+        {
+            return Err("its loops are not closed on the surface".into());
+        }
+        let below = if oriented {
+            self.below(&crossings)
+        } else {
+            vec![false; crossings.len()]
+        };
+        let of = |(all, below): (&Vec<Crossing>, bool)| {
+            let first = match self.face.surface {
+                // A cone is entered from its open end, since its apex may belong to the face.
+                Surface::Cone { .. } => all.len() % 2 == 1,
+                _ => below,
+            };
+            self.between(all, first)
+        };
+        Ok(crossings.iter().zip(below).map(of).collect())
+    }
+
+    pub(super) fn crossings(&self, u: f64) -> Vec<Crossing> {
+        let mut all = vec![];
+        for (index, rail) in self.rails.iter().enumerate() {
+            for (v, east) in rail.crossings(u, self.sheet.is_round()) {
+                let v = if self.sheet.is_tube() {
+                    v.rem_euclid(TAU)
+                } else {
+                    v
+                };
+                all.push(Crossing {
+                    v,
+                    rail: index,
+                    east,
+                    above: east == rail.forward,
+                });
+            }
+        }
+        all.sort_by(|a, b| a.v.total_cmp(&b.v));
+        all
+    }
+
+    /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what the slab beside it says.
+    pub(super) fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
+        let votes = |all: &[Crossing]| -> i64 {
+            let vote = |(index, crossing): (usize, &Crossing)| {
+                // Every other crossing is entered.
+                let says = crossing.above == (index % 2 == 1);
+                if says { 1 } else { -1 }
+            };
+            all.iter().enumerate().map(vote).sum()
+        };
+        let said: Vec<Option<bool>> = crossings
+            .iter()
+            .map(|all| match votes(all) {
+                0 => None,
+                sum => Some(sum > 0),
+            })
+            .collect();
+        if self.sheet.is_ball() {
+            // All lines begin at one pole.
+            let sum: i64 = said
+                .iter()
+                .flatten()
+                .map(|yes| if *yes { 1 } else { -1 })
+                .sum();
+            let any = said.iter().any(Option::is_some);
+            return vec![sum > 0 || !any; crossings.len()];
+        }
+        (0..crossings.len())
+            .map(|slab| said[slab].unwrap_or_else(|| self.beside(slab, crossings, &said)))
+            .collect()
+    }
+
+    /// Whether a line of a tube that no border crosses is in the face: what the next border to the west says.
+    pub(super) fn beside(
+        &self,
+        slab: usize,
+        crossings: &[Vec<Crossing>],
+        said: &[Option<bool>],
+    ) -> bool {
+        let slabs = self.slabs();
+        let narrow = self.face.narrow(self.sheet);
+        for step in 0..slabs {
+            let own = (slab + slabs - step) % slabs;
+            if step > 0
+                && let Some(below) = said[own]
+            {
+                // The widest strip goes on where the others end.
+                let strips = self.between(&crossings[own], below);
+                let width = |strip: &&Strip| strip.at[1] - strip.at[0];
+                let widest = strips.iter().max_by(|a, b| width(a).total_cmp(&width(b)));
+                return widest.is_some_and(|strip| strip.inside);
+            }
+            let at = self.limits[own];
+            let upright = self.rails.iter().find(|rail| {
+                let off = (rail.path[0][0] - at).rem_euclid(TAU);
+                rail.is_upright(narrow) && (off <= 2.0 * narrow || off >= TAU - 2.0 * narrow)
+            });
+            if let Some(rail) = upright {
+                let north = rail.path[rail.path.len() - 1][1] > rail.path[0][1];
+                // The face is on the left of its border.
+                return north != rail.forward;
+            }
+        }
+        true
+    }
+
+    pub(super) fn between(&self, all: &[Crossing], first: bool) -> Vec<Strip> {
+        let [low, high] = self.sheet.reach();
+        if self.sheet.is_tube() {
+            let count = all.len();
+            if count == 0 {
+                return vec![Strip {
+                    ends: [None; 2],
+                    at: [0.0, TAU],
+                    inside: first,
+                }];
+            }
+            let strip = |index: usize| {
+                let (from, to) = (all[index], all[(index + 1) % count]);
+                let top = if index + 1 == count { to.v + TAU } else { to.v };
+                Strip {
+                    ends: [Some(from), Some(to)],
+                    at: [from.v, top],
+                    inside: first == (index % 2 == 1),
+                }
+            };
+            return (0..count).map(strip).collect();
+        }
+        let mut strips = vec![];
+        let (mut from, mut at, mut inside) = (None, low, first);
+        for crossing in all {
+            strips.push(Strip {
+                ends: [from, Some(*crossing)],
+                at: [at, crossing.v],
+                inside,
+            });
+            (from, at, inside) = (Some(*crossing), crossing.v, !inside);
+        }
+        strips.push(Strip {
+            ends: [from, None],
+            at: [at, high],
+            inside,
+        });
+        strips
+    }
+
+    /// Least and greatest v of a border over a slab, near where it crosses the middle.
+    pub(super) fn range(&self, slab: usize, crossing: &Crossing, at: f64) -> [f64; 2] {
+        let (from, to) = (self.limits[slab], self.limits[slab + 1]);
+        let inner = 1e-6 * (to - from);
+        let rail = &self.rails[crossing.rail];
+        let mut range = [at, at];
+        let steps = 16;
+        for k in 0..=steps {
+            let u = from + inner + (to - from - 2.0 * inner) * f64::from(k) / f64::from(steps);
+            // A closed piece has two branches, which run in opposite directions.
+            let branch = rail.crossings(u, self.sheet.is_round()).into_iter();
+            let v = branch
+                .filter(|(_, east)| *east == crossing.east)
+                .map(|(v, _)| {
+                    if self.sheet.is_tube() {
+                        nearest_turn(v, at)
+                    } else {
+                        v
+                    }
+                })
+                .min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs()));
+            if let Some(v) = v {
+                range = [range[0].min(v), range[1].max(v)];
+            }
+        }
+        range
+    }
+
+    /// From the lowest place of the border below to the highest of that above.
+    pub(super) fn extent(&self, slab: usize, strip: &Strip) -> [f64; 2] {
+        let low = strip.ends[0].map_or(strip.at[0], |c| self.range(slab, &c, strip.at[0])[0]);
+        let high = strip.ends[1].map_or(strip.at[1], |c| self.range(slab, &c, strip.at[1])[1]);
+        [low, high]
+    }
+
+    /// A v between both ends, in the band if that has any.
+    pub(super) fn inner(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
+        let (a, b) = (low.max(from), high.min(to));
+        let [a, b] = if a < b { [a, b] } else { [low, high] };
+        match (a.is_finite(), b.is_finite()) {
+            (true, true) => 0.5 * (a + b),
+            (true, false) => a + self.face.size,
+            (false, true) => b - self.face.size,
+            (false, false) => 0.0,
+        }
+    }
+}
+
+/// An angle as many turns on as makes it nearest to another.
+fn nearest_turn(v: f64, at: f64) -> f64 {
+    at + (v - at + PI).rem_euclid(TAU) - PI
+}
