@@ -18,16 +18,27 @@ pub struct Extent {
     radicand: [BigInt; 3],
 }
 
+/// An integer beyond this, halved and added to another, may be rounded in `f64`.
+const FARTHEST: f64 = (1u64 << 50) as f64;
+
 type Matrix = [[BigInt; 4]; 4];
 
 impl Extent {
     /// The extent of the inside of a quadric; nothing unless that is an ellipsoid.
     pub fn of(quadric: &Quadric) -> Option<Extent> {
-        let matrix = quadric
-            .clone()
-            .primitive()
-            .matrix()
-            .map(|row| row.map(|value| value.to_integer()));
+        let primitive = quadric.clone().primitive();
+        Extent::of_whole(primitive.coefficients().map(|value| value.to_integer()))
+    }
+
+    /// The same of whole coefficients a to j.
+    pub fn of_whole([a, b, c, d, e, f, g, h, i, j]: [BigInt; 10]) -> Option<Extent> {
+        let matrix = [
+            [&a, &d, &e, &g],
+            [&d, &b, &f, &h],
+            [&e, &f, &c, &i],
+            [&g, &h, &i, &j],
+        ]
+        .map(|row| row.map(BigInt::clone));
         let last = is_positive_definite(&matrix).then(|| cofactor(&matrix, 3, 3))?;
         let middle: [BigInt; 3] = std::array::from_fn(|k| cofactor(&matrix, k, 3));
         let radicand: [BigInt; 3] =
@@ -101,10 +112,14 @@ impl Extent {
         Some(Side::Seen(first.to_i64()?, last.to_i64()?))
     }
 
-    /// A cell around the quadric.
-    pub fn cell(&self) -> Cell {
+    /// A cell around the quadric; nothing if it reaches so far that `f64` does not hold all integers and their halves.
+    pub fn cell(&self) -> Option<Cell> {
         let around: [(f64, f64); 3] = std::array::from_fn(|axis| self.integers_around(axis));
-        Cell::between(around.map(|(low, _)| low), around.map(|(_, high)| high))
+        let is_held = |(low, high): &(f64, f64)| low.abs().max(high.abs()) < FARTHEST;
+        around
+            .iter()
+            .all(is_held)
+            .then(|| Cell::between(around.map(|(low, _)| low), around.map(|(_, high)| high)))
     }
 }
 

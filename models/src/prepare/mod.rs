@@ -5,6 +5,7 @@
 
 mod again;
 mod curved_facet;
+mod enclosure;
 pub mod error;
 pub mod extent;
 mod first_generation;

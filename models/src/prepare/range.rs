@@ -367,9 +367,9 @@ fn body(object: &FramedObject, context: &Context) -> Body {
         };
     }
     let extent = planes.is_empty().then(|| Extent::of(&quadric.q)).flatten();
+    let around = extent.and_then(|extent| extent.cell());
     Body {
-        reach: extent.map_or(EVERYWHERE, |extent| {
-            let Cell { centre, half } = extent.cell();
+        reach: around.map_or(EVERYWHERE, |Cell { centre, half }| {
             (centre[2] - half[2], centre[2] + half[2])
         }),
         regions: vec![Region::new(&quadric.q, &planes, framed.surface)],

@@ -3,6 +3,7 @@
 //! A box is a correctness matter, not only a saving: outside it f2 may wrap. It is conservative (interval bounds with a margin for
 //! floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it runs out the box is only larger.
 
+use super::enclosure::{REACH, around};
 use super::forms::{common, unreduced};
 use crate::object::quadric::ScreenBox;
 use crate::rational::to_f64;
@@ -43,6 +44,8 @@ pub struct Region {
     quadric: [f64; 10],
     planes: Vec<[f64; 4]>,
     surface: Surface,
+    /// All of it that is within [`REACH`] lies in this cell.
+    enclosure: Option<Cell>,
 }
 
 /// An axis-parallel cell: centre and half extent along x, y, z.
@@ -73,6 +76,16 @@ impl Cell {
         (0..3).all(|k| (point[k] - self.centre[k]).abs() < self.half[k] * (1.0 - 1e-9))
     }
 
+    /// Has it a point in common with another.
+    fn meets(&self, other: &Cell) -> bool {
+        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() <= self.half[k] + other.half[k])
+    }
+
+    /// Is all of it inside another.
+    fn is_within(&self, other: &Cell) -> bool {
+        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() + self.half[k] < other.half[k])
+    }
+
     /// Halves along the axis on which it is widest in these units.
     fn halves(&self, units: &[f64; 3]) -> [Cell; 2] {
         let (axis, _) = self
@@ -101,20 +114,43 @@ pub enum Existence {
 impl Region {
     /// A region from exact coefficients; `planes` are kept where they are not positive.
     pub fn new(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
-        let q = quadric;
-        let coefficients = [&q.a, &q.b, &q.c, &q.d, &q.e, &q.f, &q.g, &q.h, &q.i, &q.j];
+        let mut region = Region::unenclosed(quadric, planes, surface);
+        region.enclosure = around(&region.quadric, &region.planes);
+        region
+    }
+
+    /// A region that is searched wherever it is asked for.
+    pub(super) fn unenclosed(quadric: &Quadric, planes: &[Plane], surface: Surface) -> Region {
         Region {
-            quadric: normalised(coefficients),
+            quadric: normalised(quadric.coefficients()),
             planes: planes
                 .iter()
-                .map(|p| normalised([&p.a, &p.b, &p.c, &p.d]))
+                .map(|plane| normalised(plane.coefficients()))
                 .collect(),
             surface,
+            enclosure: None,
         }
+    }
+
+    /// A cell that holds all of it that is within [`REACH`], if one was found.
+    #[cfg(test)]
+    pub(super) fn enclosure(&self) -> Option<Cell> {
+        self.enclosure
     }
 
     /// False only if no point of the region lies in the cell.
     fn may_meet(&self, cell: &Cell) -> bool {
+        if let Some(around) = &self.enclosure
+            && (0..3).all(|k| cell.centre[k].abs() + cell.half[k] <= REACH[k])
+        {
+            if !around.meets(cell) {
+                return false;
+            }
+            // Halves of a cell so large are asked again.
+            if around.is_within(cell) {
+                return true;
+            }
+        }
         // Planes first: they are tested in a third of the time.
         if !self.planes.iter().all(|p| plane_low(p, cell) <= 0.0) {
             return false;
@@ -215,9 +251,19 @@ impl Region {
 
     /// Least and greatest depth at which the region can be met in the domain, if it can be met at all.
     pub fn depth_range_within(&self, domain: Cell, search: Search) -> Option<(f64, f64)> {
-        let nearest = self.extreme(domain, 2, 1.0, search)?;
-        let farthest = self.extreme(domain, 2, -1.0, search)?;
-        Some((nearest, -farthest))
+        self.range_within(domain, 2, search)
+    }
+
+    /// The same along any axis.
+    pub(super) fn range_within(
+        &self,
+        domain: Cell,
+        axis: usize,
+        search: Search,
+    ) -> Option<(f64, f64)> {
+        let low = self.extreme(domain, axis, 1.0, search)?;
+        let high = self.extreme(domain, axis, -1.0, search)?;
+        Some((low, -high))
     }
 
     /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for a depth within

@@ -330,9 +330,8 @@ fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64
     let (quadric, planes) = on_screen(object, &context.inverse_distance);
     let clamped = |(near, far): (f64, f64)| ((near - 1.0).max(-full), (far + 1.0).min(full));
     if planes.is_empty()
-        && let Some(extent) = Extent::of(&quadric.q)
+        && let Some(cell) = Extent::of(&quadric.q).and_then(|extent| extent.cell())
     {
-        let cell = extent.cell();
         let (near, far) = (cell.centre[2] - cell.half[2], cell.centre[2] + cell.half[2]);
         // Beyond an end of the depths an ellipsoid may reach behind the eye.
         if near >= -full && far <= full {
