@@ -1,6 +1,6 @@
 """Writes the machine parts of machine/: `python3 machine_parts.py FOLDER`, with cadquery 2.8.0 (OpenCASCADE 7.9.3).
 
-25 parts of 10 to 200 mm whose round edges are tori, spheres and cylinders. Every run writes the same bytes. For each
+26 parts of 10 to 200 mm whose round edges are tori, spheres and cylinders. Every run writes the same bytes. For each
 part it prints what OpenCASCADE sees when it reads the file back: solids, faces by kind of surface, the bounding box;
 faces.json beside the parts has the same. Tests count on it.
 
@@ -262,6 +262,15 @@ def branch():
     return body.fillet(4, seam)
 
 
+def u_bolt():
+    """A bar bent by half a turn, with a plate across its legs and pointed ends."""
+    bow = tube(5, (-25, 0, 0), (0, 0, 25), (25, 0, 0), (0, 0, 1))
+    legs = [cylinder(5, (x, 0, -50), (0, 0, 1), 50) for x in (-25, 25)]
+    ends = [cq.Solid.makeCone(2.5, 5, 5, Vector(x, 0, -55), Vector(0, 0, 1)) for x in (-25, 25)]
+    plate = Workplane("XY").box(70, 20, 4).edges("|Z").fillet(6).translate((0, 0, -30)).val()
+    return bow.fuse(*legs, *ends, plate).clean()
+
+
 def mirrored_pair():
     """A handed clamp, its mirror image beside it, and both once more, turned; an assembly."""
     clamp = Workplane("XY").box(40, 24, 10, centered=(False, False, False)).edges("|Z and >X").fillet(6).faces(">Z").edges(">Y").fillet(3)
@@ -277,7 +286,7 @@ def mirrored_pair():
 
 PARTS = [angle_bracket, neck_flange, pipe_elbow, ring_groove, stepped_shaft, ball_knob, bearing_housing, lever, tray, rounded_box, cup,
          pulley, hook, cross_drilled_pin, pipe_tee, counterbore_plate, chamfered_block, eyebolt, handwheel, spacer_ring, clevis,
-         ball_stud, gas_bottle, branch, mirrored_pair]
+         ball_stud, gas_bottle, branch, u_bolt, mirrored_pair]
 
 
 def seen(path):
