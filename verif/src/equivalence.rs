@@ -8,6 +8,7 @@
 //! that none of them can matter.
 
 mod netlist;
+pub mod sequential;
 pub mod table;
 
 use crate::tool::{ToolError, write};

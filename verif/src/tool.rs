@@ -43,6 +43,12 @@ pub const YOSYS: Program = Program {
     package: "yosys",
 };
 
+/// The logic synthesis and verification program that comes with Yosys.
+pub const YOSYS_ABC: Program = Program {
+    name: "yosys-abc",
+    package: "yosys",
+};
+
 /// Why a program did not do its work.
 #[derive(Debug, Error)]
 pub enum ToolError {

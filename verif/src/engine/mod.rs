@@ -4,6 +4,7 @@
 //! scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod beam;
+pub mod circuit;
 pub mod design;
 pub mod icarus;
 pub mod rust_hdl;

@@ -1,0 +1,8 @@
+//! The circuits of imogene, as functions over values: see `imogene_hdl`.
+//!
+//! A circuit that is a module of its own takes the name of its instance first. Widths follow from the values that it is given.
+
+pub mod arith;
+pub mod machine;
+pub mod object;
+pub mod raster;

@@ -1,0 +1,28 @@
+//! First-degree elementary processor.
+
+use super::{Flags, Linear};
+use imogene_hdl::{Int, Value, module, net};
+
+/// `value(x, y) = a x + b y + c` modulo the width of the words, by additions alone, one pixel per clock.
+///
+/// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.2 and B.2.1.
+pub fn pe1(at: &str, flags: Flags, words: Linear) -> Int {
+    module("pe1", at, (flags, words), |(flags, words)| {
+        let load = flags.valid & flags.start;
+        net! {
+            let first = flags.start | flags.line;
+            let kept_a = words.a.reg_when(load);
+            let kept_b = words.b.reg_when(load);
+            let line_value = Int::register(words.c.width());
+            let pixel_value = Int::register(words.c.width());
+            let next_line = line_value + kept_b;
+            let next_pixel = pixel_value + kept_a;
+            // The first pixel of a line takes what the line begins with: one selection behind each sum.
+            let line_begin = flags.start.select(words.c, next_line);
+        }
+        line_value.load_when(flags.valid & first, line_begin);
+        pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
+        ("value", pixel_value)
+    })
+    .1
+}

@@ -1,0 +1,39 @@
+//! Second-degree elementary processor.
+
+use super::{Flags, Quadratic};
+use imogene_hdl::{Int, Value, module, net};
+
+/// `value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f` modulo the width of the words, from preconditioned words, by additions
+/// alone, one pixel per clock.
+///
+/// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.3 and B.2.2.
+pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
+    module("pe2", at, (flags, words), |(flags, words)| {
+        let load = flags.valid & flags.start;
+        let register = || Int::register(words.f.width());
+        net! {
+            let first = flags.start | flags.line;
+            let kept_a2 = words.a2.reg_when(load);
+            let kept_b2 = words.b2.reg_when(load);
+            let kept_c = words.c.reg_when(load);
+            let line_value = register();
+            let line_step = register();
+            let first_step = register();
+            let pixel_step = register();
+            let pixel_value = register();
+            let next_pixel = pixel_value + pixel_step;
+            let next_step = pixel_step + kept_a2;
+            let line_begin = flags.start.select(words.f, line_value + line_step);
+            let line_begin_step = flags.start.select(words.i0, line_step + kept_b2);
+            let first_begin_step = flags.start.select(words.p0, first_step + kept_c);
+        }
+        let load_line = flags.valid & first;
+        line_value.load_when(load_line, line_begin);
+        line_step.load_when(load_line, line_begin_step);
+        first_step.load_when(load_line, first_begin_step);
+        pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
+        pixel_step.load_when(flags.valid, first.select(first_begin_step, next_step));
+        ("value", pixel_value)
+    })
+    .1
+}

@@ -1,0 +1,205 @@
+//! A module as a block of rust-hdl.
+//!
+//! Nets are its atoms, instances and registers its sub-blocks, operations the statements of its kernel, one for each net. So
+//! rust-hdl's own check and its own printer run on every circuit. Its simulation would only call ours, and is empty here.
+
+mod kernel;
+
+use crate::tree::{Direction, Memory, Module, Net};
+use kernel::{kernel, literal, net_name, register_name};
+use rust_hdl::core::ast::{Verilog, VerilogLiteral};
+use rust_hdl::core::prelude::{
+    Atom, AtomKind, Logic, PinConstraint, Probe, TypeDescriptor, TypeKind, VCDValue,
+};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A module, a register or a memory as a block.
+pub struct Block {
+    atoms: Vec<(String, Pin)>,
+    parts: Vec<(String, Block)>,
+    kernel: Verilog,
+}
+
+/// A net or a port.
+struct Pin {
+    width: u32,
+    signed: bool,
+    kind: AtomKind,
+    id: usize,
+}
+
+impl Pin {
+    fn new(width: u32, signed: bool, kind: AtomKind) -> Pin {
+        static PINS: AtomicUsize = AtomicUsize::new(0);
+        Pin {
+            width,
+            signed,
+            kind,
+            id: PINS.fetch_add(1, Ordering::Relaxed),
+        }
+    }
+}
+
+impl Atom for Pin {
+    fn bits(&self) -> usize {
+        self.width as usize
+    }
+
+    fn connected(&self) -> bool {
+        // A design has no net that is not driven.
+        true
+    }
+
+    fn changed(&self) -> bool {
+        false
+    }
+
+    fn kind(&self) -> AtomKind {
+        self.kind
+    }
+
+    fn descriptor(&self) -> TypeDescriptor {
+        let width = self.width as usize;
+        let (name, kind) = match self.signed {
+            true => (format!("Signed::<{width}>"), TypeKind::Signed(width)),
+            false => (format!("Bits::<{width}>"), TypeKind::Bits(width)),
+        };
+        TypeDescriptor { name, kind }
+    }
+
+    fn vcd(&self) -> VCDValue {
+        VCDValue::Vector(vec![])
+    }
+
+    fn id(&self) -> usize {
+        self.id
+    }
+
+    fn verilog(&self) -> VerilogLiteral {
+        literal(0)
+    }
+
+    fn constraints(&self) -> Vec<PinConstraint> {
+        vec![]
+    }
+}
+
+impl Logic for Block {
+    fn update(&mut self) {}
+
+    fn hdl(&self) -> Verilog {
+        self.kernel.clone()
+    }
+}
+
+impl rust_hdl::core::prelude::Block for Block {
+    fn connect_all(&mut self) {}
+
+    fn update_all(&mut self) {}
+
+    fn has_changed(&self) -> bool {
+        false
+    }
+
+    fn accept(&self, name: &str, probe: &mut dyn Probe) {
+        probe.visit_start_scope(name, self);
+        for (name, pin) in &self.atoms {
+            probe.visit_atom(name, pin);
+        }
+        for (name, part) in &self.parts {
+            part.accept(name, probe);
+        }
+        probe.visit_end_scope(name, self);
+    }
+}
+
+impl Block {
+    /// The block of a module.
+    ///
+    /// # Panics
+    ///
+    /// With the name of a net that depends on itself within one clock.
+    pub fn of(module: &Module) -> Block {
+        let mut block = Block {
+            atoms: vec![],
+            parts: vec![],
+            kernel: Verilog::Empty,
+        };
+        if module.is_clocked() {
+            block.pin("clock", 1, false, AtomKind::InputParameter);
+        }
+        for port in &module.ports {
+            let kind = match port.direction {
+                Direction::In => AtomKind::InputParameter,
+                Direction::Out => AtomKind::OutputParameter,
+            };
+            block.pin(&port.name, port.width, port.signed, kind);
+        }
+        for (index, node) in module.nodes.iter().enumerate() {
+            let name = net_name(Net(index as u32));
+            block.pin(&name, node.width, node.signed, AtomKind::LocalSignal);
+        }
+        for (index, register) in module.registers.iter().enumerate() {
+            let node = module.node(register.net);
+            let part = Block::register(node.width, node.signed, register.initial);
+            block.parts.push((register_name(index), part));
+        }
+        for memory in &module.memories {
+            block
+                .parts
+                .push((memory.name.clone(), Block::memory(module, memory)));
+        }
+        for instance in &module.instances {
+            block
+                .parts
+                .push((instance.name.clone(), Block::of(&instance.module)));
+        }
+        block.kernel = Verilog::Combinatorial(kernel(module));
+        block
+    }
+
+    fn register(width: u32, signed: bool, initial: u64) -> Block {
+        let text = format!("initial q = {width}'h{initial:x};\nalways @(posedge clock) q <= d;\n");
+        let mut block = Block {
+            atoms: vec![],
+            parts: vec![],
+            kernel: Verilog::Custom(text),
+        };
+        block.pin("clock", 1, false, AtomKind::InputParameter);
+        block.pin("d", width, signed, AtomKind::InputParameter);
+        block.pin("q", width, signed, AtomKind::OutputParameter);
+        block
+    }
+
+    fn memory(module: &Module, memory: &Memory) -> Block {
+        let last = memory.words - 1;
+        let text = format!(
+            "reg [{}:0] words [0:{last}];\ninteger place;\n\
+             initial begin\nq = 0;\nfor (place = 0; place <= {last}; place = place + 1) words[place] = 0;\nend\n\
+             always @(posedge clock) begin\nq <= words[read];\nif (write) words[at] <= data;\nend\n",
+            memory.width - 1
+        );
+        let mut block = Block {
+            atoms: vec![],
+            parts: vec![],
+            kernel: Verilog::Custom(text),
+        };
+        block.pin("clock", 1, false, AtomKind::InputParameter);
+        let inputs = ["write", "at", "data"].into_iter().zip(memory.write);
+        for (name, net) in inputs.chain([("read", memory.address)]) {
+            block.pin(
+                name,
+                module.node(net).width,
+                false,
+                AtomKind::InputParameter,
+            );
+        }
+        block.pin("q", memory.width, false, AtomKind::OutputParameter);
+        block
+    }
+
+    fn pin(&mut self, name: &str, width: u32, signed: bool, kind: AtomKind) {
+        self.atoms
+            .push((name.to_owned(), Pin::new(width, signed, kind)));
+    }
+}

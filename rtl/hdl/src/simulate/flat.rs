@@ -1,0 +1,257 @@
+//! All modules of a design as one list of operations.
+
+use super::code::{Code, Kind};
+use super::{Flop, ONE, Store};
+use crate::build::{described, refuse};
+use crate::tree::{Binary, Direction, Module, Net, Op};
+use crate::value::mask;
+use std::rc::Rc;
+
+/// All modules of a design, one behind the other.
+#[derive(Default)]
+pub(super) struct Flat {
+    pub(super) words: Vec<u64>,
+    code: Vec<Code>,
+    pub(super) flops: Vec<Flop>,
+    pub(super) stores: Vec<Store>,
+    /// Words of constants.
+    literals: Vec<u32>,
+    /// Words that are the same as others.
+    copies: Vec<(u32, u32)>,
+    /// Names of the words that operations write, for messages.
+    described: Vec<(u32, Rc<Module>, Net)>,
+}
+
+impl Flat {
+    pub(super) fn word(&mut self, value: u64) -> u32 {
+        self.words.push(value);
+        self.words.len() as u32 - 1
+    }
+
+    /// Adds a module whose inputs are these words, and gives those of its outputs.
+    pub(super) fn place(&mut self, module: &Rc<Module>, inputs: &[u32]) -> Vec<u32> {
+        // Words first, so that operations may refer forward.
+        let mut places = vec![u32::MAX; module.nodes.len()];
+        for (port, place) in module.ports_of(Direction::In).zip(inputs) {
+            places[port.net.0 as usize] = *place;
+        }
+        for (place, node) in places.iter_mut().zip(&module.nodes) {
+            match &node.op {
+                Op::Input | Op::Same(_) | Op::Forward(_) => {}
+                Op::Literal(value) => {
+                    *place = self.word(*value);
+                    self.literals.push(*place);
+                }
+                Op::Register(index) => *place = self.word(module.registers[*index].initial),
+                _ => *place = self.word(0),
+            }
+        }
+        let at = |net: Net| {
+            let mut net = net;
+            // A ring of nothing but other names has no word; it is refused by its first.
+            for _ in 0..module.nodes.len() {
+                match &module.node(net).op {
+                    Op::Same(other) | Op::Forward(Some(other)) => net = *other,
+                    _ => return places[net.0 as usize],
+                }
+            }
+            refuse(format!("{} is a loop", described(module, net)));
+        };
+        for instance in &module.instances {
+            let inputs: Vec<u32> = instance.inputs.iter().map(|net| at(*net)).collect();
+            let inner = self.place(&instance.module, &inputs);
+            for (net, word) in instance.outputs.iter().zip(inner) {
+                self.copies.push((places[net.0 as usize], word));
+            }
+        }
+        for (index, node) in module.nodes.iter().enumerate() {
+            self.operation(module, Net(index as u32), &node.op, &at);
+        }
+        for register in &module.registers {
+            self.flops.push(Flop {
+                output: at(register.net),
+                next: at(register.next.expect("a closed module has all inputs")),
+                enable: register.enable.map_or(ONE, at),
+            });
+        }
+        for memory in &module.memories {
+            self.stores.push(Store {
+                words: vec![0; memory.words],
+                write: memory.write.map(at),
+                address: at(memory.address),
+                output: at(memory.net),
+                read: 0,
+            });
+        }
+        module
+            .ports_of(Direction::Out)
+            .map(|port| at(port.net))
+            .collect()
+    }
+
+    fn operation(&mut self, module: &Rc<Module>, net: Net, op: &Op, at: &impl Fn(Net) -> u32) {
+        let (node, to) = (module.node(net), at(net));
+        let mask = mask(node.width);
+        let front = |net: Net| 64 - module.node(net).width;
+        let is_signed = |net: Net| module.node(net).signed;
+        let (kind, from, count) = match op {
+            Op::Not(a) => (Kind::Not, vec![*a], 0),
+            Op::Binary(binary, a, b) => {
+                let (kind, count) = match binary {
+                    Binary::Add => (Kind::Add, 0),
+                    Binary::Sub => (Kind::Sub, 0),
+                    Binary::Mul => (Kind::Mul, 0),
+                    Binary::And => (Kind::And, 0),
+                    Binary::Or => (Kind::Or, 0),
+                    Binary::Xor => (Kind::Xor, 0),
+                    Binary::Left => (Kind::Left, 0),
+                    Binary::Right if is_signed(*a) => (Kind::RightSigned, front(*a)),
+                    Binary::Right => (Kind::Right, 0),
+                    Binary::Equal => (Kind::Equal, 0),
+                    Binary::Less if is_signed(*a) => (Kind::LessSigned, 63 - front(*a)),
+                    Binary::Less => (Kind::Less, 0),
+                };
+                (kind, vec![*a, *b], count)
+            }
+            Op::Select(which, a, b) => (Kind::Select, vec![*which, *a, *b], 0),
+            Op::Slice(a, low) => (Kind::Slice, vec![*a], *low),
+            Op::Extend(a) if is_signed(*a) => (Kind::Sign, vec![*a], front(*a)),
+            Op::Extend(a) => return self.copies.push((to, at(*a))),
+            Op::Join(parts) => return self.join(module, net, parts, at),
+            _ => return,
+        };
+        let mut words = [ONE; 3];
+        for (word, net) in words.iter_mut().zip(from) {
+            *word = at(net);
+        }
+        let code = Code {
+            kind,
+            from: words,
+            count,
+            to,
+            mask,
+        };
+        self.push(module, net, code);
+    }
+
+    /// Parts one behind the other, two by two; all but the last pair need a word between.
+    fn join(&mut self, module: &Rc<Module>, net: Net, parts: &[Net], at: &impl Fn(Net) -> u32) {
+        let mut above = at(parts[0]);
+        for (index, part) in parts.iter().enumerate().skip(1) {
+            let to = match index + 1 == parts.len() {
+                true => at(net),
+                false => self.word(0),
+            };
+            let code = Code {
+                kind: Kind::Above,
+                from: [above, at(*part), ONE],
+                count: module.node(*part).width,
+                to,
+                mask: u64::MAX,
+            };
+            self.push(module, net, code);
+            above = to;
+        }
+        if parts.len() == 1 {
+            self.copies.push((at(net), above));
+        }
+    }
+
+    fn push(&mut self, module: &Rc<Module>, net: Net, code: Code) {
+        self.code.push(code);
+        self.described.push((code.to, module.clone(), net));
+    }
+
+    /// One word in the place of all that are the same.
+    pub(super) fn without_copies(&mut self, ports: &mut [u32]) {
+        let mut same: Vec<u32> = (0..self.words.len() as u32).collect();
+        for (to, from) in &self.copies {
+            same[*to as usize] = *from;
+        }
+        let first = |mut place: u32| {
+            while same[place as usize] != place {
+                place = same[place as usize];
+            }
+            place
+        };
+        for code in &mut self.code {
+            code.from = code.from.map(first);
+        }
+        for flop in &mut self.flops {
+            (flop.next, flop.enable) = (first(flop.next), first(flop.enable));
+        }
+        for store in &mut self.stores {
+            (store.write, store.address) = (store.write.map(first), first(store.address));
+        }
+        for place in ports {
+            *place = first(*place);
+        }
+    }
+
+    /// Operations behind those whose results they read.
+    pub(super) fn sorted(&self) -> Vec<Code> {
+        let mut writer = vec![usize::MAX; self.words.len()];
+        for (index, code) in self.code.iter().enumerate() {
+            writer[code.to as usize] = index;
+        }
+        let mut order = Vec::with_capacity(self.code.len());
+        // 0 not seen, 1 open, 2 done.
+        let mut state = vec![0u8; self.code.len()];
+        for start in 0..self.code.len() {
+            let mut open = vec![start];
+            while let Some(&index) = open.last() {
+                if state[index] != 0 {
+                    open.pop();
+                    if state[index] == 1 {
+                        state[index] = 2;
+                        order.push(self.code[index]);
+                    }
+                    continue;
+                }
+                state[index] = 1;
+                let code = self.code[index];
+                for place in &code.from[..code.kind.reads()] {
+                    let before = writer[*place as usize];
+                    match state.get(before) {
+                        Some(0) => open.push(before),
+                        Some(1) => self.refuse_loop(self.code[before].to),
+                        _ => {}
+                    }
+                }
+            }
+        }
+        order
+    }
+
+    /// The operations that do not follow from constants alone, and the words after the others.
+    pub(super) fn without_constants(&self, code: Vec<Code>) -> (Vec<Code>, Vec<u64>) {
+        let mut words = self.words.clone();
+        let mut is_constant = vec![false; words.len()];
+        is_constant[ONE as usize] = true;
+        for place in &self.literals {
+            is_constant[*place as usize] = true;
+        }
+        let mut left = vec![];
+        for code in code {
+            let mut reads = code.from[..code.kind.reads()].iter();
+            if reads.all(|place| is_constant[*place as usize]) {
+                code.kind.run(&[code], &mut words);
+                is_constant[code.to as usize] = true;
+            } else {
+                left.push(code);
+            }
+        }
+        (left, words)
+    }
+
+    fn refuse_loop(&self, place: u32) -> ! {
+        let found = self.described.iter().find(|(to, ..)| *to == place);
+        match found {
+            Some((_, module, net)) => refuse(format!(
+                "{} depends on itself within one clock",
+                described(module, *net)
+            )),
+            None => refuse("an output depends on itself within one clock".to_owned()),
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What nets are called.
+
+use super::reads::{Reader, Reads};
+use super::rows::{self, Row};
+use crate::build::is_reserved;
+use crate::tree::{Binary, Direction, Module, Net, Node, Op};
+use std::collections::HashSet;
+
+/// What each net is called where it is declared.
+pub(super) struct Names {
+    pub(super) names: Vec<Option<Name>>,
+    pub(super) unread: Vec<(Net, u32, u32)>,
+    pub(super) rows: Vec<Row>,
+    /// Outputs that are nets, not copies of others.
+    pub(super) ports: HashSet<String>,
+}
+
+/// A name, or a part of a vector from this bit upwards.
+#[derive(Clone, Debug)]
+pub(super) struct Name {
+    pub(super) text: String,
+    pub(super) offset: Option<u32>,
+}
+
+impl Name {
+    pub(super) fn whole(text: String) -> Name {
+        Name { text, offset: None }
+    }
+
+    /// Bits of a net of this name and width.
+    pub(super) fn part(&self, high: u32, low: u32, width: u32) -> String {
+        let text = &self.text;
+        let [high, low] = [high, low].map(|bit| bit + self.offset.unwrap_or(0));
+        match high - low + 1 {
+            all if all == width && self.offset.is_none() => text.clone(),
+            1 => format!("{text}[{low}]"),
+            _ => format!("{text}[{high}:{low}]"),
+        }
+    }
+
+    pub(super) fn all(&self, width: u32) -> String {
+        self.part(width - 1, 0, width)
+    }
+}
+
+impl Names {
+    pub(super) fn of(module: &Module) -> Names {
+        let reads = Reads::of(module);
+        let mut taken = HashSet::from(["clock".to_owned()]);
+        let mut names: Vec<Option<Name>> = vec![None; module.nodes.len()];
+        let mut own = |wanted: &str| {
+            let mut name = wanted.to_owned();
+            let mut number = 1;
+            while is_reserved(&name) || !taken.insert(name.clone()) {
+                number += 1;
+                name = format!("{wanted}_{number}");
+            }
+            name
+        };
+        for port in &module.ports {
+            own(&port.name);
+            if port.direction == Direction::In {
+                names[port.net.0 as usize] = Some(Name::whole(port.name.clone()));
+            }
+        }
+        let rows = rows::of(module);
+        for instance in &module.instances {
+            own(&instance.name);
+        }
+        for row in &rows {
+            own(&row.base);
+            row.name_outputs(module, &mut names);
+        }
+        // What has no name and drives a port is called as the port.
+        let mut ports = HashSet::new();
+        for port in module.ports_of(Direction::Out) {
+            let own = &mut names[port.net.0 as usize];
+            if own.is_none() && may_be_port(module.node(port.net)) {
+                *own = Some(Name::whole(port.name.clone()));
+                ports.insert(port.name.clone());
+            }
+        }
+        for (index, node) in module.nodes.iter().enumerate() {
+            let is_wanted = reads.counts[index] > 0 && names[index].is_none();
+            if let (true, Some(name)) = (is_wanted, &node.name) {
+                names[index] = Some(Name::whole(own(name)));
+            }
+        }
+        for instance in &module.instances {
+            let ports = instance.module.ports_of(Direction::Out);
+            for (net, port) in instance.outputs.iter().zip(ports) {
+                let index = net.0 as usize;
+                if names[index].is_none() {
+                    let unused = if reads.counts[index] == 0 {
+                        "unused_"
+                    } else {
+                        ""
+                    };
+                    let name = format!("{unused}{}_{}", instance.name, port.name);
+                    names[index] = Some(Name::whole(own(&name)));
+                }
+            }
+        }
+        // Readers have larger numbers than what they read, but for registers and forward values.
+        for index in (0..module.nodes.len()).rev() {
+            if names[index].is_none() && needs_name(module, Net(index as u32), &reads) {
+                let reader = match &reads.readers[index] {
+                    Some(Reader::Net(reader)) => {
+                        names[reader.0 as usize].as_ref().map(|n| n.text.clone())
+                    }
+                    Some(Reader::Named(name)) => Some(name.clone()),
+                    None => None,
+                };
+                let word = word_of(&module.nodes[index].op);
+                names[index] = Some(Name::whole(own(&match reader {
+                    Some(reader) => format!("{reader}_{word}"),
+                    None => word.to_owned(),
+                })));
+            }
+        }
+        Names {
+            unread: unread(module, &reads, &names),
+            names,
+            rows,
+            ports,
+        }
+    }
+
+    pub(super) fn get(&self, net: Net) -> Option<&Name> {
+        self.names[net.0 as usize].as_ref()
+    }
+}
+
+/// The bits of declared nets that nobody reads.
+fn unread(module: &Module, reads: &Reads, names: &[Option<Name>]) -> Vec<(Net, u32, u32)> {
+    let mut found = vec![];
+    for (index, node) in module.nodes.iter().enumerate() {
+        let is_declared = names[index]
+            .as_ref()
+            .is_some_and(|name| !name.text.starts_with("unused_"));
+        let mut bit = 0;
+        while is_declared && bit < node.width {
+            let is_read = |bit: u32| reads.bits[index] >> bit & 1 == 1;
+            let end = (bit..node.width).find(|next| is_read(*next) != is_read(bit));
+            let end = end.unwrap_or(node.width);
+            if !is_read(bit) {
+                found.push((Net(index as u32), end - 1, bit));
+            }
+            bit = end;
+        }
+    }
+    found
+}
+
+/// Is the net of an output the port itself, not a copy of a value with another name?
+fn may_be_port(node: &Node) -> bool {
+    let is_other = matches!(
+        node.op,
+        Op::Input | Op::Literal(_) | Op::Slice(..) | Op::Same(_)
+    );
+    node.name.is_none() && !is_other
+}
+
+fn needs_name(module: &Module, net: Net, reads: &Reads) -> bool {
+    let index = net.0 as usize;
+    if reads.counts[index] == 0 {
+        return false;
+    }
+    match module.node(net).op {
+        Op::Register(_) | Op::Read(_) => true,
+        Op::Literal(_) => false,
+        // Other names of a value cost nothing to repeat.
+        Op::Slice(..) | Op::Same(_) => reads.by_name[index],
+        _ => reads.by_name[index] || reads.counts[index] > 1,
+    }
+}
+
+fn word_of(op: &Op) -> &'static str {
+    match op {
+        Op::Binary(Binary::Add, ..) => "sum",
+        Op::Binary(Binary::Sub, ..) => "difference",
+        Op::Binary(Binary::Mul, ..) => "product",
+        Op::Binary(Binary::Left | Binary::Right, ..) => "shifted",
+        Op::Binary(Binary::Equal | Binary::Less, ..) => "test",
+        Op::Binary(..) => "bits",
+        Op::Not(_) => "inverse",
+        Op::Select(..) => "choice",
+        Op::Slice(..) => "part",
+        Op::Join(_) => "joined",
+        Op::Extend(_) => "wide",
+        Op::Same(_) => "word",
+        Op::Register(_) => "kept",
+        Op::Read(_) => "read",
+        _ => "value",
+    }
+}

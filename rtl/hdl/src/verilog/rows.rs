@@ -1,0 +1,215 @@
+//! Rows of equal instances as generate loops over vectors.
+//!
+//! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or the
+//! same for all, or a value of its own for each.
+
+use super::names::Name;
+use super::range;
+use crate::tree::{Direction, Instance, Module, Net, Op};
+use std::fmt::Write;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// Fewer equal instances are written one by one.
+const LEAST: usize = 3;
+
+/// Where an input comes from.
+enum Source {
+    /// The same for all.
+    Common(Net),
+    /// This output of the one before; of the first this net.
+    Before(usize, Net),
+    /// Another for each.
+    Each(Vec<Net>),
+}
+
+/// A row of instances.
+pub(super) struct Row {
+    pub base: String,
+    pub instances: Range<usize>,
+    sources: Vec<Source>,
+}
+
+/// The rows of a module.
+pub(super) fn of(module: &Module) -> Vec<Row> {
+    let mut rows = vec![];
+    let mut first = 0;
+    while first < module.instances.len() {
+        let base = base_of(&module.instances[first], 0);
+        let count = base.map_or(1, |base| {
+            let rest = module.instances[first..].iter().enumerate();
+            let same = |(k, other): &(usize, &Instance)| {
+                base_of(other, *k) == Some(base)
+                    && Rc::ptr_eq(&other.module, &module.instances[first].module)
+            };
+            rest.take_while(same).count()
+        });
+        if let (Some(base), true) = (base, count >= LEAST) {
+            let row = &module.instances[first..first + count];
+            rows.push(Row {
+                base: base.to_owned(),
+                instances: first..first + count,
+                sources: sources(module, row, first),
+            });
+        }
+        first += count.max(1);
+    }
+    rows
+}
+
+/// The name of an instance without its number.
+fn base_of(instance: &Instance, number: usize) -> Option<&str> {
+    instance.name.strip_suffix(&format!("_{number}"))
+}
+
+fn sources(module: &Module, row: &[Instance], first: usize) -> Vec<Source> {
+    let mut taken = vec![];
+    let source = |input: usize| {
+        let nets: Vec<Net> = row.iter().map(|instance| instance.inputs[input]).collect();
+        if nets.iter().all(|net| *net == nets[0]) {
+            return Source::Common(nets[0]);
+        }
+        let output = |k: usize| match module.node(nets[k]).op {
+            Op::Output(from, output) if from + 1 == first + k => Some(output),
+            _ => None,
+        };
+        match output(1) {
+            Some(before)
+                if !taken.contains(&before)
+                    && (1..row.len()).all(|k| output(k) == Some(before)) =>
+            {
+                taken.push(before);
+                Source::Before(before, nets[0])
+            }
+            _ => Source::Each(nets),
+        }
+    };
+    (0..row[0].inputs.len()).map(source).collect()
+}
+
+impl Row {
+    fn module<'a>(&self, module: &'a Module) -> &'a Module {
+        &module.instances[self.instances.start].module
+    }
+
+    /// The vector that an output is a part of, and how many elements on.
+    fn vector_of(&self, module: &Module, output: usize) -> (String, usize) {
+        let own = self.module(module);
+        let mut inputs = self.sources.iter().zip(own.ports_of(Direction::In));
+        let follows =
+            inputs.find(|(source, _)| matches!(source, Source::Before(o, _) if *o == output));
+        let (port, on) = match follows {
+            Some((_, input)) => (input, 1),
+            None => (own.ports_of(Direction::Out).nth(output).expect("a port"), 0),
+        };
+        (format!("{}_{}", self.base, port.name), on)
+    }
+
+    /// Calls each output a part of a vector.
+    pub fn name_outputs(&self, module: &Module, names: &mut [Option<Name>]) {
+        for (k, index) in self.instances.clone().enumerate() {
+            for (output, net) in module.instances[index].outputs.iter().enumerate() {
+                let (text, on) = self.vector_of(module, output);
+                let offset = (k + on) as u32 * module.node(*net).width;
+                names[net.0 as usize] = Some(Name {
+                    text,
+                    offset: Some(offset),
+                });
+            }
+        }
+    }
+
+    /// Names and widths of its vectors.
+    pub fn vectors(&self, module: &Module) -> Vec<(String, u32)> {
+        let own = self.module(module);
+        let count = self.instances.len() as u32;
+        let inputs = self.sources.iter().zip(own.ports_of(Direction::In));
+        let inputs = inputs.filter_map(|(source, port)| {
+            let elements = match source {
+                Source::Common(_) => return None,
+                Source::Before(..) => count + 1,
+                Source::Each(_) => count,
+            };
+            Some((
+                format!("{}_{}", self.base, port.name),
+                elements * port.width,
+            ))
+        });
+        let outputs = own.ports_of(Direction::Out).enumerate();
+        let outputs = outputs.filter_map(|(output, port)| {
+            let (name, on) = self.vector_of(module, output);
+            (on == 0).then_some((name, count * port.width))
+        });
+        inputs.chain(outputs).collect()
+    }
+
+    /// The loop, and what its first element takes.
+    pub fn written(&self, module: &Module, value: &dyn Fn(Net) -> String) -> String {
+        let own = self.module(module);
+        let mut text = String::new();
+        let mut lines = vec![];
+        if own.is_clocked() {
+            lines.push(".clock(clock)".to_owned());
+        }
+        for (source, port) in self.sources.iter().zip(own.ports_of(Direction::In)) {
+            let (name, width) = (format!("{}_{}", self.base, port.name), port.width);
+            let connected = match source {
+                Source::Common(net) => value(*net),
+                Source::Before(_, first) => {
+                    writeln!(
+                        text,
+                        "    assign {name}{} = {};",
+                        low_part(width),
+                        value(*first)
+                    )
+                    .unwrap();
+                    element(&name, width, 0)
+                }
+                Source::Each(nets) => {
+                    let values: Vec<String> = nets.iter().rev().map(|net| value(*net)).collect();
+                    let values = values.join(",\n        ");
+                    writeln!(text, "    assign {name} = {{\n        {values}\n    }};").unwrap();
+                    element(&name, width, 0)
+                }
+            };
+            lines.push(format!(".{}({connected})", port.name));
+        }
+        for (output, port) in own.ports_of(Direction::Out).enumerate() {
+            let (name, on) = self.vector_of(module, output);
+            lines.push(format!(
+                ".{}({})",
+                port.name,
+                element(&name, port.width, on)
+            ));
+        }
+        let one = self.base.strip_suffix('s').unwrap_or("one");
+        let (base, count) = (&self.base, self.instances.len());
+        let lines = lines.join(",\n                ");
+        write!(
+            text,
+            "    genvar {base}_index;\n    generate\n        \
+             for ({base}_index = 0; {base}_index < {count}; {base}_index = {base}_index + 1) begin : {base}\n            \
+             {} {one} (\n                {lines}\n            );\n        end\n    endgenerate\n",
+            own.name
+        )
+        .unwrap();
+        text.replace(&format!("{base}_index"), "k")
+    }
+}
+
+/// An element of a vector by the number of its instance, or the one after it.
+fn element(name: &str, width: u32, on: usize) -> String {
+    let index = if on == 0 { "k" } else { "(k + 1)" };
+    match width {
+        1 if on == 0 => format!("{name}[k]"),
+        1 => format!("{name}[k + 1]"),
+        _ => format!("{name}[{width} * {index} +: {width}]"),
+    }
+}
+
+fn low_part(width: u32) -> String {
+    match width {
+        1 => "[0]".to_owned(),
+        _ => range(width, false).trim_end().to_owned(),
+    }
+}

@@ -1,0 +1,290 @@
+//! What is built, simulated and refused.
+
+use imogene_hdl::{
+    Bits, Design, Int, Simulator, Value, bundle, join, memory, module, net, verilog,
+};
+use proptest::prelude::*;
+
+/// All operations of two words and two numbers of one width, and what they should be.
+fn outputs(width: u32) -> Design {
+    Design::of(|| {
+        let words = (("x", Bits::input(width)), ("y", Bits::input(width)));
+        let numbers = (("a", Int::input(width)), ("b", Int::input(width)));
+        module(
+            "all",
+            "top",
+            (words, numbers),
+            |(((_, x), (_, y)), ((_, a), (_, b)))| {
+                let words = vec![
+                    x + y,
+                    x - y,
+                    x * y,
+                    x & y,
+                    x | y,
+                    x ^ y,
+                    !x,
+                    x.left_by(y),
+                    x.right_by(y),
+                    x.less(y).select(x, y),
+                ];
+                let numbers = vec![a + b, a - b, a * b, a.right_by(y), a.less(b).select(a, b)];
+                let flags = vec![x.equals(y), a.equals(b), a.is_negative(), x.top()];
+                let wide =
+                    (width < 60).then(|| (a.extend(60), join([x.bit(0), x.low(1)]), x.extend(60)));
+                (
+                    (("word", words), ("number", numbers)),
+                    (
+                        ("flag", flags),
+                        ("wide", wide.map_or(vec![], |(a, ..)| vec![a])),
+                        ("more", wide.map_or(vec![], |(_, join, x)| vec![join, x])),
+                    ),
+                )
+            },
+        );
+    })
+}
+
+proptest! {
+    /// Every operation is that of whole numbers, modulo the width.
+    #[test]
+    fn operations_are_those_of_numbers(width in 1u32..=64, x: u64, y: u64, a: u64, b: u64, shift in 0u64..70) {
+        let mask = u64::MAX >> (64 - width);
+        let y = if shift < 66 && x % 3 == 0 { shift } else { y };
+        let mut simulator = Simulator::new(&outputs(width));
+        for (name, value) in [("x", x), ("y", y), ("a", a), ("b", b)] {
+            let port = simulator.port(name);
+            simulator.set(port, value);
+        }
+        let [x, y, a, b] = [x, y, a, b].map(|value| value & mask);
+        let number = |bits: u64| i128::from(bits) - if bits >> (width - 1) == 1 { 1i128 << width } else { 0 };
+        let (wide_x, wide_y) = (u128::from(x), u128::from(y));
+        let shifted = |left: bool| match (y < 64, left) {
+            (true, true) => wide_x << y,
+            (true, false) => wide_x >> y,
+            (false, _) => 0,
+        };
+        let words = [
+            wide_x + wide_y,
+            (wide_x + (1 << 64)) - wide_y,
+            wide_x.wrapping_mul(wide_y),
+            wide_x & wide_y,
+            wide_x | wide_y,
+            wide_x ^ wide_y,
+            u128::from(!x),
+            shifted(true),
+            shifted(false),
+            wide_x.min(wide_y),
+        ];
+        let (a, b) = (number(a), number(b));
+        let numbers = [a + b, a - b, a.wrapping_mul(b), a >> y.min(127), a.min(b)];
+        let flags = [x == y, a == b, a < 0, x >> (width - 1) == 1];
+        let words = words.iter().map(|v| *v as u64 & mask);
+        let numbers = numbers.iter().map(|v| *v as u64 & mask);
+        let flags = flags.iter().map(|v| u64::from(*v));
+        let groups = [("word", words.collect::<Vec<_>>()), ("number", numbers.collect()), ("flag", flags.collect())];
+        for (group, expected) in groups {
+            for (index, expected) in expected.into_iter().enumerate() {
+                let port = simulator.port(&format!("{group}_{index}"));
+                prop_assert_eq!(simulator.get(port), expected, "{} {}", group, index);
+            }
+        }
+        if width < 60 {
+            let [wide, joined, more] = ["wide_0", "more_0", "more_1"].map(|name| simulator.port(name));
+            prop_assert_eq!(simulator.get(wide), a as u64 & (u64::MAX >> 4));
+            prop_assert_eq!(simulator.get(joined), (x & 1) * 3);
+            prop_assert_eq!(simulator.get(more), x);
+        }
+    }
+
+    /// A memory gives what was written before the last clock.
+    #[test]
+    fn a_memory_reads_before_it_writes(steps in prop::collection::vec((any::<bool>(), 0u64..8, 0u64..256, 0u64..8), 1..60)) {
+        let design = Design::of(|| {
+            let ports = (("write", Bits::input(1)), ("at", Bits::input(3)), ("data", Bits::input(8)), ("read", Bits::input(3)));
+            module("words", "top", ports, |((_, write), (_, at), (_, data), (_, read))| {
+                ("value", memory("kept", 8, (write, at, data), read))
+            });
+        });
+        let mut simulator = Simulator::new(&design);
+        let [write, at, data, read, value] = ["write", "at", "data", "read", "value"].map(|name| simulator.port(name));
+        let mut words = [0; 8];
+        for (writes, place, word, from) in steps {
+            for (port, value) in [(write, u64::from(writes)), (at, place), (data, word), (read, from)] {
+                simulator.set(port, value);
+            }
+            simulator.clock();
+            prop_assert_eq!(simulator.get(value), words[from as usize]);
+            if writes {
+                words[place as usize] = word;
+            }
+        }
+    }
+}
+
+fn refusal<T>(build: impl FnOnce() -> T + std::panic::UnwindSafe) -> String {
+    let outcome = std::panic::catch_unwind(|| {
+        Design::of(|| {
+            module("part", "top", (), |()| {
+                build();
+            })
+        });
+    });
+    let problem = outcome.expect_err("it is no circuit");
+    problem.downcast_ref::<String>().expect("a message").clone()
+}
+
+#[test]
+fn what_is_no_circuit_is_refused_with_names_and_lines() {
+    let sum = refusal(|| {
+        net! {
+            let narrow = Bits::new(1, 4).reg();
+            let wide = Bits::new(1, 5).reg();
+        }
+        let _ = narrow + wide;
+    });
+    for part in [
+        "`narrow` (word of 4 bits",
+        "is added to",
+        "`wide` (word of 5 bits",
+        "tests/circuits.rs:",
+        "`part`",
+    ] {
+        assert!(sum.contains(part), "{part}: {sum}");
+    }
+    assert!(refusal(|| Bits::new(16, 4)).contains("16 has no 4 bits"));
+    assert!(refusal(|| Int::new(-9, 4)).contains("-9 has no 4 bits"));
+    assert!(refusal(|| Bits::new(0, 65)).contains("65 bits: a value has 1 to 64"));
+    assert!(refusal(|| Bits::register(3).named("idle")).contains("`idle` (word of 3 bits"));
+    assert!(refusal(|| Bits::forward(3)).contains("is driven by nothing"));
+    let twice = refusal(|| {
+        let value = Bits::register(2).named("state");
+        value.load(value);
+        value.load(value);
+    });
+    assert!(
+        twice.contains("`state`") && twice.contains("is loaded twice"),
+        "{twice}"
+    );
+    let selects = refusal(|| Bits::new(2, 2).select(Bits::new(1, 1), Bits::new(0, 1)));
+    assert!(
+        selects.contains("selects, but is no single bit"),
+        "{selects}"
+    );
+    let reserved = refusal(|| module("inner", "inner", ("end", Bits::new(1, 1)), |value| value));
+    assert!(
+        reserved.contains("port `end` of module `inner`"),
+        "{reserved}"
+    );
+    let ports = || (("a", Bits::new(1, 1)), ("a", Bits::new(0, 1)));
+    let twice = refusal(move || module("inner", "inner", ports(), |_| ()));
+    assert!(twice.contains("two ports `a`"), "{twice}");
+    let apart = refusal(|| {
+        let outer = Bits::new(1, 1).reg().named("outer");
+        module("inner", "inner", (), |()| ("value", outer.reg()));
+    });
+    assert!(
+        apart.contains("`outer`") && apart.contains("belongs to another module"),
+        "{apart}"
+    );
+}
+
+#[test]
+fn a_loop_without_a_register_is_refused_by_name() {
+    let design = Design::of(|| {
+        module("ring", "top", ("x", Bits::input(4)), |(_, x)| {
+            let value = Bits::forward(4);
+            net! { let next = value + x; }
+            value.drive(next);
+            ("value", value)
+        });
+    });
+    let problem = std::panic::catch_unwind(|| Simulator::new(&design))
+        .err()
+        .expect("a loop");
+    let problem = problem.downcast_ref::<String>().expect("a message");
+    assert!(
+        problem.contains("`next`") && problem.contains("depends on itself within one clock"),
+        "{problem}"
+    );
+}
+
+/// Two that are equal are one module; another of the same name takes a number.
+#[test]
+fn equal_modules_are_one() {
+    fn later(at: &str, value: Bits) -> Bits {
+        module("later", at, ("value", value), |(_, value)| {
+            ("late", value.reg())
+        })
+        .1
+    }
+    let design = Design::of(|| {
+        module(
+            "pair",
+            "top",
+            (("x", Bits::input(4)), ("y", Bits::input(5))),
+            |((_, x), (_, y))| {
+                (
+                    ("p", later("one", later("two", x))),
+                    ("q", later("three", y)),
+                )
+            },
+        );
+    });
+    let names: Vec<String> = design
+        .top
+        .all()
+        .iter()
+        .map(|module| module.name.clone())
+        .collect();
+    assert_eq!(names, ["later", "later_2", "pair"]);
+}
+
+bundle! {
+    /// One element of a row.
+    Link(width) {
+        value: Bits(width), "what is handed on";
+    }
+}
+
+/// A row of equal parts is a loop, and the enables of registers stand one within the other.
+#[test]
+fn verilog_is_written_as_people_read_it() {
+    let design = Design::of(|| {
+        let ports = (
+            Link::input(8),
+            ("enable", Bits::input(1)),
+            ("clear", Bits::input(1)),
+        );
+        module("row", "top", ports, |(link, (_, enable), (_, clear))| {
+            let step = |value: Bits, index: u32| {
+                let ports = (("value", value), ("enable", enable));
+                let body = |((_, value), (_, enable)): ((_, Bits), (_, Bits))| {
+                    ("late", value.reg_when(enable))
+                };
+                module("step", &format!("steps_{index}"), ports, body).1
+            };
+            let last = (0..4).fold(link.value, step);
+            net! {
+                let count = Bits::register(8);
+                let total = Bits::register(8);
+            }
+            count.load_when(enable, count + Bits::new(1, 8));
+            total.load_when(enable & clear, last);
+            (("sum", count + total), ("high", last.bit(7)))
+        });
+    });
+    let text = verilog::write(&design.top, &["row: a test".to_owned()]);
+    let parts = [
+        "// row: a test\nmodule row (",
+        "    wire [39:0] steps_value;\n",
+        "    assign steps_value[7:0] = value;\n",
+        "        for (k = 0; k < 4; k = k + 1) begin : steps\n            step step (",
+        ".value(steps_value[8 * k +: 8]),\n",
+        ".late(steps_value[8 * (k + 1) +: 8])\n",
+        "    assign sum = count + total;\n    assign high = steps_value[39];\n",
+        "        if (enable) begin\n            count <= count + 8'd1;\n            if (clear) begin\n                total <= steps_value[39:32];\n",
+    ];
+    for part in parts {
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    }
+}

@@ -1,0 +1,164 @@
+//! Circuits of `imogene-circuits`: against their golden models clock by clock, and proven the same circuit as the emitted
+//! text of the unit, as our Verilog and as rust-hdl prints it. Needs the package 'yosys' and fails without it.
+
+use imogene_circuits::arith::square_root;
+use imogene_circuits::machine::{LoadBus, Widths, coefficient_store};
+use imogene_circuits::object::quadric_pe;
+use imogene_circuits::raster::{Flags, Linear, Quadratic, pe1, pe2};
+use imogene_hdl::block::Block;
+use imogene_hdl::{Bits, Design, Value, verilog};
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::engine::circuit::Circuit;
+use imogene_verif::equivalence::sequential::compare_sequences;
+use imogene_verif::equivalence::{Text, Verdict};
+use imogene_verif::unit::{Parameters, subject};
+use rust_hdl::core::prelude::generate_verilog;
+
+const UNITS: [Unit; 5] = [
+    Unit::Pe1,
+    Unit::Pe2,
+    Unit::SquareRoot,
+    Unit::QuadricPe,
+    Unit::CoefficientStore,
+];
+
+/// The circuit of a unit in a format.
+fn design(unit: Unit, word: u32, rows: u32) -> Design {
+    let (linear, quadratic) = (word + 2, 2 * word);
+    Design::of(|| match unit {
+        Unit::Pe1 => {
+            pe1("top", Flags::input(), Linear::input(linear));
+        }
+        Unit::Pe2 => {
+            pe2("top", Flags::input(), Quadratic::input(quadratic));
+        }
+        Unit::SquareRoot => {
+            square_root("top", Bits::input(quadratic), rows);
+        }
+        Unit::QuadricPe => {
+            let words = (Linear::input(linear), Quadratic::input(quadratic));
+            quadric_pe("top", Flags::input(), words, rows);
+        }
+        Unit::CoefficientStore => {
+            let widths = Widths {
+                linear,
+                quadratic,
+                gradient: 24,
+                normal: 16,
+                plane: word + 12,
+            };
+            coefficient_store("top", LoadBus::input(quadratic), widths, 3);
+        }
+        other => panic!("{} has no circuit here", other.name()),
+    })
+}
+
+fn text(design: &Design) -> String {
+    let modules = design.top.all();
+    modules
+        .iter()
+        .map(|module| verilog::write(module, &[]))
+        .collect()
+}
+
+fn is_full_run() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
+/// Every format of the catalogue in the full run.
+fn words() -> &'static [u32] {
+    if is_full_run() {
+        &[16, 20, 24, 28, 32]
+    } else {
+        &[16]
+    }
+}
+
+#[test]
+fn circuits_agree_with_their_golden_models() {
+    for unit in UNITS {
+        for depth_word in [16, 24, 32] {
+            for rows_per_stage in [1, 3] {
+                let parameters = Parameters {
+                    depth_word,
+                    rows_per_stage,
+                    ..Parameters::default()
+                };
+                let mut subject = subject(unit.name(), parameters).expect("a unit");
+                let (inputs, outputs) = (subject.inputs.clone(), subject.outputs.clone());
+                subject.hardware = Box::new(move || {
+                    let design = design(unit, depth_word, rows_per_stage as u32);
+                    Box::new(Circuit::new(&design, &inputs, &outputs))
+                });
+                let stimulus = subject.seeded_stimulus(2_000, 19);
+                let (report, _) = subject.run(&stimulus, false);
+                let name = format!("{} {depth_word}:{rows_per_stage}", unit.name());
+                assert_eq!(
+                    report.mismatches, 0,
+                    "{name}: {:?}",
+                    report.first_mismatches
+                );
+                assert!(report.comparisons > 500, "{name}: {}", report.comparisons);
+            }
+        }
+    }
+}
+
+#[test]
+fn circuits_are_those_of_the_emitted_text() {
+    for unit in UNITS {
+        for &word in words() {
+            let request = EmitRequest {
+                depth_word: word as usize,
+                ..EmitRequest::new(unit)
+            };
+            let emitted = emit(&request).expect("a request of the catalogue");
+            let emitted_text = emitted.bundle();
+            let theirs = Text {
+                top: &emitted.top,
+                verilog: &emitted_text,
+            };
+            let design = design(unit, word, 1);
+            let own = text(&design);
+            let printed = generate_verilog(&Block::of(&design.top));
+            for (top, verilog) in [(design.top.name.as_str(), &own), ("top", &printed)] {
+                let verdict = compare_sequences(theirs, Text { top, verilog }).unwrap();
+                assert_eq!(verdict, Verdict::Equal, "{} {word} {top}", unit.name());
+            }
+        }
+    }
+}
+
+/// A test of the proof: each change of the text is found.
+#[test]
+fn another_circuit_is_told_apart() {
+    let design = design(Unit::Pe1, 16, 1);
+    let own = text(&design);
+    let changes = [
+        (
+            "first ? line_begin : next_pixel",
+            "start ? line_begin : next_pixel",
+        ),
+        ("line_value + kept_b", "line_value - kept_b"),
+        (
+            "reg signed [17:0] pixel_value = 18'sd0",
+            "reg signed [17:0] pixel_value = 18'sd1",
+        ),
+        ("if (start) begin", "if (line) begin"),
+    ];
+    for (from, to) in changes {
+        assert!(own.contains(from), "{from} is not in\n{own}");
+        let changed = own.replace(from, to);
+        let texts = [&own, &changed].map(|verilog| Text {
+            top: "pe1",
+            verilog,
+        });
+        let [one, other] = texts;
+        let verdict = compare_sequences(one, other).unwrap();
+        assert!(
+            matches!(verdict, Verdict::Differs(_)),
+            "{from}: {verdict:?}"
+        );
+    }
+}
