@@ -7,7 +7,8 @@
 
 pub mod catalogue;
 pub mod emit;
-pub mod format;
+/// Widths and numbers of the formats.
+pub use imogene_contract::words as format;
 mod kernel;
 pub mod machine;
 pub mod object;

@@ -2,8 +2,12 @@
 //! text of the unit, as our Verilog and as rust-hdl prints it. Needs the package 'yosys' and fails without it.
 
 use imogene_circuits::arith::square_root;
-use imogene_circuits::machine::{LoadBus, Widths, coefficient_store};
-use imogene_circuits::object::quadric_pe;
+use imogene_circuits::machine::{
+    Candidate, LoadBus, Widths, Zone, coefficient_store, decider, raster_control, visibility_node,
+};
+use imogene_circuits::object::{
+    Cut, Interval, Roots, cut_plane, depth_interval, plane_depth, quadric_pe, two_volume_merge,
+};
 use imogene_circuits::raster::{Flags, Linear, Quadratic, pe1, pe2};
 use imogene_hdl::block::Block;
 use imogene_hdl::{Bits, Design, Value, verilog};
@@ -15,13 +19,24 @@ use imogene_verif::equivalence::{Text, Verdict};
 use imogene_verif::unit::{Parameters, subject};
 use rust_hdl::core::prelude::generate_verilog;
 
-const UNITS: [Unit; 5] = [
+const UNITS: [Unit; 12] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
     Unit::QuadricPe,
     Unit::CoefficientStore,
+    Unit::PlaneDepth,
+    Unit::CutPlane,
+    Unit::DepthInterval,
+    Unit::TwoVolumeMerge,
+    Unit::VisibilityNode,
+    Unit::Decider,
+    Unit::RasterControl,
 ];
+
+fn candidate(word: u32) -> Candidate {
+    Candidate::input(word, 16, 8)
+}
 
 /// The circuit of a unit in a format.
 fn design(unit: Unit, word: u32, rows: u32) -> Design {
@@ -49,6 +64,27 @@ fn design(unit: Unit, word: u32, rows: u32) -> Design {
                 plane: word + 12,
             };
             coefficient_store("top", LoadBus::input(quadratic), widths, 3);
+        }
+        Unit::PlaneDepth => {
+            plane_depth("top", Flags::input(), Linear::input(word + 12), word);
+        }
+        Unit::CutPlane => {
+            cut_plane("top", Cut::input(word), Interval::input(word));
+        }
+        Unit::DepthInterval => {
+            depth_interval("top", Roots::input(word + 2), word);
+        }
+        Unit::TwoVolumeMerge => {
+            two_volume_merge("top", Interval::input(word), Interval::input(word));
+        }
+        Unit::VisibilityNode => {
+            visibility_node("top", candidate(word), candidate(word));
+        }
+        Unit::Decider => {
+            decider("top", (0..4).map(|_| candidate(word)).collect());
+        }
+        Unit::RasterControl => {
+            raster_control("top", Zone::input());
         }
         other => panic!("{} has no circuit here", other.name()),
     })

@@ -19,6 +19,36 @@ pub trait Bundle {
     #[doc(hidden)]
     fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self;
 
+    /// All values one clock later.
+    #[track_caller]
+    fn registered(&self) -> Self
+    where
+        Self: Sized,
+    {
+        self.rebuilt(&mut |member| match member.signed {
+            true => Int(member.handle).reg().0,
+            false => Bits(member.handle).reg().0,
+        })
+    }
+
+    /// Each value of this where `which` is 1, else that of the other.
+    #[track_caller]
+    fn or_else(&self, which: Bits, other: &Self) -> Self
+    where
+        Self: Sized,
+    {
+        let mut others = vec![];
+        other.each("", &mut |_, member| others.push(member.handle));
+        let mut others = others.into_iter();
+        self.rebuilt(&mut |member| {
+            let other = others.next().expect("as many members");
+            match member.signed {
+                true => which.select(Int(member.handle), Int(other)).0,
+                false => which.select(Bits(member.handle), Bits(other)).0,
+            }
+        })
+    }
+
     /// All values so many clocks later.
     #[track_caller]
     fn delayed(&self, clocks: u32) -> Self
@@ -51,12 +81,13 @@ pub struct Meaning {
     pub meaning: &'static str,
 }
 
-/// The name of a member of a group.
+/// The name of a member of a group; one that begins with an underscore stands behind the name.
 #[doc(hidden)]
 pub fn member_name(group: &str, name: &str) -> String {
     match (group, name) {
         ("", name) => name.to_owned(),
         (group, "") => group.to_owned(),
+        (group, name) if group.starts_with('_') => format!("{name}{group}"),
         _ => format!("{group}_{name}"),
     }
 }

@@ -1,0 +1,61 @@
+//! The visible object of a pixel.
+
+use imogene_hdl::{Bundle, Value, bundle, module, net};
+
+bundle! {
+    /// What an object says of a pixel.
+    Candidate(depth, normal, id) {
+        depth: Int(depth), "depth, the far end where it is absent";
+        id: Bits(id), "number of the object";
+        number: Bits(4), "number of the face";
+        nx: Int(normal), "normal x";
+        ny: Int(normal), "normal y";
+        nz: Int(normal), "normal z";
+    }
+}
+
+/// The nearer of two candidates, of two equally near the one with the smaller id. Latency 1. Section 2.5.
+pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
+    module(
+        "visibility_node",
+        at,
+        (("a", a), ("b", b)),
+        |((_, a), (_, b))| {
+            net! {
+                let b_is_nearer = b.depth.less(a.depth);
+                let depths_are_equal = b.depth.equals(a.depth);
+                let b_wins = b_is_nearer | (depths_are_equal & b.id.less(a.id));
+            }
+            b.or_else(b_wins, &a).registered()
+        },
+    )
+}
+
+/// A candidate one clock later: the odd one out of a level.
+fn visibility_register(at: &str, a: Candidate) -> Candidate {
+    module("visibility_register", at, ("a", a), |(_, a)| a.registered())
+}
+
+/// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 2.5.
+pub fn decider(at: &str, inputs: Vec<Candidate>) -> Candidate {
+    module("decider", at, ("input", inputs), |(_, mut level)| {
+        let (mut nodes, mut registers) = (0, 0);
+        while level.len() > 1 {
+            let mut next = vec![];
+            for pair in level.chunks(2) {
+                next.push(match pair {
+                    [a, b] => {
+                        nodes += 1;
+                        visibility_node(&format!("nodes_{}", nodes - 1), *a, *b)
+                    }
+                    rest => {
+                        registers += 1;
+                        visibility_register(&format!("registers_{}", registers - 1), rest[0])
+                    }
+                });
+            }
+            level = next;
+        }
+        level[0]
+    })
+}

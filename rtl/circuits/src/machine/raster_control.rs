@@ -1,0 +1,70 @@
+//! The pixels of a zone, one a clock.
+
+use imogene_contract::words;
+use imogene_hdl::{Bits, Value, bundle, module, net};
+
+/// Bits of a screen coordinate.
+const COORDINATE: u32 = words::COORDINATE as u32;
+
+bundle! {
+    /// What starts a zone.
+    Zone() {
+        go: Bits(1), "starts a zone; obeyed while none runs and at the last pixel of one";
+        width: Bits(COORDINATE), "pixels of a line";
+        height: Bits(COORDINATE), "lines";
+    }
+
+    /// A pixel on its way.
+    Raster() {
+        valid: Bits(1), "this clock carries a pixel";
+        start: Bits(1), "first pixel of the zone";
+        line: Bits(1), "first pixel of a later line";
+        x: Bits(COORDINATE), "column in the zone";
+        y: Bits(COORDINATE), "line in the zone";
+        last: Bits(1), "last pixel of the zone";
+    }
+}
+
+/// Raster flags and places of a zone of `width` by `height` pixels, one pixel a clock without a gap.
+///
+/// Latency 1. Section 2.2.
+pub fn raster_control(at: &str, zone: Zone) -> Raster {
+    module("raster_control", at, zone, |zone| {
+        let word = |value: u64| Bits::new(value, COORDINATE);
+        let [no, yes] = [0, 1].map(|value| Bits::new(value, 1));
+        let flag = || Bits::register(1);
+        let place = || Bits::register(COORDINATE);
+        let (valid, start, line, last) = (flag(), flag(), flag(), flag());
+        let (x, y) = (place(), place());
+        net! {
+            let right_edge = place();
+            let bottom_edge = place();
+            let obeyed = zone.go & (!valid | last);
+            let line_ends = x.equals(right_edge);
+            let next_x = line_ends.select(word(0), x + word(1));
+            let next_y = line_ends.select(y + word(1), y);
+            let last_x = zone.width - word(1);
+            let last_y = zone.height - word(1);
+            let is_single = last_x.is(0) & last_y.is(0);
+            let next_is_last = next_x.equals(right_edge) & next_y.equals(bottom_edge);
+            let moves = obeyed | last | valid;
+            let goes_on = !last;
+        }
+        right_edge.load_when(obeyed, last_x);
+        bottom_edge.load_when(obeyed, last_y);
+        valid.load_when(moves, obeyed.select(yes, goes_on));
+        start.load_when(moves, obeyed);
+        line.load_when(moves, obeyed.select(no, goes_on & line_ends));
+        last.load_when(moves, obeyed.select(is_single, goes_on & next_is_last));
+        x.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_x));
+        y.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_y));
+        Raster {
+            valid,
+            start,
+            line,
+            x,
+            y,
+            last,
+        }
+    })
+}

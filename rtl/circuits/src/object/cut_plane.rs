@@ -1,0 +1,49 @@
+//! One cut of an interval by a plane.
+
+use super::Interval;
+use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, PERPENDICULAR};
+use imogene_hdl::{Bundle, Value, bundle, module, net};
+
+bundle! {
+    /// A plane at a pixel.
+    Cut(depth) {
+        kind: Bits(2), "kind of the plane, 0 for none";
+        surface: Bits(1), "the object is a bare surface";
+        number: Bits(4), "face number of the plane";
+        zp: Int(depth), "depth of the plane; of a perpendicular one its sign alone counts";
+    }
+}
+
+/// What a plane leaves of an interval: a front plane moves its front back, a back plane its back forward, a plane perpendicular
+/// to the screen removes all where it is negative. A bare surface has no inside: of its two points the cut one goes.
+///
+/// Ties: a plane at the front leaves the front, one at the back leaves nothing of a front plane's side. Latency 1. Section 2.4.4.
+pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
+    module("cut_plane", at, (cut, interval), |(cut, own)| {
+        let is = |kind: u64| cut.kind.is(kind);
+        net! {
+            let before_front = cut.zp.less(own.zf);
+            let at_front = cut.zp.equals(own.zf);
+            let before_back = cut.zp.less(own.zb);
+            let at_back = cut.zp.equals(own.zb);
+            let cuts_front = is(FRONT_PLANE) & !(before_front | at_front);
+            let cuts_back = is(BACK_PLANE) & before_back;
+            let leaves_nothing = cuts_front & !(before_back | at_back);
+            let removed = (is(PERPENDICULAR) & cut.zp.is_negative()) | leaves_nothing | (cuts_back & before_front);
+        }
+        let front = Interval {
+            zf: cut.surface.select(own.zb, cut.zp),
+            nf: cut.surface.select(own.nb, cut.number),
+            ..own
+        };
+        let back = Interval {
+            zb: cut.surface.select(own.zf, cut.zp),
+            nb: cut.surface.select(own.nf, cut.number),
+            ..own
+        };
+        let left = front.or_else(cuts_front, &back.or_else(cuts_back, &own));
+        let absent = Interval::absent(own.zf.width());
+        ("cut", absent.or_else(removed, &left).registered())
+    })
+    .1
+}

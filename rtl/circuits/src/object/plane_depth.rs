@@ -1,0 +1,24 @@
+//! Depth of a cut plane.
+
+use super::{absent, depth};
+use crate::raster::{Flags, Linear, pe1};
+use imogene_contract::words::{far_end, saturated_near};
+use imogene_hdl::{Int, Value, module, net};
+
+/// A plane by a PE1, clamped to a depth word: to the far end, or to one below the near end.
+///
+/// Latency 2. Section 2.4.4.
+pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
+    module("plane_depth", at, (flags, words), |(flags, words)| {
+        let plane = pe1("plane", flags, words);
+        let [largest, smallest] = [far_end, saturated_near].map(|end| end(width as usize));
+        net! {
+            let above = Int::new(largest, plane.width()).less(plane);
+            let below = plane.less(Int::new(smallest, plane.width()));
+        }
+        let nearest = depth(smallest, width);
+        let clamped = above.select(absent(width), below.select(nearest, plane.low(width)));
+        ("depth", clamped.reg())
+    })
+    .1
+}

@@ -1,0 +1,17 @@
+//! The nearer of two intervals.
+
+use super::Interval;
+use imogene_hdl::{Bundle, Value, module, net};
+
+/// Of the two halves of an object the one whose front is nearer, the first of two equal ones. Latency 1. Section 2.4.5.
+pub fn two_volume_merge(at: &str, a: Interval, b: Interval) -> Interval {
+    module(
+        "two_volume_merge",
+        at,
+        (("_a", a), ("_b", b)),
+        |((_, a), (_, b))| {
+            net! { let b_in_front = b.zf.less(a.zf); }
+            b.or_else(b_in_front, &a).registered()
+        },
+    )
+}

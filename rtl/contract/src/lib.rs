@@ -1,0 +1,3 @@
+//! What hardware and golden models share: names, widths and addresses, and no behaviour.
+
+pub mod words;
