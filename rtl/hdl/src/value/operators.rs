@@ -21,6 +21,9 @@ impl Bits {
         let [a, b] = [one.handle(), other.handle()];
         same_width("is selected beside", a, b);
         in_scope(self.0);
+        if a.net == b.net {
+            return one;
+        }
         make(Op::Select(self.0.net, a.net, b.net), a.width)
     }
 

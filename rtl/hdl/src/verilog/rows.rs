@@ -1,7 +1,8 @@
 //! Rows of equal instances as generate loops over vectors.
 //!
 //! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or the
-//! same for all, or a value of its own for each.
+//! same for all, or a value of its own for each. Where most are of the last kind, as in a tree, a loop says less than its
+//! instances one by one.
 
 use super::names::Name;
 use super::range;
@@ -46,11 +47,17 @@ pub(super) fn of(module: &Module) -> Vec<Row> {
         });
         if let (Some(base), true) = (base, count >= LEAST) {
             let row = &module.instances[first..first + count];
-            rows.push(Row {
-                base: base.to_owned(),
-                instances: first..first + count,
-                sources: sources(module, row, first),
-            });
+            let sources = sources(module, row, first);
+            let each = sources
+                .iter()
+                .filter(|source| matches!(source, Source::Each(_)));
+            if 2 * each.count() < sources.len() {
+                rows.push(Row {
+                    base: base.to_owned(),
+                    instances: first..first + count,
+                    sources,
+                });
+            }
         }
         first += count.max(1);
     }
