@@ -3,10 +3,11 @@
 
 use imogene_circuits::arith::square_root;
 use imogene_circuits::machine::{
-    Candidate, LoadBus, Widths, Zone, coefficient_store, decider, raster_control, visibility_node,
+    Candidate, LoadBus, Zone, coefficient_store, decider, raster_control, visibility_node,
 };
 use imogene_circuits::object::{
-    Cut, Interval, Roots, cut_plane, depth_interval, plane_depth, quadric_pe, two_volume_merge,
+    Cut, Face, Interval, NormalWords, Pixel, Roots, Shape, Widths, Words, cut_plane,
+    depth_interval, normal_unit, plane_depth, quadric_pe, quadric_processor, two_volume_merge,
 };
 use imogene_circuits::raster::{Flags, Linear, Quadratic, pe1, pe2};
 use imogene_hdl::block::Block;
@@ -19,7 +20,7 @@ use imogene_verif::equivalence::{Text, Verdict};
 use imogene_verif::unit::{Parameters, subject};
 use rust_hdl::core::prelude::generate_verilog;
 
-const UNITS: [Unit; 12] = [
+const UNITS: [Unit; 14] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
@@ -32,7 +33,19 @@ const UNITS: [Unit; 12] = [
     Unit::VisibilityNode,
     Unit::Decider,
     Unit::RasterControl,
+    Unit::NormalUnit,
+    Unit::QuadricProcessor,
 ];
+
+fn widths(word: u32) -> Widths {
+    Widths {
+        linear: word + 2,
+        quadratic: 2 * word,
+        gradient: 24,
+        normal: 16,
+        plane: word + 12,
+    }
+}
 
 fn candidate(word: u32) -> Candidate {
     Candidate::input(word, 16, 8)
@@ -56,14 +69,7 @@ fn design(unit: Unit, word: u32, rows: u32) -> Design {
             quadric_pe("top", Flags::input(), words, rows);
         }
         Unit::CoefficientStore => {
-            let widths = Widths {
-                linear,
-                quadratic,
-                gradient: 24,
-                normal: 16,
-                plane: word + 12,
-            };
-            coefficient_store("top", LoadBus::input(quadratic), widths, 3);
+            coefficient_store("top", LoadBus::input(quadratic), widths(word), 3);
         }
         Unit::PlaneDepth => {
             plane_depth("top", Flags::input(), Linear::input(word + 12), word);
@@ -82,6 +88,19 @@ fn design(unit: Unit, word: u32, rows: u32) -> Design {
         }
         Unit::Decider => {
             decider("top", (0..4).map(|_| candidate(word)).collect());
+        }
+        Unit::NormalUnit => {
+            let words = NormalWords::of(&Words::input(widths(word), 3));
+            normal_unit("top", Flags::input(), Face::input(word), words);
+        }
+        Unit::QuadricProcessor => {
+            let words = Words::input(widths(word), 3);
+            let shape = Shape {
+                depth: word,
+                rows_per_stage: rows,
+                two_volumes: true,
+            };
+            quadric_processor("top", Flags::input(), Pixel::input(), words, shape);
         }
         Unit::RasterControl => {
             raster_control("top", Zone::input());

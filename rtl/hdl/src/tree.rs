@@ -10,14 +10,15 @@ pub const WIDEST: u32 = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Net(pub u32);
 
-/// An operation on two words. Sums, products and bitwise operations have the width of their operands, comparisons one bit.
+/// An operation on two words. Sums and bitwise operations have the width of their operands, products that of both together,
+/// comparisons one bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// Sum, wrapped.
     Add,
     /// Difference, wrapped.
     Sub,
-    /// Product, wrapped.
+    /// The whole product.
     Mul,
     /// Bitwise and.
     And,

@@ -4,8 +4,6 @@ mod coefficient_store;
 mod decider;
 mod raster_control;
 
-pub use coefficient_store::{
-    BOX_COLUMNS, Factors, LoadBus, PLANE_WORDS, Place, Plane, Widths, Words, coefficient_store,
-};
+pub use coefficient_store::{BOX_COLUMNS, LoadBus, PLANE_WORDS, coefficient_store};
 pub use decider::{Candidate, decider, visibility_node};
 pub use raster_control::{Raster, Zone, raster_control};

@@ -121,8 +121,20 @@ impl Flat {
             _ => return,
         };
         let mut words = [ONE; 3];
-        for (word, net) in words.iter_mut().zip(from) {
-            *word = at(net);
+        for (word, operand) in words.iter_mut().zip(from) {
+            *word = at(operand);
+            if kind == Kind::Mul && is_signed(operand) {
+                // The factors of a product with all bits of their sign.
+                let code = Code {
+                    kind: Kind::Sign,
+                    from: [*word, ONE, ONE],
+                    count: front(operand),
+                    to: self.word(0),
+                    mask: u64::MAX,
+                };
+                self.push(module, net, code);
+                *word = code.to;
+            }
         }
         let code = Code {
             kind,

@@ -113,9 +113,28 @@ macro_rules! operators {
 }
 
 operators! {
-    Bits: Add add "is added to", Sub sub "is less by", Mul mul "is multiplied with";
-    Int: Add add "is added to", Sub sub "is less by", Mul mul "is multiplied with";
+    Bits: Add add "is added to", Sub sub "is less by";
+    Int: Add add "is added to", Sub sub "is less by";
 }
+
+macro_rules! products {
+    ($($value:ident)*) => {$(
+        /// The whole product, with the bits of both together.
+        impl Mul for $value {
+            type Output = $value;
+
+            #[track_caller]
+            fn mul(self, other: $value) -> $value {
+                in_scope(self.0);
+                in_scope(other.0);
+                let width = self.0.width + other.0.width;
+                make(Op::Binary(Binary::Mul, self.0.net, other.0.net), width)
+            }
+        }
+    )*};
+}
+
+products! { Bits Int }
 
 macro_rules! bitwise {
     ($($operator:ident $function:ident $binary:ident;)*) => {$(

@@ -167,7 +167,8 @@ fn needs_name(module: &Module, net: Net, reads: &Reads) -> bool {
         return false;
     }
     match module.node(net).op {
-        Op::Register(_) | Op::Read(_) => true,
+        // A product has the width of what it is assigned to.
+        Op::Register(_) | Op::Read(_) | Op::Binary(Binary::Mul, ..) => true,
         Op::Literal(_) => false,
         // Other names of a value cost nothing to repeat.
         Op::Slice(..) | Op::Same(_) => reads.by_name[index],

@@ -90,7 +90,7 @@ impl Reads {
         }
         let by_name: &[Net] = match &node.op {
             Op::Extend(a) => &[*a],
-            Op::Binary(Binary::Less | Binary::Right, a, b) => &[*a, *b],
+            Op::Binary(Binary::Less | Binary::Right | Binary::Mul, a, b) => &[*a, *b],
             _ => &[],
         };
         for operand in by_name

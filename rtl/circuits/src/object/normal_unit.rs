@@ -1,0 +1,153 @@
+//! Normal of the visible face.
+
+use super::{Factors, Plane, Words};
+use crate::raster::{Flags, Linear, pe1};
+use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
+use imogene_hdl::{Bundle, Int, Value, bundle, bundles, module, net};
+
+bundle! {
+    /// A normal.
+    Normal(width) {
+        nx: Int(width), "normal x";
+        ny: Int(width), "normal y";
+        nz: Int(width), "normal z";
+    }
+
+    /// The visible face of a pixel.
+    Face(root) {
+        number: Bits(4), "its number";
+        absent: Bits(1), "there is none";
+        root: Bits(root), "the root of the pixel";
+        shift: Bits(5), "places the root is shifted";
+    }
+
+    /// What decides a component besides its own words.
+    Change(width) {
+        scaled_root: Int(width), "scaled root, beside the flags";
+        is_near: Bits(1), "the face is the near one, beside the flags";
+        is_quadric: Bits(1), "the face is the quadric's, one clock later";
+        fixed: Int(width), "the component of any other face, one clock later";
+    }
+}
+
+bundles! {
+    /// The words of a normal.
+    NormalWords {
+        gx: Linear as "gx", "first-degree part of x";
+        gy: Linear as "gy", "first-degree part of y";
+        gz: Linear as "gz", "first-degree part of z";
+        factors: Factors as "", "factors of the root";
+        planes: Vec<Normal> as "plane", "normal of each plane";
+    }
+}
+
+impl NormalWords {
+    /// Those of an object.
+    pub fn of(words: &Words) -> NormalWords {
+        let normal = |plane: &Plane| Normal {
+            nx: plane.nx,
+            ny: plane.ny,
+            nz: plane.nz,
+        };
+        NormalWords {
+            gx: words.gx,
+            gy: words.gy,
+            gz: words.gz,
+            factors: words.factors,
+            planes: words.planes.iter().map(normal).collect(),
+        }
+    }
+}
+
+/// The normal of the visible face: of the quadric from its polar plane and the root, of a plane its constant, of the cap the
+/// direction to the viewer, else zero.
+///
+/// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
+/// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 3.
+/// Section 2.4.2.
+pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
+    module(
+        "normal_unit",
+        at,
+        (flags, face, words),
+        |(flags, face, words)| {
+            let width = words.factors.kx.width();
+            let is = |number: u64| face.number.is(number);
+            let late = flags.delayed(1);
+            net! {
+                let shifted_root = face.root.right_by(face.shift);
+                let low_root = shifted_root.low(width - 1);
+                let scaled_root = low_root.extend(width).int().reg();
+                let is_near = is(NEAR_ROOT).reg();
+                let is_quadric = ((is(NEAR_ROOT) | is(FAR_ROOT)) & !face.absent).reg();
+            }
+            let zero = Int::new(0, width);
+            let to_viewer = Normal {
+                nz: Int::new(-(1 << (width - 1)) + 1, width),
+                ..Normal::all(zero)
+            };
+            let planes = words.planes.iter().enumerate();
+            let planes = planes.map(|(index, normal)| (FIRST_PLANE + index as u64, normal));
+            let fixed = planes
+                .chain([(CAP, &to_viewer)])
+                .fold(Normal::all(zero), |other, (number, normal)| {
+                    normal.or_else(is(number), &other)
+                });
+            let fixed = Normal::all(zero)
+                .or_else(face.absent, &fixed)
+                .registered()
+                .registered();
+            let component = |name: &str, g: Linear, k: Int, fixed: Int| {
+                let change = Change {
+                    scaled_root,
+                    is_near,
+                    is_quadric: is_quadric.reg(),
+                    fixed,
+                };
+                normal_component(&format!("component_{name}"), late, (g, k), change)
+            };
+            Normal {
+                nx: component("x", words.gx, words.factors.kx, fixed.nx),
+                ny: component("y", words.gy, words.factors.ky, fixed.ny),
+                nz: component("z", words.gz, words.factors.kz, fixed.nz),
+            }
+        },
+    )
+}
+
+impl Normal {
+    fn all(value: Int) -> Normal {
+        Normal {
+            nx: value,
+            ny: value,
+            nz: value,
+        }
+    }
+}
+
+/// One component, two clocks after its flags.
+fn normal_component(at: &str, flags: Flags, (g, k): (Linear, Int), change: Change) -> Int {
+    module(
+        "normal_component",
+        at,
+        (flags, g, ("k", k), change),
+        |(flags, g, (_, k), change)| {
+            let (width, whole) = (k.width(), g.a.width());
+            let value = pe1("g", flags, g);
+            // Of the product of two numbers the bits that stand beside those of g.
+            let point = 2 * width - whole - 2;
+            net! {
+                let product = k * change.scaled_root;
+                let opposite = Int::new(0, 2 * width) - product;
+                let kept_change = change.is_near.select(opposite, product).reg();
+                let sum = value + kept_change.slice(point + whole - 1, point).int();
+            }
+            let component = sum.slice(whole - 1, whole - width).int();
+            (
+                "result",
+                change.is_quadric.select(component, change.fixed).reg(),
+            )
+        },
+    )
+    .1
+}
