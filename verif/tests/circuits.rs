@@ -3,7 +3,8 @@
 
 use imogene_circuits::arith::square_root;
 use imogene_circuits::machine::{
-    Candidate, LoadBus, Zone, coefficient_store, decider, raster_control, visibility_node,
+    Beam, Candidate, Load, LoadBus, Slot, Zone, beam, coefficient_store, decider, raster_control,
+    visibility_node,
 };
 use imogene_circuits::object::{
     Cut, Face, Interval, NormalWords, Pixel, Roots, Shape, Widths, Words, cut_plane,
@@ -20,7 +21,7 @@ use imogene_verif::equivalence::{Text, Verdict};
 use imogene_verif::unit::{Parameters, subject};
 use rust_hdl::core::prelude::generate_verilog;
 
-const UNITS: [Unit; 14] = [
+const UNITS: [Unit; 15] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
@@ -35,6 +36,7 @@ const UNITS: [Unit; 14] = [
     Unit::RasterControl,
     Unit::NormalUnit,
     Unit::QuadricProcessor,
+    Unit::Beam,
 ];
 
 fn widths(word: u32) -> Widths {
@@ -44,6 +46,20 @@ fn widths(word: u32) -> Widths {
         gradient: 24,
         normal: 16,
         plane: word + 12,
+    }
+}
+
+/// A beam machine of equal slots.
+fn machine(word: u32, rows_per_stage: u32, objects: usize, planes: usize) -> Beam {
+    let slot = Slot {
+        planes,
+        two_volumes: true,
+    };
+    Beam {
+        depth: word,
+        widths: widths(word),
+        rows_per_stage,
+        slots: vec![slot; objects],
     }
 }
 
@@ -88,6 +104,14 @@ fn design(unit: Unit, word: u32, rows: u32) -> Design {
         }
         Unit::Decider => {
             decider("top", (0..4).map(|_| candidate(word)).collect());
+        }
+        Unit::Beam => {
+            beam(
+                "top",
+                Zone::input(),
+                Load::input(quadratic),
+                &machine(word, rows, 4, 3),
+            );
         }
         Unit::NormalUnit => {
             let words = NormalWords::of(&Words::input(widths(word), 3));
@@ -162,7 +186,8 @@ fn circuits_agree_with_their_golden_models() {
 
 #[test]
 fn circuits_are_those_of_the_emitted_text() {
-    for unit in UNITS {
+    // The machine has a test of its own.
+    for unit in UNITS.into_iter().filter(|unit| *unit != Unit::Beam) {
         for &word in words() {
             let request = EmitRequest {
                 depth_word: word as usize,
@@ -183,6 +208,32 @@ fn circuits_are_those_of_the_emitted_text() {
             }
         }
     }
+}
+
+/// Two objects with a plane each; four with three planes in the full run.
+#[test]
+fn a_machine_is_that_of_the_emitted_text() {
+    let (objects, planes) = if is_full_run() { (4, 3) } else { (2, 1) };
+    let request = EmitRequest {
+        depth_word: 16,
+        objects,
+        planes,
+        ..EmitRequest::new(Unit::Beam)
+    };
+    let emitted = emit(&request).expect("a request of the catalogue");
+    let theirs = Text {
+        top: &emitted.top,
+        verilog: &emitted.bundle(),
+    };
+    let machine = machine(16, 1, objects, planes);
+    let design = Design::of(|| {
+        beam("top", Zone::input(), Load::input(32), &machine);
+    });
+    let ours = Text {
+        top: "beam",
+        verilog: &text(&design),
+    };
+    assert_eq!(compare_sequences(theirs, ours).unwrap(), Verdict::Equal);
 }
 
 /// A test of the proof: each change of the text is found.

@@ -97,6 +97,9 @@ impl Writer<'_> {
                 _ => writeln!(text, "    wire {range}{name};").unwrap(),
             }
         }
+        if !self.names.rows.is_empty() {
+            text += "    genvar k;\n";
+        }
         for row in &self.names.rows {
             for (name, width) in row.vectors(self.module) {
                 writeln!(text, "    wire {}{name};", range(width, false)).unwrap();
@@ -115,7 +118,9 @@ impl Writer<'_> {
             let mut rows = self.names.rows.iter();
             if let Some(row) = rows.find(|row| row.instances.contains(&index)) {
                 if row.instances.start == index {
-                    texts.push(row.written(self.module, &|net| self.value(net, false)));
+                    texts.push(
+                        row.written(self.module, &self.names.rows, &|net| self.value(net, false)),
+                    );
                 }
                 continue;
             }
@@ -260,6 +265,9 @@ impl Writer<'_> {
             Op::Not(a) => match (self.names.get(*a), &self.module.node(*a).op) {
                 (None, Op::Binary(Binary::Equal, a, b)) => {
                     closed(format!("{} != {}", value(a), value(b)))
+                }
+                (None, Op::Binary(Binary::Less, a, b)) => {
+                    closed(format!("{} >= {}", value(a), value(b)))
                 }
                 _ => format!("~{}", value(a)),
             },

@@ -1,9 +1,11 @@
 //! The parts of a machine around its processors.
 
+mod beam;
 mod coefficient_store;
 mod decider;
 mod raster_control;
 
+pub use beam::{Beam, Load, Slot, beam};
 pub use coefficient_store::{BOX_COLUMNS, LoadBus, PLANE_WORDS, coefficient_store};
 pub use decider::{Candidate, decider, visibility_node};
 pub use raster_control::{Raster, Zone, raster_control};

@@ -86,27 +86,31 @@ pub fn quadric_processor(
                 object_class: place.object_class,
             };
             let start = depth_interval("interval", roots, depth);
-            let (mut flags, mut a, mut b) = (late, start.a, start.b);
-            for (index, plane) in words.planes.iter().enumerate() {
+            let mut flags = late;
+            let planes_at = words.planes.iter().enumerate().map(|(index, plane)| {
                 flags = flags.delayed(1);
                 let linear = Linear {
                     a: plane.a,
                     b: plane.b,
                     c: plane.c,
                 };
-                let cut = Cut {
+                Cut {
                     kind: plane.kind,
                     surface,
                     number: Bits::new(FIRST_PLANE + index as u64, 4),
                     zp: plane_depth(&format!("planes_{index}"), flags, linear, depth),
-                };
-                a = cut_plane(&format!("cut_a_{index}"), cut, a);
-                if two_volumes {
-                    b = cut_plane(&format!("cut_b_{index}"), cut, b);
                 }
-            }
+            });
+            let cuts: Vec<Cut> = planes_at.collect();
+            let cut = |half: &str, interval: Interval| {
+                let cuts = cuts.iter().enumerate();
+                cuts.fold(interval, |interval, (index, cut)| {
+                    cut_plane(&format!("cut_{half}_{index}"), *cut, interval)
+                })
+            };
+            let a = cut("a", start.a);
             let seen: Interval = match two_volumes {
-                true => two_volume_merge("merge", a, b),
+                true => two_volume_merge("merge", a, cut("b", start.b)),
                 false => a,
             };
             let late = flags.delayed(3 + halves);

@@ -127,7 +127,7 @@ macro_rules! products {
             fn mul(self, other: $value) -> $value {
                 in_scope(self.0);
                 in_scope(other.0);
-                let width = self.0.width + other.0.width;
+                let width = [self.0.width, other.0.width].iter().sum();
                 make(Op::Binary(Binary::Mul, self.0.net, other.0.net), width)
             }
         }

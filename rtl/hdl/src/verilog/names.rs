@@ -46,7 +46,7 @@ impl Name {
 impl Names {
     pub(super) fn of(module: &Module) -> Names {
         let reads = Reads::of(module);
-        let mut taken = HashSet::from(["clock".to_owned()]);
+        let mut taken = HashSet::from(["clock", "k"].map(str::to_owned));
         let mut names: Vec<Option<Name>> = vec![None; module.nodes.len()];
         let mut own = |wanted: &str| {
             let mut name = wanted.to_owned();

@@ -1,7 +1,7 @@
 //! Rows of equal instances as generate loops over vectors.
 //!
 //! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or the
-//! same for all, or a value of its own for each. Where most are of the last kind, as in a tree, a loop says less than its
+//! same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most are of the last kind, as in a tree, a loop says less than its
 //! instances one by one.
 
 use super::names::Name;
@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// Fewer equal instances are written one by one.
-const LEAST: usize = 3;
+const LEAST: usize = 2;
 
 /// Where an input comes from.
 enum Source {
@@ -20,6 +20,8 @@ enum Source {
     Common(Net),
     /// This output of the one before; of the first this net.
     Before(usize, Net),
+    /// An output of the instance with the same number of the row that begins there.
+    Beside(usize, usize),
     /// Another for each.
     Each(Vec<Net>),
 }
@@ -33,7 +35,7 @@ pub(super) struct Row {
 
 /// The rows of a module.
 pub(super) fn of(module: &Module) -> Vec<Row> {
-    let mut rows = vec![];
+    let mut rows: Vec<Row> = vec![];
     let mut first = 0;
     while first < module.instances.len() {
         let base = base_of(&module.instances[first], 0);
@@ -47,7 +49,7 @@ pub(super) fn of(module: &Module) -> Vec<Row> {
         });
         if let (Some(base), true) = (base, count >= LEAST) {
             let row = &module.instances[first..first + count];
-            let sources = sources(module, row, first);
+            let sources = sources(module, row, first, &rows);
             let each = sources
                 .iter()
                 .filter(|source| matches!(source, Source::Each(_)));
@@ -69,12 +71,25 @@ fn base_of(instance: &Instance, number: usize) -> Option<&str> {
     instance.name.strip_suffix(&format!("_{number}"))
 }
 
-fn sources(module: &Module, row: &[Instance], first: usize) -> Vec<Source> {
+fn sources(module: &Module, row: &[Instance], first: usize, rows: &[Row]) -> Vec<Source> {
     let mut taken = vec![];
     let source = |input: usize| {
         let nets: Vec<Net> = row.iter().map(|instance| instance.inputs[input]).collect();
         if nets.iter().all(|net| *net == nets[0]) {
             return Source::Common(nets[0]);
+        }
+        let beside = match module.node(nets[0]).op {
+            Op::Output(base, output) => {
+                let follows =
+                    |(k, net): (usize, &Net)| module.node(*net).op == Op::Output(base + k, output);
+                let is_row = |other: &Row| other.instances == (base..base + row.len());
+                let holds = rows.iter().any(is_row) && nets.iter().enumerate().all(follows);
+                holds.then_some(Source::Beside(base, output))
+            }
+            _ => None,
+        };
+        if let Some(beside) = beside {
+            return beside;
         }
         let output = |k: usize| match module.node(nets[k]).op {
             Op::Output(from, output) if from + 1 == first + k => Some(output),
@@ -133,7 +148,7 @@ impl Row {
         let inputs = self.sources.iter().zip(own.ports_of(Direction::In));
         let inputs = inputs.filter_map(|(source, port)| {
             let elements = match source {
-                Source::Common(_) => return None,
+                Source::Common(_) | Source::Beside(..) => return None,
                 Source::Before(..) => count + 1,
                 Source::Each(_) => count,
             };
@@ -151,7 +166,7 @@ impl Row {
     }
 
     /// The loop, and what its first element takes.
-    pub fn written(&self, module: &Module, value: &dyn Fn(Net) -> String) -> String {
+    pub fn written(&self, module: &Module, rows: &[Row], value: &dyn Fn(Net) -> String) -> String {
         let own = self.module(module);
         let mut text = String::new();
         let mut lines = vec![];
@@ -162,6 +177,11 @@ impl Row {
             let (name, width) = (format!("{}_{}", self.base, port.name), port.width);
             let connected = match source {
                 Source::Common(net) => value(*net),
+                Source::Beside(base, output) => {
+                    let other = rows.iter().find(|row| row.instances.start == *base);
+                    let (name, on) = other.expect("a row").vector_of(module, *output);
+                    element(&name, width, on)
+                }
                 Source::Before(_, first) => {
                     writeln!(
                         text,
@@ -194,7 +214,7 @@ impl Row {
         let lines = lines.join(",\n                ");
         write!(
             text,
-            "    genvar {base}_index;\n    generate\n        \
+            "    generate\n        \
              for ({base}_index = 0; {base}_index < {count}; {base}_index = {base}_index + 1) begin : {base}\n            \
              {} {one} (\n                {lines}\n            );\n        end\n    endgenerate\n",
             own.name

@@ -1,0 +1,114 @@
+//! The beam machine: one object processor per object, one pixel per clock.
+
+use super::{Candidate, LoadBus, Raster, Zone, coefficient_store, decider, raster_control};
+use crate::object::{Pixel, Shape, Visible, Widths, Words, quadric_processor};
+use crate::raster::Flags;
+use imogene_hdl::{Bits, Bundle, Value, bundle, module};
+
+bundle! {
+    /// The load bus of a machine.
+    Load(width) {
+        valid: Bits(1), "write a word";
+        object: Bits(8), "slot of the object";
+        address: Bits(8), "address of the word in its store";
+        data: Bits(width), "the word";
+    }
+}
+
+/// A place for an object.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    /// Cut planes.
+    pub planes: usize,
+    /// It has half B, which objects of the class front need.
+    pub two_volumes: bool,
+}
+
+/// What a beam machine is built for.
+#[derive(Clone, Debug)]
+pub struct Beam {
+    /// Bits of a depth word.
+    pub depth: u32,
+    /// Bits of the words of an object.
+    pub widths: Widths,
+    /// Rows of the root network between registers.
+    pub rows_per_stage: u32,
+    /// Slots, at least one.
+    pub slots: Vec<Slot>,
+}
+
+impl Slot {
+    /// Clocks of its processor beyond those of one without planes and half B.
+    fn more(&self) -> u32 {
+        self.planes as u32 + u32::from(self.two_volumes)
+    }
+}
+
+/// A machine of stores, processors and a decider: the visible object of every pixel of a zone, one pixel a clock.
+///
+/// Processors with fewer stages begin later, so that all answer together. Latency: that of the longest processor, of the
+/// decider, and one of the raster. Sections 2.2 and 2.5.
+pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidate) {
+    let ((_, valid), front) = module("beam", at, (zone, ("load", load)), |(zone, (_, load))| {
+        let raster = raster_control("raster", zone);
+        let longest = machine.slots.iter().map(Slot::more).max().unwrap_or(0);
+        let mut late: Vec<(Flags, Pixel)> = vec![start_of(raster)];
+        let least = machine.slots.iter().map(Slot::more).min().unwrap_or(0);
+        for _ in least..longest {
+            late.push(late[late.len() - 1].delayed(1));
+        }
+        let slots = || machine.slots.iter().enumerate();
+        let words: Vec<Words> = slots()
+            .map(|(index, slot)| {
+                let bus = LoadBus {
+                    write: load.valid & load.object.is(index as u64),
+                    address: load.address,
+                    data: load.data,
+                };
+                coefficient_store(
+                    &format!("stores_{index}"),
+                    bus,
+                    machine.widths,
+                    slot.planes as u64,
+                )
+            })
+            .collect();
+        let visible: Vec<Visible> = slots()
+            .zip(words)
+            .map(|((index, slot), words)| {
+                let (flags, pixel) = late[(longest - slot.more()) as usize];
+                let shape = Shape {
+                    depth: machine.depth,
+                    rows_per_stage: machine.rows_per_stage,
+                    two_volumes: slot.two_volumes,
+                };
+                quadric_processor(&format!("processors_{index}"), flags, pixel, words, shape)
+            })
+            .collect();
+        let candidate = |(index, visible): (usize, &Visible)| Candidate {
+            depth: visible.front.zf,
+            id: Bits::new(index as u64, 8),
+            number: visible.front.number,
+            nx: visible.normal.nx,
+            ny: visible.normal.ny,
+            nz: visible.normal.nz,
+        };
+        let candidates = visible.iter().enumerate().map(candidate).collect();
+        let levels = machine.slots.len().next_power_of_two().ilog2();
+        let valid = visible[0].front.out_valid.delayed_as("valid_late", levels);
+        (("valid", valid), decider("decider", candidates))
+    });
+    (valid, front)
+}
+
+fn start_of(raster: Raster) -> (Flags, Pixel) {
+    let Raster {
+        valid,
+        start,
+        line,
+        x,
+        y,
+        ..
+    } = raster;
+    (Flags { valid, start, line }, Pixel { x, y })
+}
