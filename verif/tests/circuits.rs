@@ -3,8 +3,8 @@
 
 use imogene_circuits::arith::square_root;
 use imogene_circuits::machine::{
-    Beam, Candidate, Load, LoadBus, Slot, Zone, beam, coefficient_store, decider, raster_control,
-    visibility_node,
+    Beam, Candidate, Load, LoadBus, Slot, Volume, Zone, beam, card_decider, coefficient_store,
+    decider, raster_control, shadow_stage, visibility_chain, visibility_node,
 };
 use imogene_circuits::object::{
     Cut, Face, Interval, NormalWords, Pixel, Roots, Shape, Widths, Words, cut_plane,
@@ -21,7 +21,7 @@ use imogene_verif::equivalence::{Text, Verdict};
 use imogene_verif::unit::{Parameters, subject};
 use rust_hdl::core::prelude::generate_verilog;
 
-const UNITS: [Unit; 15] = [
+const UNITS: [Unit; 18] = [
     Unit::Pe1,
     Unit::Pe2,
     Unit::SquareRoot,
@@ -37,6 +37,9 @@ const UNITS: [Unit; 15] = [
     Unit::NormalUnit,
     Unit::QuadricProcessor,
     Unit::Beam,
+    Unit::VisibilityChain,
+    Unit::CardDecider,
+    Unit::ShadowStage,
 ];
 
 fn widths(word: u32) -> Widths {
@@ -125,6 +128,16 @@ fn design(unit: Unit, word: u32, rows: u32) -> Design {
                 two_volumes: true,
             };
             quadric_processor("top", Flags::input(), Pixel::input(), words, shape);
+        }
+        Unit::VisibilityChain => {
+            visibility_chain("top", (0..4).map(|_| candidate(word)).collect());
+        }
+        Unit::CardDecider => {
+            card_decider("top", (0..8).map(|_| candidate(word)).collect(), 4);
+        }
+        Unit::ShadowStage => {
+            let volumes = (0..4).map(|_| Volume::input()).collect();
+            shadow_stage("top", Bits::input(16), volumes);
         }
         Unit::RasterControl => {
             raster_control("top", Zone::input());

@@ -32,7 +32,7 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
 }
 
 /// A candidate one clock later: the odd one out of a level.
-fn visibility_register(at: &str, a: Candidate) -> Candidate {
+pub(super) fn visibility_register(at: &str, a: Candidate) -> Candidate {
     module("visibility_register", at, ("a", a), |(_, a)| a.registered())
 }
 

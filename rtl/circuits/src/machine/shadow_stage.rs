@@ -1,0 +1,54 @@
+//! Sources that reach a point.
+
+use imogene_hdl::{Bits, Value, bundle, module, net};
+
+/// Words that one register takes.
+const GROUP: usize = 8;
+/// Flags of sources.
+const SOURCES: u32 = 16;
+
+bundle! {
+    /// A shadow or light volume at a point.
+    Volume() {
+        inside: Bits(1), "the point is inside";
+        kind: Bits(1), "0 shadow, 1 light; held";
+        source: Bits(4), "its source; held";
+        enabled: Bits(1), "without it the volume takes nothing away; held";
+    }
+}
+
+/// Which sources reach the visible point: the flag of a source stays if the point is outside every shadow volume of it and
+/// inside every light volume of it.
+///
+/// Every volume gives a word of flags, and the words are joined eight to a register: latency 1 for up to 8 volumes, else
+/// `ceil(log8 n)`.
+pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
+    let inputs = (("flags_in", flags), ("volume", volumes));
+    module("shadow_stage", at, inputs, |((_, flags), (_, volumes))| {
+        let one = Bits::new(1, SOURCES);
+        let all = Bits::new(0xffff, SOURCES);
+        let word = |volume: &Volume| {
+            net! {
+                let takes_away = volume.enabled & (volume.inside ^ volume.kind);
+                let mask = one.left_by(volume.source);
+            }
+            takes_away.select(!mask, all)
+        };
+        let mut level: Vec<Bits> = volumes.iter().map(word).collect();
+        level[0] = flags & level[0];
+        loop {
+            let groups = level.chunks(GROUP);
+            let joined = groups.map(|group| {
+                group[1..]
+                    .iter()
+                    .fold(group[0], |all, one| all & *one)
+                    .reg()
+            });
+            level = joined.collect();
+            if level.len() == 1 {
+                return ("flags", level[0]);
+            }
+        }
+    })
+    .1
+}

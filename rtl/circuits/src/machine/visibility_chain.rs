@@ -1,0 +1,28 @@
+//! Deciders that run past the processors.
+
+use super::decider::{Candidate, decider, visibility_node, visibility_register};
+use imogene_hdl::module;
+
+/// The nearest of all candidates, cell by cell: input i comes i clocks after input 0 of the same pixel, so that no wires
+/// but those to the next processor leave a cell. Latency as many clocks as inputs. Section 2.5.
+pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
+    module("visibility_chain", at, ("input", inputs), |(_, inputs)| {
+        let first = visibility_register("beginning", inputs[0]);
+        let rest = inputs[1..].iter().enumerate();
+        rest.fold(first, |nearest, (index, input)| {
+            visibility_node(&format!("nodes_{index}"), nearest, *input)
+        })
+    })
+}
+
+/// The nearest of the candidates of some cards: a chain on each, and a decider of what leaves them. Input `i` comes
+/// `i mod processors` clocks after input 0; the cards start together. Latency `processors + ceil(log2 cards)`.
+pub fn card_decider(at: &str, inputs: Vec<Candidate>, processors: usize) -> Candidate {
+    module("card_decider", at, ("input", inputs), |(_, inputs)| {
+        let cards = inputs.chunks(processors).enumerate();
+        let chain = |(card, inputs): (usize, &[Candidate])| {
+            visibility_chain(&format!("chains_{card}"), inputs.to_vec())
+        };
+        decider("decider", cards.map(chain).collect())
+    })
+}
