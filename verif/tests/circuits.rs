@@ -1,18 +1,11 @@
 //! Circuits of `imogene-circuits`: against their golden models clock by clock, and proven the same circuit as the emitted
 //! text of the unit, as our Verilog and as rust-hdl prints it. Needs the package 'yosys' and fails without it.
 
-use imogene_circuits::arith::square_root;
-use imogene_circuits::machine::{
-    Beam, Candidate, Load, LoadBus, Slot, Volume, Zone, beam, card_decider, coefficient_store,
-    decider, raster_control, shadow_stage, visibility_chain, visibility_node,
-};
-use imogene_circuits::object::{
-    Cut, Face, Interval, NormalWords, Pixel, Roots, Shape, Widths, Words, cut_plane,
-    depth_interval, normal_unit, plane_depth, quadric_pe, quadric_processor, two_volume_merge,
-};
-use imogene_circuits::raster::{Flags, Linear, Quadratic, pe1, pe2};
+use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
+use imogene_circuits::units::{self, widths};
+use imogene_contract::parameters::Parameters as Built;
 use imogene_hdl::block::Block;
-use imogene_hdl::{Bits, Design, Value, verilog};
+use imogene_hdl::{Design, verilog};
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitRequest, emit};
 use imogene_verif::engine::circuit::Circuit;
@@ -21,35 +14,10 @@ use imogene_verif::equivalence::{Text, Verdict};
 use imogene_verif::unit::{Parameters, subject};
 use rust_hdl::core::prelude::generate_verilog;
 
-const UNITS: [Unit; 18] = [
-    Unit::Pe1,
-    Unit::Pe2,
-    Unit::SquareRoot,
-    Unit::QuadricPe,
-    Unit::CoefficientStore,
-    Unit::PlaneDepth,
-    Unit::CutPlane,
-    Unit::DepthInterval,
-    Unit::TwoVolumeMerge,
-    Unit::VisibilityNode,
-    Unit::Decider,
-    Unit::RasterControl,
-    Unit::NormalUnit,
-    Unit::QuadricProcessor,
-    Unit::Beam,
-    Unit::VisibilityChain,
-    Unit::CardDecider,
-    Unit::ShadowStage,
-];
-
-fn widths(word: u32) -> Widths {
-    Widths {
-        linear: word + 2,
-        quadratic: 2 * word,
-        gradient: 24,
-        normal: 16,
-        plane: word + 12,
-    }
+/// The units that are circuits of functions.
+fn circuits() -> impl Iterator<Item = Unit> {
+    let is_circuit = |unit: &Unit| units::UNITS.iter().any(|(name, _)| *name == unit.name());
+    Unit::ALL.into_iter().filter(is_circuit)
 }
 
 /// A beam machine of equal slots.
@@ -66,84 +34,13 @@ fn machine(word: u32, rows_per_stage: u32, objects: usize, planes: usize) -> Bea
     }
 }
 
-fn candidate(word: u32) -> Candidate {
-    Candidate::input(word, 16, 8)
-}
-
 /// The circuit of a unit in a format.
-fn design(unit: Unit, word: u32, rows: u32) -> Design {
-    let (linear, quadratic) = (word + 2, 2 * word);
-    Design::of(|| match unit {
-        Unit::Pe1 => {
-            pe1("top", Flags::input(), Linear::input(linear));
-        }
-        Unit::Pe2 => {
-            pe2("top", Flags::input(), Quadratic::input(quadratic));
-        }
-        Unit::SquareRoot => {
-            square_root("top", Bits::input(quadratic), rows);
-        }
-        Unit::QuadricPe => {
-            let words = (Linear::input(linear), Quadratic::input(quadratic));
-            quadric_pe("top", Flags::input(), words, rows);
-        }
-        Unit::CoefficientStore => {
-            coefficient_store("top", LoadBus::input(quadratic), widths(word), 3);
-        }
-        Unit::PlaneDepth => {
-            plane_depth("top", Flags::input(), Linear::input(word + 12), word);
-        }
-        Unit::CutPlane => {
-            cut_plane("top", Cut::input(word), Interval::input(word));
-        }
-        Unit::DepthInterval => {
-            depth_interval("top", Roots::input(word + 2), word);
-        }
-        Unit::TwoVolumeMerge => {
-            two_volume_merge("top", Interval::input(word), Interval::input(word));
-        }
-        Unit::VisibilityNode => {
-            visibility_node("top", candidate(word), candidate(word));
-        }
-        Unit::Decider => {
-            decider("top", (0..4).map(|_| candidate(word)).collect());
-        }
-        Unit::Beam => {
-            beam(
-                "top",
-                Zone::input(),
-                Load::input(quadratic),
-                &machine(word, rows, 4, 3),
-            );
-        }
-        Unit::NormalUnit => {
-            let words = NormalWords::of(&Words::input(widths(word), 3));
-            normal_unit("top", Flags::input(), Face::input(word), words);
-        }
-        Unit::QuadricProcessor => {
-            let words = Words::input(widths(word), 3);
-            let shape = Shape {
-                depth: word,
-                rows_per_stage: rows,
-                two_volumes: true,
-            };
-            quadric_processor("top", Flags::input(), Pixel::input(), words, shape);
-        }
-        Unit::VisibilityChain => {
-            visibility_chain("top", (0..4).map(|_| candidate(word)).collect());
-        }
-        Unit::CardDecider => {
-            card_decider("top", (0..8).map(|_| candidate(word)).collect(), 4);
-        }
-        Unit::ShadowStage => {
-            let volumes = (0..4).map(|_| Volume::input()).collect();
-            shadow_stage("top", Bits::input(16), volumes);
-        }
-        Unit::RasterControl => {
-            raster_control("top", Zone::input());
-        }
-        other => panic!("{} has no circuit here", other.name()),
-    })
+fn design(unit: Unit, depth_word: u32, rows_per_stage: u32) -> Design {
+    let parameters = Built {
+        rows_per_stage,
+        ..Built::of(depth_word)
+    };
+    units::design(unit.name(), &parameters).expect("a circuit")
 }
 
 fn text(design: &Design) -> String {
@@ -169,7 +66,7 @@ fn words() -> &'static [u32] {
 
 #[test]
 fn circuits_agree_with_their_golden_models() {
-    for unit in UNITS {
+    for unit in circuits() {
         for depth_word in [16, 24, 32] {
             for rows_per_stage in [1, 3] {
                 let parameters = Parameters {
@@ -200,7 +97,7 @@ fn circuits_agree_with_their_golden_models() {
 #[test]
 fn circuits_are_those_of_the_emitted_text() {
     // The machine has a test of its own.
-    for unit in UNITS.into_iter().filter(|unit| *unit != Unit::Beam) {
+    for unit in circuits().filter(|unit| *unit != Unit::Beam) {
         for &word in words() {
             let request = EmitRequest {
                 depth_word: word as usize,

@@ -6,3 +6,4 @@ pub mod arith;
 pub mod machine;
 pub mod object;
 pub mod raster;
+pub mod units;

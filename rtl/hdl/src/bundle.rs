@@ -1,6 +1,6 @@
 //! Groups of values that are ports together.
 
-use crate::value::{Bits, Handle, Int, Value};
+use crate::value::{Bits, Handle, Int, Value, delayed};
 
 /// A value of a bundle.
 #[derive(Clone, Copy, Debug)]
@@ -25,47 +25,43 @@ pub trait Bundle {
     where
         Self: Sized,
     {
-        self.rebuilt(&mut |member| match member.signed {
-            true => Int(member.handle).reg().0,
-            false => Bits(member.handle).reg().0,
-        })
+        later(self, |_| None, 1)
     }
 
-    /// Each value of this where `which` is 1, else that of the other.
-    #[track_caller]
-    fn or_else(&self, which: Bits, other: &Self) -> Self
-    where
-        Self: Sized,
-    {
-        let mut others = vec![];
-        other.each("", &mut |_, member| others.push(member.handle));
-        let mut others = others.into_iter();
-        self.rebuilt(&mut |member| {
-            let other = others.next().expect("as many members");
-            match member.signed {
-                true => which.select(Int(member.handle), Int(other)).0,
-                false => which.select(Bits(member.handle), Bits(other)).0,
-            }
-        })
-    }
-
-    /// All values so many clocks later.
+    /// All values so many clocks later, through registers that are called after them.
     #[track_caller]
     fn delayed(&self, clocks: u32) -> Self
     where
         Self: Sized,
     {
-        let mut names = vec![];
-        self.each("", &mut |name, _| names.push(format!("{name}_late")));
-        let mut names = names.into_iter();
-        self.rebuilt(&mut |member| {
-            let name = names.next().expect("as many names as members");
-            match member.signed {
-                true => Int(member.handle).delayed_as(&name, clocks).0,
-                false => Bits(member.handle).delayed_as(&name, clocks).0,
-            }
-        })
+        later(self, |name| Some(format!("{name}_late")), clocks)
     }
+}
+
+#[track_caller]
+fn later<B: Bundle>(bundle: &B, name: fn(String) -> Option<String>, clocks: u32) -> B {
+    let mut values = vec![];
+    for (member, Member { handle, signed }) in members(bundle) {
+        let name = name(member);
+        values.push(match signed {
+            true => delayed(Int(handle), name.as_deref(), clocks).0,
+            false => delayed(Bits(handle), name.as_deref(), clocks).0,
+        });
+    }
+    replaced(bundle, values)
+}
+
+/// All members with their names.
+pub(crate) fn members(bundle: &impl Bundle) -> Vec<(String, Member)> {
+    let mut found = vec![];
+    bundle.each("", &mut |name, member| found.push((name, member)));
+    found
+}
+
+/// The same bundle of these values, in the order of its members.
+pub(crate) fn replaced<B: Bundle>(bundle: &B, values: Vec<Handle>) -> B {
+    let mut values = values.into_iter();
+    bundle.rebuilt(&mut |_| values.next().expect("as many values as members"))
 }
 
 /// What a bundle says of a port.

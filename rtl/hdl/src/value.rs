@@ -267,7 +267,7 @@ pub(crate) fn mask(width: u32) -> u64 {
 
 /// A single bit passes through one register of as many bits, any other value through one register after the other.
 #[track_caller]
-fn delayed<V: Value>(value: V, name: Option<&str>, clocks: u32) -> V {
+pub(crate) fn delayed<V: Value>(value: V, name: Option<&str>, clocks: u32) -> V {
     let named = |value: Bits| name.map_or(value, |name| value.named(name));
     if value.width() > 1 || !(2..=WIDEST).contains(&clocks) {
         return (1..=clocks).fold(value, |value, clock| {

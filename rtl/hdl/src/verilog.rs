@@ -105,11 +105,27 @@ impl Writer<'_> {
                 writeln!(text, "    wire {}{name};", range(width, false)).unwrap();
             }
         }
-        for memory in &self.module.memories {
+        for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
             let (range, last) = (range(memory.width, false), memory.words - 1);
-            writeln!(text, "    reg {range}{} [0:{last}];", memory.name).unwrap();
+            writeln!(text, "    reg {range}{name} [0:{last}];").unwrap();
         }
-        text
+        text + &self.zeros()
+    }
+
+    /// Block RAM begins with zeros; synthesis need not work through a loop for it.
+    fn zeros(&self) -> String {
+        let loops = self.module.memories.iter().zip(&self.names.memories);
+        let loops = loops.map(|(memory, name)| {
+            let (last, zero) = (memory.words - 1, literal(0, memory.width, false));
+            format!("        for (place = 0; place <= {last}; place = place + 1) {name}[place] = {zero};\n")
+        });
+        let loops: String = loops.collect();
+        match loops.as_str() {
+            "" => loops,
+            _ => format!(
+                "`ifndef SYNTHESIS\n    integer place;\n    initial begin\n{loops}    end\n`endif\n"
+            ),
+        }
     }
 
     fn instances(&self) -> String {
@@ -197,14 +213,12 @@ impl Writer<'_> {
             })
             .collect();
         self.enabled(&paths, 0, &mut text);
-        for memory in &self.module.memories {
+        for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
             let [enable, at, data] = memory.write.map(|net| self.value(net, true));
-            writeln!(text, "        if ({enable}) begin").unwrap();
-            writeln!(text, "            {}[{at}] <= {data};", memory.name).unwrap();
-            text += "        end\n";
-            if let Some(Name { text: name, .. }) = self.names.get(memory.net) {
+            writeln!(text, "        if ({enable}) {name}[{at}] <= {data};").unwrap();
+            if let Some(Name { text: read, .. }) = self.names.get(memory.net) {
                 let address = self.value(memory.address, true);
-                writeln!(text, "        {name} <= {}[{address}];", memory.name).unwrap();
+                writeln!(text, "        {read} <= {name}[{address}];").unwrap();
             }
         }
         text + "    end\n"

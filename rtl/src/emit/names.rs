@@ -33,7 +33,7 @@ pub fn instance(name: &str) -> String {
 }
 
 /// The reserved words of Verilog-2005, SystemVerilog-2012 and VHDL-93, one a line.
-const RESERVED: &str = include_str!("reserved_words.txt");
+const RESERVED: &str = include_str!("../../hdl/src/reserved_words.txt");
 
 /// Refuses an identifier that a Verilog or VHDL tool would refuse.
 pub fn check_identifier(name: &str) -> Result<(), EmitError> {

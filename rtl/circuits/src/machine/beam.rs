@@ -1,8 +1,8 @@
 //! The beam machine: one object processor per object, one pixel per clock.
 
-use super::{Candidate, LoadBus, Raster, Zone, coefficient_store, decider, raster_control};
-use crate::object::{Pixel, Shape, Visible, Widths, Words, quadric_processor};
-use crate::raster::Flags;
+use super::{Candidate, LoadBus, Zone, coefficient_store, decider, raster_control};
+use crate::object::{Shape, Visible, Widths, Words, quadric_processor};
+use crate::raster::{Flags, Pixel};
 use imogene_hdl::{Bits, Bundle, Value, bundle, module};
 
 bundle! {
@@ -52,7 +52,7 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
     let ((_, valid), front) = module("beam", at, (zone, ("load", load)), |(zone, (_, load))| {
         let raster = raster_control("raster", zone);
         let longest = machine.slots.iter().map(Slot::more).max().unwrap_or(0);
-        let mut late: Vec<(Flags, Pixel)> = vec![start_of(raster)];
+        let mut late: Vec<(Flags, Pixel)> = vec![(raster.flags, raster.pixel)];
         let least = machine.slots.iter().map(Slot::more).min().unwrap_or(0);
         for _ in least..longest {
             late.push(late[late.len() - 1].delayed(1));
@@ -89,9 +89,7 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
             depth: visible.front.zf,
             id: Bits::new(index as u64, 8),
             number: visible.front.number,
-            nx: visible.normal.nx,
-            ny: visible.normal.ny,
-            nz: visible.normal.nz,
+            normal: visible.normal,
         };
         let candidates = visible.iter().enumerate().map(candidate).collect();
         let levels = machine.slots.len().next_power_of_two().ilog2();
@@ -99,16 +97,4 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
         (("valid", valid), decider("decider", candidates))
     });
     (valid, front)
-}
-
-fn start_of(raster: Raster) -> (Flags, Pixel) {
-    let Raster {
-        valid,
-        start,
-        line,
-        x,
-        y,
-        ..
-    } = raster;
-    (Flags { valid, start, line }, Pixel { x, y })
 }

@@ -1,6 +1,6 @@
 //! Coefficient words of one object.
 
-use crate::object::{Factors, Place, Plane, Widths, Words};
+use crate::object::{Factors, Gradients, Normal, Place, Plane, Widths, Words};
 use crate::raster::{Linear, Quadratic};
 use imogene_hdl::{Bits, Int, Value, bundle, module};
 
@@ -37,12 +37,12 @@ pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) ->
             let number = |word: u64, width: u32| store.number(first + word, width);
             Plane {
                 kind: store.bits(first, 1, 0),
-                a: number(1, widths.plane),
-                b: number(2, widths.plane),
-                c: number(3, widths.plane),
-                nx: number(4, widths.normal),
-                ny: number(5, widths.normal),
-                nz: number(6, widths.normal),
+                linear: linear(first + 1, widths.plane),
+                normal: Normal {
+                    nx: number(4, widths.normal),
+                    ny: number(5, widths.normal),
+                    nz: number(6, widths.normal),
+                },
             }
         };
         let inverted_box_x0 = (!bus.data.low(12)).reg_when(store.writes(BOX_COLUMNS));
@@ -56,13 +56,15 @@ pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) ->
                 p0: word(4),
                 f: word(5),
             },
-            gx: linear(9, widths.gradient),
-            gy: linear(12, widths.gradient),
-            gz: linear(15, widths.gradient),
-            factors: Factors {
-                kx: factor(0),
-                ky: factor(1),
-                kz: factor(2),
+            gradients: Gradients {
+                gx: linear(9, widths.gradient),
+                gy: linear(12, widths.gradient),
+                gz: linear(15, widths.gradient),
+                factors: Factors {
+                    kx: factor(0),
+                    ky: factor(1),
+                    kz: factor(2),
+                },
             },
             place: Place {
                 box_x0: !inverted_box_x0.named("inverted_box_x0"),

@@ -1,16 +1,28 @@
 //! The visible object of a pixel.
 
-use imogene_hdl::{Bundle, Value, bundle, module, net};
+use crate::object::Normal;
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
-bundle! {
+bundles! {
     /// What an object says of a pixel.
-    Candidate(depth, normal, id) {
-        depth: Int(depth), "depth, the far end where it is absent";
-        id: Bits(id), "number of the object";
-        number: Bits(4), "number of the face";
-        nx: Int(normal), "normal x";
-        ny: Int(normal), "normal y";
-        nz: Int(normal), "normal z";
+    #[derive(Copy)]
+    Candidate {
+        depth: Int as "depth", "depth, the far end where it is absent";
+        id: Bits as "id", "number of the object";
+        number: Bits as "number", "number of the face";
+        normal: Normal as "", "normal of the face";
+    }
+}
+
+impl Candidate {
+    /// One from outside of the design.
+    pub fn input(depth: u32, normal: u32, id: u32) -> Candidate {
+        Candidate {
+            depth: Int::input(depth),
+            id: Bits::input(id),
+            number: Bits::input(4),
+            normal: Normal::input(normal),
+        }
     }
 }
 
@@ -26,7 +38,7 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
                 let depths_are_equal = b.depth.equals(a.depth);
                 let b_wins = b_is_nearer | (depths_are_equal & b.id.less(a.id));
             }
-            b.or_else(b_wins, &a).registered()
+            b_wins.select(b, a).registered()
         },
     )
 }

@@ -1,7 +1,8 @@
 //! The pixels of a zone, one a clock.
 
+use crate::raster::{Flags, Pixel};
 use imogene_contract::words;
-use imogene_hdl::{Bits, Value, bundle, module, net};
+use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
 /// Bits of a screen coordinate.
 const COORDINATE: u32 = words::COORDINATE as u32;
@@ -13,15 +14,15 @@ bundle! {
         width: Bits(COORDINATE), "pixels of a line";
         height: Bits(COORDINATE), "lines";
     }
+}
 
+bundles! {
     /// A pixel on its way.
-    Raster() {
-        valid: Bits(1), "this clock carries a pixel";
-        start: Bits(1), "first pixel of the zone";
-        line: Bits(1), "first pixel of a later line";
-        x: Bits(COORDINATE), "column in the zone";
-        y: Bits(COORDINATE), "line in the zone";
-        last: Bits(1), "last pixel of the zone";
+    #[derive(Copy)]
+    Raster {
+        flags: Flags as "", "what begins with it";
+        pixel: Pixel as "", "where it is in the zone";
+        last: Bits as "last", "last pixel of the zone";
     }
 }
 
@@ -59,11 +60,8 @@ pub fn raster_control(at: &str, zone: Zone) -> Raster {
         x.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_x));
         y.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_y));
         Raster {
-            valid,
-            start,
-            line,
-            x,
-            y,
+            flags: Flags { valid, start, line },
+            pixel: Pixel { x, y },
             last,
         }
     })

@@ -41,9 +41,9 @@ pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
             nb: cut.surface.select(own.nf, cut.number),
             ..own
         };
-        let left = front.or_else(cuts_front, &back.or_else(cuts_back, &own));
+        let left = cuts_front.select(front, cuts_back.select(back, own));
         let absent = Interval::absent(own.zf.width());
-        ("cut", absent.or_else(removed, &left).registered())
+        ("cut", removed.select(absent, left).registered())
     })
     .1
 }

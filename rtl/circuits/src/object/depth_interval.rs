@@ -95,13 +95,13 @@ pub fn depth_interval(at: &str, roots: Roots, width: u32) -> Halves {
         let inside = inside
             .iter()
             .rev()
-            .fold(nothing, |other, (holds, one)| one.or_else(*holds, &other));
-        let outside = all.or_else(is_front, &nothing);
-        let a = inside.or_else(roots.is_inside, &outside);
+            .fold(nothing, |other, (holds, one)| holds.select(**one, other));
+        let outside = is_front.select(all, nothing);
+        let a = roots.is_inside.select(inside, outside);
         let has_b = roots.is_inside & is_front & !far.is_far;
         Halves {
-            a: a.or_else(roots.in_box, &nothing).registered(),
-            b: behind.or_else(roots.in_box & has_b, &nothing).registered(),
+            a: roots.in_box.select(a, nothing).registered(),
+            b: (roots.in_box & has_b).select(behind, nothing).registered(),
         }
     })
 }

@@ -16,9 +16,9 @@ pub use interval::Interval;
 pub use normal_unit::{Face, Normal, NormalWords, normal_unit};
 pub use plane_depth::plane_depth;
 pub use quadric_pe::{Depths, quadric_pe};
-pub use quadric_processor::{Front, Pixel, Shape, Visible, quadric_processor};
+pub use quadric_processor::{Front, Shape, Visible, quadric_processor};
 pub use two_volume_merge::two_volume_merge;
-pub use words::{Factors, Place, Plane, Widths, Words};
+pub use words::{Factors, Gradients, Place, Plane, Widths, Words};
 
 use imogene_contract::words::far_end;
 use imogene_hdl::Int;

@@ -1,6 +1,6 @@
 //! Normal of the visible face.
 
-use super::{Factors, Plane, Words};
+use super::{Gradients, Words};
 use crate::raster::{Flags, Linear, pe1};
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use imogene_hdl::{Bundle, Int, Value, bundle, bundles, module, net};
@@ -33,10 +33,7 @@ bundle! {
 bundles! {
     /// The words of a normal.
     NormalWords {
-        gx: Linear as "gx", "first-degree part of x";
-        gy: Linear as "gy", "first-degree part of y";
-        gz: Linear as "gz", "first-degree part of z";
-        factors: Factors as "", "factors of the root";
+        gradients: Gradients as "", "of the quadric";
         planes: Vec<Normal> as "plane", "normal of each plane";
     }
 }
@@ -44,17 +41,9 @@ bundles! {
 impl NormalWords {
     /// Those of an object.
     pub fn of(words: &Words) -> NormalWords {
-        let normal = |plane: &Plane| Normal {
-            nx: plane.nx,
-            ny: plane.ny,
-            nz: plane.nz,
-        };
         NormalWords {
-            gx: words.gx,
-            gy: words.gy,
-            gz: words.gz,
-            factors: words.factors,
-            planes: words.planes.iter().map(normal).collect(),
+            gradients: words.gradients,
+            planes: words.planes.iter().map(|plane| plane.normal).collect(),
         }
     }
 }
@@ -71,7 +60,13 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
         at,
         (flags, face, words),
         |(flags, face, words)| {
-            let width = words.factors.kx.width();
+            let Gradients {
+                gx,
+                gy,
+                gz,
+                factors,
+            } = words.gradients;
+            let width = factors.kx.width();
             let is = |number: u64| face.number.is(number);
             let late = flags.delayed(1);
             net! {
@@ -91,10 +86,11 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
             let fixed = planes
                 .chain([(CAP, &to_viewer)])
                 .fold(Normal::all(zero), |other, (number, normal)| {
-                    normal.or_else(is(number), &other)
+                    is(number).select(*normal, other)
                 });
-            let fixed = Normal::all(zero)
-                .or_else(face.absent, &fixed)
+            let fixed = face
+                .absent
+                .select(Normal::all(zero), fixed)
                 .registered()
                 .registered();
             let component = |name: &str, g: Linear, k: Int, fixed: Int| {
@@ -107,9 +103,9 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
                 normal_component(&format!("component_{name}"), late, (g, k), change)
             };
             Normal {
-                nx: component("x", words.gx, words.factors.kx, fixed.nx),
-                ny: component("y", words.gy, words.factors.ky, fixed.ny),
-                nz: component("z", words.gz, words.factors.kz, fixed.nz),
+                nx: component("x", gx, factors.kx, fixed.nx),
+                ny: component("y", gy, factors.ky, fixed.ny),
+                nz: component("z", gz, factors.kz, fixed.nz),
             }
         },
     )

@@ -4,17 +4,11 @@ use super::{
     Cut, Face, Interval, Normal, NormalWords, Roots, Words, absent, cut_plane, depth_interval,
     normal_unit, plane_depth, quadric_pe, two_volume_merge,
 };
-use crate::raster::{Flags, Linear};
+use crate::raster::{Flags, Pixel};
 use imogene_contract::words::{FIRST_PLANE, PATCH};
 use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module, net};
 
 bundle! {
-    /// A pixel.
-    Pixel() {
-        x: Bits(12), "column";
-        y: Bits(12), "line";
-    }
-
     /// The visible front of an object.
     Front(depth) {
         out_valid: Bits(1), "this clock carries a result";
@@ -89,16 +83,11 @@ pub fn quadric_processor(
             let mut flags = late;
             let planes_at = words.planes.iter().enumerate().map(|(index, plane)| {
                 flags = flags.delayed(1);
-                let linear = Linear {
-                    a: plane.a,
-                    b: plane.b,
-                    c: plane.c,
-                };
                 Cut {
                     kind: plane.kind,
                     surface,
                     number: Bits::new(FIRST_PLANE + index as u64, 4),
-                    zp: plane_depth(&format!("planes_{index}"), flags, linear, depth),
+                    zp: plane_depth(&format!("planes_{index}"), flags, plane.linear, depth),
                 }
             });
             let cuts: Vec<Cut> = planes_at.collect();

@@ -11,7 +11,7 @@ pub fn two_volume_merge(at: &str, a: Interval, b: Interval) -> Interval {
         (("_a", a), ("_b", b)),
         |((_, a), (_, b))| {
             net! { let b_in_front = b.zf.less(a.zf); }
-            b.or_else(b_in_front, &a).registered()
+            b_in_front.select(b, a).registered()
         },
     )
 }

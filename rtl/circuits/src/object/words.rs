@@ -1,7 +1,8 @@
 //! Coefficient words of an object.
 
+use super::Normal;
 use crate::raster::{Linear, Quadratic};
-use imogene_hdl::{bundle, bundles};
+use imogene_hdl::{Bits, Value, bundle, bundles};
 
 bundle! {
     /// Factors of the root in the normal.
@@ -19,17 +20,6 @@ bundle! {
         box_y1: Bits(12), "last line of the screen box";
         object_class: Bits(2), "class of the object";
         shift: Bits(5), "places the root is shifted for the normal";
-    }
-
-    /// A cut plane.
-    Plane(width, normal) {
-        kind: Bits(2), "kind of the plane";
-        a: Int(width), "increment along the line";
-        b: Int(width), "increment from line to line";
-        c: Int(width), "value of the first pixel";
-        nx: Int(normal), "normal x";
-        ny: Int(normal), "normal y";
-        nz: Int(normal), "normal z";
     }
 }
 
@@ -49,14 +39,28 @@ pub struct Widths {
 }
 
 bundles! {
+    /// Words of the normal of a quadric.
+    #[derive(Copy)]
+    Gradients {
+        gx: Linear as "gx", "first-degree part of x";
+        gy: Linear as "gy", "first-degree part of y";
+        gz: Linear as "gz", "first-degree part of z";
+        factors: Factors as "", "factors of the root";
+    }
+
+    /// A cut plane.
+    #[derive(Copy)]
+    Plane {
+        kind: Bits as "kind", "kind of the plane";
+        linear: Linear as "", "its depth";
+        normal: Normal as "", "its normal";
+    }
+
     /// All words of an object.
     Words {
         f1: Linear as "f1", "linear part of the depth";
         f2: Quadratic as "f2", "square of the root";
-        gx: Linear as "gx", "normal x";
-        gy: Linear as "gy", "normal y";
-        gz: Linear as "gz", "normal z";
-        factors: Factors as "", "factors of the root in the normal";
+        gradients: Gradients as "", "normal of the quadric";
         place: Place as "", "screen box and class";
         planes: Vec<Plane> as "plane", "cut planes";
     }
@@ -66,17 +70,22 @@ impl Words {
     /// Words from outside of the design, with so many planes.
     pub fn input(widths: Widths, planes: usize) -> Words {
         let gradient = || Linear::input(widths.gradient);
+        let plane = |_| Plane {
+            kind: Bits::input(2),
+            linear: Linear::input(widths.plane),
+            normal: Normal::input(widths.normal),
+        };
         Words {
             f1: Linear::input(widths.linear),
             f2: Quadratic::input(widths.quadratic),
-            gx: gradient(),
-            gy: gradient(),
-            gz: gradient(),
-            factors: Factors::input(widths.normal),
+            gradients: Gradients {
+                gx: gradient(),
+                gy: gradient(),
+                gz: gradient(),
+                factors: Factors::input(widths.normal),
+            },
             place: Place::input(),
-            planes: (0..planes)
-                .map(|_| Plane::input(widths.plane, widths.normal))
-                .collect(),
+            planes: (0..planes).map(plane).collect(),
         }
     }
 }

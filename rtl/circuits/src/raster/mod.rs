@@ -6,6 +6,7 @@ mod pe2;
 pub use pe1::pe1;
 pub use pe2::pe2;
 
+use imogene_contract::words::COORDINATE;
 use imogene_hdl::bundle;
 
 bundle! {
@@ -14,6 +15,12 @@ bundle! {
         valid: Bits(1), "this clock carries a pixel";
         start: Bits(1), "first pixel of the zone";
         line: Bits(1), "first pixel of a later line";
+    }
+
+    /// A place on the screen or in a zone.
+    Pixel() {
+        x: Bits(COORDINATE as u32), "column";
+        y: Bits(COORDINATE as u32), "line";
     }
 
     /// Words of `a x + b y + c`.

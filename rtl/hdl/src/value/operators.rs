@@ -2,6 +2,7 @@
 
 use super::{Bits, Int, Value, as_bits, in_scope, join, make, mask, same_width};
 use crate::build::{node_of, refuse};
+use crate::bundle::{Bundle, members, replaced};
 use crate::tree::{Binary, Op};
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Sub};
 
@@ -12,19 +13,24 @@ impl Bits {
         Bits::literal(value, width)
     }
 
-    /// `one` where this bit is 1, else `other`.
+    /// `one` where this bit is 1, else `other`, member by member.
     #[track_caller]
-    pub fn select<V: Value>(self, one: V, other: V) -> V {
+    pub fn select<B: Bundle>(self, one: B, other: B) -> B {
+        in_scope(self.0);
         if self.width() != 1 {
             refuse(format!("{} selects, but is no single bit", node_of(self.0)));
         }
-        let [a, b] = [one.handle(), other.handle()];
-        same_width("is selected beside", a, b);
-        in_scope(self.0);
-        if a.net == b.net {
-            return one;
+        let mut chosen = vec![];
+        for ((_, a), (_, b)) in members(&one).into_iter().zip(members(&other)) {
+            same_width("is selected beside", a.handle, b.handle);
+            let op = Op::Select(self.0.net, a.handle.net, b.handle.net);
+            chosen.push(match a.signed {
+                _ if a.handle.net == b.handle.net => a.handle,
+                true => make::<Int>(op, a.handle.width).0,
+                false => make::<Bits>(op, a.handle.width).0,
+            });
         }
-        make(Op::Select(self.0.net, a.net, b.net), a.width)
+        replaced(&one, chosen)
     }
 
     /// The same bits as a number.

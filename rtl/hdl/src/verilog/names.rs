@@ -11,6 +11,8 @@ pub(super) struct Names {
     pub(super) names: Vec<Option<Name>>,
     pub(super) unread: Vec<(Net, u32, u32)>,
     pub(super) rows: Vec<Row>,
+    /// Of each memory.
+    pub(super) memories: Vec<String>,
     /// Outputs that are nets, not copies of others.
     pub(super) ports: HashSet<String>,
 }
@@ -46,7 +48,7 @@ impl Name {
 impl Names {
     pub(super) fn of(module: &Module) -> Names {
         let reads = Reads::of(module);
-        let mut taken = HashSet::from(["clock", "k"].map(str::to_owned));
+        let mut taken = HashSet::from(["clock", "k", "place", "unused"].map(str::to_owned));
         let mut names: Vec<Option<Name>> = vec![None; module.nodes.len()];
         let mut own = |wanted: &str| {
             let mut name = wanted.to_owned();
@@ -67,6 +69,8 @@ impl Names {
         for instance in &module.instances {
             own(&instance.name);
         }
+        let memories = module.memories.iter().map(|memory| own(&memory.name));
+        let memories = memories.collect();
         for row in &rows {
             own(&row.base);
             row.name_outputs(module, &mut names);
@@ -122,6 +126,7 @@ impl Names {
             unread: unread(module, &reads, &names),
             names,
             rows,
+            memories,
             ports,
         }
     }
