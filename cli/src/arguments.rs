@@ -145,7 +145,8 @@ pub enum Command {
     /// Show scenes on the pins of a whole machine with a screen, compared on every clock: Verilog, picture from the
     /// pins.
     Machine(Machine),
-    /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against it.
+    /// Synthesise a unit with the open tools: LUT, FF, DSP, BRAM, Fmax; or make the resource table, or check against
+    /// it.
     Synth(Synth),
     /// Synthesise the Verilog of another project beside a unit, with the same scripts, harness and seeds.
     Peers(Peers),

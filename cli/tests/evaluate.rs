@@ -1,4 +1,5 @@
-//! `imogene evaluate`: every row is counted, the page of the documentation is what the command makes, and what must hold between the rows holds.
+//! `imogene evaluate`: every row is counted, the page of the documentation is what the command makes, and what must
+//! hold between the rows holds.
 
 mod common;
 
@@ -132,7 +133,8 @@ fn assert_relations(report: &Value) {
     ]
     .map(|n| of("pipeline", n));
     assert!((zones / rate - 2.640625).abs() < 1e-9);
-    // The frame has passes that show, and passes with idle processors: it is slower than the formula, but not by an order.
+    // The frame has passes that show, and passes with idle processors: it is slower than the formula, but not by an
+    // order.
     let [formula, frame] = [
         "patches of 100 processors",
         "patches of 100 processors, clocks of a whole frame",

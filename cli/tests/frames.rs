@@ -165,7 +165,8 @@ fn a_camera_is_chosen_by_its_name() {
     assert!(!out.exists());
 }
 
-/// A frame is a scene for the hardware and the oracles too: its golden picture is another than that of the scene as it is written.
+/// A frame is a scene for the hardware and the oracles too: its golden picture is another than that of the scene as it
+/// is written.
 #[test]
 fn a_frame_is_a_scene_of_its_own_for_other_commands() {
     let moon = scene("animation/moon.toml");

@@ -68,7 +68,8 @@ fn shipped_scene_of_a_step_file_is_what_the_import_writes() {
     assert_eq!(std::fs::read_to_string(&output).unwrap(), shipped);
 }
 
-/// Whatever is imported can be drawn, and is what the tracer sees; `nut` has a cone that is seen nearly along its side from the usual place.
+/// Whatever is imported can be drawn, and is what the tracer sees; `nut` has a cone that is seen nearly along its side
+/// from the usual place.
 #[test]
 fn every_shipped_step_file_is_drawn_as_the_tracer_sees_it() {
     let folder = tempfile::tempdir().unwrap();

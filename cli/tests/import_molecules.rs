@@ -87,7 +87,8 @@ fn files_are_known_by_what_they_hold() {
     assert!(message.contains("cannot be unpacked"), "{message}");
 }
 
-/// The prepared words of a scene that names its file are those of the scene with a line for each atom, wherever the two lie.
+/// The prepared words of a scene that names its file are those of the scene with a line for each atom, wherever the
+/// two lie.
 #[test]
 fn scenes_that_name_their_file_are_prepared_to_the_same_words() {
     let folder = tempfile::tempdir().unwrap();

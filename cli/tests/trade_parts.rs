@@ -1,4 +1,5 @@
-//! `imogene trade --engine hq`: a HyperQueue server with two workers, and what becomes of a run that loses some of it. `scripts/setup --parts` installs it.
+//! `imogene trade --engine hq`: a HyperQueue server with two workers, and what becomes of a run that loses some of it.
+//! `scripts/setup --parts` installs it.
 
 mod common;
 

@@ -9,7 +9,8 @@ pub fn is_compressed(bytes: &[u8]) -> bool {
     bytes.starts_with(&[0x1f, 0x8b])
 }
 
-/// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that messages give it.
+/// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that
+/// messages give it.
 pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
     let refuse = |problem: String, accepted: String| {
         Err(ImportError::Unusable {

@@ -1,4 +1,5 @@
-//! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and what is not.
+//! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and
+//! what is not.
 
 mod compressed;
 mod error;

@@ -1,6 +1,8 @@
-//! Two failures of trimming by the adjacent surfaces (Hanniel and Haller; thesis section II.3.2), and that the compiler does not have them.
+//! Two failures of trimming by the adjacent surfaces (Hanniel and Haller; thesis section II.3.2), and that the
+//! compiler does not have them.
 //!
-//! The naive compiler takes one half-space for each neighbour, its whole surface, on the side on which the face begins, and joins them by one AND or one OR.
+//! The naive compiler takes one half-space for each neighbour, its whole surface, on the side on which the face
+//! begins, and joins them by one AND or one OR.
 
 mod common;
 
@@ -32,8 +34,8 @@ fn kept(part: &Part, p: Vector) -> bool {
     })
 }
 
-/// A face in the plane z = 0 whose border runs along the plane A (y = 0) and the cylinder B (radius 1) twice: left of the axis the face is
-/// above A AND inside B, right of it above A OR inside B.
+/// A face in the plane z = 0 whose border runs along the plane A (y = 0) and the cylinder B (radius 1) twice: left of
+/// the axis the face is above A AND inside B, right of it above A OR inside B.
 fn keyhole() -> String {
     let mut text = HEAD.to_owned();
     text += "[vertices]\nw = [-1, 0, 0]\no = [0, 0, 0]\ns = [0, -1, 0]\ne = [1, 0, 0]\na = [3, 0, 0]\nb = [3, 2, 0]\nc = [0, 2, 0]\nn = [0, 1, 0]\n";
@@ -102,8 +104,8 @@ fn one_operator_for_a_pair_of_neighbours_is_not_enough() {
     );
 }
 
-/// A plane face between its outer rim and the foot of a fillet: the torus of the fillet, continued beyond its quarter, comes back up through the
-/// plane's solid side, and a sign of the whole torus is wrong where only its circle counts.
+/// A plane face between its outer rim and the foot of a fillet: the torus of the fillet, continued beyond its quarter,
+/// comes back up through the plane's solid side, and a sign of the whole torus is wrong where only its circle counts.
 #[test]
 fn a_neighbour_is_not_trusted_beyond_its_extent() {
     let circle = |name: &str, y: f64, radius: f64| {
@@ -111,7 +113,8 @@ fn a_neighbour_is_not_trusted_beyond_its_extent() {
             "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\ncentre = [0, {y}, 0]\naxis = [0, 1, 0]\nradius = {radius}\n"
         )
     };
-    // The chamfer cone r = 12 - y from y = 0, where the fillet ends, up to y = 6, where it cuts through the level of the continued torus.
+    // The chamfer cone r = 12 - y from y = 0, where the fillet ends, up to y = 6, where it cuts through the level of
+    // the continued torus.
     let mut text = HEAD.to_owned();
     text += &circle("fillet end", 0.0, 12.0);
     text += &circle("top", 6.0, 6.0);

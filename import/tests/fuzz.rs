@@ -1,7 +1,9 @@
-//! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is malformed has a place in the file.
+//! Random bytes and changed real files through every reader: no panic, no hang, no unbounded memory, and what is
+//! malformed has a place in the file.
 //!
-//! Ten million random bytes for each reader, and changed files of the collection; 100 000 of them for each reader under `IMOGENE_FULL=1`. `IMOGENE_FUZZ_FILES` names
-//! a folder of further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
+//! Ten million random bytes for each reader, and changed files of the collection; 100 000 of them for each reader
+//! under `IMOGENE_FULL=1`. `IMOGENE_FUZZ_FILES` names a folder of further files to change,
+//! `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
 use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
 use imogene_models::machine::description::MachineDescription;
@@ -16,7 +18,8 @@ use std::time::{Duration, Instant};
 
 /// Random bytes for each reader.
 const RANDOM_BYTES: usize = 10_000_000;
-/// What counts as a hang; the slowest file takes a fraction of a second, but the computer may be busy with other things.
+/// What counts as a hang; the slowest file takes a fraction of a second, but the computer may be busy with other
+/// things.
 const PATIENCE: Duration = Duration::from_secs(600);
 /// Most memory at once, for two files at a time.
 const MOST_MEMORY: usize = 1 << 30;

@@ -1,4 +1,5 @@
-//! Structures of many atoms: memory for each atom, and under `IMOGENE_FULL=1` two million of them in less than five seconds and one gigabyte.
+//! Structures of many atoms: memory for each atom, and under `IMOGENE_FULL=1` two million of them in less than five
+//! seconds and one gigabyte.
 
 use imogene_import::pdb::{Format, contents};
 use std::alloc::{GlobalAlloc, Layout, System};

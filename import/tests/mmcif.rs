@@ -1,4 +1,5 @@
-//! Texts in the PDBx/mmCIF format: their forms, what each item means, what is refused and where, and that no words make the reader panic.
+//! Texts in the PDBx/mmCIF format: their forms, what each item means, what is refused and where, and that no words
+//! make the reader panic.
 
 use imogene_import::Imported;
 use imogene_import::pdb::{self, Format, ModelChoice, Options, Style};
@@ -118,7 +119,8 @@ fn texts_of_every_form_are_read() {
     assert_eq!(names(&imported), ["-/-/FE"]);
 }
 
-/// Chains of several letters, insertion codes, models out of order, alternates, names with quotes, and the names of the authors before the others.
+/// Chains of several letters, insertion codes, models out of order, alternates, names with quotes, and the names of
+/// the authors before the others.
 #[test]
 fn every_column_has_its_meaning() {
     let text = "data_x loop_
@@ -220,7 +222,8 @@ fn what_is_wrong_is_refused_where_it_stands() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
-    /// Whatever the words of a text, there is a scene that can be written, or a message that says what would be accepted.
+    /// Whatever the words of a text, there is a scene that can be written, or a message that says what would be
+    /// accepted.
     #[test]
     fn no_words_make_it_panic(words in proptest::collection::vec(word(), 0..80)) {
         match cif(&words.join(" "), &Options::default()) {

@@ -45,7 +45,8 @@ fn an_atom_is_a_sphere_at_its_place() {
     assert_eq!(imported.report["atoms_drawn"], 1);
 }
 
-/// Short lines, CRLF, an old Mac's CR, lower case, a byte order mark, Latin-1 in a remark, odd serial numbers, and lines of other records.
+/// Short lines, CRLF, an old Mac's CR, lower case, a byte order mark, Latin-1 in a remark, odd serial numbers, and
+/// lines of other records.
 #[test]
 fn what_other_programs_write_is_read() {
     let crlf = format!("REMARK\r\n{ONE}\r\nTER\r\nEND\r\n");
@@ -301,7 +302,8 @@ fn the_helix_is_drawn_in_every_style() {
     }
 }
 
-/// Every stick of the helix is prepared because its ends are no steep planes, whatever the direction of its bond: a fan of bonds across the line of sight.
+/// Every stick of the helix is prepared because its ends are no steep planes, whatever the direction of its bond: a
+/// fan of bonds across the line of sight.
 #[test]
 fn no_direction_of_a_bond_is_refused() {
     let mut text = String::new();
@@ -411,7 +413,8 @@ fn options() -> impl Strategy<Value = Options> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
-    /// Whatever the bytes, there is a scene that is valid and is read back as the same, or a message that says what would be accepted.
+    /// Whatever the bytes, there is a scene that is valid and is read back as the same, or a message that says what
+    /// would be accepted.
     #[test]
     fn no_bytes_make_it_panic(lines in proptest::collection::vec(line(), 0..30), options in options(), end in prop_oneof![Just("\n"), Just("\r\n"), Just("\r")]) {
         let text = lines.join(end.as_bytes());

@@ -1,4 +1,5 @@
-//! STEP files that others wrote, and machine parts written by a CAD kernel, against that kernel's counts (`scripts/step_witness.py`, `parts/machine/faces.json`).
+//! STEP files that others wrote, and machine parts written by a CAD kernel, against that kernel's counts
+//! (`scripts/step_witness.py`, `parts/machine/faces.json`).
 
 use imogene_import::faces::{FaceOptions, read_step};
 use imogene_import::{ImportError, Imported};
@@ -29,7 +30,8 @@ fn counts(imported: &Imported) -> [u64; 4] {
     ]
 }
 
-/// Solids and faces as OpenCASCADE 7.9.3 counts them, and how many of the faces are drawn: of the screw all but its helicoids.
+/// Solids and faces as OpenCASCADE 7.9.3 counts them, and how many of the faces are drawn: of the screw all but its
+/// helicoids.
 #[test]
 fn files_of_others_have_the_faces_that_opencascade_counts() {
     for (name, solids, faces, free_form) in [
@@ -77,7 +79,8 @@ fn machine_parts_are_whole_within_a_hundredth_of_a_millimetre() {
     }
 }
 
-/// A shape that describes a property of a product draws nothing: the file has its solid twice, the product places it once.
+/// A shape that describes a property of a product draws nothing: the file has its solid twice, the product places it
+/// once.
 #[test]
 fn properties_are_no_parts() {
     let text = std::fs::read_to_string(root().join("parts/nut.step")).unwrap();

@@ -1,4 +1,5 @@
-//! STEP files of `parts/` against what they were made from: unions and differences of bodies, asked point by point, and face lists.
+//! STEP files of `parts/` against what they were made from: unions and differences of bodies, asked point by point,
+//! and face lists.
 
 mod common;
 
@@ -46,7 +47,8 @@ fn normal(surface: &Surface, p: Vector) -> Vector {
     surface.normal_at(p).expect("not at an apex")
 }
 
-/// Whether the border of a body passes through a point of a surface, and then whether the body is on the side of the surface's normal. Nothing near an edge.
+/// Whether the border of a body passes through a point of a surface, and then whether the body is on the side of the
+/// surface's normal. Nothing near an edge.
 fn on_border(
     inside: &dyn Fn(Vector) -> bool,
     surface: &Surface,
@@ -77,7 +79,8 @@ fn on_border(
     around.into_iter().all(|q| at(q) == own).then_some(own)
 }
 
-/// Every face of a solid at random points of its surface: a point is kept by a face on that surface if the body ends there, and the body is on the right side.
+/// Every face of a solid at random points of its surface: a point is kept by a face on that surface if the body ends
+/// there, and the body is on the right side.
 fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
     let faces = compiled(part, solid);
     let size = part.model.size();
@@ -295,7 +298,8 @@ fn a_cross_drilled_pin_is_off_by_no_more_than_it_says() {
     agrees(&part, 0, &body);
 }
 
-/// The same parts as face lists: as many faces of every kind, on the same surfaces, with the same verdicts, the body on the same side and the same points kept.
+/// The same parts as face lists: as many faces of every kind, on the same surfaces, with the same verdicts, the body
+/// on the same side and the same points kept.
 #[test]
 fn step_files_and_face_lists_of_the_same_part_agree() {
     for name in ["flange", "fillet", "cross-drilled"] {

@@ -1,4 +1,5 @@
-//! Texts of STEP files: other words for the same part, units, placements, colours, curves, and what is rejected by its name.
+//! Texts of STEP files: other words for the same part, units, placements, colours, curves, and what is rejected by its
+//! name.
 
 mod common;
 
@@ -155,7 +156,8 @@ fn lengths_are_in_the_units_of_the_file() {
     is_whole(&inch, [-25.4, -25.4, 0.0], [25.4, 25.4, 50.8]);
 }
 
-/// A frustum, radius 1 below and 3 above: 45 degrees, in units of the angle that are degrees or radians, and with the nappe from both sides.
+/// A frustum, radius 1 below and 3 above: 45 degrees, in units of the angle that are degrees or radians, and with the
+/// nappe from both sides.
 #[test]
 fn angles_are_in_the_units_of_the_file() {
     let wide = ("#63=CIRCLE('',#81,1.);", "#63=CIRCLE('',#81,3.);");
@@ -350,7 +352,8 @@ fn mapped_items_are_placed() {
     );
 }
 
-/// The bar as the only component of an assembly, its upper end at a place of the assembly; the relationship from the component or, as the products say, from the assembly.
+/// The bar as the only component of an assembly, its upper end at a place of the assembly; the relationship from the
+/// component or, as the products say, from the assembly.
 #[test]
 fn components_are_placed() {
     let shape = "#1=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#2),#3);";
@@ -376,7 +379,8 @@ fn components_are_placed() {
     }
 }
 
-/// Half an ellipse, a parabola and a spline as the borders of one plane face each, closed by a line from (-2, 0, 0) to (2, 0, 0).
+/// Half an ellipse, a parabola and a spline as the borders of one plane face each, closed by a line from (-2, 0, 0) to
+/// (2, 0, 0).
 #[test]
 fn open_curves_run_from_vertex_to_vertex() {
     let text = |curve: &str, sense: &str| {

@@ -1,4 +1,5 @@
-//! Structure files in all their formats: published ones against what another program counts, and what each format may hold.
+//! Structure files in all their formats: published ones against what another program counts, and what each format may
+//! hold.
 
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
 use imogene_import::{Imported, Kind, is_compressed, unpack};
@@ -104,7 +105,8 @@ fn published_files_hold_what_another_program_counts() {
     }
 }
 
-/// The same entry in two formats is the same scene, apart from the chains of water and the numbers of atoms, which the formats have their own of.
+/// The same entry in two formats is the same scene, apart from the chains of water and the numbers of atoms, which the
+/// formats have their own of.
 #[test]
 fn formats_of_an_entry_agree() {
     let options = Options {

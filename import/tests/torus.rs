@@ -1,4 +1,5 @@
-//! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the deviation, and no other place has.
+//! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the
+//! deviation, and no other place has.
 
 use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, Surface, Verdict, compile};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -61,7 +62,8 @@ fn covering(part: &Part, compiled: &Compiled, u: f64, v: f64, off: f64) -> usize
     compiled.cells.iter().filter(has).count()
 }
 
-/// Asks places all over the torus; `inside` says which are of the face, `border` how far a place is from its border (radians).
+/// Asks places all over the torus; `inside` says which are of the face, `border` how far a place is from its border
+/// (radians).
 fn agrees(
     part: &Part,
     index: usize,
@@ -113,7 +115,8 @@ fn a_whole_ring_is_bands_all_round() {
     }
 }
 
-/// Between the foot of a fillet (v = 270 degrees) and its top (v = 180 degrees), and the other three quarters of the same ring.
+/// Between the foot of a fillet (v = 270 degrees) and its top (v = 180 degrees), and the other three quarters of the
+/// same ring.
 #[test]
 fn a_fillet_is_a_quarter_and_its_rest_three() {
     let circle = |name: &str, y: f64, radius: f64| {

@@ -1,5 +1,5 @@
-//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, beside a plain floating-point ray caster that
-//! solves the same object on the same pixels (front depth, face and normal).
+//! Pixels per second, on one thread, of the golden quadric processor with three cut planes, beside a plain
+//! floating-point ray caster that solves the same object on the same pixels (front depth, face and normal).
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use imogene_models::format::Format;

@@ -1,4 +1,5 @@
-//! Objects whose depth is a quotient: the eye lies on them, or looks along an asymptotic direction; golden picture against exact picture.
+//! Objects whose depth is a quotient: the eye lies on them, or looks along an asymptotic direction; golden picture
+//! against exact picture.
 
 mod common;
 
@@ -77,7 +78,8 @@ impl Pictures {
         })
     }
 
-    /// Faces are the exact ones but at edges, and depths of the quadric within their bound; returns the pixels that show it.
+    /// Faces are the exact ones but at edges, and depths of the quadric within their bound; returns the pixels that
+    /// show it.
     fn check(&self) -> Result<usize, String> {
         let bound = parts(&self.prepared).depth_bound.unwrap_or(0.0);
         let unit = f64::from(1u32 << DEPTH_FRACTION);
@@ -170,8 +172,8 @@ proptest! {
     }
 }
 
-/// The inner wall of a ball of radius D about the origin, on which the eye lies: `x^2 + y^2 + z^2 = D^2` is met again at `z_p = (x^2 + y^2 - D^2) / (2 D) + D ..`;
-/// at the middle pixel at z = D, that is z_p = D / 2 exactly.
+/// The inner wall of a ball of radius D about the origin, on which the eye lies: `x^2 + y^2 + z^2 = D^2` is met again
+/// at `z_p = (x^2 + y^2 - D^2) / (2 D) + D ..`; at the middle pixel at z = D, that is z_p = D / 2 exactly.
 #[test]
 fn the_far_wall_of_a_ball_is_half_way_to_infinity() {
     let ball = object("ball", Surface::Patch, sphere([0, 0, 0], D), &[]);
@@ -193,7 +195,8 @@ fn the_far_wall_of_a_ball_is_half_way_to_infinity() {
     }
 }
 
-/// A paraboloid along its axis: `z = (x^2 + y^2) / 100 - 100`, whole numbers of depth words times a constant, seen from within.
+/// A paraboloid along its axis: `z = (x^2 + y^2) / 100 - 100`, whole numbers of depth words times a constant, seen
+/// from within.
 #[test]
 fn parallel_lines_along_an_asymptotic_direction() {
     let bowl = whole_quadric([1, 1, 0, 0, 0, 0, 0, 0, -50, -10_000]);

@@ -131,7 +131,8 @@ proptest! {
 
 const AHEAD: &str = "kind = \"perspective\"\neye = [0, 0, 40]\ntarget = [0, 0, 0]\nviewer_distance = 40\nview_height = 10";
 
-/// One ball before five, one beside them in full view, two off the picture, one behind the viewer, one that the edge of the picture cuts.
+/// One ball before five, one beside them in full view, two off the picture, one behind the viewer, one that the edge
+/// of the picture cuts.
 #[test]
 fn what_is_left_out_is_counted() {
     let front = [([0.0, 0.0, 0.0], 2.5)];
@@ -164,8 +165,8 @@ fn what_is_left_out_is_counted() {
     assert!(seen.frame.id.contains(&6) && seen.frame.id.contains(&10));
 }
 
-/// A ball slides out from behind another. As soon as it has a pixel of the whole picture it is kept; a bound of the outline that
-/// is too tight by less than a pixel would leave it out where it has one.
+/// A ball slides out from behind another. As soon as it has a pixel of the whole picture it is kept; a bound of the
+/// outline that is too tight by less than a pixel would leave it out where it has one.
 #[test]
 fn a_ball_that_shows_one_pixel_is_kept() {
     let (mut single, mut hidden) = (0, 0);
@@ -184,8 +185,8 @@ fn a_ball_that_shows_one_pixel_is_kept() {
     assert!(hidden > 0, "it is never left out");
 }
 
-/// A ball in another that is larger by less and less: in the end both have the same words of depth, and the first one, which is the inner
-/// one, is seen, though true depths say that it is hidden.
+/// A ball in another that is larger by less and less: in the end both have the same words of depth, and the first one,
+/// which is the inner one, is seen, though true depths say that it is hidden.
 #[test]
 fn a_ball_that_only_rounding_shows_is_kept() {
     let (mut let_through, mut hidden) = (0, 0);
@@ -231,7 +232,8 @@ fn a_scene_with_shadows_keeps_all_its_objects() {
     assert_eq!(hidden(spot), 0);
 }
 
-/// The golden picture of what is left is that of the exact reference of the whole scene, as far as that of the whole scene is.
+/// The golden picture of what is left is that of the exact reference of the whole scene, as far as that of the whole
+/// scene is.
 #[test]
 fn the_exact_picture_needs_no_more() {
     let balls: Vec<Ball> = (0..60)

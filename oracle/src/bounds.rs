@@ -1,7 +1,8 @@
 //! How far a golden depth may be from the true one at a pixel where both see the same face, by the kind of processor.
 //!
-//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_models::check::depth_bound`]), and so has the first generation, which
-//! has the depth words of the quadric processor. The others follow from what their words are rounded from.
+//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_models::check::depth_bound`]),
+//! and so has the first generation, which has the depth words of the quadric processor. The others follow from what
+//! their words are rounded from.
 
 use crate::body::Body;
 use imogene_models::check::depth_bound;
@@ -27,7 +28,8 @@ enum Bound {
     Proven(Box<PreparedQuadric>),
     /// The same at every pixel of a face: of number 0, and of any other.
     Level([f64; 2]),
-    /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a 32nd of a pixel off.
+    /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a
+    /// 32nd of a pixel off.
     Facets(Vec<(u32, f64)>),
 }
 
@@ -94,7 +96,8 @@ impl Bounds {
         }
     }
 
-    /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; nothing for objects that are no facets.
+    /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; nothing for objects that
+    /// are no facets.
     pub fn one_pixel_on(&self, object: u32, part: u32) -> Option<f64> {
         match &self.objects[object as usize] {
             Bound::Facets(facets) => {
@@ -105,7 +108,8 @@ impl Bounds {
     }
 }
 
-/// Objects of the first generation are prepared once more for the quadric processor, which has the same depth words and states their bounds.
+/// Objects of the first generation are prepared once more for the quadric processor, which has the same depth words
+/// and states their bounds.
 fn as_quadrics(
     scene: &FramedScene,
     prepared: &PreparedScene,

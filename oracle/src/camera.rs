@@ -4,8 +4,9 @@
 //! t is 1 at twice the near end and the depth of a point, as a share of the depth word's greatest value, is
 //! `1 - 1/t`; in parallel projection it is t itself, -1 at the near end and 1 at the far end.
 //!
-//! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the exact scene with these numbers, so that a
-//! line of sight follows the dual axes: the cross products of the others over the determinant.
+//! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the
+//! exact scene with these numbers, so that a line of sight follows the dual axes: the cross products of the others
+//! over the determinant.
 
 use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;

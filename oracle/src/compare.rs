@@ -8,12 +8,14 @@
 //! that facet. Wherever they show the same face, their depths may differ by the proven bound of that face at that
 //! pixel and no more.
 //!
-//! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A pixel is *tied* if the face that the golden
-//! picture shows is there for the tracer as well, and nearer to the one that it sees than the bounds of both allow to tell: rounded words cannot know which is first.
-//! Of a facet it is enough that it is at one of the eight pixels about it, with the depth it has one pixel on, and that no nearer face is seen: its corners are rounded.
+//! Two faces may coincide, as those of the cells that one CAD face is divided into, or of two objects that touch. A
+//! pixel is *tied* if the face that the golden picture shows is there for the tracer as well, and nearer to the one
+//! that it sees than the bounds of both allow to tell: rounded words cannot know which is first. Of a facet it is
+//! enough that it is at one of the eight pixels about it, with the depth it has one pixel on, and that no nearer face
+//! is seen: its corners are rounded.
 //!
-//! A pixel is *announced* if `imogene check` says beforehand, from the words alone, that rounding may change its face: so an outline has its own stated band, wider than a pixel
-//! where the words are too short for the object.
+//! A pixel is *announced* if `imogene check` says beforehand, from the words alone, that rounding may change its face:
+//! so an outline has its own stated band, wider than a pixel where the words are too short for the object.
 
 use crate::bounds::Bounds;
 use crate::trace::{Traced, TracedPixel, Tracer};
@@ -226,14 +228,16 @@ fn pixel(
     Mark::Depth
 }
 
-/// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in floating point, and what the entries of rotations, which the
-/// preparation computes by other formulas, may differ by: some units in the last place of the depth range.
+/// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in floating
+/// point, and what the entries of rotations, which the preparation computes by other formulas, may differ by: some
+/// units in the last place of the depth range.
 fn slack(pixel: &TracedPixel, format: &Format) -> f64 {
     let z_max = format.z_max() as f64;
     0.5 * pixel.depth.width() * z_max + 16.0 * f64::EPSILON * z_max
 }
 
-/// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced one than both bounds.
+/// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced one
+/// than both bounds.
 fn is_tied(
     tracer: &Tracer,
     bounds: &Bounds,

@@ -1,4 +1,5 @@
-//! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one sign.
+//! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one
+//! sign.
 
 use crate::camera::Sight;
 use crate::decide::{Cell, Verdict};
@@ -231,7 +232,8 @@ impl Triangle {
     }
 }
 
-/// The determinant of the beginning of a line, its direction and two points; of first degree, since beginning or direction is the same for all lines.
+/// The determinant of the beginning of a line, its direction and two points; of first degree, since beginning or
+/// direction is the same for all lines.
 fn volume(p: &Vector, q: &Vector, sight: &Sight) -> Form {
     let det = |from: &Vector, along: &Vector| determinant([from, along, p, q]);
     let (from, along) = (&sight.from, &sight.along);
@@ -267,7 +269,8 @@ fn plane_through(a: &Vector, b: &Vector, c: &Vector) -> Vector {
 
 /// The triangles of a face, and whether each begins a facet of its own.
 ///
-/// A flat convex quadrangle is one facet; any other is two triangles that meet in the diagonal from the first corner if that is inside, else from the second.
+/// A flat convex quadrangle is one facet; any other is two triangles that meet in the diagonal from the first corner
+/// if that is inside, else from the second.
 fn split(vertices: &[Vector], corners: &[usize]) -> Vec<(bool, [usize; 3])> {
     let &[a, b, c, d] = corners else {
         return vec![(true, [corners[0], corners[1], corners[2]])];

@@ -1,4 +1,5 @@
-//! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4 and IV.2.5).
+//! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4
+//! and IV.2.5).
 //!
 //! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding
 //! ([`Jury`]), or if an object of a processor without such bounds can be on it. Open pixels are solved exactly and

@@ -32,7 +32,8 @@ pub struct Compared {
     pub scene: (FramedScene, PreparedScene),
 }
 
-/// Draws a scene by the golden model and by the tracer, and compares; `progress` gets the number of steps, once for each of them.
+/// Draws a scene by the golden model and by the tracer, and compares; `progress` gets the number of steps, once for
+/// each of them.
 ///
 /// # Errors
 ///

@@ -1,7 +1,8 @@
-//! A picture by rays: cells of pixels that are quartered until few objects are left, then every pixel by intervals, then exactly where they cannot tell.
+//! A picture by rays: cells of pixels that are quartered until few objects are left, then every pixel by intervals,
+//! then exactly where they cannot tell.
 //!
-//! An object leaves the list of a cell when intervals prove that it is nowhere on it, or behind another that is everywhere on it. Nothing is left open:
-//! exact arithmetic always decides, so no pixel of the result is uncertain.
+//! An object leaves the list of a cell when intervals prove that it is nowhere on it, or behind another that is
+//! everywhere on it. Nothing is left open: exact arithmetic always decides, so no pixel of the result is uncertain.
 
 use crate::body::Body;
 use crate::camera::Sight;
@@ -17,7 +18,8 @@ use std::cmp::Ordering;
 const LARGEST: u32 = 64;
 /// Side of cells that are not quartered further.
 const SMALLEST: u32 = 4;
-/// A depth that is known less closely, as a share of the greatest depth word, is taken from the exact root: 2^-13 words of 24 bits, 2^-5 of 32.
+/// A depth that is known less closely, as a share of the greatest depth word, is taken from the exact root: 2^-13
+/// words of 24 bits, 2^-5 of 32.
 const CLOSE: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// What is seen at a pixel.

@@ -13,7 +13,8 @@ use imogene_oracle::compare::{Comparison, Mark, compare};
 use imogene_oracle::run::{Outcome, run};
 use imogene_oracle::trace::{Traced, Tracer};
 
-/// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are announced far from the edge.
+/// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are
+/// announced far from the edge.
 const WITHOUT_BOUNDS: [&str; 1] = ["flat-as-a-leaf"];
 
 /// The picture of the check is the scene's own size where that is small: the extremes are made for it.

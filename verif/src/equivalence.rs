@@ -1,11 +1,12 @@
 //! Is the emitted text the same circuit as rust-hdl's own? A proof by Yosys, unit by unit.
 //!
-//! Both texts are elaborated and their registers paired by name: the emitter keeps the names of the blocks, so that rust-hdl's
-//! `stages$3.kept_root` is our `stages_3.kept_root`. Paired registers must have the same width, clock edge and initial value. Then they are
-//! cut: each value becomes an input, each next value and clock an output, of both texts under the same name. What is left has no state, and
-//! Yosys' SAT solver shows that all outputs are equal for every value of all inputs. By induction over the clocks the two circuits then give
-//! equal outputs for every sequence of inputs of any length. Undefined and undriven bits are zeros on one side and ones on the other, so
-//! that none of them can matter.
+//! Both texts are elaborated and their registers paired by name: the emitter keeps the names of the blocks, so that
+//! rust-hdl's `stages$3.kept_root` is our `stages_3.kept_root`. Paired registers must have the same width, clock edge
+//! and initial value. Then they are cut: each value becomes an input, each next value and clock an output, of both
+//! texts under the same name. What is left has no state, and Yosys' SAT solver shows that all outputs are equal for
+//! every value of all inputs. By induction over the clocks the two circuits then give equal outputs for every sequence
+//! of inputs of any length. Undefined and undriven bits are zeros on one side and ones on the other, so that none of
+//! them can matter.
 
 mod netlist;
 pub mod sequential;
@@ -71,7 +72,8 @@ pub struct Text<'a> {
     pub verilog: &'a str,
 }
 
-/// Compares the emitted text of a unit with rust-hdl's own, as rust-hdl prints it or with the ranges that [`with_ranges`] adds.
+/// Compares the emitted text of a unit with rust-hdl's own, as rust-hdl prints it or with the ranges that
+/// [`with_ranges`] adds.
 ///
 /// # Errors
 ///
@@ -97,7 +99,8 @@ pub fn unit(request: &EmitRequest, ranges: bool) -> Result<Comparison, Equivalen
 
 /// Gives rust-hdl's signed constants the range of their value.
 ///
-/// rust-hdl prints `localparam signed limit = 26'h3800001;`. A parameter with a sign and no range takes the range of its value and is signed
+/// rust-hdl prints `localparam signed limit = 26'h3800001;`. A parameter with a sign and no range takes the range of
+/// its value and is signed
 ///, and Icarus Verilog and Verilator read it so; Yosys takes the sign of the value, which has none.
 pub fn with_ranges(raw: &str) -> String {
     let line = |line: &str| -> String {

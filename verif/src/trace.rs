@@ -224,8 +224,8 @@ impl Sample {
     }
 }
 
-/// A signal of the save file under a name of its own: decimal for numbers, binary for bits. 420 is signed decimal, 24 decimal,
-/// 28 binary.
+/// A signal of the save file under a name of its own: decimal for numbers, binary for bits. 420 is signed decimal, 24
+/// decimal, 28 binary.
 fn entry(scope: &str, signal: &Signal, shown: &str) -> String {
     let format = match (signal.width, signal.signed) {
         (1, _) => "@28",

@@ -9,7 +9,8 @@ pub struct LookOptions {
     /// Look from this side: the eye goes there about the target, as far away as it is.
     #[arg(long = "view", value_enum, value_name = "SIDE")]
     side: Option<SideName>,
-    /// Turn what is seen, by degrees about the picture's directions to the right, upwards and, if a third angle is given, towards the viewer, in this order.
+    /// Turn what is seen, by degrees about the picture's directions to the right, upwards and, if a third angle is
+    /// given, towards the viewer, in this order.
     #[arg(long, value_name = "AX,AY[,AZ]", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<[f64; 3]>,
     /// Move the eye, without turning it, until all visible objects fill the picture up to 4 %.

@@ -32,8 +32,8 @@ pub struct Scene {
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
     #[arg(long, default_value = "0:0", value_name = "G1:G2")]
     pub guards: Guards,
-    /// Every width of a machine that is fitted to a scene, instead of --format and --guards: depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what
-    /// is left out follows from the depth.
+    /// Every width of a machine that is fitted to a scene, instead of --format and --guards:
+    /// depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what is left out follows from the depth.
     #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
     pub widths: Option<Widths>,
     /// How it is looked at.
@@ -90,8 +90,8 @@ pub struct Render {
     /// Another look at it.
     #[command(flatten)]
     pub look: LookOptions,
-    /// Smooth the picture as the machine's accumulator does: the mean of so many pictures, 4 or 16, that sample other places of each pixel. Depth words, indices
-    /// and normals stay those of the plain picture.
+    /// Smooth the picture as the machine's accumulator does: the mean of so many pictures, 4 or 16, that sample other
+    /// places of each pixel. Depth words, indices and normals stay those of the plain picture.
     #[arg(long, value_name = "COUNT", value_parser = samples, conflicts_with_all = ["zone", "split", "frames"])]
     pub samples: Option<u32>,
     /// Round the coefficients anew for each zone of so many columns and lines, 8 or more (model golden).
@@ -107,8 +107,8 @@ pub struct Render {
     /// folder].
     #[arg(short = 'o', long = "output", value_name = "FILE.png")]
     pub output: Option<PathBuf>,
-    /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and so on, animation.png and frames.json in the
-    /// folder of --output.
+    /// Draw the frames of the scene's animation, all or those from FIRST to LAST, counted from 1: frame-0001.png and
+    /// so on, animation.png and frames.json in the folder of --output.
     #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "",
           conflicts_with_all = ["zone", "depth", "ids", "normals", "frame", "side", "rotate", "fit", "zoom"])]
     pub frames: Option<FrameRange>,

@@ -1,4 +1,5 @@
-//! Rational Bezier patches, and polynomials over them in the Bernstein basis: what bounds a polynomial over a whole patch is its greatest coefficient.
+//! Rational Bezier patches, and polynomials over them in the Bernstein basis: what bounds a polynomial over a whole
+//! patch is its greatest coefficient.
 
 use super::vector::{Vector, cross};
 
@@ -72,7 +73,8 @@ fn casteljau(poles: &[Pole], t: f64) -> (Pole, Pole) {
     (points[0], slope)
 }
 
-/// A polynomial in two variables; coefficients of the Bernstein basis times their binomials, so that products are convolutions.
+/// A polynomial in two variables; coefficients of the Bernstein basis times their binomials, so that products are
+/// convolutions.
 #[derive(Clone, Debug)]
 pub struct Bernstein {
     degrees: [usize; 2],

@@ -1,7 +1,8 @@
-//! Quadrics and tori in disguise: free-form surfaces that are planes, cylinders, cones, spheres or tori but for the digits of their file.
+//! Quadrics and tori in disguise: free-form surfaces that are planes, cylinders, cones, spheres or tori but for the
+//! digits of their file.
 //!
-//! A candidate is fitted to places and normals; what it is off is then bounded over the whole surface, not at places: the equation of the
-//! candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
+//! A candidate is fitted to places and normals; what it is off is then bounded over the whole surface, not at places:
+//! the equation of the candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
 
 use super::bezier::{Bernstein, Patch};
 use super::surface::Surface;
@@ -384,7 +385,8 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
             let up = along(apex, axis).squared();
             let scaled = out.plus(-(sine / cosine).powi(2), &up);
             let product = cosine * cosine * scaled.bound() / (weight * weight);
-            // The product of the distances from the cone and from its mirror image, which is at least the height times twice the sine.
+            // The product of the distances from the cone and from its mirror image, which is at least the height times
+            // twice the sine.
             let height = patch
                 .hull()
                 .map(|p| dot(minus(p, apex), axis))

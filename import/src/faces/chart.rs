@@ -65,7 +65,8 @@ pub enum Chart {
 }
 
 impl Chart {
-    /// A chart of a surface in which none of the separators lies along a line that matters; nothing for a surface that is none of the four.
+    /// A chart of a surface in which none of the separators lies along a line that matters; nothing for a surface that
+    /// is none of the four.
     pub fn of(surface: &Surface, separators: &[Separator]) -> Option<Chart> {
         Some(match *surface {
             Surface::Plane { origin, normal } => Chart::Plane {

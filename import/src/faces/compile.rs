@@ -226,8 +226,8 @@ pub fn compiled(
     }
 }
 
-/// How far the border of a face is off the straight line between the two of its places that are farthest apart: a face as thin as the tolerance
-/// has nothing to draw.
+/// How far the border of a face is off the straight line between the two of its places that are farthest apart: a face
+/// as thin as the tolerance has nothing to draw.
 fn thickness(model: &Model, face: &Face) -> f64 {
     let border = face.border();
     let points: Vec<Vector> = border
@@ -342,7 +342,8 @@ fn upright(curve: &Curve, surface: &Surface, planes: &mut Planes) -> Option<usiz
     (length(across) > 0.0).then(|| planes.find_or_add(from, unit(across)))
 }
 
-/// Planes halfway between loops with edges that are taken apart: what bounds one has nothing to do with what bounds the other.
+/// Planes halfway between loops with edges that are taken apart: what bounds one has nothing to do with what bounds
+/// the other.
 fn between_loops(model: &Model, face: &Face) -> Vec<(Vector, Vector)> {
     let spatial = |edge: usize| {
         let curve = &model.edges[edge].curve;

@@ -21,10 +21,11 @@ const MARGIN: f64 = 1.05;
 pub struct Course {
     /// Straight or planar curves, one after the other.
     pub pieces: Vec<Curve>,
-    /// What a plane face has in the place of the pieces, if that is not the same, and how far it is off them, scene units: chords of an edge
-    /// about a torus.
+    /// What a plane face has in the place of the pieces, if that is not the same, and how far it is off them, scene
+    /// units: chords of an edge about a torus.
     pub chords: Option<(Vec<Curve>, f64)>,
-    /// Greatest distance between the edge and the curve in which a plane of a piece meets a surface of the edge, scene units; 0 if the edge is planar.
+    /// Greatest distance between the edge and the curve in which a plane of a piece meets a surface of the edge, scene
+    /// units; 0 if the edge is planar.
     pub deviation: f64,
 }
 
@@ -213,10 +214,11 @@ fn piece(run: &[Vector], surfaces: &[&Surface]) -> Option<(Curve, f64)> {
     Some((curve, most))
 }
 
-/// Normals of planes through the ends of a run that meet both surfaces as steeply as one plane can: halfway between the normals of the surfaces.
+/// Normals of planes through the ends of a run that meet both surfaces as steeply as one plane can: halfway between
+/// the normals of the surfaces.
 ///
-/// The plane of the least deviation would be the osculating one; but that is often nearly tangent to one of the surfaces, follows the edge far beyond its
-/// piece, and leaves slivers between the continued pieces.
+/// The plane of the least deviation would be the osculating one; but that is often nearly tangent to one of the
+/// surfaces, follows the edge far beyond its piece, and leaves slivers between the continued pieces.
 fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
     let (first, last) = (run[0], run[run.len() - 1]);
     let chord = unit(minus(last, first));
@@ -268,7 +270,8 @@ fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Option
 mod tests {
     use super::*;
 
-    /// Viviani's curve: the sphere of radius 2 and the cylinder of radius 1 through its centre; (1 + cos t, sin t, 2 sin t/2).
+    /// Viviani's curve: the sphere of radius 2 and the cylinder of radius 1 through its centre; (1 + cos t, sin t, 2
+    /// sin t/2).
     fn viviani(count: usize) -> (Vec<Vector>, [Surface; 2]) {
         let points = (0..count)
             .map(|k| {
@@ -318,7 +321,8 @@ mod tests {
                 }
             }
         }
-        // The sagitta of a piece goes with the square of its length: sqrt(10) = 3.16 times the pieces for a tenth of the deviation.
+        // The sagitta of a piece goes with the square of its length: sqrt(10) = 3.16 times the pieces for a tenth of
+        // the deviation.
         let growth = (counts[3] as f64 / counts[0] as f64).powf(1.0 / 30.0_f64.log10());
         assert!((2.4..=3.9).contains(&growth), "{counts:?}");
     }

@@ -1,6 +1,7 @@
 //! Faces of CAD parts: a list of faces on planes, cylinders, cones and spheres becomes quadrics with cut planes.
 //!
-//! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason. `docs/cad-faces.md` is the user's page.
+//! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason.
+//! `docs/cad-faces.md` is the user's page.
 
 mod arc;
 mod arrangement;
@@ -80,8 +81,8 @@ pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported,
     imported(&compile(bytes, file, options)?, file, &[])
 }
 
-/// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report. `beside` opens the files of
-/// parts that are not in this one.
+/// Reads a STEP file and compiles it to a scene; what the file says of itself is the entry `step` of the report.
+/// `beside` opens the files of parts that are not in this one.
 pub fn read_step(
     bytes: &[u8],
     file: &str,

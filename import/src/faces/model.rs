@@ -5,7 +5,8 @@ use super::surface::Surface;
 use super::vector::{Vector, plus, times};
 use imogene_models::scene::Material;
 
-/// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number of 15.
+/// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number
+/// of 15.
 pub const COINCIDENT: f64 = 1e-9;
 
 /// Share of the size of a part by which a surface may be off the quadric that it is taken for.

@@ -1,8 +1,9 @@
 //! Which side of its border a face of a sphere or a torus is on, where the words of a file contradict themselves.
 //!
-//! Both sides of such a border are bounded, so that the direction of the loops alone says which is the face. Some systems write surfaces with
-//! left-handed frames, which a file cannot express, and with them loops that run the wrong way round. Two things tell: a seam lies within its
-//! face, and an edge is passed in opposite directions by the two faces that have it.
+//! Both sides of such a border are bounded, so that the direction of the loops alone says which is the face. Some
+//! systems write surfaces with left-handed frames, which a file cannot express, and with them loops that run the wrong
+//! way round. Two things tell: a seam lies within its face, and an edge is passed in opposite directions by the two
+//! faces that have it.
 
 use super::model::{EdgeUse, Face, Model};
 use super::surface::Surface;

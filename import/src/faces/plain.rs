@@ -1,4 +1,5 @@
-//! Edges that are simpler than their file says: splines that are lines, lie in a plane or are circles but for the digits of the file.
+//! Edges that are simpler than their file says: splines that are lines, lie in a plane or are circles but for the
+//! digits of the file.
 
 use super::curve::{Curve, common_plane};
 use super::model::Model;
@@ -185,7 +186,8 @@ mod tests {
         model
     }
 
-    /// A wave in the plane z = 2, off by so much, as the border of a face in that plane; the part has a size of about 3.
+    /// A wave in the plane z = 2, off by so much, as the border of a face in that plane; the part has a size of
+    /// about 3.
     #[test]
     fn what_is_in_a_plane_but_for_digits_is_in_the_plane() {
         let plane = Surface::Plane {

@@ -1,4 +1,5 @@
-//! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn exactly.
+//! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
+//! exactly.
 
 use super::arrangement::{Boundary, Sample};
 use super::compile::{
@@ -218,7 +219,8 @@ impl Border<'_> {
         Ok(())
     }
 
-    /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on the face.
+    /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
+    /// the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector, planes: &mut Planes) -> usize {
         let mut own = None;
         for other in self.model.neighbours(self.face, edge) {
@@ -235,7 +237,8 @@ impl Border<'_> {
         self.parting.plane(planes, plane, EDGE)
     }
 
-    /// The separator of a curved edge in the plane: the neighbour's quadric, or the cylinder upright on a circle or ellipse.
+    /// The separator of a curved edge in the plane: the neighbour's quadric, or the cylinder upright on a circle or
+    /// ellipse.
     fn conic(&mut self, edge: usize, curve: &Curve) -> Option<usize> {
         if !self.with_conics {
             return None;

@@ -60,8 +60,8 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
     })
 }
 
-/// Moves the eye of a checked scene to where the words of all objects fit the base format; if it is nowhere, the scene stays as it is, and the names of the objects that do not
-/// fit are given.
+/// Moves the eye of a checked scene to where the words of all objects fit the base format; if it is nowhere, the scene
+/// stays as it is, and the names of the objects that do not fit are given.
 pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> {
     let first = refusals(scene);
     if first.is_empty() {
@@ -140,14 +140,15 @@ fn cut(plane: SharedPlane, positive: bool) -> Cut {
     }
 }
 
-/// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance in sizes of the part.
+/// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance
+/// in sizes of the part.
 struct View {
     from: Vector,
     sizes: f64,
 }
 
-/// The first from which all objects fit their words is taken, and the first of all, above on the right, if there is none. A cone that is seen nearly along its
-/// side has great words: the eye is near the endless cone.
+/// The first from which all objects fit their words is taken, and the first of all, above on the right, if there is
+/// none. A cone that is seen nearly along its side has great words: the eye is near the endless cone.
 const VIEWS: [View; 5] = [
     View {
         from: [0.55, 0.62, 0.85],

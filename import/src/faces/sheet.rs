@@ -22,7 +22,8 @@ enum Profile {
     Tube(f64, f64),
 }
 
-/// A surface with coordinates. u runs eastwards, v northwards, and both turn counter-clockwise seen from the side of the surface's own normal.
+/// A surface with coordinates. u runs eastwards, v northwards, and both turn counter-clockwise seen from the side of
+/// the surface's own normal.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     origin: Vector,
@@ -166,7 +167,8 @@ impl Sheet {
         planes.find_or_add(along(self.origin, height, self.axis), self.axis)
     }
 
-    /// The cone, cylinder or nothing that joins the circles of two parallels, and that is nothing if both are in one plane.
+    /// The cone, cylinder or nothing that joins the circles of two parallels, and that is nothing if both are in one
+    /// plane.
     pub fn chord(&self, low: f64, high: f64) -> Option<Surface> {
         let [(out, up), (other, higher)] = [self.meridian(low), self.meridian(high)];
         let (rise, spread) = (higher - up, other - out);

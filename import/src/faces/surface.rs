@@ -145,7 +145,8 @@ impl Surface {
         matches!(self, Self::Plane { .. })
     }
 
-    /// The quadric, negative on the side of the axis or centre; nothing for a plane or another surface. That of a cone has both nappes.
+    /// The quadric, negative on the side of the axis or centre; nothing for a plane or another surface. That of a cone
+    /// has both nappes.
     pub fn implicit(&self) -> Option<Implicit> {
         match *self {
             Self::Cylinder {
@@ -364,7 +365,8 @@ impl Surface {
     }
 }
 
-/// The tangent of an angle, exactly 1 at 45 degrees: its square is a coefficient, and the rounding of pi does not belong in it.
+/// The tangent of an angle, exactly 1 at 45 degrees: its square is a coefficient, and the rounding of pi does not
+/// belong in it.
 pub fn clean_tangent(angle: f64) -> f64 {
     let tangent = angle.tan();
     let rounded = (tangent * 1e12).round() / 1e12;

@@ -31,7 +31,8 @@ pub struct Rules<'a> {
 
 /// Terms of a parting, split until each is one object.
 ///
-/// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does not end on a plane, once more with the halves.
+/// First with the fewest sides for every term, which drops a plane that only halves a convex piece; where that does
+/// not end on a plane, once more with the halves.
 pub fn terms(
     model: &Model,
     surface: &Surface,

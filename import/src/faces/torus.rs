@@ -1,7 +1,8 @@
 //! Faces on a torus: bands of cones that meet in circles of the torus.
 //!
-//! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori with one radius of
-//! the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the plane face beside it.
+//! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori
+//! with one radius of the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the
+//! plane face beside it.
 
 use super::compile::{Compiled, compiled, deviation, parting};
 use super::courses::Courses;

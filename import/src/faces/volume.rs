@@ -1,6 +1,7 @@
 //! A whole solid as one volume: a quadric, its inside or its outside, cut by the planes of the plane faces.
 //!
-//! The form is not guessed but proven: on every surface of the solid the pieces that the AND of all half-spaces keeps are the faces.
+//! The form is not guessed but proven: on every surface of the solid the pieces that the AND of all half-spaces keeps
+//! are the faces.
 
 use super::arrangement::{Boundary, Division};
 use super::chart::Separator;

@@ -5,7 +5,8 @@ use super::structure::Atom;
 use super::words::{Word, Words};
 use std::collections::{BTreeMap, HashMap};
 
-/// A residue of a model: chain, number and insertion code. Its name is no part of it, because alternate locations may be of different residues.
+/// A residue of a model: chain, number and insertion code. Its name is no part of it, because alternate locations may
+/// be of different residues.
 type Residue = (Word, Word);
 
 /// Leaves one location of each atom, all of a residue from the same alternate as far as it has them.
@@ -55,7 +56,8 @@ struct Votes {
     order: usize,
 }
 
-/// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then those listed first.
+/// The alternates of a residue, the best first: the one asked for, then those of the highest mean occupancy, then
+/// those listed first.
 fn ranking(groups: &BTreeMap<Word, Vec<usize>>, atoms: &[Atom], asked: Option<Word>) -> Vec<Word> {
     let mut votes: BTreeMap<Word, Votes> = BTreeMap::new();
     for members in groups.values() {

@@ -4,13 +4,15 @@ use super::structure::{Atom, End, unusable};
 use crate::error::ImportError;
 use std::collections::{HashMap, HashSet};
 
-/// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel and Jmol).
+/// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel
+/// and Jmol).
 pub const TOLERANCE: f64 = 0.45;
 /// Atoms nearer than this are two locations of one, in angstroms: the shortest bond, that of H2, has 0.74.
 pub const NEAREST: f64 = 0.4;
 /// Most bonds of an atom; a metal in a cluster has twelve.
 const MOST_BONDS: usize = 16;
-/// Most atoms in a cell of the grid, which is a few angstroms wide; a crystal has about one for each six cubic angstroms.
+/// Most atoms in a cell of the grid, which is a few angstroms wide; a crystal has about one for each six cubic
+/// angstroms.
 const MOST_IN_A_CELL: usize = 256;
 
 /// The bonds of a model.
@@ -26,7 +28,8 @@ pub struct Bonds {
 
 type Cell = [i64; 3];
 
-/// Finds the bonds of the atoms of one model, which are copies that end at `copies`; what the file says holds within each copy.
+/// Finds the bonds of the atoms of one model, which are copies that end at `copies`; what the file says holds within
+/// each copy.
 pub fn find(
     atoms: &[Atom],
     copies: &[usize],

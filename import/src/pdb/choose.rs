@@ -177,7 +177,8 @@ fn kept(
     atoms
 }
 
-/// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what operator 2 makes of chain A.
+/// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what
+/// operator 2 makes of chain A.
 fn copied(
     atoms: &[Atom],
     parts: &[Moved],

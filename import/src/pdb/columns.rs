@@ -86,7 +86,8 @@ impl<'a> Columns<'a> {
         std::str::from_utf8(text).ok()?.parse().ok()
     }
 
-    /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not to be trusted.
+    /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not
+    /// to be trusted.
     pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64, ImportError> {
         let whole = self.text.len() >= last;
         let number = self.number(first, last).filter(|_| whole);

@@ -2,7 +2,8 @@
 
 use imogene_models::scene::{Body, Camera, ImageSize, Node, fitting_from};
 
-/// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper than a third of the distance.
+/// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper
+/// than a third of the distance.
 pub const DISTANCE_IN_RADII: f64 = 6.0;
 /// Size of the picture.
 pub const IMAGE: ImageSize = ImageSize {
@@ -15,8 +16,8 @@ const STEPS: usize = 200;
 /// A ball: middle and radius.
 pub type Ball = ([f64; 3], f64);
 
-/// A sphere around all balls, near the smallest: at each step its middle is drawn towards the ball that reaches farthest, by a share that falls as 1/n
-/// (M. Badoiu, K. Clarkson, "Smaller core-sets for balls", 2003).
+/// A sphere around all balls, near the smallest: at each step its middle is drawn towards the ball that reaches
+/// farthest, by a share that falls as 1/n (M. Badoiu, K. Clarkson, "Smaller core-sets for balls", 2003).
 pub fn bounding_sphere(balls: &[Ball]) -> Ball {
     let (low, high) = bounding_box(balls);
     let mut middle: [f64; 3] = std::array::from_fn(|k| 0.5 * (low[k] + high[k]));
@@ -77,7 +78,8 @@ impl Framing {
     }
 }
 
-/// A camera of which the balls fill the picture. It looks along the shortest side of the bounding box, with the longest across the picture: along a coordinate axis, so that the camera frame is exact.
+/// A camera of which the balls fill the picture. It looks along the shortest side of the bounding box, with the
+/// longest across the picture: along a coordinate axis, so that the camera frame is exact.
 pub fn frame(balls: &[Ball]) -> Framing {
     let (middle, radius) = bounding_sphere(balls);
     let (low, high) = bounding_box(balls);
@@ -159,8 +161,8 @@ mod tests {
     }
 
     proptest! {
-        /// Every ball is seen whole, and the one that reaches farthest leaves half of the margin of 4 % free, to what rounding moves: five digits of the
-        /// height and four behind the point of the target, beside radii from 0.3.
+        /// Every ball is seen whole, and the one that reaches farthest leaves half of the margin of 4 % free, to what
+        /// rounding moves: five digits of the height and four behind the point of the target, beside radii from 0.3.
         #[test]
         fn the_balls_fill_the_picture(balls in balls()) {
             let Framing { camera, axes: [right, up, towards] } = frame(&balls);
@@ -183,12 +185,14 @@ mod tests {
             prop_assert!((0.959..0.961).contains(&widest), "{widest} of the picture");
         }
 
-        /// Some ball is touched from within on both sides of any plane through the middle, to the accuracy of the steps: no sphere is much smaller.
+        /// Some ball is touched from within on both sides of any plane through the middle, to the accuracy of the
+        /// steps: no sphere is much smaller.
         #[test]
         fn the_sphere_is_near_the_smallest(balls in balls()) {
             let (_, radius) = bounding_sphere(&balls);
-            // Half the distance of the farthest ends of any two balls is a lower bound; the smallest sphere is at most 2 / sqrt(3) of that for
-            // three balls and sqrt(3 / 2) for four (Jung's theorem), beside what the steps leave.
+            // Half the distance of the farthest ends of any two balls is a lower bound; the smallest sphere is at most
+            // 2 / sqrt(3) of that for three balls and sqrt(3 / 2) for four (Jung's theorem), beside what the steps
+            // leave.
             let mut least = 0f64;
             for (p, r) in &balls {
                 for (q, s) in &balls {

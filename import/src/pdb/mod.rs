@@ -1,7 +1,7 @@
 //! Molecules: atoms of structure files of the Protein Data Bank as spheres and cylinders.
 //!
-//! The formats are those of the wwPDB: PDB, "Protein Data Bank Contents Guide", version 3.3, with what older files and other programs write;
-//! PDBx/mmCIF; and BinaryCIF.
+//! The formats are those of the wwPDB: PDB, "Protein Data Bank Contents Guide", version 3.3, with what older files and
+//! other programs write; PDBx/mmCIF; and BinaryCIF.
 
 mod alternates;
 mod assembly;

@@ -27,8 +27,8 @@ impl Names {
         }
     }
 
-    /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if there are several, and the serial
-    /// number if another atom has the same.
+    /// `A/17/CA`: chain, residue number, atom; with the alternate behind it if there is one, the model in front if
+    /// there are several, and the serial number if another atom has the same.
     pub fn of_atom(&mut self, atom: &Atom, words: &Words, model: Option<i64>) -> String {
         let or_dash = |text: &str| {
             if text.is_empty() {

@@ -248,9 +248,10 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
     ]
 }
 
-/// Normal of the cuts, in the cylinder's own coordinates: its axis, unless the planes would then nearly hold the line of sight. Such a plane has a depth so
-/// steep that it does not fit its word and can be refused; it is tilted until the line of sight rises from it by [`LEAST_SINE`], which the balls hide at
-/// the ends and nobody sees in the middle of a stick.
+/// Normal of the cuts, in the cylinder's own coordinates: its axis, unless the planes would then nearly hold the line
+/// of sight. Such a plane has a depth so steep that it does not fit its word and can be refused; it is tilted until
+/// the line of sight rises from it by [`LEAST_SINE`], which the balls hide at the ends and nobody sees in the middle
+/// of a stick.
 fn normal(along: [f64; 3], length: f64, to_eye: [f64; 3]) -> [f64; 3] {
     let unit = |v: [f64; 3]| {
         let length = dot(v, v).sqrt();
@@ -279,8 +280,8 @@ fn turn_line([x, y, z]: [f64; 3], length: f64) -> [f64; 3] {
     [x, y + length, z].map(|v| (v / length * 1e6).round() / 1e6 + 0.0)
 }
 
-/// From the y axis to a direction: half a turn about the line between the two, of which sine and cosine are exact. Its six digits
-/// are enough: at the far end of a bond that is a millionth of its length.
+/// From the y axis to a direction: half a turn about the line between the two, of which sine and cosine are exact. Its
+/// six digits are enough: at the far end of a bond that is a millionth of its length.
 fn placed(along: [f64; 3], length: f64, origin: [f64; 3]) -> Vec<Step> {
     let line = turn_line(along, length);
     let translate = Step::Translate(origin.map(|v| v + 0.0));

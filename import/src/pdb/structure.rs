@@ -27,7 +27,8 @@ pub struct Atom {
     pub number: Word,
     /// Chain as its authors name it, or nothing.
     pub chain: Word,
-    /// Chain as the archive names it, by which assemblies are put together; that of the authors where a file has one name.
+    /// Chain as the archive names it, by which assemblies are put together; that of the authors where a file has one
+    /// name.
     pub part: Word,
 }
 

@@ -71,8 +71,8 @@ impl Map<'_> {
         count
     }
 
-    /// Most pixels between a patch and its facets on the screen: |e| / 4 upwards at the corner that is nearest along the gaze; nothing if a corner is beside or
-    /// behind the eye.
+    /// Most pixels between a patch and its facets on the screen: |e| / 4 upwards at the corner that is nearest along
+    /// the gaze; nothing if a corner is beside or behind the eye.
     fn bulge(&self, cell: &Cell) -> Option<f64> {
         let up = to_f64(&twist(&cell.corners)).abs() / 4.0;
         let mut most = 0f64;
@@ -102,7 +102,8 @@ impl Map<'_> {
         })
     }
 
-    /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how many of each.
+    /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how
+    /// many of each.
     pub(super) fn replace_refused(
         &self,
         cells: &mut [Cell],

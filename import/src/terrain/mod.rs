@@ -1,4 +1,5 @@
-//! Terrain: a grid of heights as quadric cells (thesis of Coquillart, sections 2.2 to 2.5), and heights made at random (section 4.2).
+//! Terrain: a grid of heights as quadric cells (thesis of Coquillart, sections 2.2 to 2.5), and heights made at random
+//! (section 4.2).
 
 mod cell;
 mod exact;

@@ -16,7 +16,8 @@ pub enum Format {
     Plain,
 }
 
-/// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the header is an ESRI ASCII grid.
+/// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the
+/// header is an ESRI ASCII grid.
 pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid, ImportError> {
     let text = decoded(bytes, file)?;
     match format_of(text) {
@@ -180,7 +181,8 @@ impl<'a> Reader<'a> {
                 count.map(f64::from)
             }
             "cellsize" | "dx" | "dy" => self.positive(word, "distance of two nodes"),
-            // Missing data is often marked by the least number of a format, beyond every height; the place on the globe is not used.
+            // Missing data is often marked by the least number of a format, beyond every height; the place on the
+            // globe is not used.
             _ => {
                 let value = word.text.parse::<f64>().ok().filter(|v| v.is_finite());
                 let problem = || format!("{} is no number", shown(word.text));

@@ -32,7 +32,8 @@ impl Oracle {
                 _ => curve.sampled(STEPS),
             };
             if !matches!(curve, Curve::Line { .. }) {
-                // Sagitta of the chords: an eighth of a step's square over the radius, at most a step of the radius over 8.
+                // Sagitta of the chords: an eighth of a step's square over the radius, at most a step of the radius
+                // over 8.
                 let step = points
                     .windows(2)
                     .map(|pair| distance(pair[0], pair[1]))

@@ -62,7 +62,8 @@ impl Globule {
     }
 }
 
-/// A globule of about so many atoms, seen from a direction; with `sticks` as balls and sticks, three halves of a stick to a ball.
+/// A globule of about so many atoms, seen from a direction; with `sticks` as balls and sticks, three halves of a stick
+/// to a ball.
 pub fn scene(atoms: usize, sticks: bool, towards: [f64; 3]) -> SceneFile {
     let globule = Globule::of(atoms);
     let mut scene = SceneFile::new("globule", globule.camera(towards));

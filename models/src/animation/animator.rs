@@ -108,8 +108,8 @@ impl<'a> Animator<'a> {
         &self.playback
     }
 
-    /// Prepares a frame, counted from 0; any order is possible, neighbours have the most in common. `done` is called once a step, of which there are
-    /// about as many as objects and shadows.
+    /// Prepares a frame, counted from 0; any order is possible, neighbours have the most in common. `done` is called
+    /// once a step, of which there are about as many as objects and shadows.
     ///
     /// # Errors
     ///

@@ -21,7 +21,8 @@ pub(super) struct State<'a> {
 }
 
 impl<'a> State<'a> {
-    /// Does a part of an action on the scene; a switch is thrown at once. The name of what has been moved in too many ways is refused.
+    /// Does a part of an action on the scene; a switch is thrown at once. The name of what has been moved in too many
+    /// ways is refused.
     pub fn act(
         &mut self,
         action: &'a Action,

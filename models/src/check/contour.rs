@@ -1,15 +1,17 @@
 //! How far the silhouette of the golden picture can be from the true one.
 //!
-//! Let f2' be the value of the second-degree processor with its guard bits: dropping them keeps its sign. Let `|f2' - f2| <= e2` on the screen box, true at every point of its rectangle, and let the gradient of f2' be nowhere shorter than G
-//! in the band `|f2'| <= e2`. A point of the true contour f2 = 0 lies in the band; along the steepest slope of f2' towards zero f2' changes
-//! by at least G per pixel, so the computed contour, or the box's edge, is met within e2 / G pixels. From a point of the computed contour
-//! the steepest slope leads within e2 / G pixels to f2' = e2, where f2 >= 0, and to f2' = -e2, where f2 <= 0: the true contour is
-//! crossed on the way.
+//! Let f2' be the value of the second-degree processor with its guard bits: dropping them keeps its sign. Let `|f2' -
+//! f2| <= e2` on the screen box, true at every point of its rectangle, and let the gradient of f2' be nowhere shorter
+//! than G in the band `|f2'| <= e2`. A point of the true contour f2 = 0 lies in the band; along the steepest slope of
+//! f2' towards zero f2' changes by at least G per pixel, so the computed contour, or the box's edge, is met within
+//! e2 / G pixels. From a point of the computed contour the steepest slope leads within e2 / G pixels to f2' = e2,
+//! where f2 >= 0, and to f2' = -e2, where f2 <= 0: the true contour is crossed on the way.
 //!
-//! G is bounded from below cell by cell. On the cell of half width h around a point with gradient (gx, gy), f2' differs from the
-//! value at the point by at most `(|gx| + |gy|) h + (|a| + |b| + |c|) h^2`, which tells whether the cell meets the band; the components of
-//! the gradient differ by at most `(2|a| + |c|) h` and `(2|b| + |c|) h`. Inconclusive cells are quartered. Cells at which a
-//! plane removes the contour with a pixel to spare do not count, as long as the displacement found is below one pixel.
+//! G is bounded from below cell by cell. On the cell of half width h around a point with gradient (gx, gy), f2'
+//! differs from the value at the point by at most `(|gx| + |gy|) h + (|a| + |b| + |c|) h^2`, which tells whether the
+//! cell meets the band; the components of the gradient differ by at most `(2|a| + |c|) h` and `(2|b| + |c|) h`.
+//! Inconclusive cells are quartered. Cells at which a plane removes the contour with a pixel to spare do not count, as
+//! long as the displacement found is below one pixel.
 //!
 //! Cells that stay inconclusive to the last surround the point where the gradient vanishes. If it is a saddle, as at
 //! the apex of a double cone seen from the side, the slope lines pass by: along a slope line of a second-degree
@@ -37,7 +39,8 @@ use rayon::prelude::*;
 
 /// Quarterings of a pixel before a vanishing gradient is believed.
 const DEPTH_OF_SEARCH: u32 = 7;
-/// Cells of one pixel that are examined before the rest of it is taken as flat: where f2 is small on a whole area, finer cells tell nothing.
+/// Cells of one pixel that are examined before the rest of it is taken as flat: where f2 is small on a whole area,
+/// finer cells tell nothing.
 const CELL_BUDGET: usize = 400;
 /// Pixels around a cell on which a plane must remove the contour for the cell not to count.
 const SPARE: f64 = 1.5;

@@ -1,4 +1,5 @@
-//! The check of a prepared scene: what it needs, what can go wrong, and how far the golden picture can be from the true one.
+//! The check of a prepared scene: what it needs, what can go wrong, and how far the golden picture can be from the
+//! true one.
 //!
 //! Every bound is derived, not sampled: from the rounding bounds of the coefficients
 //! ([`crate::prepare::RoundingBounds`]) and the integers at each pixel, or the truth itself. [`depth_bound`] and

@@ -1,7 +1,8 @@
 //! Whether the rounding bounds decide what an object shows at a pixel.
 //!
-//! Every number that the machine compares is replaced by the range in which both the true and the computed one lie. Where the ranges
-//! are apart, true and computed picture agree on presence and face; where they overlap the pixel is *undecided*.
+//! Every number that the machine compares is replaced by the range in which both the true and the computed one lie.
+//! Where the ranges are apart, true and computed picture agree on presence and face; where they overlap the pixel
+//! is *undecided*.
 
 use super::depth::{Range, face_ranges};
 use crate::format::Format;

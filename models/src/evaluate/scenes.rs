@@ -11,8 +11,8 @@ pub const ZONE_SIDE: u32 = 128;
 /// Side of the box of an object in the source's examples.
 pub const OBJECT_SIDE: u32 = 80;
 
-/// A ball of 80 pixels, whole, cut by three planes, and as a patch of four planes. The planes leave its outline as it is, and its
-/// centre is between pixels, so that its box is 80 x 80.
+/// A ball of 80 pixels, whole, cut by three planes, and as a patch of four planes. The planes leave its outline as it
+/// is, and its centre is between pixels, so that its box is 80 x 80.
 const BALLS: &str = r#"
 format = 1
 title = "Balls of 80 pixels"

@@ -1,7 +1,7 @@
 //! Phong shading of a decided frame, in software (source: 1.2.4).
 //!
-//! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before perspective. Surfaces
-//! are two-sided: the normal is turned towards the viewer.
+//! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
+//! perspective. Surfaces are two-sided: the normal is turned towards the viewer.
 
 use super::frame::Frame;
 use super::lighting::Lighting;
@@ -64,7 +64,8 @@ impl Projection {
     }
 }
 
-/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds nothing there.
+/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
+/// nothing there.
 pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &Format) -> Vec<u8> {
     let scale = scene.projection.full_depth() / format.z_max() as f64;
     let pixel = |index: usize| -> [u8; 3] {

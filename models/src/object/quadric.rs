@@ -103,7 +103,8 @@ impl ScreenBox {
         part.or_empty()
     }
 
-    /// The part of the box at the columns `column, column + step, ..` and lines `line, line + step, ..`, which are counted 0, 1, 2, ..
+    /// The part of the box at the columns `column, column + step, ..` and lines `line, line + step, ..`, which are
+    /// counted 0, 1, 2, ..
     pub fn every_sample(&self, step: i64, column: i64, line: i64) -> ScreenBox {
         let part = ScreenBox {
             x0: (self.x0 - column + step - 1).div_euclid(step),
@@ -164,7 +165,8 @@ impl QuadricWords {
         format.drop_quadratic(self.f2.wrapped_at(x, y, format.pe2_width()) as i64)
     }
 
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the
+    /// present one.
     ///
     /// The integers are moved, not rounded again, so every pixel keeps its value.
     pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> QuadricWords {
@@ -191,7 +193,8 @@ impl QuadricWords {
         words
     }
 
-    /// The words of the same object at one sample of each pixel: columns `column, column + step, ..` and lines `line, line + step, ..` (Nyiri, 3.2.2).
+    /// The words of the same object at one sample of each pixel: columns `column, column + step, ..` and lines `line,
+    /// line + step, ..` (Nyiri, 3.2.2).
     pub fn every_sample(&self, step: i64, column: i64, line: i64) -> QuadricWords {
         let mut words = self.clone();
         words.screen_box = self.screen_box.every_sample(step, column, line);
@@ -205,7 +208,8 @@ impl QuadricWords {
         words
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone: a field of an interlaced picture.
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone: a field of an
+    /// interlaced picture.
     pub fn every_line(&self, step: i64, first: i64) -> QuadricWords {
         let mut words = self.clone();
         words.screen_box = self.screen_box.every_line(step, first);

@@ -1,8 +1,9 @@
-//! The quotient processor: a quadric that the eye lies on, or one that is seen along an asymptotic direction (thesis section 2.1.1: c' = 0; thesis of Coquillart,
-//! section 2.5: the ruled cell of a terrain).
+//! The quotient processor: a quadric that the eye lies on, or one that is seen along an asymptotic direction (thesis
+//! section 2.1.1: c' = 0; thesis of Coquillart, section 2.5: the ruled cell of a terrain).
 //!
-//! Along a line of sight the equation of such a quadric is of first degree, `2 B(x, y) z + T(x, y) = 0`, so the depth is one quotient and no root. A pe2 gives
-//! the numerator `-T`, a pe1 the denominator `2 B`, and the array of [`crate::unit::quotient`] the depth word. The planes cut it as they cut any other object.
+//! Along a line of sight the equation of such a quadric is of first degree, `2 B(x, y) z + T(x, y) = 0`, so the depth
+//! is one quotient and no root. A pe2 gives the numerator `-T`, a pe1 the denominator `2 B`, and the array of
+//! [`crate::unit::quotient`] the depth word. The planes cut it as they cut any other object.
 //!
 //! A quadric that the eye *nearly* lies on has two depths, of which one is too great for any word wherever it cannot
 //! be seen: `C z^2 + 2 B z + T = 0` with a small C. With the root of the discriminant the denominator becomes
@@ -10,8 +11,8 @@
 //! it over `-2 C` the one that leaves. Both saturate, and from there on the object is one of two roots like any
 //! other.
 //!
-//! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a solid everywhere or nowhere. Quotients outside
-//! the depth word lie nearer than the near end, or behind the eye.
+//! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a
+//! solid everywhere or nowhere. Quotients outside the depth word lie nearer than the near end, or behind the eye.
 
 use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
 use crate::format::Format;
@@ -62,7 +63,8 @@ pub struct QuotientWords {
     /// What a quadric of two depths has besides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<QuotientRoot>,
-    /// Normal at the depth `normal_from`, and its change with the depth behind that, negated for a near face as the normal unit takes it.
+    /// Normal at the depth `normal_from`, and its change with the depth behind that, negated for a near face as the
+    /// normal unit takes it.
     pub normal: NormalWords,
     /// No point of the object that is seen is nearer.
     pub normal_from: i64,
@@ -152,7 +154,8 @@ impl QuotientWords {
 }
 
 impl QuotientWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the
+    /// present one: moved, not rounded again.
     pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> QuotientWords {
         let mut words = self.clone();
         words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
@@ -170,7 +173,8 @@ impl QuotientWords {
 }
 
 impl QuotientWords {
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0,
+    /// 1, 2, ..
     pub fn every_line(&self, step: i64, first: i64) -> QuotientWords {
         let mut words = self.clone();
         words.screen_box = self.screen_box.every_line(step, first);
@@ -403,7 +407,8 @@ mod tests {
             )
     }
 
-    /// Does the definition hold at a depth word: the volume somewhere in the depths that it is the floor of, or the surface there, and every plane.
+    /// Does the definition hold at a depth word: the volume somewhere in the depths that it is the floor of, or the
+    /// surface there, and every plane.
     fn holds(words: &QuotientWords, x: i64, y: i64, z: i64) -> bool {
         let (n, d) = (
             words.numerator.exact_at(x, y),

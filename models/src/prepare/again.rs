@@ -1,9 +1,9 @@
 //! The preparation of one scene after another, of an animation: what is the same as before is not prepared again.
 //!
-//! The words of an object depend on the object in the camera frame, on what all objects share (picture size, format and projection), and on the boxes of objects
-//! with which it has planes or a quadric in common. Those of a shadow
-//! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where all of this is equal are
-//! words taken over, so that they are those of a preparation from scratch.
+//! The words of an object depend on the object in the camera frame, on what all objects share (picture size, format
+//! and projection), and on the boxes of objects with which it has planes or a quadric in common. Those of a shadow
+//! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where
+//! all of this is equal are words taken over, so that they are those of a preparation from scratch.
 
 use super::error::PrepareError;
 use super::located::Located;
@@ -180,8 +180,9 @@ impl Kept {
     }
 }
 
-/// Prepares a scene whose objects have unique names with what is kept of the one before, and keeps it for the next; the words are those of
-/// [`prepare_with`](super::prepare_with). `done` is called about once for each of [`steps`](super::steps), from any thread.
+/// Prepares a scene whose objects have unique names with what is kept of the one before, and keeps it for the next;
+/// the words are those of [`prepare_with`](super::prepare_with). `done` is called about once for each of
+/// [`steps`](super::steps), from any thread.
 ///
 /// # Errors
 ///

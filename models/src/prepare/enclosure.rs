@@ -1,8 +1,8 @@
 //! A closed quadric around a cut one: proven, without a search.
 //!
 //! What two planes keep has `p <= 0` and `s <= 0`, so that their product is not negative there, and with `q <= 0` also
-//! `q - l p s <= 0` for every factor `l >= 0`. Between two planes across its axis a cylinder, a cone or a paraboloid lies
-//! so in an ellipsoid through both of its rims, the box of which [`Extent`] knows exactly.
+//! `q - l p s <= 0` for every factor `l >= 0`. Between two planes across its axis a cylinder, a cone or a paraboloid
+//! lies so in an ellipsoid through both of its rims, the box of which [`Extent`] knows exactly.
 //!
 //! The coefficients are those of floating point, each off by a unit in its last place: within [`REACH`] the quadric is
 //! then off by little, and its constant is lowered by more than that. The pair of planes and the factor are chosen in
@@ -39,8 +39,8 @@ const TERMS: [[usize; 2]; 10] = [
     [3, 3],
 ];
 
-/// A cell around the part within [`REACH`] of the inside of a quadric that all planes keep, if it is closed or two of the planes close it. The greatest
-/// coefficient of each is about 1.
+/// A cell around the part within [`REACH`] of the inside of a quadric that all planes keep, if it is closed or two of
+/// the planes close it. The greatest coefficient of each is about 1.
 pub(super) fn around(quadric: &[f64; 10], planes: &[[f64; 4]]) -> Option<Cell> {
     let pairs = (0..planes.len()).flat_map(|j| (0..j).map(move |i| [i, j]));
     let cut = pairs.flat_map(|pair| POWERS.map(move |power| (Some(pair), power)));
@@ -102,8 +102,8 @@ where
     TERMS.map(|[i, j]| &p[i] * &s[j] + &p[j] * &s[i])
 }
 
-/// The square of the volume of an ellipsoid, but for a constant; nothing for any other quadric, as far as floating point
-/// tells.
+/// The square of the volume of an ellipsoid, but for a constant; nothing for any other quadric, as far as floating
+/// point tells.
 fn volume(&[a, b, c, d, e, f, g, h, i, j]: &[f64; 10]) -> Option<f64> {
     let [xx, yy, zz] = [b * c - f * f, a * c - e * e, a * b - d * d];
     let [xy, xz, yz] = [e * f - d * c, d * f - b * e, d * e - a * f];
@@ -125,7 +125,7 @@ mod tests {
     use crate::scene::{Plane, Quadric};
     use proptest::prelude::*;
 
-    /// `|p x n|^2 <= r^2 |n|^2` about a point, with an ellipse in the place of the circle, between two planes across n.
+    /// `|p x n|^2 <= r^2 |n|^2` about a point, between two planes across n.
     fn stick() -> impl Strategy<Value = (Quadric, Vec<Plane>)> {
         let axis = [-5i64..=5, -5..=5, 1..=5];
         let middle = [-90i64..=90, -90..=90, -90..=90];
@@ -166,6 +166,7 @@ mod tests {
                 prop_assert!(last - first <= 3.0 * (high - low) + 4.0, "{first} {last} {low} {high}");
             }
             prop_assert_eq!(region.existence(all, [1.0; 3]), Existence::Possible);
+            prop_assert_eq!(region.screen_box(400, 400, 400.0), open.screen_box(400, 400, 400.0));
         }
     }
 }

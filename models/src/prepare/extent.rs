@@ -1,7 +1,7 @@
 //! The extent of a closed quadric from its tangent planes: exact, without a search.
 //!
-//! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that is an equation of second
-//! degree in v, whose roots are the least and the greatest x of the quadric.
+//! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
+//! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
 
 use super::screen_box::Cell;
 use crate::object::quadric::ScreenBox;
@@ -79,8 +79,8 @@ impl Extent {
         )
     }
 
-    /// The pixels of a screen at which the quadric, given in screen coordinates, can be met; nothing if it passes a side of the
-    /// screen or an end of the depths `-depth .. depth`, where only a part of it counts.
+    /// The pixels of a screen at which the quadric, given in screen coordinates, can be met; nothing if it passes a
+    /// side of the screen or an end of the depths `-depth .. depth`, where only a part of it counts.
     pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> Option<ScreenBox> {
         let (near, far) = self.integers_around(2);
         if near < -depth || far > depth {
@@ -99,7 +99,8 @@ impl Extent {
         })
     }
 
-    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; nothing if the extent passes a side.
+    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; nothing if the extent passes a
+    /// side.
     fn pixels(&self, axis: usize, size: u32) -> Option<Side> {
         let (first, last) = self.integers_within(axis, i64::from(size));
         let end = BigInt::from(size) - 1;
@@ -141,7 +142,8 @@ mod tests {
     use crate::scene::Surface;
     use proptest::prelude::*;
 
-    /// `k ((x - x0)^2 a + (y - y0)^2 b + (z - z0)^2 c + shear) = r`, an ellipsoid because the shear is smaller than the squares.
+    /// `k ((x - x0)^2 a + (y - y0)^2 b + (z - z0)^2 c + shear) = r`, an ellipsoid because the shear is smaller than
+    /// the squares.
     fn ellipsoid() -> impl Strategy<Value = Quadric> {
         (
             [1i64..9, 1..9, 1..9],
@@ -169,7 +171,8 @@ mod tests {
     }
 
     proptest! {
-        /// The box is the smallest that holds every pixel at which the ellipsoid is met, and lies in the box of the search.
+        /// The box is the smallest that holds every pixel at which the ellipsoid is met, and lies in the box of the
+        /// search.
         #[test]
         fn is_the_box_of_the_covered_pixels(q in ellipsoid()) {
             let (width, height, depth) = (320u32, 260u32, 200.0);
@@ -189,7 +192,8 @@ mod tests {
                     }
                 }
             }
-            // A side can touch the ellipsoid between two pixels of its column; then the box is one pixel larger there, never more.
+            // A side can touch the ellipsoid between two pixels of its column; then the box is one pixel larger there,
+            // never more.
             if let Some(b) = tight {
                 prop_assert!(found.x0 >= b.x0 - 1 && found.x1 <= b.x1 + 1);
                 prop_assert!(found.y0 >= b.y0 - 1 && found.y1 <= b.y1 + 1);

@@ -1,4 +1,5 @@
-//! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of each other, then the words of each.
+//! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of
+//! each other, then the words of each.
 
 use super::again::Known;
 use super::error::PrepareError;

@@ -1,7 +1,7 @@
 //! What a preparation takes of memory, before it is begun.
 //!
-//! Coefficients are exact, and their digits grow with those of the camera and of each place. The figures here are measured
-//! of objects whose places have three digits after the point, seen by a camera that looks along no axis
+//! Coefficients are exact, and their digits grow with those of the camera and of each place. The figures here are
+//! measured of objects whose places have three digits after the point, seen by a camera that looks along no axis
 //! (`models/tests/memory.rs` holds them against what is taken).
 
 use crate::scene::{Light, Object, SceneFile, Shape};

@@ -1,7 +1,7 @@
 //! Preparation: from a framed scene to the coefficient words that the golden model and the hardware are loaded with.
 //!
-//! Exact rationals all the way, rounded once ([`rounding`]); every accumulator is proven to hold its value on the object's screen box, or the
-//! object is refused by name ([`error`]).
+//! Exact rationals all the way, rounded once ([`rounding`]); every accumulator is proven to hold its value on the
+//! object's screen box, or the object is refused by name ([`error`]).
 
 mod again;
 mod curved_facet;
@@ -116,7 +116,8 @@ pub struct PreparedQuadric {
     pub words: QuadricWords,
     /// The unrounded expressions.
     pub exact: ExactForms,
-    /// Pixel about which f1 and f2 were rounded: the middle of the box, or of all boxes of objects that share the quadric.
+    /// Pixel about which f1 and f2 were rounded: the middle of the box, or of all boxes of objects that share the
+    /// quadric.
     pub anchor: Anchor,
     /// Greatest error of each expression on the screen box.
     pub bounds: RoundingBounds,
@@ -137,10 +138,11 @@ pub struct ExactForms {
     pub planes: Vec<LinearForm>,
 }
 
-/// Greatest distance of each rounded expression from the exact one on the screen box, in the last bit of the word without guard bits.
+/// Greatest distance of each rounded expression from the exact one on the screen box, in the last bit of the word
+/// without guard bits.
 ///
-/// These are maxima of the true residuals of the coefficients, exact and then rounded up to `f64`. The guard bits, which f1 and f2 drop
-/// downwards at the outputs of their processors, take up to `dropped_f1` and `dropped_f2` more.
+/// These are maxima of the true residuals of the coefficients, exact and then rounded up to `f64`. The guard bits,
+/// which f1 and f2 drop downwards at the outputs of their processors, take up to `dropped_f1` and `dropped_f2` more.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct RoundingBounds {
     /// Of f1 with its guard bits.
@@ -153,7 +155,8 @@ pub struct RoundingBounds {
     pub normal: f64,
     /// Most that dropping the guard bits takes from f1: `1 - 2^-g1`.
     pub dropped_f1: f64,
-    /// Most that dropping the guard bits takes from f2: `1 - 2^-g2`. The root does not feel it: `floor(sqrt(floor(q))) = floor(sqrt(q))`.
+    /// Most that dropping the guard bits takes from f2: `1 - 2^-g2`. The root does not feel it:
+    /// `floor(sqrt(floor(q))) = floor(sqrt(q))`.
     pub dropped_f2: f64,
     /// Binary places of the product `K r` below the last bit of a normal's linear part.
     pub product_fraction: u32,
@@ -215,9 +218,11 @@ impl NeededWidths {
 /// How to prepare; the default is what a machine uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Pixel about which coefficients are rounded; if not given, the middle of the box of the object, or of all cut objects that have the expression in common.
+    /// Pixel about which coefficients are rounded; if not given, the middle of the box of the object, or of all cut
+    /// objects that have the expression in common.
     pub anchor: Option<Anchor>,
-    /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the quotient processor.
+    /// Refuse what a quadric or patch processor cannot draw because the eye lies on it, in the place of words for the
+    /// quotient processor.
     pub roots_only: bool,
     /// Leave out what cannot be drawn, and name it, in the place of refusing the scene.
     pub without_refused: bool,
@@ -337,7 +342,8 @@ pub fn prepare(scene: &FramedScene, format: Format) -> Result<PreparedScene, Pre
     prepare_with(scene, format, Options::default())
 }
 
-/// Prepares a scene for machines that have quadric and patch processors alone, so that an object that the eye lies on is refused.
+/// Prepares a scene for machines that have quadric and patch processors alone, so that an object that the eye lies on
+/// is refused.
 pub fn prepare_for_roots(
     scene: &FramedScene,
     format: Format,

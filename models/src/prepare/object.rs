@@ -1,4 +1,5 @@
-//! One object: classification, expressions, scales, rounding and proofs, in the order of the source's preparation module (Fig B.4).
+//! One object: classification, expressions, scales, rounding and proofs, in the order of the source's preparation
+//! module (Fig B.4).
 
 use super::error::PrepareError;
 use super::extent::Extent;
@@ -203,8 +204,8 @@ fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
     }
 }
 
-/// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out to many viewer distances
-/// sideways, proves that nothing of the object is there.
+/// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out
+/// to many viewer distances sideways, proves that nothing of the object is there.
 fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Context) -> bool {
     let distance = to_f64(&context.full_depth);
     let side = 64.0 * distance;
@@ -216,7 +217,8 @@ fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Conte
     region.existence(cell, [1e-3 * distance; 3]) == Existence::Empty
 }
 
-/// The words of the quadric itself, without planes and normals, and its greatest root; proven on a box, rounded and scaled for one around it.
+/// The words of the quadric itself, without planes and normals, and its greatest root; proven on a box, rounded and
+/// scaled for one around it.
 pub(super) fn depth_words(
     name: &str,
     quadric: &ScreenQuadric,
@@ -266,8 +268,8 @@ pub(super) fn depth_words(
     Ok((prepared, root_max))
 }
 
-/// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with the word, the value and
-/// the width available.
+/// Rounds f1 and f2 to words with the format's guard bits, and bounds what the rounding changes on the box; fails with
+/// the word, the value and the width available.
 fn round(
     prepared: &mut PreparedQuadric,
     format: &Format,
@@ -293,8 +295,9 @@ fn round(
 
 /// Proves on the rounded integers that f2, and f1 -+ r, stay within their words on the box; returns the greatest root.
 ///
-/// The values are those with guard bits. Dropping them downwards adds less than one to a magnitude, which rounding the magnitude up to an
-/// integer covers; and if that integer fits `S` or `F` bits, the value with its guard bits fits the processor.
+/// The values are those with guard bits. Dropping them downwards adds less than one to a magnitude, which rounding the
+/// magnitude up to an integer covers; and if that integer fits `S` or `F` bits, the value with its guard bits fits the
+/// processor.
 fn prove_widths(
     prepared: &mut PreparedQuadric,
     refusal: &dyn Fn(&str, &BigRational, u32) -> PrepareError,
@@ -335,10 +338,11 @@ fn normal_words(
     (prepared.words.normal, prepared.bounds.normal) = normals(&parts, root_max, &window, context);
 }
 
-/// The words of a normal whose components are `g(x, y) -+ K r`, r a root (or another length along the line of sight) of up to `root_max` depth words, and
-/// the greatest error of a linear part.
+/// The words of a normal whose components are `g(x, y) -+ K r`, r a root (or another length along the line of sight)
+/// of up to `root_max` depth words, and the greatest error of a linear part.
 ///
-/// Scales (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits; likewise in shorter words.
+/// Scales (source: 2.4.4, "Kn"): the greatest component fills 22 of the 24 bits, and the factors K fit 16 bits;
+/// likewise in shorter words.
 pub(super) fn normals(
     parts: &[(LinearForm, BigRational); 3],
     root_max: &BigInt,

@@ -1,5 +1,5 @@
-//! From a quadric or a plane in the camera frame to its expressions on the screen (source: 2.1.1, 2.3.1; factors of Exp. 7 and
-//! root order corrected).
+//! From a quadric or a plane in the camera frame to its expressions on the screen (source: 2.1.1, 2.3.1; factors of
+//! Exp. 7 and root order corrected).
 
 use super::forms::{LinearForm, QuadraticForm, common, sum, times, unreduced};
 use crate::rational::integer;
@@ -24,7 +24,8 @@ pub fn full_depth(projection: &Projection) -> BigRational {
     }
 }
 
-/// A quadric after perspective, `a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j` in screen x, y and depth z_p.
+/// A quadric after perspective, `a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j` in screen x,
+/// y and depth z_p.
 #[derive(Clone, Debug)]
 pub struct ScreenQuadric {
     /// The transformed coefficients.
@@ -129,7 +130,8 @@ impl ScreenQuadric {
         QuadraticForm::of(unreduced(factors, &square))
     }
 
-    /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the positive (D - z_p)/D.
+    /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the
+    /// positive (D - z_p)/D.
     pub fn normal(&self) -> [(LinearForm, BigRational); 3] {
         let q = &self.q;
         let ([_, _, c, _, e, f, g, h, i, j], unit) = common(q.coefficients());

@@ -1,4 +1,5 @@
-//! A quadric whose depth is a quotient: the eye lies on it, or looks along an asymptotic direction (thesis section 2.1.1: c' = 0).
+//! A quadric whose depth is a quotient: the eye lies on it, or looks along an asymptotic direction (thesis
+//! section 2.1.1: c' = 0).
 //!
 //! The equation on the screen is then `2 B z + T = 0` with B of first and T of second degree. Numerator and
 //! denominator share a scale that is free, so each fills half of its word. A quadric that passes the eye so closely
@@ -192,8 +193,8 @@ impl Depth {
         })
     }
 
-    /// Greatest distance of a drawn depth of the surface from the true one, in depth words, and the pixels at which there is no bound because rounding can
-    /// change the sign of the denominator.
+    /// Greatest distance of a drawn depth of the surface from the true one, in depth words, and the pixels at which
+    /// there is no bound because rounding can change the sign of the denominator.
     fn bound(&self, words: &QuotientWords, format: &Format) -> (f64, usize) {
         let (mut bound, mut unbounded) = (0f64, 0);
         let drawn = ProcessorWords::Quotient(words.clone());
@@ -327,7 +328,8 @@ fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
         let word = word.unwrap_or(context.format.z_low());
         word.clamp(context.format.z_low(), context.format.z_max())
     };
-    // The range is as wide as the search leaves it; rounding carries a depth a few words further, of which the normal takes no notice.
+    // The range is as wide as the search leaves it; rounding carries a depth a few words further, of which the normal
+    // takes no notice.
     let (from, to) = (word(near), word(far) + 1);
     let reach = BigInt::from(to - from);
     let start = integer(from) / &context.depth_scale;

@@ -1,7 +1,9 @@
-//! The screen box of an object: the pixels at which the cut quadric can be met, found by branch and bound in screen space.
+//! The screen box of an object: the pixels at which the cut quadric can be met, found by branch and bound in screen
+//! space.
 //!
-//! A box is a correctness matter, not only a saving: outside it f2 may wrap. It is conservative (interval bounds with a margin for
-//! floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it runs out the box is only larger.
+//! A box is a correctness matter, not only a saving: outside it f2 may wrap. It is conservative (interval bounds with
+//! a margin for floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it
+//! runs out the box is only larger.
 
 use super::enclosure::{REACH, around};
 use super::forms::{common, unreduced};
@@ -188,7 +190,8 @@ impl Region {
         )
     }
 
-    /// True if a point surely lies in the region of a solid, so that no search in a cell around it can find the cell empty.
+    /// True if a point surely lies in the region of a solid, so that no search in a cell around it can find the cell
+    /// empty.
     pub(super) fn holds(&self, point: [f64; 3]) -> bool {
         let cell = Cell {
             centre: point,
@@ -244,7 +247,8 @@ impl Region {
         open.pop().map(|entry| entry.key)
     }
 
-    /// Least and greatest depth within `-depth .. depth` at which the region can be met on the screen, if it can be met at all.
+    /// Least and greatest depth within `-depth .. depth` at which the region can be met on the screen, if it can be
+    /// met at all.
     pub fn depth_range(&self, width: u32, height: u32, depth: f64) -> Option<(f64, f64)> {
         self.depth_range_within(screen_domain(width, height, depth), Search::FINE)
     }
@@ -266,8 +270,8 @@ impl Region {
         Some((low, -high))
     }
 
-    /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for a depth within
-    /// `-depth .. depth`, on a screen of `width` x `height` pixels.
+    /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for
+    /// a depth within `-depth .. depth`, on a screen of `width` x `height` pixels.
     pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> ScreenBox {
         let domain = screen_domain(width, height, depth);
         self.box_within(domain, width, height, Search::FINE)

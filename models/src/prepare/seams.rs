@@ -1,9 +1,10 @@
 //! Expressions that several objects have in common.
 //!
-//! The parts of a face meet at planes, and lie on quadrics, that both parts have. If each part rounded them about the middle of its own box, their words would differ, and
-//! a pixel between the two roundings would belong to neither part: a crack. So what cut objects share is rounded about the middle of the box around all of
-//! them and, where its scale is free, scaled for that box; opposite sides of a plane then have the same words, or exactly opposite ones. Objects whose
-//! boxes lie apart meet nowhere, and are left as they are.
+//! The parts of a face meet at planes, and lie on quadrics, that both parts have. If each part rounded them about the
+//! middle of its own box, their words would differ, and a pixel between the two roundings would belong to neither
+//! part: a crack. So what cut objects share is rounded about the middle of the box around all of them and, where its
+//! scale is free, scaled for that box; opposite sides of a plane then have the same words, or exactly opposite ones.
+//! Objects whose boxes lie apart meet nowhere, and are left as they are.
 
 use super::located::cut;
 use crate::object::quadric::ScreenBox;
@@ -35,7 +36,8 @@ impl Place {
     }
 }
 
-/// Coefficients, the first that is not zero positive. Those of framed objects are integers without a common divisor, so they are the same for both sides of a plane.
+/// Coefficients, the first that is not zero positive. Those of framed objects are integers without a common divisor,
+/// so they are the same for both sides of a plane.
 type Key = Vec<BigRational>;
 
 /// The places of objects with these boxes; nothing for an object without a box.

@@ -6,8 +6,8 @@ use crate::scene::{
 };
 use rayon::prelude::*;
 
-/// For each object of a flat scene, a point in screen space that probably lies in it: pixels from the middle of the screen,
-/// and of depth in a range; nothing where none is known, or an eye is needed and is not in front.
+/// For each object of a flat scene, a point in screen space that probably lies in it: pixels from the middle of the
+/// screen, and of depth in a range; nothing where none is known, or an eye is needed and is not in front.
 pub(super) fn witnesses(
     scene: &SceneFile,
     height: u32,

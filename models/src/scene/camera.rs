@@ -17,7 +17,8 @@ pub const WIDEST_FIELD: f64 = 170.0;
 
 /// Height of the window at a distance through a lens: `24 mm : focal = height : distance`, rounded once to `f64`.
 ///
-/// This is `d = r / tan(phi / 2)` with the half height of the film, 12 mm, as r and the focal length as d (course section 3.3, equation 1.7).
+/// This is `d = r / tan(phi / 2)` with the half height of the film, 12 mm, as r and the focal length as d (course
+/// section 3.3, equation 1.7).
 pub(super) fn height_of_focal(distance: f64, focal: f64) -> f64 {
     if !distance.is_finite() || focal == 0.0 {
         // Refused with its own message when the scene is checked.
@@ -70,7 +71,8 @@ impl Camera {
         }
     }
 
-    /// Takes another lens: the window changes its height, the eye and the screen plane stay. A parallel view has no lens and stays as it is.
+    /// Takes another lens: the window changes its height, the eye and the screen plane stay. A parallel view has no
+    /// lens and stays as it is.
     pub fn set_focal(&mut self, focal: f64) {
         if let Self::Perspective {
             viewer_distance,

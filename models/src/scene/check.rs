@@ -136,7 +136,8 @@ impl SceneFile {
             .map_or(Ok(()), Err)
     }
 
-    /// Refuses an object of a flat scene that cannot be had where it has been moved to; all else of it was checked before.
+    /// Refuses an object of a flat scene that cannot be had where it has been moved to; all else of it was checked
+    /// before.
     pub(crate) fn check_moved(&self, object: &Object) -> Checked {
         let place = format!("object `{}`", object.name);
         check_place(&place, &object.place)?;
@@ -409,7 +410,8 @@ fn check_shape(place: &str, object: &Object) -> Checked {
     Ok(())
 }
 
-/// A surface of first degree is a plane, which is a cut of a solid; as a surface it is a part of a plane that cuts bound.
+/// A surface of first degree is a plane, which is a cut of a solid; as a surface it is a part of a plane that cuts
+/// bound.
 fn check_coefficients(place: &str, coefficients: &[f64; 10], cut_surface: bool) -> Checked {
     let key = format!("{place}, coefficients");
     check_numbers(&key, coefficients)?;

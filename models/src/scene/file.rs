@@ -174,13 +174,15 @@ pub enum Aim {
     Towards([f64; 3]),
 }
 
-/// What a surface does with light: `I = ambient I_a + sum of I_p (diffuse cos + specular cos^exponent)` (thesis section 1.2.4).
+/// What a surface does with light: `I = ambient I_a + sum of I_p (diffuse cos + specular cos^exponent)` (thesis
+/// section 1.2.4).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Unique name.
     pub name: String,
-    /// Colour of the ambient and diffuse terms, 0 to 1 for each of red, green, blue; a highlight has the colour of its source.
+    /// Colour of the ambient and diffuse terms, 0 to 1 for each of red, green, blue; a highlight has the colour of its
+    /// source.
     #[serde(deserialize_with = "numbers")]
     pub colour: [f64; 3],
     /// Share of the ambient light, 0 to 1.
@@ -285,7 +287,8 @@ pub struct Mesh {
     pub normals: Vec<[f64; 3]>,
 }
 
-/// What an object is. The quadrics are in canonical position, inside where the expression is negative or zero (thesis Table 2.1).
+/// What an object is. The quadrics are in canonical position, inside where the expression is negative or zero (thesis
+/// Table 2.1).
 ///
 /// Axes of revolution, of two-sheetedness and of rulings of the cylinders all lie along the local y axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -349,7 +352,8 @@ pub enum Shape {
     Polyhedron,
     /// Flat facets.
     Mesh(Mesh),
-    /// The quadric `sum of w_ii b_i^2 + sum of w_ij 2 b_i b_j = 0` inside a tetrahedron, b the barycentric coordinates of its corners.
+    /// The quadric `sum of w_ii b_i^2 + sum of w_ij 2 b_i b_j = 0` inside a tetrahedron, b the barycentric coordinates
+    /// of its corners.
     TetrahedronPatch {
         /// Corners 0 to 3.
         corners: Box<[[f64; 3]; 4]>,

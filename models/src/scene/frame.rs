@@ -1,13 +1,13 @@
 //! A scene in the camera frame, in exact rationals.
 //!
-//! The camera frame has its origin in the middle of the picture, x to the right, y *down* the screen and z away from the
-//! observer; its unit is one pixel. The screen plane is z = 0. A perspective eye stands at (0, 0, -D); an orthographic one
-//! looks along +z. The pixel of column i and line j samples x = i - width/2, y = j - height/2. For a camera that samples
-//! elsewhere in its pixels the whole frame is moved there: parallel to the screen plane, and so far at each depth that the
-//! screen moves by as much. In perspective that is a shear about the eye.
+//! The camera frame has its origin in the middle of the picture, x to the right, y *down* the screen and z away from
+//! the observer; its unit is one pixel. The screen plane is z = 0. A perspective eye stands at (0, 0, -D); an
+//! orthographic one looks along +z. The pixel of column i and line j samples x = i - width/2, y = j - height/2. For a
+//! camera that samples elsewhere in its pixels the whole frame is moved there: parallel to the screen plane, and so
+//! far at each depth that the screen moves by as much. In perspective that is a shear about the eye.
 //!
-//! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries are then
-//! taken as exact, so that everything derived from them is exact.
+//! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries
+//! are then taken as exact, so that everything derived from them is exact.
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -40,7 +40,8 @@ pub struct FramedScene {
     pub projection: Projection,
     /// Which distances the depth word tells apart.
     pub range: DepthRange,
-    /// Where pixels are sampled: columns and lines from whole coordinates. Objects and sources are moved by as much, the other way.
+    /// Where pixels are sampled: columns and lines from whole coordinates. Objects and sources are moved by as much,
+    /// the other way.
     pub sample_at: [f64; 2],
     /// Objects in the order of the file.
     pub objects: Vec<FramedObject>,

@@ -27,9 +27,11 @@ pub enum FramedObject {
     Cylinder(Box<FramedCylinder>),
     /// A sphere as one non-planar facet.
     CurvedSphere(Box<FramedSphere>),
-    /// A surface with one depth of second degree at each pixel, as one non-planar facet; its planes are perpendicular to the screen.
+    /// A surface with one depth of second degree at each pixel, as one non-planar facet; its planes are perpendicular
+    /// to the screen.
     CurvedFacet(Box<FramedQuadric>),
-    /// Left out because it is proven to be nowhere in the picture; see [`SceneFile::frame_seen`](super::SceneFile::frame_seen).
+    /// Left out because it is proven to be nowhere in the picture; see
+    /// [`SceneFile::frame_seen`](super::SceneFile::frame_seen).
     Unseen(Arc<Unseen>),
 }
 

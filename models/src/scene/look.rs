@@ -87,7 +87,8 @@ fn combined(axes: Axes, factors: Vector) -> Vector {
 pub struct Look {
     /// The eye goes to this side of the target, as far away as it is.
     pub side: Option<Side>,
-    /// Degrees by which the scene is then seen turned about the target: about the picture's directions to the right, upwards and towards the viewer, in this order.
+    /// Degrees by which the scene is then seen turned about the target: about the picture's directions to the right,
+    /// upwards and towards the viewer, in this order.
     pub turn: Option<[f64; 3]>,
     /// The eye or the parallel window then moves, without turning, until the scene fills the picture.
     pub fit: bool,
@@ -98,7 +99,8 @@ pub struct Look {
 }
 
 impl Look {
-    /// The scene flattened and as its active camera sees it then, in a picture of so many columns and lines; and the names of the endless objects that were not fitted.
+    /// The scene flattened and as its active camera sees it then, in a picture of so many columns and lines; and the
+    /// names of the endless objects that were not fitted.
     ///
     /// A range of the depth word that the camera has does not hold for another place, and is chosen anew there.
     ///
@@ -186,7 +188,8 @@ impl Pose {
         *up = upwards;
     }
 
-    /// Moves until the scene fills the picture; in a parallel view the window also takes another height. Gives the names of what is endless.
+    /// Moves until the scene fills the picture; in a parallel view the window also takes another height. Gives the
+    /// names of what is endless.
     fn fit(&mut self, scene: &mut SceneFile, shape: f64) -> Result<Vec<String>, SceneError> {
         let size = 10.0 * ENDLESS * self.distance;
         let tangents = match &scene.camera {
@@ -256,7 +259,8 @@ fn rounded_up(value: f64) -> f64 {
     to_steps(value + 0.5 * step, step)
 }
 
-/// Normals, away from the viewer's pyramid, of the planes on its right, its left, above and below; of a prism for tangents of 0.
+/// Normals, away from the viewer's pyramid, of the planes on its right, its left, above and below; of a prism for
+/// tangents of 0.
 fn sides(axes: &Axes, [across, up]: [f64; 2]) -> [Vector; 4] {
     [
         [1.0, 0.0, across],
@@ -267,22 +271,25 @@ fn sides(axes: &Axes, [across, up]: [f64; 2]) -> [Vector; 4] {
     .map(|factors| combined(*axes, factors))
 }
 
-/// Where the eye stands, in parts along the axes of a picture, if everything just fits between the sides of its pyramid: these have
-/// tangents to the right and upwards. With it half the width and height of what is seen; of a prism, for tangents of 0, that is all there is to say.
+/// Where the eye stands, in parts along the axes of a picture, if everything just fits between the sides of its
+/// pyramid: these have tangents to the right and upwards. With it half the width and height of what is seen; of a
+/// prism, for tangents of 0, that is all there is to say.
 pub fn fitting(bodies: &[Body], axes: &Axes, tangents: [f64; 2]) -> ([f64; 3], [f64; 2]) {
     let reach = |along: Vector| {
         let reaches = bodies.par_iter().map(|body| body.reach(along));
         reaches.reduce(|| f64::NEG_INFINITY, f64::max)
     };
-    // A plane n.p <= n.eye on every side: the sum of two opposite ones has the distance alone, the difference the place between them.
+    // A plane n.p <= n.eye on every side: the sum of two opposite ones has the distance alone, the difference the
+    // place between them.
     let [right, left, above, below] = sides(axes, tangents).map(reach);
     let halves = [0.5 * (right + left), 0.5 * (above + below)];
     let away = (halves[0] / tangents[0]).max(halves[1] / tangents[1]);
     ([0.5 * (right - left), 0.5 * (above - below), away], halves)
 }
 
-/// The narrowest picture of all bodies from an eye so far along the direction towards the viewer, at least three times as far as they reach from the origin: where
-/// the eye stands across it, and the tangent of half the angle that the picture shows upwards, [`MARGIN`] included; `shape` is width by height.
+/// The narrowest picture of all bodies from an eye so far along the direction towards the viewer, at least three times
+/// as far as they reach from the origin: where the eye stands across it, and the tangent of half the angle that the
+/// picture shows upwards, [`MARGIN`] included; `shape` is width by height.
 pub fn fitting_from(bodies: &[Body], axes: &Axes, away: f64, shape: f64) -> ([f64; 2], f64) {
     let fits = |tangent: f64| fitting(bodies, axes, [tangent * shape, tangent]);
     let (mut tangent, mut across) = (0.25, [0.0; 2]);

@@ -1,8 +1,8 @@
 //! Scenes: the file a person writes, its checks, and its exact image in the camera frame.
 //!
-//! [`SceneFile`] is the text of a scene in its own words (scene units, local coordinates, degrees). [`FramedScene`] is the
-//! same scene for one picture size: every quadric and cut plane in camera pixels, in exact rationals, ready for the
-//! preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
+//! [`SceneFile`] is the text of a scene in its own words (scene units, local coordinates, degrees). [`FramedScene`] is
+//! the same scene for one picture size: every quadric and cut plane in camera pixels, in exact rationals, ready for
+//! the preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
 
 mod camera;
 mod check;

@@ -50,7 +50,8 @@ impl Body {
         Body::Ball(middle, [unit(0), unit(1), unit(2)])
     }
 
-    /// A flattened scene's object, seen from a point, and what of it lies within `size` of that point in each coordinate.
+    /// A flattened scene's object, seen from a point, and what of it lies within `size` of that point in each
+    /// coordinate.
     pub fn of(object: &Object, from: Vector, size: f64) -> Body {
         let moved = Transform::translation(from.map(|v| -from_decimal(v)));
         let placed = || {

@@ -112,8 +112,8 @@ impl Transform {
     }
 }
 
-/// A transform in whole numbers over one positive denominator. What is transformed with it becomes a positive multiple without common divisor in the end, so that
-/// nothing has to be reduced on the way, which would take most of the time.
+/// A transform in whole numbers over one positive denominator. What is transformed with it becomes a positive multiple
+/// without common divisor in the end, so that nothing has to be reduced on the way, which would take most of the time.
 #[derive(Clone, Debug)]
 pub(super) struct WholeTransform {
     rows: [[BigInt; 4]; 4],
@@ -158,7 +158,8 @@ impl WholeTransform {
         }
     }
 
-    /// A multiple of the inverse: for `P' = (L P + t) / u` it is `u adj(L)` with the last column `-adj(L) t`, and `det(L)` in the corner.
+    /// A multiple of the inverse: for `P' = (L P + t) / u` it is `u adj(L)` with the last column `-adj(L) t`, and
+    /// `det(L)` in the corner.
     pub(super) fn inverse(&self) -> WholeInverse {
         let m = &self.rows;
         let minor = |row: usize, column: usize| {

@@ -1,7 +1,7 @@
 //! Values of parameters, and the parts that the scenes of all sweeps are made of.
 //!
-//! A scene file holds decimals of up to 15 significant digits; whatever a scene derives from its parameter is computed in rationals and must be such a
-//! decimal again, so that every scene is exactly what its parameter says.
+//! A scene file holds decimals of up to 15 significant digits; whatever a scene derives from its parameter is computed
+//! in rationals and must be such a decimal again, so that every scene is exactly what its parameter says.
 
 use super::Step;
 use crate::format::Format;
@@ -9,7 +9,8 @@ use crate::rational::{from_decimal, to_f64};
 use crate::scene::{Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Surface};
 use num_rational::BigRational;
 
-/// The screen of a sweep unless it needs another. The picture is as high as it has lines, so that a scene unit is a pixel in the screen plane.
+/// The screen of a sweep unless it needs another. The picture is as high as it has lines, so that a scene unit is a
+/// pixel in the screen plane.
 pub const SCREEN: (u32, u32) = (96, 72);
 
 /// Where objects stand that are not to be symmetric to the pixel centres, which lie at whole numbers.

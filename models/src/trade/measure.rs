@@ -65,8 +65,8 @@ impl Measured {
         FittedMachine::uniform(&prepared.format, objects, most.unwrap_or(0), rows_per_stage)
     }
 
-    /// Clocks of an image: one for each pixel and the latency; in zones, for each of them the latency again, while its last pixels leave, and one for each word
-    /// that is loaded.
+    /// Clocks of an image: one for each pixel and the latency; in zones, for each of them the latency again, while its
+    /// last pixels leave, and one for each word that is loaded.
     pub fn clocks_per_frame(&self, machine: &FittedMachine) -> u64 {
         let prepared = &self.zones[0].prepared;
         if self.is_whole {

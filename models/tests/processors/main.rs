@@ -73,8 +73,8 @@ impl Pictures {
         (self.golden.id[index], self.golden.number[index])
     }
 
-    /// The pixels at which the pictures show different faces; each has its golden face among its neighbours in the exact picture: an edge is less than
-    /// a pixel away.
+    /// The pixels at which the pictures show different faces; each has its golden face among its neighbours in the
+    /// exact picture: an edge is less than a pixel away.
     fn differences(&self) -> usize {
         let (w, h) = (self.golden.width as i64, self.golden.height as i64);
         let mut count = 0;
@@ -96,7 +96,8 @@ impl Pictures {
         count
     }
 
-    /// Pixels of the exact picture within two pixels of both objects 0 and 1, and not at the outline, where a joint ends.
+    /// Pixels of the exact picture within two pixels of both objects 0 and 1, and not at the outline, where a joint
+    /// ends.
     fn joint(&self) -> Vec<usize> {
         let (w, h) = (self.golden.width as i64, self.golden.height as i64);
         let id = |u: i64, v: i64| self.exact_face((v * w + u) as usize).0;
@@ -181,7 +182,8 @@ fn patches_are_within_their_proven_bounds() {
     }
 }
 
-/// The same objects by the quadric processor give the bounds; the first generation decides by contours instead of depths.
+/// The same objects by the quadric processor give the bounds; the first generation decides by contours instead of
+/// depths.
 #[test]
 fn first_generation_is_within_the_bounds_of_its_quadrics() {
     for depth in [20, 24] {
@@ -216,7 +218,8 @@ fn first_generation_is_within_the_bounds_of_its_quadrics() {
     }
 }
 
-/// Outlines are exact; the depth is off by the paraboloid: 0.2945 of the radius, over the level part of the axis for a cylinder, and a count of rounding.
+/// Outlines are exact; the depth is off by the paraboloid: 0.2945 of the radius, over the level part of the axis for a
+/// cylinder, and a count of rounding.
 #[test]
 fn paraboloids_have_the_exact_outline_at_any_size() {
     for size in [(160, 120), (320, 240), (480, 360)] {

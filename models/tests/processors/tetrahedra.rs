@@ -80,8 +80,9 @@ fn pair(random: &mut Random, orthographic: bool) -> SceneFile {
     file
 }
 
-/// The common face has one depth expression, kept on opposite sides, and no pixel of the joint is left out. The two surfaces cross the face in one curve; a
-/// 16-bit depth word without guard bits may round both of them to the removed side of it, at one pixel in a thousand.
+/// The common face has one depth expression, kept on opposite sides, and no pixel of the joint is left out. The two
+/// surfaces cross the face in one curve; a 16-bit depth word without guard bits may round both of them to the removed
+/// side of it, at one pixel in a thousand.
 #[test]
 fn tetrahedra_join_without_a_crack() {
     let mut random = Random(0x10ad);

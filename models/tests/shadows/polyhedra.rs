@@ -97,7 +97,8 @@ fn refusal(planes: &[[i64; 4]], point: [i64; 4]) -> Option<String> {
     prepare(&framed, F).err().map(|error| error.to_string())
 }
 
-/// Inside, on a face, an edge or a corner, and where an open one is endless towards a directional source; a hair outside is accepted.
+/// Inside, on a face, an edge or a corner, and where an open one is endless towards a directional source; a hair
+/// outside is accepted.
 #[test]
 fn a_source_inside_a_polyhedron_is_refused_by_name() {
     let open = &CUBE[..5];

@@ -1,7 +1,7 @@
 //! Engines that run the hardware: rust-hdl in process, and the emitted Verilog in Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Hardware`](crate::subject::Hardware), a beam machine behind [`Engine`]; both get the same stimulus and the same
-//! scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
+//! A unit runs behind [`Hardware`](crate::subject::Hardware), a beam machine behind [`Engine`]; both get the same
+//! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod beam;
 pub mod circuit;
@@ -47,7 +47,8 @@ pub struct MachineOutputs {
 }
 
 impl MachineOutputs {
-    /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its visible face.
+    /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its
+    /// visible face.
     pub fn signals(depth_word: u32) -> Vec<Signal> {
         Self::signals_of(depth_word, 16)
     }

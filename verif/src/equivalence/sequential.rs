@@ -1,8 +1,8 @@
 //! Are two texts the same circuit, whatever their registers are called? A proof by ABC.
 //!
-//! Yosys builds a miter of both: one output that is 1 as soon as any output of one differs from that of the other. Both start
-//! at their initial values. ABC finds registers that are always equal by induction (`scorr`) and then proves that the
-//! output is never 1, or gives a clock at which it is.
+//! Yosys builds a miter of both: one output that is 1 as soon as any output of one differs from that of the other.
+//! Both start at their initial values. ABC finds registers that are always equal by induction (`scorr`) and then
+//! proves that the output is never 1, or gives a clock at which it is.
 
 use super::{EquivalenceError, Text, Verdict};
 use crate::tool::{ToolError, YOSYS_ABC, write};

@@ -5,7 +5,8 @@ use clap::Args;
 /// Options of face lists and STEP files.
 #[derive(Clone, Debug, Args)]
 pub struct FaceOptions {
-    /// Most that an approximated border may be off, in units of the list, or mm of a STEP file, or in pixels of the scene's picture as in 0.5px; 0 rejects what is not exact. A thousandth of the part's size by default.
+    /// Most that an approximated border may be off, in units of the list, or mm of a STEP file, or in pixels of the
+    /// scene's picture as in 0.5px; 0 rejects what is not exact. A thousandth of the part's size by default.
     #[arg(long, value_name = "LENGTH", value_parser = deviation)]
     pub max_deviation: Option<Deviation>,
     /// Compile each face by itself, also where a whole solid is one cut quadric.

@@ -34,7 +34,8 @@ pub struct MoleculeOptions {
     /// Leave water out.
     #[arg(long, alias = "no-water")]
     without_water: bool,
-    /// Write a scene that names the structure file and is filled from it when it is read; so it is with more than 20 000 objects.
+    /// Write a scene that names the structure file and is filled from it when it is read; so it is with more than 20
+    /// 000 objects.
     #[arg(long, conflicts_with = "inline")]
     pub reference: bool,
     /// Write an object for each atom and bond, however many there are.

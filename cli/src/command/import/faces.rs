@@ -52,6 +52,12 @@ fn within(
             .map_err(Failure::input)?;
     }
     let pixel = scene.nearest_pixel(height).map_err(Failure::input)?;
+    if !(pixel.is_finite() && pixel > 0.0) {
+        return Err(Failure::input(format!(
+            "--max-deviation {pixels}px: a pixel has no size where the nearest face is, because the camera is within the \
+             part; a length, as in --max-deviation 0.01, or a camera outside would be accepted"
+        )));
+    }
     let mut imported = read(Some(pixels * pixel))?;
     imported.notes.push(format!(
         "a pixel of {width}x{height} is {pixel:.3e} or more; nothing is off by more than {:.3e}",

@@ -8,7 +8,8 @@ use imogene_import::{Imported, Kind};
 use pathdiff::diff_paths;
 use std::path::Path;
 
-/// Most objects that are written one by one unless they are asked for: some ten thousand lines are more than anyone reads.
+/// Most objects that are written one by one unless they are asked for: some ten thousand lines are more than anyone
+/// reads.
 const MOST_LINES: usize = 20_000;
 
 /// The scene of a file.
@@ -18,7 +19,8 @@ pub fn import(bytes: Vec<u8>, format: Format, options: &Import) -> Result<Import
     pdb::read(&bytes, format, &file, &options.molecule.options()).map_err(Failure::input)
 }
 
-/// The same scene, which names its structure file instead of listing the objects, if that is asked for or the list would be long.
+/// The same scene, which names its structure file instead of listing the objects, if that is asked for or the list
+/// would be long.
 pub fn referred(mut imported: Imported, kind: Kind, options: &Import) -> Result<Imported, Failure> {
     let asked = &options.molecule;
     let is_long = imported.scene.objects.len() > MOST_LINES && !asked.inline;

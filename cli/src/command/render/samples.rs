@@ -1,4 +1,5 @@
-//! `imogene render --samples`: the machine's own supersampling. It draws the scene once for each place in a pixel and takes the mean.
+//! `imogene render --samples`: the machine's own supersampling. It draws the scene once for each place in a pixel and
+//! takes the mean.
 
 use super::draw;
 use crate::arguments::Render;

@@ -61,7 +61,8 @@ impl Work<'_> {
         found
     }
 
-    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; nothing if these are too near.
+    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; nothing if
+    /// these are too near.
     pub(super) fn keys(
         &self,
         slab: usize,

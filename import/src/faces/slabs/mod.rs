@@ -1,9 +1,9 @@
 //! A face taken apart by lines u = constant: whatever its border, each part lies between two of its pieces.
 //!
-//! The lines through all ends and turns of the border divide the surface into slabs. Within a slab the pieces of the border keep their
-//! order, so that the face is the strips between every other two of them, and a strip is the AND of six half-spaces at most: those of the slab, of
-//! the piece below and of that above, and of two parallels where the surface is curved along v. The search of [`super::terms`] finds fewer
-//! parts where it finds any; this always ends.
+//! The lines through all ends and turns of the border divide the surface into slabs. Within a slab the pieces of the
+//! border keep their order, so that the face is the strips between every other two of them, and a strip is the AND of
+//! six half-spaces at most: those of the slab, of the piece below and of that above, and of two parallels where the
+//! surface is curved along v. The search of [`super::terms`] finds fewer parts where it finds any; this always ends.
 
 mod keys;
 mod probes;
@@ -24,8 +24,8 @@ use sectors::{Run, join};
 const MAX_HALVINGS: usize = 6;
 /// Greatest gap between the ends of two pieces of a border that follow each other, in sizes of the part or radians.
 const WIDEST_GAP: f64 = 1e-4;
-/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to neither. Out there a chord is a
-/// twelfth of the deviation off.
+/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to
+/// neither. Out there a chord is a twelfth of the deviation off.
 pub const OVERLAP: f64 = 0.02;
 
 /// A part of the surface between two parallels, drawn as one quadric.

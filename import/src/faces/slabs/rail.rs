@@ -100,7 +100,8 @@ impl Slabs<'_> {
         self.without_gaps(sheet, rails, limits)
     }
 
-    /// Limits without slabs between two ends that should be one: there a line crosses the border an odd number of times.
+    /// Limits without slabs between two ends that should be one: there a line crosses the border an odd number of
+    /// times.
     pub(super) fn without_gaps(
         &self,
         sheet: &Sheet,

@@ -128,7 +128,8 @@ impl Work<'_> {
         cell
     }
 
-    /// The planes at both ends of a span: those of edges that are there, if together they keep nothing else of the line v.
+    /// The planes at both ends of a span: those of edges that are there, if together they keep nothing else of the
+    /// line v.
     pub(super) fn sides(
         &self,
         span: [f64; 2],

@@ -76,7 +76,8 @@ impl Work<'_> {
         all
     }
 
-    /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what the slab beside it says.
+    /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what
+    /// the slab beside it says.
     pub(super) fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
         let votes = |all: &[Crossing]| -> i64 {
             let vote = |(index, crossing): (usize, &Crossing)| {

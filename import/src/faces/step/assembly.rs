@@ -161,7 +161,8 @@ impl<'e, 'a> Assembly<'e, 'a> {
         index
     }
 
-    /// What product a representation is of, or that it is of none: CAD systems hang shapes on properties for validation.
+    /// What product a representation is of, or that it is of none: CAD systems hang shapes on properties for
+    /// validation.
     fn name_products(&mut self) {
         let file = self.file;
         for args in file.all(&DEFINING) {

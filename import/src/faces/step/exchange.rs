@@ -89,15 +89,16 @@ pub struct Exchange<'a> {
     pub header: Vec<Record<'a>>,
     /// Entities in their order.
     pub entities: Vec<Entity<'a>>,
-    /// The last digit of its coordinates, in its unit of length: 0.000001 if none has more than six decimals; 0 if all have so few that they
-    /// may be exact.
+    /// The last digit of its coordinates, in its unit of length: 0.000001 if none has more than six decimals; 0 if all
+    /// have so few that they may be exact.
     pub last_digit: f64,
     /// The greatest difference of two coordinates along an axis, in its unit of length.
     pub extent: f64,
     index: HashMap<u64, usize>,
 }
 
-/// Coordinates with fewer decimals than this are taken for exact: a round number says nothing of how numbers are rounded.
+/// Coordinates with fewer decimals than this are taken for exact: a round number says nothing of how numbers are
+/// rounded.
 const FEWEST_DECIMALS: usize = 5;
 
 /// The most decimals in a text of coordinates; those of numbers with an exponent say nothing.

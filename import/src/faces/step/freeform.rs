@@ -114,8 +114,8 @@ fn spline_surface<'e, 'a>(
     Ok(patches(degrees, [&knots[0], &knots[1]], &poles))
 }
 
-/// The curve that is moved or turned, as Bezier pieces; nothing for a curve of another kind. Of a line it is a part, not at its origin, which
-/// may be on the axis.
+/// The curve that is moved or turned, as Bezier pieces; nothing for a curve of another kind. Of a line it is a part,
+/// not at its origin, which may be on the axis.
 fn profile<'e, 'a>(
     file: &'e Exchange<'a>,
     mut entity: &'e Entity<'a>,

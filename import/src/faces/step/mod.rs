@@ -1,7 +1,7 @@
 //! STEP files (ISO 10303-21) with boundary representations of AP203, AP214 and AP242.
 //!
-//! The structure of the file is read by [`exchange`], what its entities mean by the other modules; the result is the model that a face list gives. Lengths become
-//! millimetres.
+//! The structure of the file is read by [`exchange`], what its entities mean by the other modules; the result is the
+//! model that a face list gives. Lengths become millimetres.
 
 mod args;
 mod assembly;

@@ -180,7 +180,8 @@ mod tests {
         assert_eq!(spline.nearest([2.0, 0.0, 0.0]), (0.0, 0.0));
     }
 
-    /// A cubic through the powers of its parameter: x = u, y = u^2, z = u^3 over 0 to 3, by blossoms, with knots at 1 and 2.
+    /// A cubic through the powers of its parameter: x = u, y = u^2, z = u^3 over 0 to 3, by blossoms, with knots at 1
+    /// and 2.
     #[test]
     fn cubics_with_knots_are_the_polynomials_of_their_blossoms() {
         let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0];

@@ -56,8 +56,8 @@ const PARTS: [&str; 2] = ["RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE"
 /// Most surfaces that are defined by each other.
 const DEEPEST: usize = 8;
 
-/// The surface of a face, placed. The axis of a cone goes into the nappe that its radius is on. A free-form surface that is a quadric, a plane or a torus
-/// within `tolerance`, millimetres, is taken for it.
+/// The surface of a face, placed. The axis of a cone goes into the nappe that its radius is on. A free-form surface
+/// that is a quadric, a plane or a torus within `tolerance`, millimetres, is taken for it.
 pub fn surface(
     file: &Exchange,
     entity: &Entity,

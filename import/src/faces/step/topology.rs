@@ -14,7 +14,8 @@ use crate::faces::surface::Surface;
 use crate::faces::vector::{Vector, distance, dot, length, minus};
 use std::collections::HashMap;
 
-/// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known when it has been read.
+/// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known
+/// when it has been read.
 const CANONICAL: f64 = 1e-5;
 /// Share of their distance from the origin, or of a millimetre, within which two vertices are at one place.
 const SAME_PLACE: f64 = 1e-7;

@@ -1,6 +1,7 @@
 //! The PDBx/mmCIF format: categories of items in a CIF text.
 //!
-//! Only the categories that a picture needs are kept; the atoms, by far the largest, go from the text into the structure row by row.
+//! Only the categories that a picture needs are kept; the atoms, by far the largest, go from the text into the
+//! structure row by row.
 
 mod atoms;
 mod meaning;

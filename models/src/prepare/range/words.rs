@@ -86,7 +86,8 @@ impl Computed {
     }
 }
 
-/// The range in which f2 and f1 + r of an object would stay in their words, as a clause of a refusal; nothing if none would do.
+/// The range in which f2 and f1 + r of an object would stay in their words, as a clause of a refusal; nothing if none
+/// would do.
 pub(in crate::prepare) fn remedy(
     quadric: &ScreenQuadric,
     region: &Region,

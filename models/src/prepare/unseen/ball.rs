@@ -5,8 +5,8 @@
 //! last place of the magnitudes that it adds, [`PLACE`] of which are allowed for, and rotations that are not exactly
 //! orthogonal stretch it by as little, [`SHAPE`] of the radius.
 //!
-//! In perspective, on the ray `t (p, q, 1)` from the eye, with `K = |c|^2 - r^2`, the depth words of the two points of a
-//! ball are `f1 -+ sqrt(f2)` with
+//! In perspective, on the ray `t (p, q, 1)` from the eye, with `K = |c|^2 - r^2`, the depth words of the two points of
+//! a ball are `f1 -+ sqrt(f2)` with
 //!
 //! ```text
 //! f1 = zmax - s (p x + q y + z)                                    s = 2 near zmax / K

@@ -49,8 +49,8 @@ impl Buffer {
 
     /// True if at every pixel at which the ball may be drawn something else surely is, and nearer.
     ///
-    /// Of the objects drawn at a pixel the nearest is never one of those that are hidden so: it would lie behind a depth at which
-    /// something is drawn. So what hides may itself be hidden.
+    /// Of the objects drawn at a pixel the nearest is never one of those that are hidden so: it would lie behind a
+    /// depth at which something is drawn. So what hides may itself be hidden.
     pub fn hides(&self, placed: &Placed) -> bool {
         let window = &placed.window;
         if window.is_empty() {

@@ -1,9 +1,9 @@
 //! Objects that nobody sees, found before anything of them is exact.
 //!
-//! Of a million balls a picture shows some ten thousand. Framing and preparing the others exactly takes most of the time
-//! and of the memory, so they are left out first, on bounds in floating point that are proven ([`ball`], [`outline`]):
-//! the picture, the range of the depth word and the words of everything else are those of the whole scene. Only balls
-//! are left out, and only balls hide others; whatever a bound does not decide is kept.
+//! Of a million balls a picture shows some ten thousand. Framing and preparing the others exactly takes most of the
+//! time and of the memory, so they are left out first, on bounds in floating point that are proven ([`ball`],
+//! [`outline`]): the picture, the range of the depth word and the words of everything else are those of the whole
+//! scene. Only balls are left out, and only balls hide others; whatever a bound does not decide is kept.
 
 mod ball;
 mod buffer;
@@ -215,12 +215,12 @@ impl Balls {
         }
     }
 
-    /// The range of the depth that the whole scene has, and those objects that may decide it, framed in the range that is
-    /// suggested.
+    /// The range of the depth that the whole scene has, and those objects that may decide it, framed in the range that
+    /// is suggested.
     ///
     /// A ball that is not framed has no say in it: its level, if it has one, lies between those of others; no end cuts
-    /// it; and f1 and f2 hold in their words, in this range and so in all wider ones, which only draw them nearer to the
-    /// far end or to zero. A ball of which that is not certain is framed, and the range chosen again.
+    /// it; and f1 and f2 hold in their words, in this range and so in all wider ones, which only draw them nearer to
+    /// the far end or to zero. A ball of which that is not certain is framed, and the range chosen again.
     fn range(
         &self,
         scene: &SceneFile,

@@ -74,7 +74,8 @@ impl Magnitudes {
 }
 
 impl Outline {
-    /// Of a ball that lies wholly before the eye or behind it, and not too near to be a plain case; nothing for any other.
+    /// Of a ball that lies wholly before the eye or behind it, and not too near to be a plain case; nothing for any
+    /// other.
     pub fn of(ball: &Ball, view: &View) -> Option<Outline> {
         let pixels = view.camera.pixels;
         let middle = view.middle();
@@ -166,7 +167,8 @@ impl Outline {
         }
     }
 
-    /// Least and greatest column and line at which f2 of the outer ball is not below `-spare`, a millionth of a pixel wider.
+    /// Least and greatest column and line at which f2 of the outer ball is not below `-spare`, a millionth of a pixel
+    /// wider.
     fn ends(&self, spare: f64) -> Option<[[f64; 2]; 2]> {
         let Conic { c, d, e, a, b, m } = self.outer;
         let c = c + spare;
@@ -264,8 +266,8 @@ impl Outline {
         low < self.f1[0] - spread && self.f1[0] + spread < high
     }
 
-    /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth that is not nearer
-    /// than the one that is drawn there.
+    /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth
+    /// that is not nearer than the one that is drawn there.
     pub fn covered(
         &self,
         y: i64,
@@ -286,7 +288,8 @@ impl Outline {
         }
     }
 
-    /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where `each` says so.
+    /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where
+    /// `each` says so.
     pub fn may_cover(
         &self,
         y: i64,

@@ -1,6 +1,7 @@
 //! The volumes of a scene: the shadows of its objects, and what its spots light (source: 3.2.1).
 //!
-//! Their words are needed only where something is seen, so they are proven there: on the screen boxes and between the depths of the objects.
+//! Their words are needed only where something is seen, so they are proven there: on the screen boxes and between the
+//! depths of the objects.
 
 mod shadow;
 mod words;
@@ -83,7 +84,8 @@ impl Volumes {
     }
 }
 
-/// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for each of [`pairs`].
+/// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for
+/// each of [`pairs`].
 pub(super) fn prepare_volumes(
     scene: &FramedScene,
     objects: &mut [PreparedObject],
@@ -235,11 +237,13 @@ fn shadow(
     Ok(volumes)
 }
 
-/// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the cut plane, or on the
-/// quadric, whose root is at most the square root of its error off, and below the true one by another count.
+/// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the
+/// cut plane, or on the quadric, whose root is at most the square root of its error off, and below the true one by
+/// another count.
 fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     let Some(quadric) = object.quadric() else {
-        // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the size of the box.
+        // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the
+        // size of the box.
         let b = object.screen_box();
         return 0.5 * ((b.x1 - b.x0) + (b.y1 - b.y0) + 1) as f64;
     };

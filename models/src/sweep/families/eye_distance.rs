@@ -1,7 +1,7 @@
 //! The eye approaches the surface of a sphere, and goes through it.
 //!
-//! The factor of z^2 is the quadric's value at the eye, over the square of the viewer distance. It vanishes on the surface, and f1 and f2 with its
-//! inverse and the square of its inverse go out of every word.
+//! The factor of z^2 is the quadric's value at the eye, over the square of the viewer distance. It vanishes on the
+//! surface, and f1 and f2 with its inverse and the square of its inverse go out of every word.
 
 use crate::format::Format;
 use crate::rational::{fraction, integer};
@@ -38,7 +38,8 @@ fn all(format: Format) -> Vec<Step> {
     values.extend(decades(&[3, 1], (-6..=-1).rev()));
     values.push("0".into());
     let mut steps = steps(4, &values, format, ball);
-    // From inside the eye cannot be farther from the surface than the middle; on the surface the screen has no distance left.
+    // From inside the eye cannot be farther from the surface than the middle; on the surface the screen has no
+    // distance left.
     steps.retain(|step| {
         let value: f64 = step.parameter.parse().expect("a decimal");
         match step.series {
