@@ -1,5 +1,5 @@
-//! Circuits of `imogene-circuits`: against their golden models clock by clock, and proven the same circuit as the emitted
-//! text of the unit, as our Verilog and as rust-hdl prints it. Needs the package 'yosys' and fails without it.
+//! Circuits of `imogene-circuits`: against their golden models clock by clock, and proven the same circuit as the
+//! emitted text of the unit, as our Verilog and as rust-hdl prints it. Needs the package 'yosys' and fails without it.
 
 use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
 use imogene_circuits::units::{self, widths};
@@ -47,7 +47,7 @@ fn text(design: &Design) -> String {
     let modules = design.top.all();
     modules
         .iter()
-        .map(|module| verilog::write(module, &[]))
+        .map(|module| verilog::write(module, ""))
         .collect()
 }
 

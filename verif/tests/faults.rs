@@ -1,5 +1,5 @@
-//! A co-simulation that could not find a fault would prove nothing: broken units and a broken coefficient must be reported with cycle,
-//! pixel, values and a trace.
+//! A co-simulation that could not find a fault would prove nothing: broken units and a broken coefficient must be
+//! reported with cycle, pixel, values and a trace.
 
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare};

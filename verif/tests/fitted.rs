@@ -1,11 +1,11 @@
 //! Machines whose words no catalogue has, in Verilator against the golden machine: every output of every clock.
 
-use imogene_generator::emit_machines;
 use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
 use imogene_rtl::emit::Emitted;
+use imogene_rtl::emit::machine::emit_machine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, fitted};
@@ -64,10 +64,9 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
 }
 
 fn emitted() -> Vec<Emitted> {
-    let requests: Vec<_> = (0..MACHINES.len())
-        .map(|index| fitted::request(&prepared(index).1, "test"))
-        .collect();
-    emit_machines(&requests).unwrap()
+    (0..MACHINES.len())
+        .map(|index| emit_machine(&fitted::request(&prepared(index).1, "test")).unwrap())
+        .collect()
 }
 
 fn run(index: usize, emitted: &Emitted, fault: Option<Fault>) -> Report {

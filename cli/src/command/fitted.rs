@@ -2,17 +2,16 @@
 
 use crate::failure::Failure;
 use crate::output;
-use imogene_generator::{GeneratorError, emit_machine, emit_machines};
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_rtl::emit::Emitted;
-use imogene_rtl::emit::machine::MachineRequest;
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, machine_costs};
 use imogene_verif::scene::fitted::request;
 
 /// The Verilog of a machine.
 pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
-    emit_machine(&request_of(machine, prefix)).map_err(failure)
+    emit_machine(&request_of(machine, prefix)).map_err(Failure::input)
 }
 
 fn request_of(machine: &FittedMachine, prefix: Option<&str>) -> MachineRequest {
@@ -33,8 +32,8 @@ pub fn costs(
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>, Failure> {
-    let requests: Vec<MachineRequest> = machines.iter().map(|m| request_of(m, None)).collect();
-    let emitted = emit_machines(&requests).map_err(failure)?;
+    let emitted: Result<Vec<Emitted>, Failure> = machines.iter().map(|m| emit(m, None)).collect();
+    let emitted = emitted?;
     let bar = output::progress(0, "modules in synthesis");
     let done = |known, of| {
         bar.set_length(of as u64);
@@ -43,8 +42,4 @@ pub fn costs(
     let costs = machine_costs(&emitted, target, with_clock, &done).map_err(Failure::input);
     bar.finish_and_clear();
     costs
-}
-
-fn failure(error: GeneratorError) -> Failure {
-    Failure::input(error)
 }

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all(folder)?;
     let mut lines = 0;
     for module in design.top.all() {
-        let text = verilog::write(&module, &[]);
+        let text = verilog::write(&module, "");
         lines += text.lines().count();
         std::fs::write(Path::new(folder).join(format!("{}.v", module.name)), text)?;
     }

@@ -1,6 +1,7 @@
 //! The circuits of imogene, as functions over values: see `imogene_hdl`.
 //!
-//! A circuit that is a module of its own takes the name of its instance first. Widths follow from the values that it is given.
+//! A circuit that is a module of its own takes the name of its instance first. Widths follow from the values that it
+//! is given. Sections without a name are those of Nyiri 1994.
 
 pub mod arith;
 pub mod machine;

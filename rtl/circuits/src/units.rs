@@ -6,8 +6,8 @@ use crate::machine::{
     decider, raster_control, shadow_stage, visibility_chain, visibility_node,
 };
 use crate::object::{
-    Cut, Face, Interval, NormalWords, Roots, Shape, Widths, Words, cut_plane, depth_interval,
-    normal_unit, plane_depth, quadric_pe, quadric_processor, two_volume_merge,
+    Cut, Face, Interval, Network, NormalWords, Roots, Shape, Widths, Words, cut_plane,
+    depth_interval, normal_unit, plane_depth, quadric_pe, quadric_processor, two_volume_merge,
 };
 use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
 use imogene_contract::parameters::Parameters;
@@ -48,6 +48,14 @@ fn quadric(parameters: &Parameters) -> (Linear, Quadratic) {
     (linear(parameters), f2)
 }
 
+fn network(parameters: &Parameters) -> Network {
+    Network {
+        digits: parameters.depth_word,
+        rows: parameters.depth_word,
+        rows_per_stage: parameters.rows_per_stage,
+    }
+}
+
 fn words(parameters: &Parameters) -> Words {
     Words::input(widths(parameters.depth_word), parameters.planes as usize)
 }
@@ -70,7 +78,8 @@ pub const UNITS: &[Unit] = &[
         square_root("top", radicand, p.rows_per_stage);
     }),
     ("quadric_pe", |p| {
-        quadric_pe("top", Flags::input(), quadric(p), p.rows_per_stage);
+        let sum = widths(p.depth_word).linear;
+        quadric_pe("top", Flags::input(), quadric(p), sum, network(p));
     }),
     ("plane_depth", |p| {
         let words = Linear::input(widths(p.depth_word).plane);
@@ -95,7 +104,7 @@ pub const UNITS: &[Unit] = &[
     ("quadric_processor", |p| {
         let shape = Shape {
             depth: p.depth_word,
-            rows_per_stage: p.rows_per_stage,
+            root: network(p),
             two_volumes: true,
         };
         quadric_processor("top", Flags::input(), Pixel::input(), words(p), shape);
@@ -134,7 +143,7 @@ pub const UNITS: &[Unit] = &[
         let machine = Beam {
             depth: p.depth_word,
             widths: widths(p.depth_word),
-            rows_per_stage: p.rows_per_stage,
+            root: network(p),
             slots: vec![slot; p.objects as usize],
         };
         let load = Load::input(machine.widths.quadratic);

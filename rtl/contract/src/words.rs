@@ -13,7 +13,8 @@ pub const NORMAL: usize = 16;
 pub const MOST_PLANES: usize = 12;
 /// Most sides of a facet.
 pub const MOST_SIDES: usize = 4;
-/// Greatest number of a video mode: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080, all at 60 Hz.
+/// Greatest number of a video mode: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080, all at 60
+/// Hz.
 pub const MOST_MODE: usize = 3;
 /// Lights of a shading processor at most.
 pub const MOST_LIGHTS: usize = 4;

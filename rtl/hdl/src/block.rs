@@ -1,7 +1,8 @@
 //! A module as a block of rust-hdl.
 //!
-//! Nets are its atoms, instances and registers its sub-blocks, operations the statements of its kernel, one for each net. So
-//! rust-hdl's own check and its own printer run on every circuit. Its simulation would only call ours, and is empty here.
+//! Nets are its atoms, instances and registers its sub-blocks, operations the statements of its kernel, one for each
+//! net. So rust-hdl's own check and its own printer run on every circuit. Its simulation would only call ours, and is
+//! empty here.
 
 mod kernel;
 

@@ -4,7 +4,7 @@ use crate::bundle::Bundle;
 use crate::tree::{Direction, Instance, Module, Net, Node, Op, PortRecord};
 use crate::value::Handle;
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::panic::Location;
 use std::rc::Rc;
 
@@ -30,7 +30,8 @@ struct Builder {
     open: Vec<Scope>,
     /// Every scope has another number, so that a value of one is known in another.
     scopes: u64,
-    closed: Vec<Rc<Module>>,
+    /// Each with the name that was asked for.
+    closed: Vec<(String, Rc<Module>)>,
 }
 
 thread_local! {
@@ -69,15 +70,15 @@ impl Design {
         let outer = close();
         match &outer.instances[..] {
             [only] => Design {
-                top: only.module.clone(),
+                top: told_apart(&only.module),
             },
             others => refuse(format!("a design is one module, not {}", others.len())),
         }
     }
 }
 
-/// A circuit as a module with ports: `at` is the name of this instance. Ports are called as the members of `inputs` and of what
-/// the function returns; modules that are equal in all are one.
+/// A circuit as a module with ports: `at` is the name of this instance. Ports are called as the members of `inputs`
+/// and of what the function returns; modules that are equal in all are one.
 #[track_caller]
 pub fn module<I: Bundle, O: Bundle>(
     name: &str,
@@ -155,8 +156,8 @@ fn share(mut module: Module) -> Rc<Module> {
         let wanted = module.name.clone();
         let mut number = 1;
         loop {
-            match closed.iter().find(|other| other.name == module.name) {
-                Some(other) if **other == module => return other.clone(),
+            match closed.iter().find(|(_, other)| other.name == module.name) {
+                Some((_, other)) if **other == module => return other.clone(),
                 Some(_) => {
                     number += 1;
                     module.name = format!("{wanted}_{number}");
@@ -165,9 +166,66 @@ fn share(mut module: Module) -> Rc<Module> {
             }
         }
         let module = Rc::new(module);
-        closed.push(module.clone());
+        closed.push((wanted, module.clone()));
         module
     })
+}
+
+/// Modules that were to be called alike are called after the width of the first port in which all of them differ, as
+/// `pe1_w24` and `pe1_w36`; where there is none, they keep their numbers.
+fn told_apart(top: &Rc<Module>) -> Rc<Module> {
+    let mut groups: BTreeMap<String, Vec<Rc<Module>>> = BTreeMap::new();
+    BUILDER.with(|builder| {
+        let builder = builder.borrow();
+        for (wanted, module) in builder.iter().flat_map(|builder| &builder.closed) {
+            groups
+                .entry(wanted.clone())
+                .or_default()
+                .push(module.clone());
+        }
+    });
+    let mut names = HashMap::new();
+    for (wanted, modules) in groups.iter().filter(|(_, modules)| modules.len() > 1) {
+        for (module, width) in modules.iter().zip(distinct_widths(modules)) {
+            names.insert(Rc::as_ptr(module), format!("{wanted}_w{width}"));
+        }
+    }
+    renamed(top, &names, &mut HashMap::new())
+}
+
+/// The widths of the first port that has another in each of the modules; none if no port has.
+fn distinct_widths(modules: &[Rc<Module>]) -> Vec<u32> {
+    let widths = |port: &PortRecord| -> Vec<u32> {
+        let same = |module: &Rc<Module>| {
+            let found = module.ports.iter().find(|other| other.name == port.name);
+            found.map(|port| port.width)
+        };
+        modules.iter().filter_map(same).collect()
+    };
+    let all = modules[0].ports.iter().map(widths);
+    let is_distinct = |widths: &Vec<u32>| HashSet::<&u32>::from_iter(widths).len() == modules.len();
+    all.into_iter().find(is_distinct).unwrap_or_default()
+}
+
+/// The same tree with other names of modules.
+fn renamed(
+    module: &Rc<Module>,
+    names: &HashMap<*const Module, String>,
+    done: &mut HashMap<*const Module, Rc<Module>>,
+) -> Rc<Module> {
+    if let Some(module) = done.get(&Rc::as_ptr(module)) {
+        return module.clone();
+    }
+    let mut own = Module::clone(module);
+    if let Some(name) = names.get(&Rc::as_ptr(module)) {
+        own.name.clone_from(name);
+    }
+    for instance in &mut own.instances {
+        instance.module = renamed(&instance.module, names, done);
+    }
+    let own = Rc::new(own);
+    done.insert(Rc::as_ptr(module), own.clone());
+    own
 }
 
 fn open(name: &str) {

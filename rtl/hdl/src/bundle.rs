@@ -162,7 +162,8 @@ tuples! {
     (A 0, B 1, C 2, D 3, E 4)
 }
 
-/// Declares groups of ports: a structure of values, each with its kind, its width as a formula of the group's parameters, and its meaning.
+/// Declares groups of ports: a structure of values, each with its kind, its width as a formula of the group's
+/// parameters, and its meaning.
 ///
 /// ```
 /// use imogene_hdl::{Value, bundle};
@@ -229,7 +230,8 @@ macro_rules! bundle {
     )*};
 }
 
-/// Declares a structure of bundles, each with the name that stands before those of its members; an empty one stands before none.
+/// Declares a structure of bundles, each with the name that stands before those of its members; an empty one stands
+/// before none.
 ///
 /// ```
 /// use imogene_hdl::{bundle, bundles};

@@ -1,10 +1,10 @@
 //! Circuits whose widths are known when they are built.
 //!
-//! A circuit is a function over values: [`Bits`] are unsigned words, [`Int`] two's complement numbers, each with a width
-//! of 1 to 64 bits. Operators make nets; [`net!`] names them after the variables that hold them. [`module()`] gives a
-//! function ports, so that it becomes a module of its own, instantiated as often as it is called. [`Design::of`] holds
-//! what was built; the [simulator](Simulator), the [Verilog](verilog::write) and the [blocks](block::Block) of rust-hdl
-//! all read the same tree.
+//! A circuit is a function over values: [`Bits`] are unsigned words, [`Int`] two's complement numbers, each with a
+//! width of 1 to 64 bits. Operators make nets; [`net!`] names them after the variables that hold them. [`module()`]
+//! gives a function ports, so that it becomes a module of its own, instantiated as often as it is called.
+//! [`Design::of`] holds what was built; the [simulator](Simulator), the [Verilog](verilog::write) and the
+//! [blocks](block::Block) of rust-hdl all read the same tree.
 //!
 //! ```
 //! use imogene_hdl::{Bits, Design, Simulator, Value, module, net};

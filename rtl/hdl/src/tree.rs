@@ -10,8 +10,8 @@ pub const WIDEST: u32 = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Net(pub u32);
 
-/// An operation on two words. Sums and bitwise operations have the width of their operands, products that of both together,
-/// comparisons one bit.
+/// An operation on two words. Sums and bitwise operations have the width of their operands, products that of both
+/// together, comparisons one bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// Sum, wrapped.
@@ -149,7 +149,8 @@ pub struct Register {
     pub initial: u64,
 }
 
-/// A block memory with one port to write and one to read: the word at the address of the last clock, as it was before a write at that clock.
+/// A block memory with one port to write and one to read: the word at the address of the last clock, as it was before
+/// a write at that clock.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
     /// Name.

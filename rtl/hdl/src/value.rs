@@ -159,10 +159,13 @@ pub trait Value: Copy {
     /// The low bits.
     #[track_caller]
     fn low(self, width: u32) -> Self {
-        Self::of(match Self::SIGNED {
-            true => self.slice(width - 1, 0).int().0,
-            false => self.slice(width - 1, 0).0,
-        })
+        part(self, width, 0)
+    }
+
+    /// The high bits.
+    #[track_caller]
+    fn high(self, width: u32) -> Self {
+        part(self, width, self.width().saturating_sub(width))
     }
 
     /// Bits `high` down to `low`.
@@ -278,6 +281,18 @@ pub(crate) fn delayed<V: Value>(value: V, name: Option<&str>, clocks: u32) -> V 
     let line = named(Bits::register(clocks));
     line.load(join([line.slice(clocks - 2, 0), value.bit(0)]));
     V::of(line.top().0)
+}
+
+#[track_caller]
+fn part<V: Value>(value: V, width: u32, low: u32) -> V {
+    if width == value.width() {
+        return value;
+    }
+    let part = value.slice(low + width - 1, low);
+    V::of(match V::SIGNED {
+        true => part.int().0,
+        false => part.0,
+    })
 }
 
 #[track_caller]

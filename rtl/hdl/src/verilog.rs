@@ -1,7 +1,8 @@
 //! Plain Verilog-2005 of a module.
 //!
-//! Named values are wires, registers one `always` block in which those with the same enable stand together. A value without a
-//! name is written where it is read, unless it is read twice or Verilog needs a name there: then it is called after its reader.
+//! Named values are wires, registers one `always` block in which those with the same enable stand together. A value
+//! without a name is written where it is read, unless it is read twice or Verilog needs a name there: then it is
+//! called after its reader.
 
 mod names;
 mod reads;
@@ -12,14 +13,14 @@ use crate::value::mask;
 use names::{Name, Names};
 use std::fmt::Write;
 
-/// The text of one module, without those it instantiates; each line of `header` becomes a comment before it.
-pub fn write(module: &Module, header: &[String]) -> String {
+/// The text of one module, without those it instantiates; `prefix` stands before the names of modules.
+pub fn write(module: &Module, prefix: &str) -> String {
     let names = Names::of(module);
-    let mut text = String::new();
-    for line in header {
-        writeln!(text, "// {line}").unwrap();
-    }
-    let writer = Writer { module, names };
+    let writer = Writer {
+        module,
+        prefix,
+        names,
+    };
     let parts = [
         writer.ports(),
         writer.declarations(),
@@ -28,11 +29,12 @@ pub fn write(module: &Module, header: &[String]) -> String {
         writer.clocked(),
     ];
     let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-    text + &parts.join("\n") + "\nendmodule\n"
+    parts.join("\n") + "\nendmodule\n"
 }
 
 struct Writer<'a> {
     module: &'a Module,
+    prefix: &'a str,
     names: Names,
 }
 
@@ -64,7 +66,11 @@ impl Writer<'_> {
                 range(*width, *signed)
             ));
         }
-        format!("module {} (\n{}\n);\n", self.module.name, lines.join(",\n"))
+        let ports = lines.join(",\n");
+        format!(
+            "module {}{} (\n{ports}\n);\n",
+            self.prefix, self.module.name
+        )
     }
 
     fn declarations(&self) -> String {
@@ -135,7 +141,9 @@ impl Writer<'_> {
             if let Some(row) = rows.find(|row| row.instances.contains(&index)) {
                 if row.instances.start == index {
                     texts.push(
-                        row.written(self.module, &self.names.rows, &|net| self.value(net, false)),
+                        row.written(self.module, self.prefix, &self.names.rows, &|net| {
+                            self.value(net, false)
+                        }),
                     );
                 }
                 continue;
@@ -154,8 +162,8 @@ impl Writer<'_> {
             }
             let lines = lines.join(",\n");
             texts.push(format!(
-                "    {} {} (\n{lines}\n    );\n",
-                module.name, instance.name
+                "    {}{} {} (\n{lines}\n    );\n",
+                self.prefix, module.name, instance.name
             ));
         }
         texts.join("\n")
@@ -235,7 +243,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The registers behind so many conditions that they have in common: those without another first, each other condition once.
+    /// The registers behind so many conditions that they have in common: those without another first, each other
+    /// condition once.
     fn enabled(&self, registers: &[(Vec<Net>, &Register)], depth: usize, text: &mut String) {
         let indent = " ".repeat(8 + 4 * depth);
         let mut conditions: Vec<Net> = vec![];

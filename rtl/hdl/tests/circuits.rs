@@ -119,9 +119,12 @@ proptest! {
 
     /// A memory gives what was written before the last clock.
     #[test]
-    fn a_memory_reads_before_it_writes(steps in prop::collection::vec((any::<bool>(), 0u64..8, 0u64..256, 0u64..8), 1..60)) {
+    fn a_memory_reads_before_it_writes(
+        steps in prop::collection::vec((any::<bool>(), 0u64..8, 0u64..256, 0u64..8), 1..60),
+    ) {
         let design = Design::of(|| {
-            let ports = (("write", Bits::input(1)), ("at", Bits::input(3)), ("data", Bits::input(8)), ("read", Bits::input(3)));
+            let place = || Bits::input(3);
+            let ports = (("write", Bits::input(1)), ("at", place()), ("data", Bits::input(8)), ("read", place()));
             module("words", "top", ports, |((_, write), (_, at), (_, data), (_, read))| {
                 ("value", memory("kept", 8, (write, at, data), read))
             });
@@ -229,7 +232,7 @@ fn a_loop_without_a_register_is_refused_by_name() {
     );
 }
 
-/// Two that are equal are one module; another of the same name takes a number.
+/// Two that are equal are one module; others of the same name are told apart by their width.
 #[test]
 fn equal_modules_are_one() {
     fn later(at: &str, value: Bits) -> Bits {
@@ -257,7 +260,7 @@ fn equal_modules_are_one() {
         .iter()
         .map(|module| module.name.clone())
         .collect();
-    assert_eq!(names, ["later", "later_2", "pair"]);
+    assert_eq!(names, ["later_w4", "later_w5", "pair"]);
 }
 
 bundle! {
@@ -294,18 +297,64 @@ fn verilog_is_written_as_people_read_it() {
             (("sum", count + total), ("high", last.bit(7)))
         });
     });
-    let text = verilog::write(&design.top, &["row: a test".to_owned()]);
+    let text = verilog::write(&design.top, "my_");
     let parts = [
-        "// row: a test\nmodule row (",
+        "module my_row (",
         "    wire [39:0] steps_value;\n",
         "    assign steps_value[7:0] = value;\n",
-        "        for (k = 0; k < 4; k = k + 1) begin : steps\n            step step (",
+        "        for (k = 0; k < 4; k = k + 1) begin : steps\n            my_step step (",
         ".value(steps_value[8 * k +: 8]),\n",
         ".late(steps_value[8 * (k + 1) +: 8])\n",
         "    assign sum = count + total;\n    assign high = steps_value[39];\n",
-        "        if (enable) begin\n            count <= count + 8'd1;\n            if (clear) begin\n                total <= steps_value[39:32];\n",
+        "        if (enable) begin\n            count <= count + 8'd1;\n",
+        "            if (clear) begin\n                total <= steps_value[39:32];\n",
     ];
     for part in parts {
         assert!(text.contains(part), "{part} is not in\n{text}");
     }
+}
+
+/// Two memories called alike, and nets that are called as what the text declares itself.
+fn crowded() -> Design {
+    Design::of(|| {
+        let ports = (("write", Bits::input(1)), ("data", Bits::input(2)));
+        module("crowded", "top", ports, |((_, write), (_, data))| {
+            net! {
+                let place = data.reg_when(write);
+                let unused = Bits::register(2).initially(2);
+            }
+            unused.load(unused + place);
+            let words = || memory("words", 4, (write, place, unused), data);
+            (("one", words()), ("other", words() ^ unused))
+        });
+    })
+}
+
+#[test]
+fn what_the_text_declares_has_names_of_its_own() {
+    let text = verilog::write(&crowded().top, "");
+    let parts = [
+        "    reg [1:0] place_2 = 2'd0;\n",
+        "    reg [1:0] unused_2 = 2'd2;\n",
+        "    reg [1:0] words [0:3];\n    reg [1:0] words_2 [0:3];\n",
+        "        for (place = 0; place <= 3; place = place + 1) words_2[place] = 2'd0;\n",
+    ];
+    for part in parts {
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    }
+}
+
+#[test]
+fn registers_begin_as_they_say_and_memories_with_zeros() {
+    let mut simulator = Simulator::new(&crowded());
+    let [write, data, other] = ["write", "data", "other"].map(|name| simulator.port(name));
+    assert_eq!(simulator.get(other), 2);
+    simulator.set(write, 1);
+    simulator.set(data, 1);
+    // `unused` goes on by `place`, which is 1 from the second clock on; the word at 1 is written then, and read later.
+    let seen = (0..4).map(|_| {
+        simulator.clock();
+        simulator.get(other)
+    });
+    assert_eq!(seen.collect::<Vec<u64>>(), [2, 3, 2, 3 ^ 1]);
 }

@@ -1,16 +1,13 @@
 //! Beam machines of any words and slots: hardware that is fitted to a scene.
-//!
-//! Widths are constants of the compiler. A program with one call of [`emit_machine`] for each set of words, and [`serve`] around them, is compiled
-//! where a machine is wanted; the blocks that it instantiates are those of this crate.
 
-use super::collect::collect;
-use super::{EmitError, Emitted, Heading, merge, module_texts, names, ports};
+use super::{EmitError, Emitted, Heading, circuit, names};
 use crate::format::{MOST_OBJECTS, MOST_PLANES};
-use crate::machine::beam::Beam;
 use crate::machine::slot_shape::SlotShape;
+use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
+use imogene_circuits::object::{Network, Widths};
+use imogene_hdl::Design;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
-use std::io::{Read, Write as _};
 
 /// The words from which all others of a machine follow, in bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -46,47 +43,6 @@ pub struct MachineRequest {
     pub command: String,
 }
 
-/// Constant parameters of [`emit_machine`].
-pub const PARAMETERS: usize = 14;
-
-impl MachineWords {
-    /// The parameters of [`emit_machine`] in their order: `W, W1, S, F, P, R, R2, K, E1, E2, N, N1, G, B`.
-    pub fn parameters(&self) -> [usize; PARAMETERS] {
-        let Self {
-            depth,
-            root,
-            dropped_rows,
-            plane,
-            normal,
-            guard_linear,
-            guard_quadratic,
-        } = *self;
-        let rows = root - dropped_rows;
-        let sum = depth + 2;
-        let (linear, quadratic) = (sum + guard_linear, 2 * root + guard_quadratic);
-        let normal_part = normal + 8;
-        // A word of the screen box has 24 bits.
-        let bus = [linear, quadratic, plane, normal_part, 24];
-        let bus = bus.into_iter().fold(0, usize::max);
-        [
-            depth,
-            rows + 1,
-            sum,
-            2 * rows,
-            plane,
-            rows,
-            rows + 2,
-            root,
-            linear,
-            quadratic,
-            normal,
-            normal - 1,
-            normal_part,
-            bus,
-        ]
-    }
-}
-
 impl MachineRequest {
     /// Checks every count; the words are those of a format that the models accept, or the program does not compile.
     fn check(&self) -> Result<(), EmitError> {
@@ -114,41 +70,55 @@ impl MachineRequest {
             names::check_prefix(&self.prefix)
         }
     }
+
+    /// The machine.
+    fn machine(&self) -> Beam {
+        let words = self.words;
+        let (sum, root) = (words.depth + 2, words.root - words.dropped_rows);
+        Beam {
+            depth: words.depth as u32,
+            widths: Widths {
+                linear: (sum + words.guard_linear) as u32,
+                quadratic: (2 * words.root + words.guard_quadratic) as u32,
+                gradient: words.normal as u32 + 8,
+                normal: words.normal as u32,
+                plane: words.plane as u32,
+            },
+            root: Network {
+                digits: words.root as u32,
+                rows: root as u32,
+                rows_per_stage: self.rows_per_stage as u32,
+            },
+            slots: self
+                .slots
+                .iter()
+                .map(|slot| Slot {
+                    planes: slot.planes,
+                    two_volumes: slot.two_volumes,
+                })
+                .collect(),
+        }
+    }
 }
 
-/// The Verilog of a machine whose words are the constant parameters: those of [`MachineWords::parameters`], in that order.
+/// The Verilog of a machine.
 ///
 /// # Errors
 ///
 /// When a count is out of its range, or a prefix begins no identifier.
-pub fn emit_machine<
-    const W: usize,
-    const W1: usize,
-    const S: usize,
-    const F: usize,
-    const P: usize,
-    const R: usize,
-    const R2: usize,
-    const K: usize,
-    const E1: usize,
-    const E2: usize,
-    const N: usize,
-    const N1: usize,
-    const G: usize,
-    const B: usize,
->(
-    request: &MachineRequest,
-) -> Result<Emitted, EmitError> {
+pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
     request.check()?;
-    let rows = request.rows_per_stage;
-    let scope = collect(
-        Beam::<W, W1, S, F, P, R, R2, K, E1, E2, N, N1, G, B>::of_slots(&request.slots, rows),
-    )?;
-    let ports = ports(&scope);
-    let latency = Beam::<W, W1, S, F, P, R, R2, K, E1, E2, N, N1, G, B>::latency_of_slots(
-        &request.slots,
-        rows,
-    );
+    let machine = request.machine();
+    let design = Design::of(|| {
+        beam(
+            "top",
+            Zone::input(),
+            Load::input(machine.widths.bus()),
+            &machine,
+        );
+    });
+    let ports = circuit::ports(&design);
+    let latency = machine.latency() as usize;
     let top = format!("{}beam", request.prefix);
     let heading = Heading {
         top: &top,
@@ -160,10 +130,9 @@ pub fn emit_machine<
         ports: &ports,
         command: &request.command,
     };
-    let header = heading.text();
     Ok(Emitted {
-        header,
-        modules: module_texts(merge::modules(&scope, &request.prefix)?),
+        header: heading.text(),
+        modules: circuit::modules(&design, &request.prefix),
         top,
         ports,
         latency,
@@ -194,35 +163,6 @@ fn parameters(request: &MachineRequest) -> Vec<String> {
     }
     lines.push(slots);
     lines
-}
-
-/// A set of words with the call that emits its machines.
-pub type Entry = (
-    [usize; PARAMETERS],
-    fn(&MachineRequest) -> Result<Emitted, EmitError>,
-);
-
-/// Reads requests as a JSON list from standard input, and writes for each of them, in order, its Verilog or a refusal, as a JSON list.
-///
-/// # Errors
-///
-/// When the input is no such list or has words that no entry is for, or a stream breaks.
-pub fn serve(entries: &[Entry]) -> Result<(), String> {
-    let mut text = String::new();
-    let input = std::io::stdin().read_to_string(&mut text);
-    input.map_err(|error| error.to_string())?;
-    let requests: Vec<MachineRequest> =
-        serde_json::from_str(&text).map_err(|error| error.to_string())?;
-    let mut answers = Vec::new();
-    for request in &requests {
-        let parameters = request.words.parameters();
-        let entry = entries.iter().find(|(words, _)| *words == parameters);
-        let (_, emit) = entry.ok_or_else(|| format!("no entry for {parameters:?}"))?;
-        answers.push(emit(request).map_err(|error| error.to_string()));
-    }
-    let text = serde_json::to_string(&answers).map_err(|error| error.to_string())?;
-    let output = std::io::stdout().write_all(text.as_bytes());
-    output.map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -257,22 +197,10 @@ mod tests {
         }
     }
 
-    fn emitted(request: &MachineRequest) -> Result<Emitted, EmitError> {
-        emit_machine::<16, 17, 18, 32, 28, 16, 18, 16, 18, 32, 16, 15, 24, 32>(request)
-    }
-
-    #[test]
-    fn the_words_of_the_catalogue_have_the_parameters_of_the_catalogue() {
-        assert_eq!(
-            BASE.parameters(),
-            [16, 17, 18, 32, 28, 16, 18, 16, 18, 32, 16, 15, 24, 32]
-        );
-    }
-
     /// Equal slots make the machine of the catalogue, module for module.
     #[test]
     fn equal_slots_are_the_machine_of_the_catalogue() {
-        let fitted = emitted(&request(&[(2, true); 3])).unwrap();
+        let fitted = emit_machine(&request(&[(2, true); 3])).unwrap();
         let catalogue = emit(&EmitRequest {
             depth_word: 16,
             planes: 2,
@@ -285,31 +213,54 @@ mod tests {
     }
 
     #[test]
+    fn a_machine_has_the_words_that_were_asked_for() {
+        let words = MachineWords {
+            depth: 19,
+            root: 15,
+            dropped_rows: 2,
+            plane: 23,
+            normal: 11,
+            guard_linear: 3,
+            guard_quadratic: 5,
+        };
+        let request = request(&[(1, false), (3, true)]);
+        let emitted = emit_machine(&MachineRequest { words, ..request }).unwrap();
+        let width = |name: &str| {
+            let port = emitted.ports.iter().find(|port| port.name == name);
+            port.unwrap().width
+        };
+        assert_eq!(["depth", "nx", "load_data"].map(width), [19, 11, 35]);
+        assert_eq!(emitted.latency, 1 + (13 + 3 + 7) + 1);
+        let text = emitted.bundle();
+        assert!(text.contains("root 15, of which the last 2 digits are zero"));
+    }
+
+    #[test]
     fn a_machine_of_different_slots_waits_for_the_longest() {
-        let fitted = emitted(&request(&[(0, false), (2, true), (3, false)])).unwrap();
+        let fitted = emit_machine(&request(&[(0, false), (2, true), (3, false)])).unwrap();
         // Raster control, root, planes, and what is around them, the tree of three inputs.
         assert_eq!(fitted.latency, 1 + (16 + 2 + 7) + 2);
         let text = fitted.bundle();
         assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
         let has = |name: &str| fitted.modules.iter().any(|(module, _)| module == name);
-        assert!(has("two_volume_merge") && has("word_delay_w12_x1"));
-        let single = emitted(&request(&[(0, false), (1, false)])).unwrap();
+        assert!(has("two_volume_merge"));
+        let single = emit_machine(&request(&[(0, false), (1, false)])).unwrap();
         assert!(!single.modules.iter().any(|(m, _)| m == "two_volume_merge"));
     }
 
     #[test]
     fn counts_out_of_range_are_refused() {
-        assert!(emitted(&request(&[])).is_err());
-        assert!(emitted(&request(&[(13, false)])).is_err());
+        assert!(emit_machine(&request(&[])).is_err());
+        assert!(emit_machine(&request(&[(13, false)])).is_err());
         let prefixed = MachineRequest {
             prefix: "9".into(),
             ..request(&[(0, false)])
         };
-        assert!(emitted(&prefixed).is_err());
+        assert!(emit_machine(&prefixed).is_err());
         let deep = MachineRequest {
             rows_per_stage: 17,
             ..request(&[(0, false)])
         };
-        assert!(emitted(&deep).is_err());
+        assert!(emit_machine(&deep).is_err());
     }
 }

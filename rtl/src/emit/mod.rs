@@ -5,6 +5,7 @@
 //! text is not used: it drops widths and precedence. The same request gives the same text, byte for byte.
 
 mod census;
+mod circuit;
 mod collect;
 pub mod display;
 mod error;
@@ -72,6 +73,7 @@ use crate::unit::two_volume_merge::TwoVolumeMerge;
 pub use census::{Census, census};
 use collect::{Scope, collect};
 pub use error::EmitError;
+use imogene_circuits::units;
 pub use raw::raw;
 pub use request::EmitRequest;
 use rust_hdl::core::prelude::{AtomKind, Block};
@@ -184,13 +186,20 @@ pub fn emit_with_prefix(request: &EmitRequest, prefix: &str) -> Result<Emitted, 
 }
 
 fn emitted(request: &EmitRequest, prefix: &str) -> Result<Emitted, EmitError> {
-    let scope = with_block(request, Collect)?;
-    let ports = ports(&scope);
+    request.check()?;
+    let (ports, modules) = match units::design(request.unit.name(), &request.parameters()) {
+        Some(design) => (circuit::ports(&design), circuit::modules(&design, prefix)),
+        None => {
+            let scope = with_block(request, Collect)?;
+            let modules = merge::modules(&scope, prefix)?;
+            (ports(&scope), module_texts(modules))
+        }
+    };
     let latency = request.latency();
     Ok(Emitted {
         top: format!("{prefix}{}", request.unit.name()),
         header: header(request, &ports, latency, prefix),
-        modules: module_texts(merge::modules(&scope, prefix)?),
+        modules,
         ports,
         latency,
     })

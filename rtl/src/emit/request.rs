@@ -8,6 +8,7 @@ use crate::format::{
 };
 use crate::machine::shading_processor::LATENCY as SHADING_LATENCY;
 use crate::machine::shadow_stage::ShadowStage;
+use imogene_contract::parameters::Parameters;
 use std::fmt::Write;
 
 /// What to emit.
@@ -173,6 +174,26 @@ impl EmitRequest {
         parameters
             .find(|p| p.option == option)
             .map_or(0, |p| p.least)
+    }
+
+    /// What the circuit is built for.
+    pub fn parameters(&self) -> Parameters {
+        Parameters {
+            depth_word: self.depth_word as u32,
+            planes: self.planes as u32,
+            rows_per_stage: self.rows_per_stage as u32,
+            objects: self.objects as u32,
+            digits: self.digits() as u32,
+            corrections: self.corrections() as u32,
+            sides: self.sides() as u32,
+            mode: self.mode() as u32,
+            cards: self.cards() as u32,
+            layers: self.layers() as u32,
+            products: self.products() as u32,
+            intersected: self.intersected() as u32,
+            subtracted: self.subtracted() as u32,
+            lights: self.lights() as u32,
+        }
     }
 
     /// Options of the command line and their values.

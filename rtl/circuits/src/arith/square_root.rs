@@ -36,7 +36,7 @@ impl Next {
 
 /// `floor(sqrt(radicand))` and its remainder by restoring rows, `rows_per_stage` of them between registers.
 ///
-/// Latency `ceil(digits / rows_per_stage)`. Section 2.4.3.
+/// Latency `ceil(digits / rows_per_stage)`. Section 2.3.3.
 pub fn square_root(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
     module(
         "square_root",
@@ -88,11 +88,11 @@ fn square_root_stage(at: &str, row: Row, live: Bits, rows: u32) -> Row {
     .row()
 }
 
-/// One digit of the root: `trial = 4 remainder + next pair - (4 root + 1)`. One subtraction serves both as the comparison, by
-/// its sign, and as the new remainder.
+/// One digit of the root: `trial = 4 remainder + next pair - (4 root + 1)`. One subtraction serves both as the
+/// comparison, by its sign, and as the new remainder.
 ///
-/// Row k finds the sign of the trial at bit `k + 2`, above the live bits. These are constants, so that synthesis trims each
-/// row to its cells, while all are one module.
+/// Row k finds the sign of the trial at bit `k + 2`, above the live bits. These are constants, so that synthesis trims
+/// each row to its cells, while all are one module.
 fn square_root_row(at: &str, row: Row, live: Bits) -> Row {
     module(
         "square_root_row",

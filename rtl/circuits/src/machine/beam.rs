@@ -1,7 +1,7 @@
 //! The beam machine: one object processor per object, one pixel per clock.
 
 use super::{Candidate, LoadBus, Zone, coefficient_store, decider, raster_control};
-use crate::object::{Shape, Visible, Widths, Words, quadric_processor};
+use crate::object::{Network, Shape, Visible, Widths, Words, quadric_processor};
 use crate::raster::{Flags, Pixel};
 use imogene_hdl::{Bits, Bundle, Value, bundle, module};
 
@@ -31,8 +31,8 @@ pub struct Beam {
     pub depth: u32,
     /// Bits of the words of an object.
     pub widths: Widths,
-    /// Rows of the root network between registers.
-    pub rows_per_stage: u32,
+    /// The root of an object.
+    pub root: Network,
     /// Slots, at least one.
     pub slots: Vec<Slot>,
 }
@@ -44,10 +44,23 @@ impl Slot {
     }
 }
 
+impl Beam {
+    /// Clocks from the start of a zone to its first pixel: one of the raster, the longest processor, the decider.
+    pub fn latency(&self) -> u32 {
+        let longest = self.slots.iter().map(Slot::more).max();
+        1 + self.root.latency() + 6 + longest.unwrap_or(0) + levels(self.slots.len())
+    }
+}
+
+/// Levels of a tree of so many inputs.
+fn levels(inputs: usize) -> u32 {
+    inputs.next_power_of_two().ilog2()
+}
+
 /// A machine of stores, processors and a decider: the visible object of every pixel of a zone, one pixel a clock.
 ///
-/// Processors with fewer stages begin later, so that all answer together. Latency: that of the longest processor, of the
-/// decider, and one of the raster. Sections 2.2 and 2.5.
+/// Processors with fewer stages begin later, so that all answer together. Latency [`Beam::latency`].
+/// Section 7 of `docs/architecture.md`.
 pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidate) {
     let ((_, valid), front) = module("beam", at, (zone, ("load", load)), |(zone, (_, load))| {
         let raster = raster_control("raster", zone);
@@ -79,7 +92,7 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
                 let (flags, pixel) = late[(longest - slot.more()) as usize];
                 let shape = Shape {
                     depth: machine.depth,
-                    rows_per_stage: machine.rows_per_stage,
+                    root: machine.root,
                     two_volumes: slot.two_volumes,
                 };
                 quadric_processor(&format!("processors_{index}"), flags, pixel, words, shape)
@@ -92,8 +105,8 @@ pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidat
             normal: visible.normal,
         };
         let candidates = visible.iter().enumerate().map(candidate).collect();
-        let levels = machine.slots.len().next_power_of_two().ilog2();
-        let valid = visible[0].front.out_valid.delayed_as("valid_late", levels);
+        let valid = visible[0].front.out_valid;
+        let valid = valid.delayed_as("valid_late", levels(machine.slots.len()));
         (("valid", valid), decider("decider", candidates))
     });
     (valid, front)

@@ -20,8 +20,9 @@ pub const PLANE_WORDS: u64 = 7;
 
 /// Keeps the words of one object; each is visible after the clock that writes it and holds until written again.
 ///
-/// At power-up every word is zero, but the screen box is empty (`box_x0` = 4095), so that a store never loaded holds an absent
-/// object. Addresses follow the order of [`Words`]; the box is packed in two words, class and shift in one. Other addresses are ignored.
+/// At power-up every word is zero, but the screen box is empty (`box_x0` = 4095), so that a store never loaded holds
+/// an absent object. Addresses follow the order of [`Words`]; the box is packed in two words, class and shift in one.
+/// Other addresses are ignored.
 pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) -> Words {
     module("coefficient_store", at, bus, |bus| {
         let store = Store { bus };

@@ -26,7 +26,7 @@ impl Candidate {
     }
 }
 
-/// The nearer of two candidates, of two equally near the one with the smaller id. Latency 1. Section 2.5.
+/// The nearer of two candidates, of two equally near the one with the smaller id. Latency 1.
 pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
     module(
         "visibility_node",
@@ -48,7 +48,7 @@ pub(super) fn visibility_register(at: &str, a: Candidate) -> Candidate {
     module("visibility_register", at, ("a", a), |(_, a)| a.registered())
 }
 
-/// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 2.5.
+/// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 6 of `docs/architecture.md`.
 pub fn decider(at: &str, inputs: Vec<Candidate>) -> Candidate {
     module("decider", at, ("input", inputs), |(_, mut level)| {
         let (mut nodes, mut registers) = (0, 0);

@@ -28,7 +28,7 @@ bundles! {
 
 /// Raster flags and places of a zone of `width` by `height` pixels, one pixel a clock without a gap.
 ///
-/// Latency 1. Section 2.2.
+/// Latency 1. Section 2 of `docs/architecture.md`.
 pub fn raster_control(at: &str, zone: Zone) -> Raster {
     module("raster_control", at, zone, |zone| {
         let word = |value: u64| Bits::new(value, COORDINATE);

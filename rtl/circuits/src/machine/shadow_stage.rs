@@ -17,11 +17,11 @@ bundle! {
     }
 }
 
-/// Which sources reach the visible point: the flag of a source stays if the point is outside every shadow volume of it and
-/// inside every light volume of it.
+/// Which sources reach the visible point: the flag of a source stays if the point is outside every shadow volume of it
+/// and inside every light volume of it.
 ///
-/// Every volume gives a word of flags, and the words are joined eight to a register: latency 1 for up to 8 volumes, else
-/// `ceil(log8 n)`.
+/// Every volume gives a word of flags, and the words are joined eight to a register: latency 1 for up to 8 volumes,
+/// else `ceil(log8 n)`. Section 4.1.3; Chaillou 1991, IV.3.4.
 pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
     let inputs = (("flags_in", flags), ("volume", volumes));
     module("shadow_stage", at, inputs, |((_, flags), (_, volumes))| {

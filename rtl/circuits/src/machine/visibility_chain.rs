@@ -3,8 +3,8 @@
 use super::decider::{Candidate, decider, visibility_node, visibility_register};
 use imogene_hdl::module;
 
-/// The nearest of all candidates, cell by cell: input i comes i clocks after input 0 of the same pixel, so that no wires
-/// but those to the next processor leave a cell. Latency as many clocks as inputs. Section 2.5.
+/// The nearest of all candidates, cell by cell: input i comes i clocks after input 0 of the same pixel, so that no
+/// wires but those to the next processor leave a cell. Latency as many clocks as inputs. Chaillou 1991, IV.3.2.
 pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
     module("visibility_chain", at, ("input", inputs), |(_, inputs)| {
         let first = visibility_register("beginning", inputs[0]);
@@ -15,8 +15,9 @@ pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
     })
 }
 
-/// The nearest of the candidates of some cards: a chain on each, and a decider of what leaves them. Input `i` comes
-/// `i mod processors` clocks after input 0; the cards start together. Latency `processors + ceil(log2 cards)`.
+/// The nearest of the candidates of some cards: a chain on each, and a decider of what leaves them. Input `i` comes `i
+/// mod processors` clocks after input 0; the cards start together. Latency `processors + ceil(log2 cards)`. Chaillou
+/// 1991, IV.3.6.
 pub fn card_decider(at: &str, inputs: Vec<Candidate>, processors: usize) -> Candidate {
     module("card_decider", at, ("input", inputs), |(_, inputs)| {
         let cards = inputs.chunks(processors).enumerate();

@@ -14,10 +14,12 @@ bundle! {
     }
 }
 
-/// What a plane leaves of an interval: a front plane moves its front back, a back plane its back forward, a plane perpendicular
-/// to the screen removes all where it is negative. A bare surface has no inside: of its two points the cut one goes.
+/// What a plane leaves of an interval: a front plane moves its front back, a back plane its back forward, a plane
+/// perpendicular to the screen removes all where it is negative. A bare surface has no inside: of its two points the
+/// cut one goes.
 ///
-/// Ties: a plane at the front leaves the front, one at the back leaves nothing of a front plane's side. Latency 1. Section 2.4.4.
+/// Ties: a plane at the front leaves the front, one at the back leaves nothing of a front plane's side. Latency 1.
+/// Section 2.4.2.
 pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
     module("cut_plane", at, (cut, interval), |(cut, own)| {
         let is = |kind: u64| cut.kind.is(kind);

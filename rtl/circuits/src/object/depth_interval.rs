@@ -35,7 +35,7 @@ struct Clamped {
 
 /// The intervals of an object between the ends of the depth, by its class.
 ///
-/// Latency 1. Section 2.4.3.
+/// Latency 1. Section 2.4.2.
 pub fn depth_interval(at: &str, roots: Roots, width: u32) -> Halves {
     module("depth_interval", at, roots, |roots| {
         let [low, far] = [near_end, far_end].map(|end| end(width as usize));

@@ -15,7 +15,7 @@ pub use depth_interval::{Halves, Roots, depth_interval};
 pub use interval::Interval;
 pub use normal_unit::{Face, Normal, NormalWords, normal_unit};
 pub use plane_depth::plane_depth;
-pub use quadric_pe::{Depths, quadric_pe};
+pub use quadric_pe::{Depths, Network, quadric_pe};
 pub use quadric_processor::{Front, Shape, Visible, quadric_processor};
 pub use two_volume_merge::two_volume_merge;
 pub use words::{Factors, Gradients, Place, Plane, Widths, Words};

@@ -48,8 +48,8 @@ impl NormalWords {
     }
 }
 
-/// The normal of the visible face: of the quadric from its polar plane and the root, of a plane its constant, of the cap the
-/// direction to the viewer, else zero.
+/// The normal of the visible face: of the quadric from its polar plane and the root, of a plane its constant, of the
+/// cap the direction to the viewer, else zero.
 ///
 /// With `rs = root >> shift`, of which the low bits of a positive number are used, a component is the high bits of
 /// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 3.
@@ -138,7 +138,7 @@ fn normal_component(at: &str, flags: Flags, (g, k): (Linear, Int), change: Chang
                 let kept_change = change.is_near.select(opposite, product).reg();
                 let sum = value + kept_change.slice(point + whole - 1, point).int();
             }
-            let component = sum.slice(whole - 1, whole - width).int();
+            let component = sum.high(width);
             (
                 "result",
                 change.is_quadric.select(component, change.fixed).reg(),

@@ -7,7 +7,7 @@ use imogene_hdl::{Int, Value, module, net};
 
 /// A plane by a PE1, clamped to a depth word: to the far end, or to one below the near end.
 ///
-/// Latency 2. Section 2.4.4.
+/// Latency 2. Section 2.4.2.
 pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
     module("plane_depth", at, (flags, words), |(flags, words)| {
         let plane = pe1("plane", flags, words);

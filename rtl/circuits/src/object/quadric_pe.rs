@@ -6,37 +6,59 @@ use imogene_hdl::{Bundle, Value, bundle, module, net};
 
 bundle! {
     /// Both depths, as far as f2 is not negative.
-    Depths(width) {
-        near_sum: Int(width + 2), "f1 - r, wrapped";
-        far_sum: Int(width + 2), "f1 + r, wrapped";
-        root: Bits(width), "r";
+    Depths(sum, root) {
+        near_sum: Int(sum), "f1 - r, wrapped";
+        far_sum: Int(sum), "f1 + r, wrapped";
+        root: Bits(root), "r";
         is_inside: Bits(1), "f2 is not negative; the others mean nothing where it is";
     }
 }
 
-/// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`: a PE2, the root network behind it, and a PE1 started late enough to meet the
-/// root. With it the flags as the PE1 has them.
+/// The root of a quadric.
+#[derive(Clone, Copy, Debug)]
+pub struct Network {
+    /// Digits.
+    pub digits: u32,
+    /// Leading digits that are computed; the others are zero.
+    pub rows: u32,
+    /// Rows between registers.
+    pub rows_per_stage: u32,
+}
+
+impl Network {
+    /// Clocks.
+    pub fn latency(&self) -> u32 {
+        self.rows.div_ceil(self.rows_per_stage)
+    }
+}
+
+/// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`: a PE2, the root network behind it, and a PE1 started late enough
+/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond `sum` bits and f2 beyond two for each row are guard
+/// bits below the last one: they are dropped, rounding down.
 ///
-/// Latency `ceil(digits / rows_per_stage) + 2`. Section 2.4.2.
+/// Latency `ceil(rows / rows_per_stage) + 2`. Section 2.4.2.
 pub fn quadric_pe(
     at: &str,
     flags: Flags,
     (f1, f2): (Linear, Quadratic),
-    rows_per_stage: u32,
+    sum: u32,
+    network: Network,
 ) -> (Depths, Flags) {
     let inputs = (flags, ("f1", f1), ("f2", f2));
     let (depths, (_, late)) = module("quadric_pe", at, inputs, |(flags, (_, f1), (_, f2))| {
-        let digits = f2.f.width() / 2;
-        let stages = digits.div_ceil(rows_per_stage);
+        let stages = network.latency();
         let f2 = pe2("f2", flags, f2);
         let late = flags.delayed(stages);
-        let f1 = pe1("f1", late, f1);
-        let found = square_root("square_root", f2.bits(), rows_per_stage);
+        let f1 = pe1("f1", late, f1).high(sum);
+        let radicand = f2.high(2 * network.rows).bits();
+        let found = square_root("square_root", radicand, network.rows_per_stage);
+        let root = found.root.extend(network.digits);
+        let root = root.left(network.digits - network.rows);
         net! {
-            let step = found.root.extend(f1.width()).int();
+            let step = root.extend(sum).int();
             let kept_near_sum = (f1 - step).reg();
             let kept_far_sum = (f1 + step).reg();
-            let kept_root = found.root.reg();
+            let kept_root = root.reg();
             let is_outside = f2.is_negative().delay(stages + 1);
         }
         let depths = Depths {

@@ -1,8 +1,8 @@
 //! Quadric object processor, second generation.
 
 use super::{
-    Cut, Face, Interval, Normal, NormalWords, Roots, Words, absent, cut_plane, depth_interval,
-    normal_unit, plane_depth, quadric_pe, two_volume_merge,
+    Cut, Face, Interval, Network, Normal, NormalWords, Roots, Words, absent, cut_plane,
+    depth_interval, normal_unit, plane_depth, quadric_pe, two_volume_merge,
 };
 use crate::raster::{Flags, Pixel};
 use imogene_contract::words::{FIRST_PLANE, PATCH};
@@ -31,8 +31,8 @@ bundles! {
 pub struct Shape {
     /// Bits of a depth word.
     pub depth: u32,
-    /// Rows of the root network between registers.
-    pub rows_per_stage: u32,
+    /// The root.
+    pub root: Network,
     /// It has half B, which objects of the class front need.
     pub two_volumes: bool,
 }
@@ -40,8 +40,8 @@ pub struct Shape {
 /// For every pixel the visible front of one quadric object cut by planes: depth, face and normal.
 ///
 /// A quadric PE, the intervals of both halves, a chain of cuts for each, the nearer half, and its normal. Latency
-/// `ceil(digits / rows_per_stage) + planes + 7`, one less without half B. The words stay unchanged until that many clocks
-/// after the last flags of a zone. Section 2.4.2.
+/// `ceil(rows / rows_per_stage) + planes + 7`, one less without half B. The words stay unchanged until that many
+/// clocks after the last flags of a zone. Section 2.4.2.
 pub fn quadric_processor(
     at: &str,
     flags: Flags,
@@ -56,10 +56,10 @@ pub fn quadric_processor(
         |(flags, pixel, words)| {
             let Shape {
                 depth,
-                rows_per_stage,
+                root,
                 two_volumes,
             } = shape;
-            let sums = (words.f2.f.width() / 2).div_ceil(rows_per_stage) + 2;
+            let sums = root.latency() + 2;
             let planes = words.planes.len() as u32;
             let halves = u32::from(two_volumes);
             let not_before = |value: Bits, first: Bits| !value.less(first);
@@ -71,7 +71,8 @@ pub fn quadric_processor(
                     & not_before(place.box_y1, pixel.y);
                 let surface = place.object_class.is(PATCH);
             }
-            let (depths, late) = quadric_pe("quadric", flags, (words.f1, words.f2), rows_per_stage);
+            let (depths, late) =
+                quadric_pe("quadric", flags, (words.f1, words.f2), depth + 2, root);
             let roots = Roots {
                 near_sum: depths.near_sum,
                 far_sum: depths.far_sum,

@@ -3,7 +3,8 @@
 use super::Interval;
 use imogene_hdl::{Bundle, Value, module, net};
 
-/// Of the two halves of an object the one whose front is nearer, the first of two equal ones. Latency 1. Section 2.4.5.
+/// Of the two halves of an object the one whose front is nearer, the first of two equal ones. Latency 1.
+/// Section 2.4.2.
 pub fn two_volume_merge(at: &str, a: Interval, b: Interval) -> Interval {
     module(
         "two_volume_merge",

@@ -38,6 +38,14 @@ pub struct Widths {
     pub plane: u32,
 }
 
+impl Widths {
+    /// Bits of a load bus: those of the widest word, and of a word of the screen box.
+    pub fn bus(&self) -> u32 {
+        let words = [self.linear, self.quadratic, self.plane, self.gradient];
+        words.into_iter().fold(24, u32::max)
+    }
+}
+
 bundles! {
     /// Words of the normal of a quadric.
     #[derive(Copy)]

@@ -30,7 +30,7 @@ bundle! {
         c: Int(width), "value of the first pixel";
     }
 
-    /// Preconditioned words of a polynomial of second degree (B.2.2).
+    /// Preconditioned words of a polynomial of second degree (section B.2.1).
     Quadratic(width) {
         a2: Int(width), "second difference along the line";
         b2: Int(width), "second difference from line to line";

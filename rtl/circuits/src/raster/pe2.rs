@@ -3,10 +3,10 @@
 use super::{Flags, Quadratic};
 use imogene_hdl::{Int, Value, module, net};
 
-/// `value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f` modulo the width of the words, from preconditioned words, by additions
-/// alone, one pixel per clock.
+/// `value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f` modulo the width of the words, from preconditioned words, by
+/// additions alone, one pixel per clock.
 ///
-/// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.3 and B.2.2.
+/// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.2 and B.2.1.
 pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
     module("pe2", at, (flags, words), |(flags, words)| {
         let load = flags.valid & flags.start;

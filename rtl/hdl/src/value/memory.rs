@@ -4,8 +4,8 @@ use super::{Bits, Value, in_scope, make};
 use crate::build::with_scope;
 use crate::tree::{Memory, Op};
 
-/// A block memory of so many words, zeros at power-up: writes `data` where `write` is 1, and gives the word that was at `read` one clock
-/// ago, as it was before that clock's write.
+/// A block memory of so many words, zeros at power-up: writes `data` where `write` is 1, and gives the word that was
+/// at `read` one clock ago, as it was before that clock's write.
 #[track_caller]
 pub fn memory(name: &str, words: usize, (write, at, data): (Bits, Bits, Bits), read: Bits) -> Bits {
     [write, at, data, read]

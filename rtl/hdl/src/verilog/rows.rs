@@ -1,8 +1,8 @@
 //! Rows of equal instances as generate loops over vectors.
 //!
-//! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or the
-//! same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most are of the last kind, as in a tree, a loop says less than its
-//! instances one by one.
+//! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or
+//! the same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most
+//! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
 use super::names::Name;
 use super::range;
@@ -166,7 +166,13 @@ impl Row {
     }
 
     /// The loop, and what its first element takes.
-    pub fn written(&self, module: &Module, rows: &[Row], value: &dyn Fn(Net) -> String) -> String {
+    pub fn written(
+        &self,
+        module: &Module,
+        prefix: &str,
+        rows: &[Row],
+        value: &dyn Fn(Net) -> String,
+    ) -> String {
         let own = self.module(module);
         let mut text = String::new();
         let mut lines = vec![];
@@ -215,12 +221,12 @@ impl Row {
         write!(
             text,
             "    generate\n        \
-             for ({base}_index = 0; {base}_index < {count}; {base}_index = {base}_index + 1) begin : {base}\n            \
-             {} {one} (\n                {lines}\n            );\n        end\n    endgenerate\n",
+             for (k = 0; k < {count}; k = k + 1) begin : {base}\n            \
+             {prefix}{} {one} (\n                {lines}\n            );\n        end\n    endgenerate\n",
             own.name
         )
         .unwrap();
-        text.replace(&format!("{base}_index"), "k")
+        text
     }
 }
 
