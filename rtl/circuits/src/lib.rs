@@ -5,6 +5,10 @@
 
 pub mod arith;
 pub mod machine;
+pub mod machines;
 pub mod object;
 pub mod raster;
+pub mod shade;
+pub mod tree;
 pub mod units;
+pub mod video;

@@ -1,17 +1,16 @@
 //! Every unit that is a design by itself, under the name that the catalogue gives it.
 
-use crate::arith::square_root;
-use crate::machine::{
-    Beam, Candidate, Load, LoadBus, Slot, Volume, Zone, beam, card_decider, coefficient_store,
-    decider, raster_control, shadow_stage, visibility_chain, visibility_node,
-};
-use crate::object::{
-    Cut, Face, Interval, Network, NormalWords, Roots, Shape, Widths, Words, cut_plane,
-    depth_interval, normal_unit, plane_depth, quadric_pe, quadric_processor, two_volume_merge,
-};
-use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
+use crate::arith::*;
+use crate::machine::*;
+use crate::machines::objects;
+pub use crate::machines::widths;
+use crate::object::*;
+use crate::raster::*;
+use crate::shade::*;
+use crate::video::*;
 use imogene_contract::parameters::Parameters;
-use imogene_contract::words::{NORMAL, NORMAL_PART, depth_sum, plane, quadratic};
+use imogene_contract::video::{LEAD, VideoMode};
+use imogene_contract::words::NORMAL;
 use imogene_hdl::{Bits, Design, Value};
 
 /// A unit: its name, and what builds it.
@@ -27,18 +26,6 @@ pub fn design(name: &str, parameters: &Parameters) -> Option<Design> {
     Some(Design::of(|| build(parameters)))
 }
 
-/// Widths of the words of an object in a format.
-pub fn widths(depth_word: u32) -> Widths {
-    let word = depth_word as usize;
-    Widths {
-        linear: depth_sum(word) as u32,
-        quadratic: quadratic(word) as u32,
-        gradient: NORMAL_PART as u32,
-        normal: NORMAL as u32,
-        plane: plane(word) as u32,
-    }
-}
-
 fn linear(parameters: &Parameters) -> Linear {
     Linear::input(widths(parameters.depth_word).linear)
 }
@@ -49,11 +36,19 @@ fn quadric(parameters: &Parameters) -> (Linear, Quadratic) {
 }
 
 fn network(parameters: &Parameters) -> Network {
-    Network {
-        digits: parameters.depth_word,
-        rows: parameters.depth_word,
-        rows_per_stage: parameters.rows_per_stage,
-    }
+    Network::of(parameters.depth_word, parameters.rows_per_stage)
+}
+
+fn radicand(parameters: &Parameters) -> Bits {
+    Bits::input(widths(parameters.depth_word).quadratic)
+}
+
+fn roots(parameters: &Parameters) -> Roots {
+    Roots::input(widths(parameters.depth_word).linear)
+}
+
+fn raster() -> (Flags, Pixel) {
+    (Flags::input(), Pixel::input())
 }
 
 fn words(parameters: &Parameters) -> Words {
@@ -73,13 +68,36 @@ pub const UNITS: &[Unit] = &[
     ("pe2", |p| {
         pe2("top", Flags::input(), quadric(p).1);
     }),
+    ("programmable_pe", |p| {
+        programmable_pe("top", Flags::input(), Program::input(), quadric(p).1);
+    }),
+    ("memory_pe2", |p| {
+        let load = LoadWord::input(widths(p.depth_word).quadratic);
+        memory_pe2("top", load, Commands::input());
+    }),
     ("square_root", |p| {
-        let radicand = Bits::input(widths(p.depth_word).quadratic);
-        square_root("top", radicand, p.rows_per_stage);
+        square_root("top", radicand(p), p.rows_per_stage);
+    }),
+    ("square_root_rows", |p| {
+        square_root_rows("top", radicand(p), p.digits, p.rows_per_stage);
+    }),
+    ("square_root_iterative", |p| {
+        square_root_iterative("top", Bits::input(1), radicand(p));
+    }),
+    ("square_root_non_restoring", |p| {
+        square_root_non_restoring("top", radicand(p), p.rows_per_stage);
+    }),
+    ("square_root_leading", |p| {
+        square_root_leading("top", radicand(p), p.digits, p.rows_per_stage);
+    }),
+    ("square_root_linear", |p| {
+        square_root_linear("top", radicand(p), p.corrections);
+    }),
+    ("square_root_quadratic", |p| {
+        square_root_quadratic("top", radicand(p), p.corrections);
     }),
     ("quadric_pe", |p| {
-        let sum = widths(p.depth_word).linear;
-        quadric_pe("top", Flags::input(), quadric(p), sum, network(p));
+        quadric_pe("top", Flags::input(), quadric(p), network(p));
     }),
     ("plane_depth", |p| {
         let words = Linear::input(widths(p.depth_word).plane);
@@ -90,8 +108,7 @@ pub const UNITS: &[Unit] = &[
         cut_plane("top", Cut::input(word), Interval::input(word));
     }),
     ("depth_interval", |p| {
-        let roots = Roots::input(widths(p.depth_word).linear);
-        depth_interval("top", roots, p.depth_word);
+        depth_interval("top", roots(p), Bits::input(2), p.depth_word);
     }),
     ("two_volume_merge", |p| {
         let [a, b] = [(); 2].map(|()| Interval::input(p.depth_word));
@@ -108,6 +125,63 @@ pub const UNITS: &[Unit] = &[
             two_volumes: true,
         };
         quadric_processor("top", Flags::input(), Pixel::input(), words(p), shape);
+    }),
+    ("sphere_processor", |p| {
+        let words = Sphere::input(widths(p.depth_word));
+        sphere_processor("top", Flags::input(), Pixel::input(), words);
+    }),
+    ("cylinder_processor", |p| {
+        let words = Cylinder::input(widths(p.depth_word));
+        cylinder_processor("top", Flags::input(), Pixel::input(), words, p.depth_word);
+    }),
+    ("patch_decider", |p| {
+        let plane = |_| PlaneAt::input(p.depth_word);
+        let planes = (0..p.planes).map(plane).collect();
+        patch_decider("top", roots(p), planes, p.depth_word);
+    }),
+    ("patch_processor", |p| {
+        let patch = Patch::input(widths(p.depth_word), p.planes);
+        let (flags, pixel) = raster();
+        patch_processor("top", flags, pixel, patch, p.depth_word, network(p));
+    }),
+    ("first_generation_processor", |p| {
+        let words = FirstGeneration::input(widths(p.depth_word));
+        let (flags, pixel) = raster();
+        first_generation_processor("top", flags, pixel, words, p.depth_word, network(p));
+    }),
+    ("polyhedron_processor", |p| {
+        let words = Polyhedron::input(widths(p.depth_word), p.planes);
+        let (flags, pixel) = raster();
+        polyhedron_processor("top", flags, pixel, words, p.depth_word);
+    }),
+    ("polyhedral_volume", |p| {
+        let bounds = Bounds::input(widths(p.depth_word), p.planes);
+        let (flags, pixel) = raster();
+        polyhedral_volume(
+            "top",
+            flags,
+            pixel,
+            VolumePoint::input(p.depth_word),
+            bounds,
+        );
+    }),
+    ("facet_processor", |p| {
+        let widths = widths(p.depth_word);
+        let facet = Facet::input(p.sides, Linear::input, widths.plane, widths.gradient);
+        let (flags, pixel) = raster();
+        facet_processor("top", flags, pixel, facet, p.depth_word);
+    }),
+    ("curved_facet_processor", |p| {
+        let width = widths(p.depth_word).quadratic;
+        let facet = Facet::input(p.sides, Quadratic::input, width, width);
+        let (flags, pixel) = raster();
+        curved_facet_processor("top", flags, pixel, facet, p.depth_word);
+    }),
+    ("quadric_volume", |p| {
+        let words = VolumeWords::input(widths(p.depth_word), p.planes);
+        let point = VolumePoint::input(p.depth_word);
+        let (flags, pixel) = raster();
+        quadric_volume("top", flags, pixel, point, words, network(p));
     }),
     ("raster_control", |_| {
         raster_control("top", Zone::input());
@@ -126,6 +200,14 @@ pub const UNITS: &[Unit] = &[
         let all = candidates(p, p.cards * p.objects);
         card_decider("top", all, p.objects as usize);
     }),
+    ("csg_decider", |p| {
+        let objects = |each: u32| {
+            let convex = |_| Convex::input(p.depth_word);
+            (0..p.products * each).map(convex).collect()
+        };
+        let (intersected, subtracted) = (objects(p.intersected), objects(p.subtracted));
+        csg_decider("top", p.products as usize, intersected, subtracted);
+    }),
     ("shadow_stage", |p| {
         let volumes = (0..p.objects).map(|_| Volume::input()).collect();
         shadow_stage("top", Bits::input(16), volumes);
@@ -136,17 +218,55 @@ pub const UNITS: &[Unit] = &[
         coefficient_store("top", bus, widths, u64::from(p.planes));
     }),
     ("beam", |p| {
-        let slot = Slot {
-            planes: p.planes as usize,
-            two_volumes: true,
-        };
-        let machine = Beam {
-            depth: p.depth_word,
-            widths: widths(p.depth_word),
-            root: network(p),
-            slots: vec![slot; p.objects as usize],
-        };
+        let machine = objects(p.depth_word, p.rows_per_stage, p.objects, p.planes);
         let load = Load::input(machine.widths.quadratic);
         beam("top", Zone::input(), load, &machine);
+    }),
+    ("transparency_stage", |p| {
+        let word = p.depth_word;
+        transparency_stage(
+            "top",
+            crate::shade::Surface::input(word),
+            Layer::input(word),
+        );
+    }),
+    ("transparency_pipeline", |p| {
+        let layers = (0..p.layers).map(|_| Layer::input(p.depth_word));
+        transparency_pipeline(
+            "top",
+            crate::shade::Surface::input(p.depth_word),
+            layers.collect(),
+        );
+    }),
+    ("shading_processor", |p| {
+        let point = Point::input(p.depth_word, NORMAL as u32);
+        let load = ShadingLoad::input();
+        shading_processor("top", point, load, u64::from(p.lights));
+    }),
+    ("video_timing", |p| {
+        let mode = &VideoMode::ALL[p.mode as usize];
+        video_timing("top", Bits::input(1), mode, LEAD as u64);
+    }),
+    ("pixel_fifo", |_| {
+        pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32);
+    }),
+    ("frame_store", |_| {
+        frame_store("top", PixelStream::input(), Asked::input(), 12);
+    }),
+    ("post_filter", |_| {
+        post_filter("top", Bits::input(2), Picture::input(), 11);
+    }),
+    ("overlay", |_| {
+        let colour = Colour::input(LEVEL);
+        overlay(
+            "top",
+            BitPlane::input(10),
+            Bits::input(1),
+            Pixel::input(),
+            colour,
+        );
+    }),
+    ("accumulator", |_| {
+        accumulator("top", PassPixel::input(12), Colour::input(LEVEL), 12);
     }),
 ];

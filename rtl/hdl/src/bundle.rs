@@ -19,6 +19,17 @@ pub trait Bundle {
     #[doc(hidden)]
     fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self;
 
+    /// The same values, each called after this group and its member.
+    fn called(self, group: &str) -> Self
+    where
+        Self: Sized,
+    {
+        self.each(group, &mut |name, member| {
+            Bits(member.handle).named(&name);
+        });
+        self
+    }
+
     /// All values one clock later.
     #[track_caller]
     fn registered(&self) -> Self
@@ -26,6 +37,22 @@ pub trait Bundle {
         Self: Sized,
     {
         later(self, |_| None, 1)
+    }
+
+    /// All values one clock later, taken where `enable` is 1.
+    #[track_caller]
+    fn registered_when(&self, enable: Bits) -> Self
+    where
+        Self: Sized,
+    {
+        let mut values = vec![];
+        for (_, Member { handle, signed }) in members(self) {
+            values.push(match signed {
+                true => Int(handle).reg_when(enable).0,
+                false => Bits(handle).reg_when(enable).0,
+            });
+        }
+        replaced(self, values)
     }
 
     /// All values so many clocks later, through registers that are called after them.

@@ -8,9 +8,10 @@ use crate::tree::{Direction, PortRecord};
 use crate::value::mask;
 use code::{Code, Kind, in_runs};
 use flat::Flat;
+use std::collections::HashMap;
 use std::ops::Range;
 
-/// A port of the design's top module, by its place in a simulator.
+/// A port of the design's top module, or a point inside, by its place in a simulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Port {
     place: u32,
@@ -47,6 +48,7 @@ pub struct Simulator {
     taken: Vec<u64>,
     stores: Vec<Store>,
     is_settled: bool,
+    points: HashMap<String, Port>,
 }
 
 /// The word that is always 1.
@@ -66,9 +68,10 @@ impl Simulator {
             .ports_of(Direction::In)
             .map(|_| flat.word(0))
             .collect();
-        let outputs = flat.place(&design.top, &inputs);
+        let outputs = flat.place(&design.top, "", &inputs);
         let mut places: Vec<u32> = inputs.into_iter().chain(outputs).collect();
         flat.without_copies(&mut places);
+        let points = std::mem::take(&mut flat.points);
         let code = flat.sorted();
         let (code, mut words) = flat.without_constants(code);
         let (code, runs) = in_runs(code, words.len());
@@ -83,7 +86,14 @@ impl Simulator {
             flops: flat.flops,
             stores: flat.stores,
             is_settled: false,
+            points: points.into_iter().collect(),
         }
+    }
+
+    /// A point inside the design: a port of an instance, or a net with a name, behind the names of the instances around
+    /// it, as in `processors_0.quadric.near_sum`. It may be read, not set.
+    pub fn point(&self, path: &str) -> Option<Port> {
+        self.points.get(path).copied()
     }
 
     /// The port of this name.

@@ -52,10 +52,15 @@ impl Writer<'_> {
                 ..
             } = port;
             let node = self.module.node(port.net);
-            let (way, initial) = match (port.direction, &node.op) {
+            let initial = match &node.op {
+                Op::Register(register) => Some(self.module.registers[*register].initial),
+                Op::Read(_) => Some(0),
+                _ => None,
+            };
+            let initial = initial.filter(|_| self.names.ports.contains(name));
+            let (way, initial) = match (port.direction, initial) {
                 (Direction::In, _) => ("input  wire", String::new()),
-                (_, Op::Register(register)) if self.names.ports.contains(name) => {
-                    let initial = self.module.registers[*register].initial;
+                (_, Some(initial)) => {
                     let initial = literal(initial, *width, *signed);
                     ("output reg ", format!(" = {initial}"))
                 }

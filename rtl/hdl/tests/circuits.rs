@@ -1,7 +1,7 @@
 //! What is built, simulated and refused.
 
 use imogene_hdl::{
-    Bits, Design, Int, Simulator, Value, bundle, join, memory, module, net, verilog,
+    Bits, Bundle, Design, Int, Simulator, Value, bundle, join, memory, module, net, verilog,
 };
 use proptest::prelude::*;
 
@@ -314,6 +314,32 @@ fn verilog_is_written_as_people_read_it() {
     }
 }
 
+/// A group takes new values where it is enabled, and holds them else.
+#[test]
+fn a_group_is_held_until_it_is_enabled() {
+    let design = Design::of(|| {
+        let ports = (("word", Bits::input(4)), ("number", Int::input(5)));
+        let inputs = (ports, ("enable", Bits::input(1)));
+        module("held", "top", inputs, |(ports, (_, enable))| {
+            ("late", ports.registered_when(enable))
+        });
+    });
+    let mut simulator = Simulator::new(&design);
+    let names = ["word", "number", "enable", "late_word", "late_number"];
+    let [word, number, enable, late_word, late_number] = names.map(|name| simulator.port(name));
+    let steps = [(0, [0, 0]), (1, [4, 16]), (0, [4, 16]), (1, [6, 18])];
+    for ((value, (taken, late)), first) in (3..).zip(steps).zip(15..) {
+        simulator.set(word, value);
+        simulator.set(number, first);
+        simulator.set(enable, taken);
+        simulator.clock();
+        assert_eq!(
+            [late_word, late_number].map(|port| simulator.get(port)),
+            late
+        );
+    }
+}
+
 /// Two memories called alike, and nets that are called as what the text declares itself.
 fn crowded() -> Design {
     Design::of(|| {
@@ -334,6 +360,7 @@ fn crowded() -> Design {
 fn what_the_text_declares_has_names_of_its_own() {
     let text = verilog::write(&crowded().top, "");
     let parts = [
+        "    output reg  [1:0] one = 2'd0,\n",
         "    reg [1:0] place_2 = 2'd0;\n",
         "    reg [1:0] unused_2 = 2'd2;\n",
         "    reg [1:0] words [0:3];\n    reg [1:0] words_2 [0:3];\n",
@@ -347,6 +374,7 @@ fn what_the_text_declares_has_names_of_its_own() {
 #[test]
 fn registers_begin_as_they_say_and_memories_with_zeros() {
     let mut simulator = Simulator::new(&crowded());
+    let place = simulator.point("place").expect("a net with this name");
     let [write, data, other] = ["write", "data", "other"].map(|name| simulator.port(name));
     assert_eq!(simulator.get(other), 2);
     simulator.set(write, 1);
@@ -354,7 +382,32 @@ fn registers_begin_as_they_say_and_memories_with_zeros() {
     // `unused` goes on by `place`, which is 1 from the second clock on; the word at 1 is written then, and read later.
     let seen = (0..4).map(|_| {
         simulator.clock();
+        assert_eq!(simulator.get(place), 1);
         simulator.get(other)
     });
     assert_eq!(seen.collect::<Vec<u64>>(), [2, 3, 2, 3 ^ 1]);
+}
+
+/// What is read through a value that is driven later is read, though it stands behind that value.
+#[test]
+fn what_forward_values_read_is_written() {
+    let design = Design::of(|| {
+        let ports = (("write", Bits::input(1)), ("value", Bits::input(8)));
+        module("sums", "top", ports, |((_, write), (_, value))| {
+            let at = Bits::new(0, 1);
+            let sum = Bits::forward(16);
+            let earlier = memory("kept", 2, (write, at, sum), at);
+            let add = |(_, value): (&'static str, Bits)| ("late", value.reg());
+            let low = module("part", "low", ("value", value), add).1;
+            let kept = earlier.low(8).reg();
+            sum.drive(join([kept, low]));
+            ("sum", earlier)
+        });
+    });
+    let text = verilog::write(&design.top, "");
+    assert!(!text.contains("unused"), "{text}");
+    assert!(
+        text.contains("assign kept_value = {kept_2, low_late};"),
+        "{text}"
+    );
 }

@@ -1,5 +1,26 @@
-//! Arithmetic on single words.
+//! Arithmetic on single words and on vectors.
 
+mod fifteenth;
+mod logarithm;
+mod normalise;
+mod root_correction;
+mod root_length;
+mod root_rows;
+mod segment_curve;
+mod square;
 mod square_root;
+mod square_root_iterative;
+mod square_root_leading;
+mod square_root_linear;
+mod square_root_non_restoring;
+mod square_root_quadratic;
+mod vector;
 
-pub use square_root::{Root, square_root};
+pub use logarithm::{logarithm, logarithm_of_sum, power_of_two};
+pub use square_root::{Root, square_root, square_root_rows};
+pub use square_root_iterative::{Iterative, square_root_iterative};
+pub use square_root_leading::square_root_leading;
+pub use square_root_linear::square_root_linear;
+pub use square_root_non_restoring::square_root_non_restoring;
+pub use square_root_quadratic::square_root_quadratic;
+pub use vector::{Full, Vector, scalar_product, vector_normaliser};

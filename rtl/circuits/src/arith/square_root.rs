@@ -1,22 +1,9 @@
 //! Cellular square root network.
 
+use super::root_rows::{Row, live};
 use imogene_hdl::{Bits, Value, bundle, join, module, net};
 
 bundle! {
-    /// What a row takes.
-    Row(digits) {
-        pairs: Bits(2 * digits), "pairs not used yet, the next one at the top";
-        root: Bits(digits), "digits found so far";
-        remainder: Bits(digits + 1), "remainder so far";
-    }
-
-    /// The same as the outputs of a row.
-    Next(digits) {
-        next_pairs: Bits(2 * digits), "pairs left";
-        next_root: Bits(digits), "root with one more digit";
-        next_remainder: Bits(digits + 1), "remainder after this digit";
-    }
-
     /// A root and what it leaves.
     Root(digits) {
         root: Bits(digits), "largest integer whose square is not greater than the radicand";
@@ -24,98 +11,65 @@ bundle! {
     }
 }
 
-impl Next {
-    fn row(self) -> Row {
-        Row {
-            pairs: self.next_pairs,
-            root: self.next_root,
-            remainder: self.next_remainder,
-        }
-    }
-}
-
 /// `floor(sqrt(radicand))` and its remainder by restoring rows, `rows_per_stage` of them between registers.
 ///
 /// Latency `ceil(digits / rows_per_stage)`. Section 2.3.3.
 pub fn square_root(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
-    module(
-        "square_root",
-        at,
-        ("radicand", radicand),
-        |(_, radicand)| {
-            let digits = radicand.width() / 2;
-            let mut row = Row {
-                pairs: radicand,
-                root: Bits::new(0, digits),
-                remainder: Bits::new(0, digits + 1),
-            };
-            for stage in 0..digits.div_ceil(rows_per_stage) {
-                let first = stage * rows_per_stage;
-                let rows = rows_per_stage.min(digits - first);
-                row = square_root_stage(&format!("stages_{stage}"), row, live(first, digits), rows);
-            }
-            Root {
-                root: row.root,
-                remainder: row.remainder,
-            }
-        },
-    )
+    first_digits(at, radicand, radicand.width() / 2, rows_per_stage)
 }
 
-/// Ones at the bits that the remainder can have behind row k, from 0: it is at most twice the root of `k + 1` digits.
-fn live(k: u32, digits: u32) -> Bits {
-    Bits::new((1 << (k + 2)) - 1, digits + 2)
+/// The same without the last rows: the first `kept` digits are the low bits of the root.
+///
+/// Latency `ceil(kept / rows_per_stage)`.
+pub(super) fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Root {
+    let body = |(_, radicand): (_, Bits)| {
+        let first = Row::first(radicand, radicand.width() / 2 + 1);
+        let last = first.behind(kept, rows_per_stage, ("square_root_stage", square_root_row));
+        Root {
+            root: last.root,
+            remainder: last.remainder,
+        }
+    };
+    module("square_root", at, ("radicand", radicand), body)
 }
 
-/// Some rows, then registers. `live` belongs to the first row.
-fn square_root_stage(at: &str, row: Row, live: Bits, rows: u32) -> Row {
-    module(
-        "square_root_stage",
-        at,
-        (row, ("live", live)),
-        |(mut row, (_, mut live))| {
-            for index in 0..rows {
-                row = square_root_row(&format!("rows_{index}"), row, live);
-                live = join([live.low(live.width() - 1), Bits::new(1, 1)]);
-            }
-            Next {
-                next_pairs: row.pairs.reg(),
-                next_root: row.root.reg(),
-                next_remainder: row.remainder.reg(),
-            }
-        },
-    )
-    .row()
+/// The first `kept` digits of the root, the lower ones zero: low by less than `2^(digits - kept)`.
+///
+/// Latency `ceil(kept / rows_per_stage)`. Restatement 4.3.
+pub fn square_root_rows(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
+    let body = |(_, radicand): (_, Bits)| {
+        let network = first_digits("network", radicand, kept, rows_per_stage);
+        ("root", network.root.left(radicand.width() / 2 - kept))
+    };
+    module("square_root_rows", at, ("radicand", radicand), body).1
+}
+
+/// The live bits of a row that leaves a remainder of any length.
+pub(super) fn all_live(digits: u32) -> Bits {
+    live(digits - 1, digits)
 }
 
 /// One digit of the root: `trial = 4 remainder + next pair - (4 root + 1)`. One subtraction serves both as the
 /// comparison, by its sign, and as the new remainder.
 ///
-/// Row k finds the sign of the trial at bit `k + 2`, above the live bits. These are constants, so that synthesis trims
-/// each row to its cells, while all are one module.
-fn square_root_row(at: &str, row: Row, live: Bits) -> Row {
+/// The remainder is at most twice the root: row k leaves one of `k + 2` bits and finds the sign of the trial above
+/// them.
+pub(super) fn square_root_row(at: &str, row: Row, live: Bits) -> Row {
     module(
         "square_root_row",
         at,
         (row, ("live", live)),
         |(row, (_, live))| {
-            let digits = row.root.width();
+            let width = live.width();
             net! {
-                let pair = row.pairs.slice(2 * digits - 1, 2 * digits - 2);
-                let dividend = join([row.remainder.low(digits), pair]);
                 let divisor = join([row.root, Bits::new(1, 2)]);
-                let trial = dividend - divisor;
-                let sign = live + Bits::new(1, digits + 2);
+                let trial = row.dividend() - divisor;
+                let sign = live + Bits::new(1, width);
                 let negative = !(trial & sign).is(0);
-            let kept = negative.select(dividend, trial) & live;
-                let doubled = row.root.left(1);
+                let kept = negative.select(row.dividend(), trial) & live;
             }
-            Next {
-                next_pairs: row.pairs.left(2),
-                next_root: negative.select(doubled, doubled | Bits::new(1, digits)),
-                next_remainder: kept.low(digits + 1),
-            }
+            ("next", row.next(negative, kept.low(width - 1)))
         },
     )
-    .row()
+    .1
 }

@@ -1,8 +1,8 @@
 //! Coefficient words of one object.
 
-use crate::object::{Factors, Gradients, Normal, Place, Plane, Widths, Words};
+use crate::object::{Factors, Gradients, Normal, Plane, Quadric, ScreenBox, Widths, Words};
 use crate::raster::{Linear, Quadratic};
-use imogene_hdl::{Bits, Int, Value, bundle, module};
+use imogene_hdl::{Bits, Int, Value, bundle, module, net};
 
 bundle! {
     /// The load bus.
@@ -13,8 +13,10 @@ bundle! {
     }
 }
 
-/// Address of the columns of the screen box, in front of those of its lines, of class and shift, and of the planes.
+/// Address of the columns of the screen box, in front of that of its lines.
 pub const BOX_COLUMNS: u64 = 21;
+/// Address of class and shift, in front of those of the planes.
+pub const CONTROL: u64 = 23;
 /// Words of one plane.
 pub const PLANE_WORDS: u64 = 7;
 
@@ -25,83 +27,98 @@ pub const PLANE_WORDS: u64 = 7;
 /// Other addresses are ignored.
 pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) -> Words {
     module("coefficient_store", at, bus, |bus| {
-        let store = Store { bus };
-        let linear = |first: u64, width: u32| Linear {
-            a: store.number(first, width),
-            b: store.number(first + 1, width),
-            c: store.number(first + 2, width),
-        };
-        let word = |index: u64| store.number(3 + index, widths.quadratic);
-        let factor = |index: u64| store.number(18 + index, widths.normal);
+        let factor = |index: u64| bus.number(18 + index, widths.normal);
         let plane = |index: u64| {
             let first = BOX_COLUMNS + 3 + PLANE_WORDS * index;
-            let number = |word: u64, width: u32| store.number(first + word, width);
+            let number = |word: u64| bus.number(first + word, widths.normal);
             Plane {
-                kind: store.bits(first, 1, 0),
-                linear: linear(first + 1, widths.plane),
+                kind: bus.bits(first, 1, 0),
+                linear: bus.linear(first + 1, widths.plane),
                 normal: Normal {
-                    nx: number(4, widths.normal),
-                    ny: number(5, widths.normal),
-                    nz: number(6, widths.normal),
+                    nx: number(4),
+                    ny: number(5),
+                    nz: number(6),
                 },
             }
         };
-        let inverted_box_x0 = (!bus.data.low(12)).reg_when(store.writes(BOX_COLUMNS));
-        Words {
-            f1: linear(0, widths.linear),
-            f2: Quadratic {
-                a2: word(0),
-                b2: word(1),
-                c: word(2),
-                i0: word(3),
-                p0: word(4),
-                f: word(5),
-            },
+        net! { let inverted_box_x0 = (!bus.data.low(12)).reg_when(bus.writes(BOX_COLUMNS)); }
+        let quadric = Quadric {
+            f1: bus.linear(0, widths.linear),
+            f2: bus.quadratic(3, widths.quadratic),
             gradients: Gradients {
-                gx: linear(9, widths.gradient),
-                gy: linear(12, widths.gradient),
-                gz: linear(15, widths.gradient),
+                gx: bus.linear(9, widths.gradient),
+                gy: bus.linear(12, widths.gradient),
+                gz: bus.linear(15, widths.gradient),
                 factors: Factors {
                     kx: factor(0),
                     ky: factor(1),
                     kz: factor(2),
                 },
             },
-            place: Place {
-                box_x0: !inverted_box_x0.named("inverted_box_x0"),
-                box_x1: store.bits(BOX_COLUMNS, 23, 12),
-                box_y0: store.bits(BOX_COLUMNS + 1, 11, 0),
-                box_y1: store.bits(BOX_COLUMNS + 1, 23, 12),
-                object_class: store.bits(BOX_COLUMNS + 2, 1, 0),
-                shift: store.bits(BOX_COLUMNS + 2, 6, 2),
-            },
+            screen_box: bus.screen_box(BOX_COLUMNS, !inverted_box_x0),
+            shift: bus.bits(CONTROL, 6, 2),
+        };
+        Words {
+            quadric,
+            object_class: bus.bits(CONTROL, 1, 0),
             planes: (0..planes).map(plane).collect(),
         }
     })
 }
 
-/// Registers behind a load bus.
-struct Store {
-    bus: LoadBus,
-}
-
-impl Store {
-    fn writes(&self, address: u64) -> Bits {
-        self.bus.write & self.bus.address.is(address)
+impl LoadBus {
+    /// 1 where the word of an address is written.
+    pub fn writes(self, address: u64) -> Bits {
+        self.write & self.address.is(address)
     }
 
-    fn bits(&self, address: u64, high: u32, low: u32) -> Bits {
-        self.bus
-            .data
-            .slice(high, low)
-            .reg_when(self.writes(address))
+    /// Bits of the word of an address, held.
+    pub fn bits(self, address: u64, high: u32, low: u32) -> Bits {
+        self.data.slice(high, low).reg_when(self.writes(address))
     }
 
-    fn number(&self, address: u64, width: u32) -> Int {
-        self.bus
-            .data
-            .low(width)
-            .int()
-            .reg_when(self.writes(address))
+    /// The number of an address, held.
+    pub fn number(self, address: u64, width: u32) -> Int {
+        self.data.low(width).int().reg_when(self.writes(address))
+    }
+
+    /// The words of a polynomial of first degree from an address on, held.
+    pub fn linear(self, first: u64, width: u32) -> Linear {
+        let [a, b, c] = [0, 1, 2].map(|index| self.number(first + index, width));
+        Linear { a, b, c }
+    }
+
+    /// The words of a polynomial of second degree from an address on, held.
+    pub fn quadratic(self, first: u64, width: u32) -> Quadratic {
+        let words = [0, 1, 2, 3, 4, 5].map(|index| self.number(first + index, width));
+        let [a2, b2, c, i0, p0, f] = words;
+        Quadratic {
+            a2,
+            b2,
+            c,
+            i0,
+            p0,
+            f,
+        }
+    }
+
+    /// A screen box in the words of two addresses, but for its first column, held.
+    pub fn screen_box(self, columns: u64, box_x0: Bits) -> ScreenBox {
+        ScreenBox {
+            box_x0,
+            box_x1: self.bits(columns, 23, 12),
+            box_y0: self.bits(columns + 1, 11, 0),
+            box_y1: self.bits(columns + 1, 23, 12),
+        }
+    }
+
+    /// 1 from the clock that writes the word of an address until it is taken over.
+    pub fn is_new(self, address: u64, take: Bits) -> Bits {
+        net! {
+            let is_written = self.writes(address);
+            let is_new = Bits::register(1);
+        }
+        is_new.load_when(take | is_written, is_written);
+        is_new
     }
 }

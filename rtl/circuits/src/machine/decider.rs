@@ -1,6 +1,7 @@
 //! The visible object of a pixel.
 
 use crate::object::Normal;
+use crate::tree::tree;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
 bundles! {
@@ -33,41 +34,27 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
         at,
         (("a", a), ("b", b)),
         |((_, a), (_, b))| {
-            net! {
-                let b_is_nearer = b.depth.less(a.depth);
-                let depths_are_equal = b.depth.equals(a.depth);
-                let b_wins = b_is_nearer | (depths_are_equal & b.id.less(a.id));
-            }
+            net! { let b_wins = is_before((b.depth, b.id), (a.depth, a.id)); }
             b_wins.select(b, a).registered()
         },
     )
 }
 
-/// A candidate one clock later: the odd one out of a level.
-pub(super) fn visibility_register(at: &str, a: Candidate) -> Candidate {
-    module("visibility_register", at, ("a", a), |(_, a)| a.registered())
+/// 1 where one depth and id are nearer than another one, or as near with the smaller id.
+pub(super) fn is_before((depth, id): (Int, Bits), (other, other_id): (Int, Bits)) -> Bits {
+    net! {
+        let is_nearer = depth.less(other);
+        let is_as_near = depth.equals(other);
+    }
+    is_nearer | (is_as_near & id.less(other_id))
 }
+
+/// The register in the place of a node.
+pub(super) const REGISTER: &str = "visibility_register";
 
 /// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 6 of `docs/architecture.md`.
 pub fn decider(at: &str, inputs: Vec<Candidate>) -> Candidate {
-    module("decider", at, ("input", inputs), |(_, mut level)| {
-        let (mut nodes, mut registers) = (0, 0);
-        while level.len() > 1 {
-            let mut next = vec![];
-            for pair in level.chunks(2) {
-                next.push(match pair {
-                    [a, b] => {
-                        nodes += 1;
-                        visibility_node(&format!("nodes_{}", nodes - 1), *a, *b)
-                    }
-                    rest => {
-                        registers += 1;
-                        visibility_register(&format!("registers_{}", registers - 1), rest[0])
-                    }
-                });
-            }
-            level = next;
-        }
-        level[0]
+    module("decider", at, ("input", inputs), |(_, inputs)| {
+        tree(inputs, visibility_node, REGISTER)
     })
 }

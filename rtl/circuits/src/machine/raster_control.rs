@@ -1,11 +1,8 @@
 //! The pixels of a zone, one a clock.
 
+use super::COORDINATE;
 use crate::raster::{Flags, Pixel};
-use imogene_contract::words;
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
-
-/// Bits of a screen coordinate.
-const COORDINATE: u32 = words::COORDINATE as u32;
 
 bundle! {
     /// What starts a zone.

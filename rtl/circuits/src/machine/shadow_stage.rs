@@ -17,6 +17,12 @@ bundle! {
     }
 }
 
+/// Clocks of a shadow stage of so many volumes.
+pub fn shadow_clocks(volumes: usize) -> u32 {
+    let joined = volumes.div_ceil(GROUP);
+    1 + if joined > 1 { shadow_clocks(joined) } else { 0 }
+}
+
 /// Which sources reach the visible point: the flag of a source stays if the point is outside every shadow volume of it
 /// and inside every light volume of it.
 ///

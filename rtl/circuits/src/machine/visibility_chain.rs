@@ -1,13 +1,14 @@
 //! Deciders that run past the processors.
 
-use super::decider::{Candidate, decider, visibility_node, visibility_register};
+use super::decider::{Candidate, REGISTER, decider, visibility_node};
+use crate::tree::register;
 use imogene_hdl::module;
 
 /// The nearest of all candidates, cell by cell: input i comes i clocks after input 0 of the same pixel, so that no
 /// wires but those to the next processor leave a cell. Latency as many clocks as inputs. Chaillou 1991, IV.3.2.
 pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
     module("visibility_chain", at, ("input", inputs), |(_, inputs)| {
-        let first = visibility_register("beginning", inputs[0]);
+        let first = register(REGISTER, "beginning", inputs[0]);
         let rest = inputs[1..].iter().enumerate();
         rest.fold(first, |nearest, (index, input)| {
             visibility_node(&format!("nodes_{index}"), nearest, *input)

@@ -3,7 +3,7 @@
 use super::{Gradients, Words};
 use crate::raster::{Flags, Linear, pe1};
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
-use imogene_hdl::{Bundle, Int, Value, bundle, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
 
 bundle! {
     /// A normal.
@@ -42,7 +42,7 @@ impl NormalWords {
     /// Those of an object.
     pub fn of(words: &Words) -> NormalWords {
         NormalWords {
-            gradients: words.gradients,
+            gradients: words.quadric.gradients,
             planes: words.planes.iter().map(|plane| plane.normal).collect(),
         }
     }
@@ -71,23 +71,14 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
             let late = flags.delayed(1);
             net! {
                 let shifted_root = face.root.right_by(face.shift);
-                let low_root = shifted_root.low(width - 1);
+                let low_root = shifted_root.low(shifted_root.width().min(width - 1));
                 let scaled_root = low_root.extend(width).int().reg();
                 let is_near = is(NEAR_ROOT).reg();
                 let is_quadric = ((is(NEAR_ROOT) | is(FAR_ROOT)) & !face.absent).reg();
             }
             let zero = Int::new(0, width);
-            let to_viewer = Normal {
-                nz: Int::new(-(1 << (width - 1)) + 1, width),
-                ..Normal::all(zero)
-            };
-            let planes = words.planes.iter().enumerate();
-            let planes = planes.map(|(index, normal)| (FIRST_PLANE + index as u64, normal));
-            let fixed = planes
-                .chain([(CAP, &to_viewer)])
-                .fold(Normal::all(zero), |other, (number, normal)| {
-                    is(number).select(*normal, other)
-                });
+            let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
+            let fixed = constant_normal(face.number, to_viewer, &words.planes);
             let fixed = face
                 .absent
                 .select(Normal::all(zero), fixed)
@@ -111,8 +102,22 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
     )
 }
 
+/// The normal of a face that is none of the quadric: of a plane its own, of the cap `cap_nz` along the line of sight,
+/// else zero.
+pub(super) fn constant_normal(number: Bits, cap_nz: Int, planes: &[Normal]) -> Normal {
+    let zero = Normal::all(Int::new(0, cap_nz.width()));
+    let cap = Normal { nz: cap_nz, ..zero };
+    let planes = planes.iter().enumerate();
+    let planes = planes.map(|(index, normal)| (FIRST_PLANE + index as u64, *normal));
+    planes
+        .chain([(CAP, cap)])
+        .fold(zero, |other, (own, normal)| {
+            number.is(own).select(normal, other)
+        })
+}
+
 impl Normal {
-    fn all(value: Int) -> Normal {
+    pub(super) fn all(value: Int) -> Normal {
         Normal {
             nx: value,
             ny: value,

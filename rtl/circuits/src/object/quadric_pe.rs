@@ -14,9 +14,11 @@ bundle! {
     }
 }
 
-/// The root of a quadric.
+/// Depths and root of a quadric.
 #[derive(Clone, Copy, Debug)]
 pub struct Network {
+    /// Bits of the depths.
+    pub sum: u32,
     /// Digits.
     pub digits: u32,
     /// Leading digits that are computed; the others are zero.
@@ -26,6 +28,16 @@ pub struct Network {
 }
 
 impl Network {
+    /// All digits that a depth word needs, computed.
+    pub fn of(depth_word: u32, rows_per_stage: u32) -> Network {
+        Network {
+            sum: depth_word + 2,
+            digits: depth_word,
+            rows: depth_word,
+            rows_per_stage,
+        }
+    }
+
     /// Clocks.
     pub fn latency(&self) -> u32 {
         self.rows.div_ceil(self.rows_per_stage)
@@ -33,7 +45,7 @@ impl Network {
 }
 
 /// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`: a PE2, the root network behind it, and a PE1 started late enough
-/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond `sum` bits and f2 beyond two for each row are guard
+/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth and f2 beyond two for each row are guard
 /// bits below the last one: they are dropped, rounding down.
 ///
 /// Latency `ceil(rows / rows_per_stage) + 2`. Section 2.4.2.
@@ -41,12 +53,11 @@ pub fn quadric_pe(
     at: &str,
     flags: Flags,
     (f1, f2): (Linear, Quadratic),
-    sum: u32,
     network: Network,
 ) -> (Depths, Flags) {
     let inputs = (flags, ("f1", f1), ("f2", f2));
     let (depths, (_, late)) = module("quadric_pe", at, inputs, |(flags, (_, f1), (_, f2))| {
-        let stages = network.latency();
+        let (stages, sum) = (network.latency(), network.sum);
         let f2 = pe2("f2", flags, f2);
         let late = flags.delayed(stages);
         let f1 = pe1("f1", late, f1).high(sum);

@@ -1,6 +1,6 @@
 //! Coefficient words of an object.
 
-use super::Normal;
+use super::{Normal, ScreenBox};
 use crate::raster::{Linear, Quadratic};
 use imogene_hdl::{Bits, Value, bundle, bundles};
 
@@ -10,16 +10,6 @@ bundle! {
         kx: Int(width), "factor of the root in normal x";
         ky: Int(width), "factor of the root in normal y";
         kz: Int(width), "factor of the root in normal z";
-    }
-
-    /// Screen box and class.
-    Place() {
-        box_x0: Bits(12), "first column of the screen box";
-        box_x1: Bits(12), "last column of the screen box";
-        box_y0: Bits(12), "first line of the screen box";
-        box_y1: Bits(12), "last line of the screen box";
-        object_class: Bits(2), "class of the object";
-        shift: Bits(5), "places the root is shifted for the normal";
     }
 }
 
@@ -56,6 +46,16 @@ bundles! {
         factors: Factors as "", "factors of the root";
     }
 
+    /// Words of a quadric.
+    #[derive(Copy)]
+    Quadric {
+        f1: Linear as "f1", "linear part of the depth";
+        f2: Quadratic as "f2", "square of the root";
+        gradients: Gradients as "", "normal";
+        screen_box: ScreenBox as "", "screen box";
+        shift: Bits as "shift", "places the root is shifted for the normal";
+    }
+
     /// A cut plane.
     #[derive(Copy)]
     Plane {
@@ -66,24 +66,17 @@ bundles! {
 
     /// All words of an object.
     Words {
-        f1: Linear as "f1", "linear part of the depth";
-        f2: Quadratic as "f2", "square of the root";
-        gradients: Gradients as "", "normal of the quadric";
-        place: Place as "", "screen box and class";
+        quadric: Quadric as "", "the quadric";
+        object_class: Bits as "object_class", "class of the object";
         planes: Vec<Plane> as "plane", "cut planes";
     }
 }
 
-impl Words {
-    /// Words from outside of the design, with so many planes.
-    pub fn input(widths: Widths, planes: usize) -> Words {
+impl Quadric {
+    /// Words from outside of the design.
+    pub fn input(widths: Widths) -> Quadric {
         let gradient = || Linear::input(widths.gradient);
-        let plane = |_| Plane {
-            kind: Bits::input(2),
-            linear: Linear::input(widths.plane),
-            normal: Normal::input(widths.normal),
-        };
-        Words {
+        Quadric {
             f1: Linear::input(widths.linear),
             f2: Quadratic::input(widths.quadratic),
             gradients: Gradients {
@@ -92,8 +85,30 @@ impl Words {
                 gz: gradient(),
                 factors: Factors::input(widths.normal),
             },
-            place: Place::input(),
-            planes: (0..planes).map(plane).collect(),
+            screen_box: ScreenBox::input(),
+            shift: Bits::input(5),
+        }
+    }
+}
+
+impl Plane {
+    /// Words from outside of the design.
+    pub fn input(widths: Widths) -> Plane {
+        Plane {
+            kind: Bits::input(2),
+            linear: Linear::input(widths.plane),
+            normal: Normal::input(widths.normal),
+        }
+    }
+}
+
+impl Words {
+    /// Words from outside of the design, with so many planes.
+    pub fn input(widths: Widths, planes: usize) -> Words {
+        Words {
+            quadric: Quadric::input(widths),
+            object_class: Bits::input(2),
+            planes: (0..planes).map(|_| Plane::input(widths)).collect(),
         }
     }
 }

@@ -1,10 +1,14 @@
 //! What runs along the lines of a zone: flags, and the elementary processors that add up polynomials.
 
+mod memory_pe2;
 mod pe1;
 mod pe2;
+mod programmable_pe;
 
+pub use memory_pe2::{Commands, LoadWord, Stepped, memory_pe2};
 pub use pe1::pe1;
 pub use pe2::pe2;
+pub use programmable_pe::{Program, Programmed, programmable_pe};
 
 use imogene_contract::words::COORDINATE;
 use imogene_hdl::bundle;

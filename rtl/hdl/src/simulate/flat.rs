@@ -1,7 +1,7 @@
 //! All modules of a design as one list of operations.
 
 use super::code::{Code, Kind};
-use super::{Flop, ONE, Store};
+use super::{Flop, ONE, Port, Store};
 use crate::build::{described, refuse};
 use crate::tree::{Binary, Direction, Module, Net, Op};
 use crate::value::mask;
@@ -20,6 +20,8 @@ pub(super) struct Flat {
     copies: Vec<(u32, u32)>,
     /// Names of the words that operations write, for messages.
     described: Vec<(u32, Rc<Module>, Net)>,
+    /// Points inside, by their paths.
+    pub(super) points: Vec<(String, Port)>,
 }
 
 impl Flat {
@@ -28,8 +30,8 @@ impl Flat {
         self.words.len() as u32 - 1
     }
 
-    /// Adds a module whose inputs are these words, and gives those of its outputs.
-    pub(super) fn place(&mut self, module: &Rc<Module>, inputs: &[u32]) -> Vec<u32> {
+    /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names inside.
+    pub(super) fn place(&mut self, module: &Rc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
         // Words first, so that operations may refer forward.
         let mut places = vec![u32::MAX; module.nodes.len()];
         for (port, place) in module.ports_of(Direction::In).zip(inputs) {
@@ -59,9 +61,23 @@ impl Flat {
         };
         for instance in &module.instances {
             let inputs: Vec<u32> = instance.inputs.iter().map(|net| at(*net)).collect();
-            let inner = self.place(&instance.module, &inputs);
-            for (net, word) in instance.outputs.iter().zip(inner) {
-                self.copies.push((places[net.0 as usize], word));
+            let path = format!("{path}{}.", instance.name);
+            let inner = self.place(&instance.module, &path, &inputs);
+            for (net, word) in instance.outputs.iter().zip(&inner) {
+                self.copies.push((places[net.0 as usize], *word));
+            }
+            let words = inputs.iter().chain(&inner);
+            for (port, place) in instance.module.ports.iter().zip(words) {
+                let (place, width) = (*place, port.width);
+                let name = format!("{path}{}", port.name);
+                self.points.push((name, Port { place, width }));
+            }
+        }
+        for (index, node) in module.nodes.iter().enumerate() {
+            if let (Some(name), false) = (&node.name, node.op == Op::Input) {
+                let (place, width) = (at(Net(index as u32)), node.width);
+                self.points
+                    .push((format!("{path}{name}"), Port { place, width }));
             }
         }
         for (index, node) in module.nodes.iter().enumerate() {
@@ -195,7 +211,8 @@ impl Flat {
         for store in &mut self.stores {
             (store.write, store.address) = (store.write.map(first), first(store.address));
         }
-        for place in ports {
+        let points = self.points.iter_mut().map(|(_, point)| &mut point.place);
+        for place in ports.iter_mut().chain(points) {
             *place = first(*place);
         }
     }

@@ -22,6 +22,31 @@ pub(super) enum Reader {
     Named(String),
 }
 
+/// The nets on which an output, a memory or an instance depends, through registers too.
+fn live(module: &Module) -> Vec<bool> {
+    let outputs = module.ports_of(Direction::Out).map(|port| port.net);
+    let memories = module.memories.iter();
+    let memories = memories.flat_map(|memory| memory.write.into_iter().chain([memory.address]));
+    let instances = module
+        .instances
+        .iter()
+        .flat_map(|i| i.inputs.iter().copied());
+    let mut open: Vec<Net> = outputs.chain(memories).chain(instances).collect();
+    let mut live = vec![false; module.nodes.len()];
+    while let Some(net) = open.pop() {
+        if std::mem::replace(&mut live[net.0 as usize], true) {
+            continue;
+        }
+        let op = &module.node(net).op;
+        open.extend(op.operands());
+        if let Op::Register(index) = op {
+            let register = &module.registers[*index];
+            open.extend(register.next.into_iter().chain(register.enable));
+        }
+    }
+    live
+}
+
 impl Reads {
     pub(super) fn of(module: &Module) -> Reads {
         let count = module.nodes.len();
@@ -34,8 +59,10 @@ impl Reads {
         for port in module.ports_of(Direction::Out) {
             reads.whole(module, port.net, Reader::Named(port.name.clone()));
         }
+        let live = live(module);
         let mut enables = HashSet::new();
-        for register in &module.registers {
+        let registers = module.registers.iter();
+        for register in registers.filter(|register| live[register.net.0 as usize]) {
             let next = register.next.expect("a closed module has all inputs");
             // Registers with the same enable stand behind one `if`.
             let enable = register.enable.filter(|enable| enables.insert(*enable));
@@ -56,12 +83,20 @@ impl Reads {
                 reads.whole(module, *net, Reader::Named(reader));
             }
         }
-        // What nobody reads, reads nothing.
-        for index in (0..count).rev() {
-            let net = Net(index as u32);
-            if reads.counts[index] > 0 {
-                reads.operands(module, net);
-            }
+        // What nobody reads, reads nothing. A forward value reads what stands behind it: that has another turn.
+        let mut is_done = vec![false; count];
+        let next = |reads: &Reads, is_done: &[bool], end: usize| {
+            (0..end)
+                .rev()
+                .find(|index| reads.counts[*index] > 0 && !is_done[*index])
+        };
+        let mut end = count;
+        while let Some(index) =
+            next(&reads, &is_done, end).or_else(|| next(&reads, &is_done, count))
+        {
+            is_done[index] = true;
+            reads.operands(module, Net(index as u32));
+            end = index;
         }
         reads
     }

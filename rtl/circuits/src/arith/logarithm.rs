@@ -1,0 +1,67 @@
+//! Logarithms to base 2 and powers of two.
+
+use super::normalise::shifted;
+use super::segment_curve::{Curve, segment_curve};
+use imogene_hdl::{Bits, Int, Value, join, module, net};
+
+const LOGARITHM: Curve = Curve {
+    function: |t| (1.0 + t).log2(),
+    length: 1.0 / 32.0,
+    fraction: 20,
+};
+const POWER: Curve = Curve {
+    function: |t| (-t).exp2(),
+    length: 1.0 / 8.0,
+    fraction: 17,
+};
+const FALL: Curve = Curve {
+    function: |t| (1.0 + (-t).exp2()).log2(),
+    length: 0.25,
+    fraction: 18,
+};
+
+/// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.
+///
+/// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency 8.
+pub fn logarithm(at: &str, number: Bits) -> Int {
+    module("logarithm", at, ("number", number), |(_, number)| {
+        let width = number.width();
+        let full = shifted(vec![number], None);
+        let [segment, place] =
+            [(2, 6), (7, 20)].map(|(high, low)| full.words[0].slice(width - high, width - low));
+        let part = segment_curve("curve", segment, place, &LOGARITHM);
+        let octave = Bits::new(u64::from(width) - 1, 6) - full.places;
+        let octave = octave.delayed_as("octave", 5);
+        net! { let whole = join([octave, Bits::new(0, 20)]).extend(28).int(); }
+        ("value", (whole + part.extend(28)).reg())
+    })
+    .1
+}
+
+/// `2^-loss` in 17 bits, all after the point, at most `1 - 2^-17`; of the loss 21 bits are after the point.
+///
+/// The first 17 bits after the point through a curve of 8 segments, then a shift by the octaves. Latency 7.
+pub fn power_of_two(at: &str, loss: Bits) -> Bits {
+    module("power_of_two", at, ("loss", loss), |(_, loss)| {
+        let power = segment_curve("curve", loss.slice(20, 18), loss.slice(17, 4), &POWER);
+        let octaves = loss.slice(loss.width() - 1, 21).delayed_as("octaves", 5);
+        net! {
+            let power = power.slice(17, 0);
+            let shifted = power.right_by(octaves).reg();
+        }
+        let most = Bits::new((1 << 17) - 1, 17);
+        ("value", shifted.top().select(most, shifted.low(17)).reg())
+    })
+    .1
+}
+
+/// `log2(1 + 2^-t)` in 24 bits, 18 of them after the point, of a number t of which 21 bits are after the point; 0
+/// from 16 on.
+///
+/// A curve of 64 segments. Latency 5.
+pub fn logarithm_of_sum(at: &str, number: Bits) -> Bits {
+    let beyond = !number.slice(number.width() - 1, 25).is(0);
+    let value = segment_curve(at, number.slice(24, 19), number.slice(18, 5), &FALL).bits();
+    let beyond = beyond.delayed_as("is_beyond", 5);
+    beyond.select(Bits::new(0, value.width()), value)
+}

@@ -1,0 +1,89 @@
+//! A function by parabolas over equal segments.
+
+use imogene_hdl::{Bits, Int, Value, join, module, net};
+
+/// Bits of the place in a segment.
+const PLACE: u32 = 14;
+/// Bits of the coefficients of second and first degree, and of the factors.
+const FACTOR: u32 = 18;
+/// Bits of the constant coefficient and of the value.
+const VALUE: u32 = 24;
+
+/// A function and how it is cut.
+pub(super) struct Curve {
+    /// The function.
+    pub function: fn(f64) -> f64,
+    /// Length of a segment.
+    pub length: f64,
+    /// Bits of the value after the point.
+    pub fraction: u32,
+}
+
+/// `c0 + ((c1 + ((c2 x) >> 14)) x >> 14)` at the 14 bits `x` of a place, the coefficients chosen by the segment;
+/// shifts round down.
+///
+/// The coefficients are constants, chosen by a tree of multiplexers. Latency 5: coefficients, product, sum, product,
+/// sum.
+pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve) -> Int {
+    let inputs = (("segment", segment), ("place", place));
+    module("segment_curve", at, inputs, |((_, segment), (_, place))| {
+        let mut choices: Vec<Bits> = (0..1 << segment.width())
+            .map(|index| packed(curve.coefficients(index)))
+            .collect();
+        for level in 0..segment.width() {
+            let pairs = choices.chunks(2).enumerate().map(|(index, pair)| {
+                let choice = segment.bit(level).select(pair[1], pair[0]);
+                choice.named(&format!("choice_{level}_{index}"))
+            });
+            choices = pairs.collect();
+        }
+        let factor = |place: Bits| place.extend(FACTOR).int();
+        let part = |product: Int| product.slice(PLACE + FACTOR - 1, PLACE).int();
+        net! {
+            let chosen = choices[0].reg();
+            let bend = chosen.low(FACTOR).int();
+            let slope = chosen.slice(2 * FACTOR - 1, FACTOR).int();
+            let base = chosen.slice(2 * FACTOR + VALUE - 1, 2 * FACTOR).int();
+            let place_1 = place.reg();
+            let kept_bend = (bend * factor(place_1)).reg();
+            let place_2 = place_1.reg();
+            let slope_2 = slope.reg();
+            let kept_slope = (slope_2 + part(kept_bend)).reg();
+            let place_3 = place_2.reg();
+            let kept_rise = (kept_slope * factor(place_3)).reg();
+        }
+        let late = base.delayed_as("base_late", 3);
+        ("value", (late + part(kept_rise).extend(VALUE)).reg())
+    })
+    .1
+}
+
+/// Coefficients in one word, the constant one in front.
+fn packed([c0, c1, c2]: [i64; 3]) -> Bits {
+    join(
+        [
+            Int::new(c0, VALUE),
+            Int::new(c1, FACTOR),
+            Int::new(c2, FACTOR),
+        ]
+        .map(Int::bits),
+    )
+}
+
+impl Curve {
+    /// Coefficients of the parabola that meets the function at the Chebyshev nodes of a segment; the constant one is
+    /// half a unit higher for the floors that follow.
+    fn coefficients(&self, segment: u32) -> [i64; 3] {
+        let unit = f64::from(self.fraction).exp2();
+        let node = 0.75f64.sqrt() / 2.0;
+        let at = |t: f64| (self.function)((f64::from(segment) + t) * self.length);
+        let (low, middle, high) = (at(0.5 - node), at(0.5), at(0.5 + node));
+        let bend = (low - 2.0 * middle + high) * (8.0 / 3.0);
+        let slope = (high - low) / (2.0 * node);
+        [
+            ((middle - slope / 2.0 + bend / 4.0) * unit + 0.5).round() as i64,
+            ((slope - bend) * unit).round() as i64,
+            (bend * unit).round() as i64,
+        ]
+    }
+}

@@ -1,0 +1,27 @@
+//! Leading significant digits of the square root.
+
+use super::root_length::{LENGTH, root_length};
+use super::square_root::first_digits;
+use imogene_hdl::{Bits, Value, join, module, net};
+
+/// The `kept` leading significant digits of `floor(sqrt(radicand))`, the lower digits zero; shorter roots are exact.
+///
+/// The radicand is shifted up by the even count that fills its top pair, `kept` rows find digits, and the root is
+/// shifted back by half the count: the rows left out would only find digits that are zeroed. The root is low by less
+/// than `2^(1 - kept)` of itself. Latency `ceil(kept / rows_per_stage) + 2`, one clock for each shift. Section B.10.
+pub fn square_root_leading(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
+    let body = |(_, radicand): (_, Bits)| {
+        let digits = radicand.width() / 2;
+        net! {
+            let places = Bits::new(digits.into(), LENGTH) - root_length("measured", radicand);
+            let doubled_places = join([places, Bits::new(0, 1)]);
+            let normal = radicand.left_by(doubled_places).reg();
+            let kept_places = places.reg();
+        }
+        let root = first_digits("network", normal, kept, rows_per_stage).root;
+        net! { let aligned = root.left(digits - kept); }
+        let places = kept_places.delayed_as("places_late", kept.div_ceil(rows_per_stage));
+        ("root", aligned.right_by(places).reg())
+    };
+    module("square_root_leading", at, ("radicand", radicand), body).1
+}

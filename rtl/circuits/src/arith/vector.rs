@@ -1,0 +1,82 @@
+//! Vectors of three components.
+
+use super::normalise::shifted;
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};
+
+bundle! {
+    /// A vector.
+    Vector(width) {
+        x: Int(width), "component x";
+        y: Int(width), "component y";
+        z: Int(width), "component z";
+    }
+}
+
+bundles! {
+    /// A vector in full words.
+    #[derive(Copy)]
+    Full {
+        vector: Vector as "shifted", "the vector";
+        places: Bits as "places", "how far it was shifted";
+    }
+}
+
+impl Vector {
+    /// A vector of its components.
+    pub fn of([x, y, z]: [Int; 3]) -> Vector {
+        Vector { x, y, z }
+    }
+
+    /// Its components.
+    pub fn components(self) -> [Int; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The vector of what becomes of each component.
+    pub fn map(self, change: impl FnMut(Int) -> Int) -> Vector {
+        Vector::of(self.components().map(change))
+    }
+}
+
+/// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
+/// stays. Latency 2.
+pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
+    module("vector_normaliser", at, vector, |vector| {
+        let parts = vector.components();
+        let width = vector.x.width();
+        // The bits that a component needs below its sign: those that differ from the sign.
+        let needed = parts.map(|part| {
+            let bits = part.slice(width - 2, 0);
+            part.is_negative().select(!bits, bits)
+        });
+        net! { let magnitude = needed[0] | needed[1] | needed[2] | Bits::new(1, width - 1); }
+        let full = shifted(parts.map(Int::bits).to_vec(), Some(magnitude));
+        Full {
+            vector: Vector::of([0, 1, 2].map(|index| full.words[index].int())),
+            places: full.places,
+        }
+    })
+}
+
+/// The scalar product of two vectors, with two bits more than a product of components. Latency 2: the products, their
+/// sum.
+pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
+    module(
+        "scalar_product",
+        at,
+        (("a", a), ("b", b)),
+        |((_, a), (_, b))| {
+            net! {
+                let product_x = (a.x * b.x).reg();
+                let product_y = (a.y * b.y).reg();
+                let product_z = (a.z * b.z).reg();
+            }
+            let wide = |product: Int| product.extend(product.width() + 2);
+            (
+                "product",
+                (wide(product_x) + wide(product_y) + wide(product_z)).reg(),
+            )
+        },
+    )
+    .1
+}

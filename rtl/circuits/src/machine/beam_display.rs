@@ -1,0 +1,58 @@
+//! Beam machine with its loader, shading and the pins of a screen.
+
+use super::{BeamMachine, Beat, beam_core, frame_loader};
+use crate::raster::Flags;
+use crate::video::{Colour, LEVEL, Output, OverlayBus, Pins, video_output};
+use imogene_hdl::{Bits, Value, bundles, module};
+
+bundles! {
+    /// What a machine with a screen says.
+    Display {
+        s_tready: Bits as "s_tready", "the word is taken";
+        swapped: Bits as "swapped", "the words of a new frame are at work";
+        refused: Bits as "refused", "a frame had more words than the loader keeps";
+        pins: Pins as "", "the pins of its screen";
+    }
+}
+
+/// Draws every pixel on the clock on which the screen wants it, without a frame memory. `last` comes with the last word
+/// of a frame. The bus of the overlay is ignored where there is none.
+///
+/// The words of an object stay until they are written again; a volume takes part in a frame if its control word is
+/// among the words of the frame. `docs/machines.md`.
+pub fn beam_display(
+    at: &str,
+    (beat, last): (Beat, Bits),
+    overlay: OverlayBus,
+    machine: &BeamMachine,
+    output: &Output,
+) -> Display {
+    let inputs = (("s", beat), ("s_tlast", last), ("overlay", overlay));
+    module(
+        "beam_display",
+        at,
+        inputs,
+        |((_, beat), (_, last), (_, overlay))| {
+            let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
+            let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
+            let loaded = frame_loader("loader", beat, last, wanted.retrace, machine.loader_places);
+            let flags = Flags {
+                valid: wanted.need,
+                start: wanted.start,
+                line: wanted.line,
+            };
+            let words = (loaded.take, loaded.load);
+            let shaded = beam_core("core", (flags, wanted.pixel), words, machine);
+            let levels = [shaded.red, shaded.green, shaded.blue];
+            for (forward, level) in colour.levels().into_iter().zip(levels) {
+                forward.drive(level);
+            }
+            Display {
+                s_tready: loaded.s_tready,
+                swapped: loaded.take,
+                refused: loaded.refused,
+                pins,
+            }
+        },
+    )
+}

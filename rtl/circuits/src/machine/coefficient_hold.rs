@@ -1,0 +1,82 @@
+//! Words of an object that are used at every pixel, kept while those of the next object are loaded.
+
+use super::{CONTROL, LoadBus};
+use crate::object::{Factors, Normal, ScreenBox, Words};
+use imogene_contract::command_stream::OBJECT_ID;
+use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
+
+bundles! {
+    /// A cut plane without its depth.
+    #[derive(Copy)]
+    HeldPlane {
+        kind: Bits as "kind", "kind of the plane";
+        normal: Normal as "", "its normal";
+    }
+
+    /// Words that are used at every pixel.
+    Held {
+        factors: Factors as "", "factors of the root";
+        screen_box: ScreenBox as "", "screen box";
+        object_class: Bits as "object_class", "class of the object";
+        shift: Bits as "shift", "places the root is shifted for the normal";
+        planes: Vec<HeldPlane> as "plane", "cut planes";
+    }
+}
+
+impl Held {
+    /// Those of an object.
+    pub fn of(words: &Words) -> Held {
+        let plane = |plane: &crate::object::Plane| HeldPlane {
+            kind: plane.kind,
+            normal: plane.normal,
+        };
+        Held {
+            factors: words.quadric.gradients.factors,
+            screen_box: words.quadric.screen_box,
+            object_class: words.object_class,
+            shift: words.quadric.shift,
+            planes: words.planes.iter().map(plane).collect(),
+        }
+    }
+
+    /// The words of an object with these in the place of its own.
+    pub fn in_place(self, mut words: Words) -> Words {
+        words.quadric.gradients.factors = self.factors;
+        words.quadric.screen_box = self.screen_box;
+        words.quadric.shift = self.shift;
+        words.object_class = self.object_class;
+        for (plane, held) in words.planes.iter_mut().zip(self.planes) {
+            plane.kind = held.kind;
+            plane.normal = held.normal;
+        }
+        words
+    }
+}
+
+/// Takes over words of a coefficient store at the beginning of a pass, and keeps them until the next; with them the id
+/// of the object, written to its own address on the bus of the store.
+///
+/// An elementary processor reads its words at the first pixel and keeps what it needs; only the words here are used at
+/// every pixel. So the store may be loaded with the next object as soon as all processors have started. An object
+/// whose control word was not written since the last `take` is absent: its screen box is empty.
+pub fn coefficient_hold(at: &str, take: Bits, bus: LoadBus, next: Held) -> (Bits, Held) {
+    let inputs = (("take", take), bus, ("next", next));
+    let ((_, id), held) = module(
+        "coefficient_hold",
+        at,
+        inputs,
+        |((_, take), bus, (_, mut next))| {
+            net! {
+                let next_id = bus.bits(OBJECT_ID, 11, 0);
+                let is_present = bus.is_new(CONTROL, take);
+            }
+            // Kept inverted: zero, also that of power-up, is an empty box.
+            let nowhere = Bits::new(0, next.screen_box.box_x0.width());
+            next.screen_box.box_x0 = is_present.select(!next.screen_box.box_x0, nowhere);
+            let mut held = next.registered_when(take);
+            held.screen_box.box_x0 = !held.screen_box.box_x0.named("inverted_box_x0");
+            (("id", next_id.reg_when(take)), held)
+        },
+    );
+    (id, held)
+}

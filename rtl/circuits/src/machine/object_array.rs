@@ -1,0 +1,159 @@
+//! Object processors side by side, with their words and the decider.
+
+use super::{Candidate, Held, LoadBus, coefficient_hold, coefficient_store, decider};
+use crate::object::{Network, Normal, Shape, Visible, Widths, Words, quadric_processor};
+use crate::raster::{Flags, Pixel};
+use crate::tree::levels;
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
+
+/// Bits of the id of an object.
+pub const ID: u32 = 12;
+
+bundle! {
+    /// The load bus of objects.
+    Load(width) {
+        valid: Bits(1), "write a word";
+        object: Bits(8), "slot of the object";
+        address: Bits(8), "address of the word in its store";
+        data: Bits(width), "the word";
+    }
+}
+
+bundles! {
+    /// The surface that is seen at a pixel.
+    #[derive(Copy)]
+    Surface {
+        depth: Int as "depth", "depth, the far end where there is none";
+        id: Bits as "id", "its object";
+        normal: Normal as "", "its normal";
+    }
+}
+
+/// A place for an object.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    /// Cut planes.
+    pub planes: usize,
+    /// It has half B, which objects of the class front need.
+    pub two_volumes: bool,
+}
+
+/// What object processors side by side are built for.
+#[derive(Clone, Debug)]
+pub struct Objects {
+    /// Bits of a depth word.
+    pub depth: u32,
+    /// Bits of the words of an object.
+    pub widths: Widths,
+    /// The root of an object.
+    pub root: Network,
+    /// Slots, at least one.
+    pub slots: Vec<Slot>,
+}
+
+impl Slot {
+    /// Clocks of its processor beyond those of one without planes and half B.
+    fn more(&self) -> u32 {
+        self.planes as u32 + u32::from(self.two_volumes)
+    }
+}
+
+impl Objects {
+    /// Clocks from the flags of a pixel to what is seen: the longest processor and the decider.
+    pub fn clocks(&self) -> u32 {
+        self.root.latency() + 6 + self.longest() + levels(self.slots.len())
+    }
+
+    fn longest(&self) -> u32 {
+        self.slots.iter().map(Slot::more).max().unwrap_or(0)
+    }
+
+    /// The nearest of the objects at every pixel, with ids of so many bits. `words` makes the words and the id of a
+    /// slot of its bus and the words that are loaded.
+    ///
+    /// Processors with fewer stages begin later, so that all answer together.
+    pub(super) fn nearest(
+        &self,
+        (flags, pixel): (Flags, Pixel),
+        load: Load,
+        words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
+    ) -> (Bits, Candidate) {
+        let least = self.slots.iter().map(Slot::more).min().unwrap_or(0);
+        let mut late = vec![(flags, pixel)];
+        for _ in least..self.longest() {
+            late.push(late[late.len() - 1].delayed(1));
+        }
+        let slots = || self.slots.iter().enumerate();
+        let words: Vec<(Words, Bits)> = slots()
+            .map(|(index, slot)| {
+                let bus = LoadBus {
+                    write: load.valid & load.object.is(index as u64),
+                    address: load.address,
+                    data: load.data,
+                };
+                let at = format!("stores_{index}");
+                let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
+                words(index, bus, loaded)
+            })
+            .collect();
+        let visible: Vec<(Visible, Bits)> = slots()
+            .zip(words)
+            .map(|((index, slot), (words, id))| {
+                let (flags, pixel) = late[(self.longest() - slot.more()) as usize];
+                let shape = Shape {
+                    depth: self.depth,
+                    root: self.root,
+                    two_volumes: slot.two_volumes,
+                };
+                let at = format!("processors_{index}");
+                (quadric_processor(&at, flags, pixel, words, shape), id)
+            })
+            .collect();
+        let candidate = |(visible, id): &(Visible, Bits)| Candidate {
+            depth: visible.front.zf,
+            id: *id,
+            number: visible.front.number,
+            normal: visible.normal,
+        };
+        let candidates = visible.iter().map(candidate).collect();
+        let valid = visible[0].0.front.out_valid;
+        let valid = valid.delayed_as("valid_late", levels(self.slots.len()));
+        (valid, decider("decider", candidates))
+    }
+}
+
+/// What is seen of the objects at every pixel, and whether there is a pixel: of surfaces at equal depths that of the
+/// smaller id. Latency [`Objects::clocks`].
+///
+/// If the words are held (a machine that shares its processors in time), `take` comes before the first flags of a
+/// pass, the next words may be loaded once all processors have started, and an object that was not loaded since the
+/// last `take` is absent. Otherwise the words act as they are loaded, the id of an object is its slot, and `take` does
+/// nothing.
+pub fn object_array(
+    at: &str,
+    scan: (Flags, Pixel),
+    (take, load): (Bits, Load),
+    objects: &Objects,
+    is_held: bool,
+) -> (Bits, Surface) {
+    let inputs = (scan, ("take", take), ("load", load));
+    let body = |(scan, (_, take), (_, load)): ((Flags, Pixel), (_, Bits), (_, Load))| {
+        let words = |index: usize, bus: LoadBus, words: Words| match is_held {
+            true => {
+                let at = format!("holds_{index}");
+                let (id, held) = coefficient_hold(&at, take, bus, Held::of(&words));
+                (held.in_place(words), id)
+            }
+            false => (words, Bits::new(index as u64, ID)),
+        };
+        let (valid, nearest) = objects.nearest(scan, load, words);
+        let surface = Surface {
+            depth: nearest.depth,
+            id: nearest.id,
+            normal: nearest.normal,
+        };
+        (("out_valid", valid), surface)
+    };
+    let ((_, valid), surface) = module("object_array", at, inputs, body);
+    (valid, surface)
+}

@@ -1,0 +1,100 @@
+//! Shadow and light volumes side by side, with their words and the shadow stage.
+
+use super::{LoadBus, Volume, shadow_clocks, shadow_stage, volume_store};
+use crate::object::{Network, VolumePoint, Widths, quadric_volume};
+use crate::raster::{Flags, Pixel};
+use imogene_hdl::{Bits, Value, bundle, module};
+
+bundle! {
+    /// The load bus of volumes.
+    VolumeLoad(width) {
+        valid: Bits(1), "write a word";
+        volume: Bits(8), "slot of the volume";
+        address: Bits(8), "address of the word in its store";
+        data: Bits(width), "the word";
+    }
+
+    /// What is known of the visible point of a pixel before volumes.
+    Lit(depth) {
+        depth: Int(depth), "visible depth";
+        flags_in: Bits(16), "sources that may reach it";
+    }
+}
+
+/// What volume processors side by side are built for.
+#[derive(Clone, Debug)]
+pub struct Volumes {
+    /// Bits of a depth word.
+    pub depth: u32,
+    /// Bits of the words of a volume.
+    pub widths: Widths,
+    /// The root of a volume.
+    pub root: Network,
+    /// Planes of each.
+    pub planes: Vec<u64>,
+}
+
+impl Volumes {
+    /// Clocks from the flags of the raster to those of the sources.
+    pub fn clocks(&self) -> u32 {
+        self.flags_offset() + shadow_clocks(self.planes.len())
+    }
+
+    /// Clocks from the flags of the raster to the visible depth.
+    pub fn depth_offset(&self) -> u32 {
+        self.root.latency() + 1
+    }
+
+    /// Clocks from the flags of the raster to those of the sources before these volumes.
+    pub fn flags_offset(&self) -> u32 {
+        self.root.latency() + 4
+    }
+}
+
+/// Takes away the flags of the sources that do not reach the visible point, of at least one volume; and whether there
+/// is a pixel.
+///
+/// The visible depth comes [`Volumes::depth_offset`] clocks after the flags of its pixel, the flags of the sources
+/// [`Volumes::flags_offset`]; `take` before the first flags of a pass: the words loaded become those of the volumes.
+/// Latency [`Volumes::clocks`].
+pub fn volume_array(
+    at: &str,
+    scan: (Flags, Pixel),
+    lit: Lit,
+    (take, load): (Bits, VolumeLoad),
+    volumes: &Volumes,
+) -> (Bits, Bits) {
+    let inputs = (scan, lit, ("take", take), ("load", load));
+    let body =
+        |((flags, pixel), lit, (_, take), (_, load)): (_, Lit, (_, Bits), (_, VolumeLoad))| {
+            let volume = |(index, planes): (usize, &u64)| {
+                let bus = LoadBus {
+                    write: load.valid & load.volume.is(index as u64),
+                    address: load.address,
+                    data: load.data,
+                };
+                let words = (volumes.depth, volumes.widths);
+                let stored = volume_store(&format!("stores_{index}"), take, bus, words, *planes);
+                let point = VolumePoint {
+                    depth: lit.depth,
+                    margin: stored.margin,
+                };
+                let at = format!("volumes_{index}");
+                let answer = quadric_volume(&at, flags, pixel, point, stored.words, volumes.root);
+                let volume = Volume {
+                    inside: answer.is_inside,
+                    kind: stored.is_light,
+                    source: stored.source,
+                    enabled: stored.is_present,
+                };
+                (answer.out_valid, volume)
+            };
+            let answers = volumes.planes.iter().enumerate().map(volume);
+            let (valid, asked): (Vec<Bits>, Vec<Volume>) = answers.unzip();
+            let valid = valid[0].delayed_as("valid_late", shadow_clocks(asked.len()));
+            let flags = shadow_stage("stage", lit.flags_in, asked);
+            (("out_valid", valid), ("source_flags", flags))
+        };
+    let ((_, valid), (_, flags)) = module("volume_array", at, inputs, body);
+    (valid, flags)
+}

@@ -1,0 +1,129 @@
+//! Carries out the command stream of a zone machine.
+
+use super::{Beat, COORDINATE, Window, WordBus};
+use imogene_contract::command_stream::{
+    COMMAND, DRAW, LIGHT, OBJECT_WORD, ORIGIN, SHOW, SIZE, VOLUME_WORD,
+};
+use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module, net};
+
+bundle! {
+    /// The pass over a zone.
+    Pass() {
+        begin_pass: Bits(1), "a pass begins: counters to zero, words are taken over";
+        take_objects: Bits(1), "a drawing pass begins";
+        take_volumes: Bits(1), "a lighting pass begins";
+        go: Bits(1), "one clock later: the raster of a drawing or lighting pass starts";
+        show_go: Bits(1), "one clock later: a showing pass starts";
+        is_drawing: Bits(1), "a drawing pass runs";
+        is_lighting: Bits(1), "a lighting pass runs";
+        is_first: Bits(1), "first drawing or lighting pass of the zone: what the buffer held is forgotten";
+        was_drawn: Bits(1), "of a showing pass: the buffer holds surfaces";
+        was_lit: Bits(1), "of a showing pass: the buffer holds flags";
+        is_last_zone: Bits(1), "of a showing pass: the frame ends with this zone";
+        sample: Bits(6), "of a showing pass: first in bit 0, last in 1, its column in the pixel in 3..2, line in 5..4";
+    }
+}
+
+bundles! {
+    /// What a zone control says.
+    Control {
+        ready: Bits as "s_tready", "the beat is taken";
+        load: WordBus as "load", "word on the load bus";
+        pass: Pass as "", "pass over the zone";
+        window: Window as "", "the zone";
+    }
+}
+
+/// Clocks that some beats wait.
+#[derive(Clone, Copy, Debug)]
+pub struct Waits {
+    /// From a drawing or lighting command until all processors have started.
+    pub settle: u32,
+    /// From the end of a showing pass until its pixels are through the shading processor.
+    pub drain: u32,
+}
+
+/// Takes the beats of the command stream in order: words go to the processors, commands begin passes over the zone.
+///
+/// A command waits for the end of the pass before it. Words of processors are taken during a pass, once the processors
+/// have started; words of tables wait until the pixels of the last showing pass are shaded. Other kinds and addresses
+/// are ignored. Latency 1. `docs/zone-machine.md`.
+pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Control {
+    let inputs = (("s", beat), ("pass_ends", pass_ends));
+    module("zone_control", at, inputs, |((_, beat), (_, pass_ends))| {
+        let (kind, address, data) = (beat.tdest, beat.tuser.low(16), beat.tdata);
+        let flag = || Bits::register(1);
+        let counter = |clocks: u32| Bits::register(clocks.max(1).ilog2() + 1);
+        net! {
+            let is_drawing = flag();
+            let is_lighting = flag();
+            let is_showing = flag();
+            let settling = counter(waits.settle);
+            let draining = counter(waits.drain);
+            let is_coefficient = kind.is(OBJECT_WORD) | kind.is(VOLUME_WORD);
+            let is_idle = !(is_drawing | is_lighting | is_showing);
+            let is_command = kind.is(COMMAND);
+            let may_end = is_idle & (is_command | draining.is(0));
+            let is_ready = is_coefficient.select(settling.is(0), may_end);
+            let taken = beat.tvalid & is_ready;
+            let is_obeyed = taken & is_command;
+        }
+        let obeyed = |command: u64| is_obeyed & address.is(command);
+        net! {
+            let draws = obeyed(DRAW);
+            let lights = obeyed(LIGHT);
+            let shows = obeyed(SHOW);
+            let scans = draws | lights;
+            let begins = (scans | shows).reg();
+        }
+        is_drawing.load_when(draws | pass_ends, draws);
+        is_lighting.load_when(lights | pass_ends, lights);
+        is_showing.load_when(shows | pass_ends, shows);
+        count_down(settling, scans, waits.settle);
+        count_down(draining, pass_ends & is_showing, waits.drain);
+        let shown = |high: u32, low: u32| data.slice(high, low).reg_when(shows);
+        let low = |command: u64| data.low(COORDINATE).reg_when(obeyed(command));
+        let high = |command: u64| {
+            data.slice(2 * COORDINATE - 1, COORDINATE)
+                .reg_when(obeyed(command))
+        };
+        Control {
+            ready: is_ready,
+            load: WordBus::of(Beat {
+                tvalid: taken,
+                ..beat
+            })
+            .registered(),
+            pass: Pass {
+                begin_pass: begins,
+                take_objects: begins & is_drawing,
+                take_volumes: begins & is_lighting,
+                go: (begins & (is_drawing | is_lighting)).reg(),
+                show_go: (begins & is_showing).reg(),
+                is_drawing,
+                is_lighting,
+                is_first: data.bit(0).reg_when(scans),
+                was_lit: shown(0, 0),
+                was_drawn: shown(1, 1),
+                is_last_zone: shown(2, 2),
+                sample: shown(8, 3),
+            },
+            window: Window {
+                x0: low(ORIGIN),
+                y0: high(ORIGIN),
+                width: low(SIZE),
+                height: high(SIZE),
+            },
+        }
+    })
+}
+
+/// A counter that is set to so many clocks and goes down to 0.
+fn count_down(counter: Bits, starts: Bits, clocks: u32) {
+    let width = counter.width();
+    let next = starts.select(
+        Bits::new(clocks.into(), width),
+        counter - Bits::new(1, width),
+    );
+    counter.load_when(starts | !counter.is(0), next);
+}

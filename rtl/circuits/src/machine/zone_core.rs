@@ -1,0 +1,194 @@
+//! The part of a zone machine that decides: from the command stream to the visible surface of every pixel.
+
+use super::{
+    Beat, Lit, Objects, Raster, SOURCES, Steps, Surface, Volumes, Waits, WordBus, Zone,
+    object_array, raster_control, show_control, stream_slice, volume_array, zone_buffer,
+    zone_control,
+};
+use crate::object::absent;
+use crate::raster::{Flags, Pixel};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
+
+/// Clocks of a showing pass besides its pixels.
+pub const SHOW_CLOCKS: u32 = 4;
+
+/// What a zone core is built for.
+#[derive(Clone, Debug)]
+pub struct ZoneCore {
+    /// Object processors.
+    pub objects: Objects,
+    /// Volume processors; there may be none.
+    pub volumes: Volumes,
+    /// Bits of the place of a pixel in a zone.
+    pub places: u32,
+}
+
+impl ZoneCore {
+    /// Bits of its load bus: those of the widest word of a processor.
+    pub fn bus(&self) -> u32 {
+        self.objects.widths.bus().max(self.volumes.widths.bus())
+    }
+
+    /// Clocks from a drawing or lighting command until words of processors are taken again: all have started.
+    pub fn settle_clocks(&self) -> u32 {
+        self.objects.clocks().max(self.volumes.clocks()) + 3
+    }
+
+    /// Clocks of a drawing pass besides its pixels.
+    pub fn draw_clocks(&self) -> u32 {
+        self.objects.clocks() + 4
+    }
+
+    /// Clocks of a lighting pass besides its pixels.
+    pub fn light_clocks(&self) -> u32 {
+        match self.volumes.planes.len() {
+            0 => 3,
+            _ => self.volumes.clocks() + 3,
+        }
+    }
+}
+
+bundle! {
+    /// A word for the tables behind a core.
+    TableWord(width) {
+        shading: Bits(1), "it is of the shading processor";
+        material: Bits(1), "it is the material of an object";
+        address: Bits(16), "its address there";
+        data: Bits(width), "the word";
+    }
+}
+
+bundles! {
+    /// What leaves a core.
+    Shown {
+        ready: Bits as "s_tready", "the beat is taken";
+        started: Bits as "started", "a pixel is started on this clock";
+        valid: Bits as "valid", "a clock later: it is on the ports below";
+        pixel: Pixel as "", "its place on the screen";
+        surface: Surface as "", "its surface, at the far end the background";
+        flags: Bits as "source_flags", "sources that reach it";
+        sample: Bits as "sample", "which sample of the pixel it is, also of one that is started";
+        pass_ends: Bits as "pass_ends", "it is the last of the pass";
+        frame_ends: Bits as "frame_ends", "it is the last of the frame";
+        load: TableWord as "load", "a word";
+    }
+}
+
+/// Shares its processors in time among the objects and volumes of one zone after another, and hands on what is visible
+/// in a finished zone.
+///
+/// A pixel is started where there is `room` behind the shading processor, and is through `drain` clocks after it was
+/// handed on. A pass over n pixels takes, from the clock that takes its command to the first that takes the next, n
+/// clocks and [`ZoneCore::draw_clocks`], [`ZoneCore::light_clocks`] or [`SHOW_CLOCKS`]. `docs/zone-machine.md`.
+pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u32) -> Shown {
+    let inputs = (("s", beat), ("room", room));
+    module("zone_core", at, inputs, |((_, beat), (_, room))| {
+        let [ready, pass_ends] = [(); 2].map(|()| Bits::forward(1));
+        let (beat, taken) = stream_slice("slice", beat, ready);
+        let settle = machine.settle_clocks();
+        let control = zone_control("control", beat, pass_ends, Waits { settle, drain });
+        ready.drive(control.ready);
+        let (load, pass, window) = (control.load, control.pass, control.window);
+        let zone = Zone {
+            go: pass.go,
+            width: window.width,
+            height: window.height,
+        };
+        let raster = raster_control("raster", zone);
+        let of = |runs: Bits| Raster {
+            flags: Flags {
+                valid: raster.flags.valid & runs,
+                ..raster.flags
+            },
+            last: raster.last & runs,
+            ..raster
+        };
+        let (draw, light) = (of(pass.is_drawing), of(pass.is_lighting));
+        let show = show_control("show", pass.show_go, room, window);
+        let (objects, clocks) = (&machine.objects, machine.objects.clocks());
+        let words = (pass.take_objects, load.objects());
+        let drawn = object_array("objects", (draw.flags, draw.pixel), words, objects, true);
+        // What the volumes are told comes from the buffer, which takes what they answer.
+        let depth = Int::forward(objects.depth);
+        let flags = Bits::forward(SOURCES);
+        let all = Bits::new((1 << SOURCES) - 1, SOURCES);
+        let known = Lit {
+            depth,
+            flags_in: pass.is_first.select(all, flags),
+        };
+        let lighting = lighting(light, known, (pass.take_volumes, load), &machine.volumes);
+        let steps = Steps {
+            begin_pass: pass.begin_pass,
+            is_first: pass.is_first,
+            drawn_soon: draw.flags.valid.delayed_as("drawn_soon", clocks - 1),
+            depth_soon: lighting.depth_soon,
+            flags_soon: lighting.flags_soon,
+            show_soon: show.issue,
+        };
+        let seen = zone_buffer("zone_buffer", steps, drawn, lighting.lit, machine.places);
+        depth.drive(seen.surface.depth);
+        flags.drive(seen.flags);
+        pass_ends
+            .drive(draw.last.delayed_as("draw_end", clocks + 1) | lighting.ends | show.is_last);
+        let background = absent(objects.depth);
+        Shown {
+            ready: taken,
+            started: show.issue,
+            valid: show.valid,
+            pixel: show.pixel,
+            surface: Surface {
+                depth: pass.was_drawn.select(seen.surface.depth, background),
+                ..seen.surface
+            },
+            flags: pass.was_lit.select(seen.flags, all),
+            sample: pass.sample,
+            pass_ends: show.is_last,
+            frame_ends: show.is_last & pass.is_last_zone,
+            load: TableWord {
+                shading: load.shading,
+                material: load.material,
+                address: load.address,
+                data: load.data,
+            },
+        }
+    })
+}
+
+/// What a lighting pass does with the buffer.
+struct Lighting {
+    depth_soon: Bits,
+    flags_soon: Bits,
+    lit: (Bits, Bits),
+    ends: Bits,
+}
+
+/// The volumes and the steps of the buffer for them.
+fn lighting(
+    light: Raster,
+    known: Lit,
+    (take, load): (Bits, WordBus),
+    volumes: &Volumes,
+) -> Lighting {
+    if volumes.planes.is_empty() {
+        let never = Bits::new(0, 1);
+        return Lighting {
+            depth_soon: never,
+            flags_soon: never,
+            lit: (never, known.flags_in),
+            ends: light.last,
+        };
+    }
+    let soon = |name: &str, clocks: u32| light.flags.valid.delayed_as(name, clocks - 1);
+    Lighting {
+        depth_soon: soon("depth_soon", volumes.depth_offset()),
+        flags_soon: soon("flags_soon", volumes.flags_offset()),
+        lit: volume_array(
+            "volumes",
+            (light.flags, light.pixel),
+            known,
+            (take, load.volumes()),
+            volumes,
+        ),
+        ends: light.last.delayed_as("light_end", volumes.clocks()),
+    }
+}

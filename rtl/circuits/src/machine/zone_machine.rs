@@ -1,0 +1,137 @@
+//! Zone machine: from the command stream to shaded pixels.
+
+use super::beam_core::shaded_normal;
+use super::{
+    Beat, COORDINATE, Coloured, ID, MATERIAL, MEAN_LATENCY, SHADING, SamplePass, Shown, ZoneCore,
+    sample_mean, zone_core,
+};
+use crate::raster::Pixel;
+use crate::shade::{Point, ShadingLoad, shading_processor};
+use crate::video::{Colour, LEVEL, PixelStream, Queue, pixel_fifo};
+use imogene_contract::shading::LATENCY;
+use imogene_hdl::{Bits, Bundle, Value, join, memory, module, net};
+
+/// Bits of the place of a pixel in the queue behind the shading processor.
+const QUEUE: u32 = 6;
+/// Clocks from a pixel of the core to its colour: one reads its material.
+const SHADED: u32 = LATENCY as u32 + 1;
+
+/// What a zone machine is built for.
+#[derive(Clone, Debug)]
+pub struct ZoneMachine {
+    /// The part that decides.
+    pub core: ZoneCore,
+    /// Samples of a pixel along each side: 1, 2 or 4.
+    pub samples: u32,
+    /// Lights.
+    pub lights: u64,
+}
+
+impl ZoneMachine {
+    /// Bits of the data of a beat: those of the load bus of its processors, and of a word of the shading processor.
+    pub fn bus(&self) -> u32 {
+        self.core.bus().max(SHADING)
+    }
+
+    /// Clocks from a pixel of the core until it is in the queue.
+    fn drain(&self) -> u32 {
+        SHADED + 1 + if self.samples > 1 { MEAN_LATENCY } else { 0 }
+    }
+}
+
+/// Draws scenes of any number of objects with a few processors, zone by zone, and shades what is visible; with it
+/// whether a beat is taken. Beats have data of [`ZoneMachine::bus`] bits.
+///
+/// With 2 or 4 samples the means of 2 x 2 or 4 x 4 samples leave, after the last pass over a zone. Pixels leave in the
+/// order of the zones, line by line in each. While the receiver stalls, the showing pass waits; drawing goes on.
+/// `docs/zone-machine.md`.
+pub fn zone_machine(
+    at: &str,
+    beat: Beat,
+    ready: Bits,
+    machine: &ZoneMachine,
+) -> (Bits, PixelStream) {
+    let inputs = (("s", beat), ("m_tready", ready));
+    let body = |((_, beat), (_, ready)): ((_, Beat), (_, Bits))| {
+        let room = Bits::forward(1);
+        let seen = zone_core("core", beat, room, &machine.core, machine.drain());
+        let shaded = shaded(&seen, machine);
+        let is_last = seen.sample.bit(1);
+        let (shown, started) = match machine.samples {
+            1 => (shaded, seen.started),
+            _ => (mean(&seen, shaded, machine), seen.started & is_last),
+        };
+        let queue = Queue {
+            started,
+            push: shown.valid,
+            data: join([shown.place, shown.colour.packed()]),
+            last: shown.last,
+            m_tready: ready,
+        };
+        let queued = pixel_fifo("queue", queue, QUEUE, machine.drain());
+        room.drive(match machine.samples {
+            1 => queued.room,
+            // Samples before the last pass stay with their sums and want no room.
+            _ => queued.room | !is_last,
+        });
+        let pixels = PixelStream {
+            tvalid: queued.m_tvalid,
+            tdata: queued.m_tdata.low(3 * LEVEL),
+            tuser: queued.m_tdata.high(2 * COORDINATE),
+            tlast: queued.m_tlast,
+        };
+        (("s_tready", seen.ready), ("m", pixels))
+    };
+    let ((_, taken), (_, pixels)) = module("zone_machine", at, inputs, body);
+    (taken, pixels)
+}
+
+/// The pixels of a core with their colours. The material of an object is a clock later than the object.
+fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
+    let (load, surface, place) = (seen.load, seen.surface, seen.pixel);
+    net! {
+        let object = load.address.low(ID);
+        let number = load.data.low(MATERIAL);
+        let material = memory("materials", 1 << ID, (load.material, object, number), surface.id);
+    }
+    // The processors count pixels, the shading processor samples.
+    let sample = |place: Bits, low: u32| match machine.samples {
+        1 => place,
+        samples => place.left(samples.ilog2()) | seen.sample.slice(low + 1, low).extend(COORDINATE),
+    };
+    let pixel = Pixel {
+        x: sample(place.x, 2),
+        y: sample(place.y, 4),
+    };
+    let point = Point {
+        valid: seen.valid.delayed_as("valid_late", 1),
+        pixel: pixel.delayed(1),
+        depth: surface.depth.delayed_as("depth_late", 1),
+        material,
+        normal: shaded_normal(surface.normal).delayed(1),
+        flags: seen.flags.delayed_as("flags_late", 1),
+    };
+    let load = ShadingLoad {
+        valid: load.shading,
+        address: load.address,
+        data: load.data.low(SHADING),
+    };
+    let shaded = shading_processor("shading", point, load, machine.lights);
+    Coloured {
+        valid: shaded.out_valid,
+        colour: Colour::of([shaded.red, shaded.green, shaded.blue]),
+        place: join([place.y, place.x]).delayed_as("place_late", SHADED),
+        last: seen.frame_ends.delayed_as("last_late", SHADED),
+    }
+}
+
+/// The pixels of the last pass, each with the mean of its samples.
+fn mean(seen: &Shown, shaded: Coloured, machine: &ZoneMachine) -> Coloured {
+    let late = |name: &str, flag: Bits| flag.delayed_as(name, SHADED);
+    let pass = SamplePass {
+        first_pass: late("first_pass_late", seen.sample.bit(0)),
+        last_pass: late("last_pass_late", seen.sample.bit(1)),
+        pass_ends: late("pass_ends_late", seen.pass_ends),
+    };
+    sample_mean("means", pass, shaded, machine.samples, machine.core.places)
+}

@@ -1,0 +1,39 @@
+//! A root within the depth word.
+
+use super::{absent, depth};
+use imogene_contract::words::{CAP, far_end, near_end};
+use imogene_hdl::{Bits, Int, Value};
+
+/// One root within the range of the depth: clamped to the near end, where its face is the cap, and to the far end.
+pub(super) struct Clamped {
+    /// It is before the near end.
+    pub is_low: Bits,
+    /// It is not before the far end.
+    pub is_far: Bits,
+    pub depth: Int,
+    pub face: Bits,
+}
+
+impl Clamped {
+    pub fn of(name: &str, sum: Int, face: u64, width: u32) -> Clamped {
+        let [low, far] = [near_end, far_end].map(|end| end(width as usize));
+        let own = |part: &str| format!("{name}_{part}");
+        let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
+        let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));
+        let within = is_far.select(absent(width), sum.low(width));
+        let [cap, face] = [CAP, face].map(|number| Bits::new(number, 4));
+        Clamped {
+            is_low,
+            is_far,
+            depth: is_low
+                .select(depth(low, width), within)
+                .named(&own("depth")),
+            face: is_low.select(cap, face).named(&own("face")),
+        }
+    }
+
+    /// 1 where it is between the ends.
+    pub fn is_visible(&self) -> Bits {
+        !(self.is_low | self.is_far)
+    }
+}

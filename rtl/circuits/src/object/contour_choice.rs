@@ -1,0 +1,59 @@
+//! Choice of the faces of a quadric by contours on the screen.
+
+use super::clamped::Clamped;
+use super::{Interval, Roots, Seen, absent, depth};
+use imogene_contract::words::{FAR_ROOT, FIRST_PLANE, NEAR_ROOT, near_end};
+use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
+
+bundle! {
+    /// Two parallel planes at a pixel, and what the contours say of them.
+    Contours(depth) {
+        surface: Bits(1), "the object is a bare surface";
+        front_zp: Int(depth), "depth of the front plane";
+        back_zp: Int(depth), "depth of the back plane";
+        front_inside: Bits(1), "the front plane is inside the quadric";
+        back_inside: Bits(1), "the back plane is inside the quadric";
+        middle_kept: Bits(1), "the middle of the quadric is on the kept side of both planes";
+    }
+}
+
+/// The visible face of a quadric between two parallel planes by the signs of contours, as the first generation chooses
+/// it.
+///
+/// A plane inside a solid is the face on its side; inside a bare surface it has removed the face on its side. Latency
+/// 1. Section 2.4.1, its algorithm corrected.
+pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
+    module("contour_choice", at, (roots, contours), |(roots, own)| {
+        let width = own.front_zp.width();
+        let low = depth(near_end(width as usize), width);
+        let end = absent(width);
+        let near = Clamped::of("near", roots.near_sum, NEAR_ROOT, width);
+        let far = Clamped::of("far", roots.far_sum, FAR_ROOT, width);
+        net! {
+            // No plane passes through the quadric here and one of them has it on its removed side: nothing is left.
+            let some_kept = own.front_inside | own.back_inside | own.middle_kept;
+            let left = roots.is_inside & roots.in_box & some_kept;
+            let front_cuts = own.front_inside & low.less(own.front_zp);
+            let back_cuts = own.back_inside & own.back_zp.less(end);
+            let cut_zf = front_cuts.select(own.front_zp, near.depth);
+            let cut_zb = back_cuts.select(own.back_zp, far.depth);
+            // Only a plane beyond an end of the depth word can leave nothing where the solid is.
+            let is_cut = left & !(near.is_far | far.is_low);
+            let is_present = is_cut & !cut_zb.less(cut_zf) & cut_zf.less(end);
+            let near_left = left & !own.front_inside & near.is_visible();
+            let far_left = left & !own.back_inside & far.is_visible();
+        }
+        let front_plane = Bits::new(FIRST_PLANE, 4);
+        let number = front_cuts.select(front_plane, near.face);
+        let solid = is_present.select(
+            Seen {
+                zf: cut_zf,
+                zb: cut_zb,
+                number,
+            },
+            Interval::absent(width).seen(),
+        );
+        let surface = Interval::of_surface([near_left, far_left], [near.depth, far.depth]).seen();
+        own.surface.select(surface, solid).registered()
+    })
+}

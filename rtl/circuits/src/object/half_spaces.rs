@@ -1,0 +1,86 @@
+//! Intersection of half-spaces along the line of sight.
+
+use super::{Interval, PlaneAt, absent, depth};
+use crate::tree::tree;
+use imogene_contract::words::{
+    BACK_PLANE, CAP, FIRST_PLANE, FRONT_PLANE, near_end, saturated_near,
+};
+use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
+
+bundle! {
+    /// What some half-spaces leave of the line of sight.
+    Kept(depth) {
+        front: Int(depth), "greatest depth of a front plane";
+        front_number: Bits(4), "its face";
+        back: Int(depth), "least depth of a back plane";
+        back_number: Bits(4), "its face";
+        removed: Bits(1), "a perpendicular plane removes the pixel";
+    }
+}
+
+/// The interval of depth that all planes keep, `is_there` said one clock before the result: a tree over the greatest
+/// depth of the front planes and the least of the back planes, then the two ends of the depth word.
+///
+/// The source cuts the whole line in a chain; a chain that begins with the whole line only looks for these two
+/// extremes. At equal depths the smaller index wins. Latency `ceil(log2 planes) + 1`. Annex A.
+pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
+    let inputs = (("plane", planes), ("is_there", is_there));
+    module("half_spaces", at, inputs, |((_, planes), (_, is_there))| {
+        let width = planes[0].zp.width();
+        let [lowest, low] = [saturated_near, near_end].map(|end| depth(end(width as usize), width));
+        let end = absent(width);
+        // Where a plane says nothing, a depth that loses to every plane.
+        let own = |(index, plane): (usize, &PlaneAt)| {
+            let number = Bits::new(FIRST_PLANE + index as u64, 4);
+            Kept {
+                front: plane.kind.is(FRONT_PLANE).select(plane.zp, lowest),
+                front_number: number,
+                back: plane.kind.is(BACK_PLANE).select(plane.zp, end),
+                back_number: number,
+                removed: plane.removes_all(),
+            }
+        };
+        let all = planes.iter().enumerate().map(own).collect();
+        let all = tree(all, half_space_node, "half_space_register");
+        let cap = Bits::new(CAP, 4);
+        net! {
+            let is_front_face = low.less(all.front);
+            let is_back_face = all.back.less(end);
+            let front_depth = is_front_face.select(all.front, low);
+            let ends_behind = !all.back.less(front_depth) & front_depth.less(end);
+            let is_present = is_there & !all.removed & ends_behind;
+        }
+        let kept = Interval {
+            zf: front_depth,
+            nf: is_front_face.select(all.front_number, cap),
+            zb: is_back_face.select(all.back, end),
+            nb: is_back_face.select(all.back_number, cap),
+        };
+        is_present
+            .select(kept, Interval::absent(width))
+            .registered()
+    })
+}
+
+/// What two groups of half-spaces leave. Latency 1. Annex A.
+fn half_space_node(at: &str, a: Kept, b: Kept) -> Kept {
+    module(
+        "half_space_node",
+        at,
+        (("a", a), ("b", b)),
+        |((_, a), (_, b))| {
+            net! {
+                let b_is_deeper = a.front.less(b.front);
+                let b_is_nearer = b.back.less(a.back);
+            }
+            Kept {
+                front: b_is_deeper.select(b.front, a.front),
+                front_number: b_is_deeper.select(b.front_number, a.front_number),
+                back: b_is_nearer.select(b.back, a.back),
+                back_number: b_is_nearer.select(b.back_number, a.back_number),
+                removed: a.removed | b.removed,
+            }
+            .registered()
+        },
+    )
+}

@@ -1,0 +1,92 @@
+//! Shadow or light volume of a quadric and planes.
+
+use super::{Answer, Bounds, Network, Roots, VolumePoint, Widths, roots};
+use crate::raster::{Flags, Linear, Pixel, Quadratic};
+use imogene_contract::words::{FRONT, PRISM, SIDE};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+
+bundles! {
+    /// Words of a volume of a quadric and planes.
+    VolumeWords {
+        f1: Linear as "f1", "linear part of the depth";
+        f2: Quadratic as "f2", "square of the root";
+        bounds: Bounds as "", "screen box and planes";
+        object_class: Bits as "object_class", "class of the quadric; a patch has no inside";
+        depth_shift: Bits as "depth_shift", "the quadric's depths are in units of 2^depth_shift depth words";
+    }
+}
+
+impl VolumeWords {
+    /// Words from outside of the design, with so many planes.
+    pub fn input(widths: Widths, planes: u32) -> VolumeWords {
+        VolumeWords {
+            f1: Linear::input(widths.linear),
+            f2: Quadratic::input(widths.quadratic),
+            bounds: Bounds::input(widths, planes),
+            object_class: Bits::input(2),
+            depth_shift: Bits::input(4),
+        }
+    }
+}
+
+/// For every pixel whether the visible point lies in a shadow or light volume: a quadric cut by planes. The point comes
+/// `ceil(rows / rows_per_stage) + 1` clocks after its flags.
+///
+/// A point is in an intersection exactly if it is in every part, so every part is asked by itself: no chain of cuts, no
+/// second half. Latency `ceil(rows / rows_per_stage) + 4`. The words stay unchanged until that many clocks after the
+/// last flags of a zone. Sections 3.2.1 and 4.1.3.
+pub fn quadric_volume(
+    at: &str,
+    flags: Flags,
+    pixel: Pixel,
+    point: VolumePoint,
+    words: VolumeWords,
+    network: Network,
+) -> Answer {
+    let inputs = (flags, pixel, point, words);
+    module(
+        "quadric_volume",
+        at,
+        inputs,
+        |(flags, pixel, point, words)| {
+            let f = (words.f1, words.f2);
+            let (roots, _, late) = roots(flags, pixel, words.bounds.screen_box, f, network);
+            let late = late.delayed(1);
+            // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
+            // its unit.
+            let coarse = point
+                .depths()
+                .map(|depth| depth.right_by(words.depth_shift));
+            net! {
+                let coarse_z = coarse[0].reg();
+                let coarse_entered = coarse[1].reg();
+                let in_quadric = is_inside(words.object_class, roots, coarse_z, coarse_entered).reg();
+                let in_box = roots.in_box.reg();
+                let is_kept = point.is_kept(late, &words.bounds.planes);
+            }
+            Answer {
+                out_valid: late.valid.delayed_as("valid_late", 3),
+                is_inside: (in_box & in_quadric & is_kept).reg(),
+            }
+        },
+    )
+}
+
+/// 1 where a point lies inside an unbounded quadric. Where the quadric begins, `entered` is asked; where it ends, `z`.
+fn is_inside(object_class: Bits, roots: Roots, z: Int, entered: Int) -> Bits {
+    let Roots {
+        near_sum: near,
+        far_sum: far,
+        is_inside,
+        ..
+    } = roots;
+    let is = |class: u64| object_class.is(class);
+    net! {
+        let between = !entered.less(near) & !far.less(z);
+        let outside = !near.less(z) | !entered.less(far);
+        let in_side = is(SIDE) & is_inside & between;
+        let in_front = is(FRONT) & (!is_inside | outside);
+        let in_prism = is(PRISM) & is_inside;
+    }
+    in_side | in_front | in_prism
+}

@@ -1,0 +1,64 @@
+//! Whether the visible point lies in a volume.
+
+use super::{HalfSpace, PlaneAt, ScreenBox, Widths, absent, half_space_test};
+use crate::raster::{Flags, pe1};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, net};
+
+bundle! {
+    /// The visible point of a pixel.
+    VolumePoint(depth) {
+        depth: Int(depth), "visible depth, the far end in the background";
+        margin: Bits(depth), "counts that a point has to lie behind the beginning; at most half the depth word";
+    }
+
+    /// What a volume says of a pixel.
+    Answer() {
+        out_valid: Bits(1), "this clock carries a result";
+        is_inside: Bits(1), "the point lies in the volume; the background is in none";
+    }
+}
+
+bundles! {
+    /// Where a volume may be, and what cuts it.
+    Bounds {
+        screen_box: ScreenBox as "", "screen box";
+        planes: Vec<HalfSpace> as "plane", "planes";
+    }
+}
+
+impl Bounds {
+    /// Words from outside of the design, with so many planes.
+    pub fn input(widths: Widths, planes: u32) -> Bounds {
+        Bounds {
+            screen_box: ScreenBox::input(),
+            planes: HalfSpace::inputs(widths, planes),
+        }
+    }
+}
+
+impl VolumePoint {
+    /// Depth, and depth less margin, which has to lie behind the beginning of a volume: words of two bits more.
+    pub(super) fn depths(self) -> [Int; 2] {
+        let width = self.depth.width() + 2;
+        let z = self.depth.extend(width);
+        [z, z - self.margin.extend(width).int()]
+    }
+
+    /// 1 where the point is no background and all planes keep it, two clocks after the point and the flags of its
+    /// pixel.
+    pub(super) fn is_kept(self, flags: Flags, planes: &[HalfSpace]) -> Bits {
+        net! {
+            let z = self.depth.reg();
+            let entered = self.depths()[1].reg();
+            let is_surface = (!z.equals(absent(z.width()))).reg();
+        }
+        let planes = planes.iter().enumerate();
+        planes.fold(is_surface, |all, (index, plane)| {
+            let plane = PlaneAt {
+                kind: plane.kind,
+                zp: pe1(&format!("planes_{index}"), flags, plane.linear),
+            };
+            all & half_space_test(&format!("tests_{index}"), plane, z, entered)
+        })
+    }
+}

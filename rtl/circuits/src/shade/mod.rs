@@ -1,0 +1,21 @@
+//! Colours of pixels.
+
+mod attenuation;
+mod light_factors;
+mod sent_light;
+mod shading_processor;
+mod sight;
+mod transparency;
+mod words;
+
+pub use shading_processor::{Point, Shaded, ShadingLoad, shading_processor};
+pub use transparency::{Layer, Surface, transparency_pipeline, transparency_stage};
+
+use crate::video::LEVEL;
+use imogene_hdl::{Bits, Int, Value};
+use words::{Eye, Fog};
+
+/// A word as a factor of the multipliers, which take 18 bits with a sign.
+fn factor(word: Bits) -> Int {
+    word.extend(18).int()
+}

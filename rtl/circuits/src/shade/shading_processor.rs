@@ -1,0 +1,198 @@
+//! Shading processor.
+
+use super::LEVEL;
+use super::attenuation::attenuation;
+use super::light_factors::light_factors;
+use super::sent_light::{Material, sent_light};
+use super::sight::sight;
+use super::words::{light_store, view_store};
+use crate::machine::LoadBus;
+use crate::object::Normal;
+use crate::raster::Pixel;
+use crate::video::Colour;
+use imogene_contract::shading::{
+    self, LATENCY, LIGHT, LIGHT_WORDS, MATERIAL, MATERIAL_WORDS, MOST_MATERIALS,
+};
+use imogene_contract::words::far_end;
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, memory, module, net};
+
+/// Bits of a sum of levels, and of what stands behind the point.
+const SUM: u32 = 38;
+const FRACTION: u32 = shading::LEVEL_FRACTION as u32;
+/// Clock of a pixel at which its exponent is read, and at which its other words are.
+const EXPONENT: u32 = 18;
+const SHARES: u32 = 31;
+
+bundle! {
+    /// Words for a shading processor.
+    ShadingLoad() {
+        valid: Bits(1), "this clock carries a word";
+        address: Bits(16), "its address";
+        data: Bits(32), "the word";
+    }
+}
+
+bundles! {
+    /// A visible point.
+    Point {
+        valid: Bits as "valid", "this clock carries a pixel";
+        pixel: Pixel as "", "pixel of the screen";
+        depth: Int as "depth", "its depth, the far end for the background";
+        material: Bits as "material", "number of its material";
+        normal: Normal as "", "its normal, of any length";
+        flags: Bits as "flags", "bit i: source i reaches it";
+    }
+}
+
+bundle! {
+    /// The colour of a pixel.
+    Shaded() {
+        out_valid: Bits(1), "a pixel comes out";
+        red: Bits(LEVEL), "its red";
+        green: Bits(LEVEL), "its green";
+        blue: Bits(LEVEL), "its blue";
+    }
+}
+
+impl Point {
+    /// One from outside of the design.
+    pub fn input(depth: u32, normal: u32) -> Point {
+        Point {
+            valid: Bits::input(1),
+            pixel: Pixel::input(),
+            depth: Int::input(depth),
+            material: Bits::input(8),
+            normal: Normal::input(normal),
+            flags: Bits::input(16),
+        }
+    }
+}
+
+/// The colour of every pixel by the formula of Phong, one pixel per clock, from depth, normal, material and the flags
+/// of the sources, with some lights at once.
+///
+/// Latency 38. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
+pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64) -> Shaded {
+    module(
+        "shading_processor",
+        at,
+        (point, ("load", load)),
+        |(point, (_, load))| {
+            let bus = LoadBus {
+                write: load.valid,
+                address: load.address,
+                data: load.data,
+            };
+            let view = view_store("view_store", bus);
+            let (sight, ray_places) = sight("sight", point.pixel, point.normal, view.eye);
+            let depth = &point.depth;
+            let width = depth.width();
+            let left = |depth: Bits| depth.extend(32).left(32 - width);
+            // What is left of the way to the far end: all bits but the sign are inverted.
+            let sign = Bits::new(1 << (width - 1), width);
+            net! {
+                let kept_depth = left(depth.bits()).reg();
+                let kept_far = left(!depth.bits() ^ sign).reg();
+            }
+            let ray = (sight.ray_log, ray_places);
+            let loss = attenuation("attenuation", view.fog, kept_far, ray);
+            let material = materials(load, point.material);
+            let levels: Vec<Colour> = (0..lights)
+                .map(|light| {
+                    let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
+                    let (words, colour) = light_store(&format!("light_stores_{light}"), bus);
+                    let own = (point.flags, kept_depth.int());
+                    let late = (material.exponent, loss);
+                    let factors =
+                        light_factors(&format!("factors_{light}"), words, sight, own, late);
+                    sent_light(&format!("sent_{light}"), factors, material.own, colour)
+                })
+                .collect();
+            let is_far = depth.is(far_end(width as usize) as u64);
+            let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 1);
+            let ambient = material.ambient.delayed(3);
+            let seen = [0, 1, 2].map(|channel| {
+                let levels = levels.iter().map(|level| level.levels()[channel]);
+                let level = level(levels.collect(), ambient.levels()[channel]);
+                is_far
+                    .select(view.background.levels()[channel], level)
+                    .reg()
+            });
+            let [red, green, blue] = seen;
+            Shaded {
+                out_valid: point.valid.delayed_as("valid_late", LATENCY as u32),
+                red,
+                green,
+                blue,
+            }
+        },
+    )
+}
+
+/// Words of the material of a pixel.
+struct Shares {
+    exponent: Bits,
+    ambient: Colour,
+    own: Material,
+}
+
+/// Keeps the words of all materials in four memories, and gives those of one material when the pixel needs them.
+fn materials(load: ShadingLoad, number: Bits) -> Shares {
+    let bus = part(load, MATERIAL, MATERIAL_WORDS * MOST_MATERIALS, 32);
+    let early = number.delayed_as("material_early", EXPONENT);
+    let late = early.delayed_as("material_late", SHARES - EXPONENT);
+    let entry = bus.address.slice(9, 2);
+    let word = |index: u64, read: Bits| {
+        let write = bus.write & bus.address.low(2).is(index);
+        let name = format!("materials_{index}");
+        memory(
+            &name,
+            MOST_MATERIALS as usize,
+            (write, entry, bus.data),
+            read,
+        )
+        .named(&format!("material_{index}"))
+    };
+    let [ambient, mirror, share] = [0, 1, 2].map(|index| word(index, late));
+    let last = word(3, early);
+    let low = |word: Bits| word.low(16);
+    let high = |word: Bits| word.slice(31, 16);
+    let blue = low(last).delayed_as("share_b", SHARES - EXPONENT);
+    Shares {
+        exponent: last.slice(23, 16),
+        ambient: Colour::of([low(ambient), high(ambient), low(mirror)]),
+        own: Material {
+            mirror: high(mirror),
+            share: Colour::of([low(share), high(share), blue]),
+        },
+    }
+}
+
+/// The words that begin at an address, as many as a power of two.
+fn part(load: ShadingLoad, first: u64, words: u64, width: u32) -> LoadBus {
+    let places = words.ilog2();
+    LoadBus {
+        write: load.valid & load.address.slice(15, places).is(first >> places),
+        address: load.address.low(places),
+        data: load.data.low(width),
+    }
+}
+
+/// Ambient light and what the surface sends back of each light, rounded to a level; the brightest one where it is more.
+fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
+    let ambient = ambient.extend(SUM).left(FRACTION - LEVEL);
+    let rounded = ambient + Bits::new(1 << (FRACTION - 1), SUM);
+    let sums = sent.chunks(2).map(|pair| {
+        let pair = pair.iter().map(|level| level.extend(SUM));
+        pair.reduce(|one, other| one + other).expect("a light")
+    });
+    let sums: Vec<Bits> = sums.collect();
+    let low = (sums[0] + rounded).reg();
+    let sum = sums[1..]
+        .iter()
+        .fold(low, |low, high| low + high.reg())
+        .reg();
+    let is_less = sum.slice(SUM - 1, FRACTION + LEVEL).is(0);
+    let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);
+    is_less.select(sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)
+}

@@ -1,0 +1,77 @@
+//! Line of sight and normal at a pixel.
+
+use super::{Eye, factor};
+use crate::arith::{Vector, logarithm, scalar_product, vector_normaliser};
+use crate::object::Normal;
+use crate::raster::Pixel;
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, join, module, net};
+
+bundle! {
+    /// A place on the screen.
+    Middle() {
+        x: Int(13), "half pixels from the middle";
+        y: Int(13), "half pixels from the middle";
+    }
+}
+
+bundles! {
+    /// What all lights share, so many clocks after the pixel.
+    #[derive(Copy)]
+    Sight {
+        place: Middle as "place", "place on the screen, 1 clock";
+        ray: Vector as "ray", "line of sight, 5 clocks";
+        normal: Vector as "normal", "normal, 5 clocks";
+        across: Int as "across", "normal times line of sight, 7 clocks";
+        square: Int as "square", "square of the normal, 7 clocks";
+        turned: Bits as "turned", "the normal looks away from the viewer, 7 clocks";
+        normal_log: Int as "normal_log", "logarithm of the square of the normal, 15 clocks";
+        ray_log: Int as "ray_log", "logarithm of the square of the line of sight, 15 clocks";
+    }
+}
+
+/// Place on the screen, line of sight and normal in full words, and their products; beside them the places that the
+/// line of sight was shifted, 15 clocks after the pixel. Section 8.2 of the architecture.
+pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
+    let inputs = (pixel, normal, eye);
+    let (sight, (_, places)) = module("sight", at, inputs, |(pixel, normal, eye)| {
+        let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
+        net! {
+            let place_x = place(pixel.x, eye.size_x);
+            let place_y = place(pixel.y, eye.size_y);
+        }
+        let along = |place: Int| {
+            let raised = place.extend(33).bits().left(5);
+            let lowered = raised.right_by(eye.view_shift).low(18);
+            eye.perspective
+                .select(lowered, Bits::new(0, 18))
+                .reg()
+                .int()
+        };
+        let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
+        let full = vector_normaliser("ray_normaliser", ray);
+        let ray = full.vector.delayed(1);
+        let normal = Vector::of([normal.nx, normal.ny, normal.nz]).delayed(3);
+        let normal = vector_normaliser("normal_normaliser", normal)
+            .vector
+            .map(|part| part.extend(18));
+        let normal_square = scalar_product("normal_square", normal, normal).bits();
+        let ray_square = scalar_product("ray_square", ray, ray).bits();
+        let both = scalar_product("both", normal, ray);
+        let sight = Sight {
+            place: Middle {
+                x: place_x,
+                y: place_y,
+            },
+            ray,
+            normal,
+            across: both.slice(34, 10).int(),
+            square: normal_square.slice(31, 9).extend(25).int(),
+            turned: Int::new(0, 38).less(both),
+            normal_log: logarithm("normal_logarithm", normal_square.low(32)),
+            ray_log: logarithm("ray_logarithm", ray_square.low(36)),
+        };
+        let places = full.places.delayed_as("places_late", 11);
+        (sight, ("ray_places", places))
+    });
+    (sight, places)
+}

@@ -1,0 +1,115 @@
+//! Transparent objects before the visible surface.
+
+use super::LEVEL;
+use imogene_hdl::{Bits, Value, bundle, bundles, join, module, net};
+
+bundle! {
+    /// A surface at a pixel, or what is seen there.
+    Surface(depth) {
+        depth: Int(depth), "depth of the surface, the far end where it is absent";
+        red: Bits(LEVEL), "its red";
+        green: Bits(LEVEL), "its green";
+        blue: Bits(LEVEL), "its blue";
+    }
+}
+
+bundles! {
+    /// A transparent object.
+    Layer {
+        surface: Surface as "", "its surface";
+        weight: Bits as "weight", "its part in 255ths; 255 is opaque";
+    }
+}
+
+impl Layer {
+    /// One from outside of the design.
+    pub fn input(depth: u32) -> Layer {
+        Layer {
+            surface: Surface::input(depth),
+            weight: Bits::input(LEVEL),
+        }
+    }
+}
+
+/// Blends transparent objects over a pixel, one stage for each, the first one first.
+///
+/// Layer i is taken `2 i` clocks after the pixel: its processor starts later. The host sorts: on no pixel may a layer
+/// be farther than one of a smaller index, unless it is absent or hidden there. Latency `2 T` for T layers. Chaillou
+/// 1991, IV.3.3.
+pub fn transparency_pipeline(at: &str, pixel: Surface, layers: Vec<Layer>) -> Surface {
+    let inputs = (("pixel", pixel), ("layer", layers));
+    module(
+        "transparency_pipeline",
+        at,
+        inputs,
+        |((_, pixel), (_, layers))| {
+            let layers = layers.into_iter().enumerate();
+            layers.fold(pixel, |pixel, (index, layer)| {
+                transparency_stage(&format!("stages_{index}"), pixel, layer)
+            })
+        },
+    )
+}
+
+/// Blends the colour of a transparent object with that of the pixel, if the object is nearer than the opaque surface.
+///
+/// The depth handed on is that of the opaque surface: of transparent objects that come farthest first each is nearer
+/// than the last one blended, so only the opaque surface can hide it. An object at the depth of the surface is
+/// hidden, as is an absent one. Latency 2. Chaillou 1991, IV.3.3.
+pub fn transparency_stage(at: &str, pixel: Surface, layer: Layer) -> Surface {
+    let inputs = (("pixel", pixel), ("layer", layer));
+    module(
+        "transparency_stage",
+        at,
+        inputs,
+        |((_, pixel), (_, layer))| {
+            let Layer { surface, weight } = layer;
+            net! { let is_nearer = surface.depth.less(pixel.depth); }
+            let blend = |name: &str, front: Bits, behind: Bits| {
+                colour_blend(&format!("blend_{name}"), front, behind, (weight, is_nearer))
+            };
+            Surface {
+                depth: pixel.depth.delayed_as("depth_late", 2),
+                red: blend("red", surface.red, pixel.red),
+                green: blend("green", surface.green, pixel.green),
+                blue: blend("blue", surface.blue, pixel.blue),
+            }
+        },
+    )
+}
+
+/// `round((t front + (255 - t) behind) / 255)` with the weight t, or `behind` where the front one is not seen.
+///
+/// The sum is `255 behind + t (front - behind)`: one product. It is 65025 at most, and `(n + floor(n / 256)) / 256`
+/// with `n = sum + 128` rounds its 255th part exactly; there are no ties, since 255 is odd. Latency 2: product, sum.
+fn colour_blend(at: &str, front: Bits, behind: Bits, (weight, is_seen): (Bits, Bits)) -> Bits {
+    let inputs = (
+        ("front", front),
+        ("behind", behind),
+        ("weight", weight),
+        ("is_seen", is_seen),
+    );
+    module(
+        "colour_blend",
+        at,
+        inputs,
+        |((_, front), (_, behind), (_, weight), (_, is_seen))| {
+            let wide = |level: Bits| level.extend(LEVEL + 1);
+            net! {
+                let difference = (wide(front) - wide(behind)).int();
+                let kept_product = (difference * wide(weight).int()).reg();
+                let kept_behind = behind.reg();
+                let kept_is_seen = is_seen.reg();
+                // The sum is never negative and has 16 bits: what the product has above them cancels.
+                let product = kept_product.low(2 * LEVEL).bits();
+                let base = join([kept_behind, Bits::new(0, LEVEL)]) - kept_behind.extend(2 * LEVEL);
+                let sum = base + product + Bits::new(128, 2 * LEVEL);
+                let quotient = sum.slice(2 * LEVEL - 1, LEVEL).extend(2 * LEVEL);
+                let rounded = sum + quotient;
+            }
+            let blend = rounded.slice(2 * LEVEL - 1, LEVEL);
+            ("blend", kept_is_seen.select(blend, kept_behind).reg())
+        },
+    )
+    .1
+}

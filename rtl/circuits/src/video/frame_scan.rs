@@ -1,0 +1,73 @@
+//! Frames one after the other, as fast as the receiver takes them.
+
+use super::COORDINATE;
+use crate::raster::{Flags, Pixel};
+use imogene_hdl::{Bits, Value, bundles, module, net};
+
+bundles! {
+    /// A pixel of a scan.
+    Scanned {
+        issue: Bits as "issue", "a pixel is issued on this clock";
+        flags: Flags as "", "raster flags, one clock later";
+        pixel: Pixel as "", "where it is";
+        line_ends: Bits as "line_ends", "it is the last of its line";
+        retrace: Bits as "retrace", "the pipeline is empty: words may be copied";
+    }
+}
+
+/// Frames of `width` by `height` pixels left to right, top to bottom, on clocks on which there is `room` behind the
+/// pipeline. It is empty `drain` clocks after the last pixel of a frame; the next one waits while words are copied
+/// (`is_busy`). Latency 1.
+///
+/// # Panics
+///
+/// When a side is no coordinate.
+pub fn frame_scan(
+    at: &str,
+    (room, is_busy): (Bits, Bits),
+    (width, height): (u64, u64),
+    drain: u64,
+) -> Scanned {
+    let inputs = (("room", room), ("is_busy", is_busy));
+    module("frame_scan", at, inputs, |((_, room), (_, is_busy))| {
+        let word = |value: u64| Bits::new(value, COORDINATE);
+        let clocks = |value: u64| Bits::new(value, drain.ilog2() + 1);
+        net! {
+            let running = Bits::register(1);
+            let waiting = Bits::register(drain.ilog2() + 1);
+            let retrace = Bits::register(1);
+            let column = Bits::register(COORDINATE);
+            let row = Bits::register(COORDINATE);
+            let issued = running & room;
+            let at_left = column.is(0);
+            let at_right = column.is(width - 1);
+            let at_top = row.is(0);
+            let at_bottom = row.is(height - 1);
+            let line_ends = issued & at_right;
+            let frame_ends = line_ends & at_bottom;
+            let is_empty = waiting.is(0);
+            let drains = !running & !is_empty;
+            let begins = !running & is_empty & !retrace & !is_busy;
+        }
+        column.load_when(issued, at_right.select(word(0), column + word(1)));
+        row.load_when(line_ends, at_bottom.select(word(0), row + word(1)));
+        running.load_when(frame_ends | begins, begins);
+        let next_waiting = drains.select(waiting - clocks(1), waiting);
+        waiting.load(frame_ends.select(clocks(drain), next_waiting));
+        retrace.load(drains & waiting.is(1));
+        Scanned {
+            issue: issued,
+            flags: Flags {
+                valid: issued.reg(),
+                start: (issued & at_left & at_top).reg(),
+                line: (issued & at_left & !at_top).reg(),
+            },
+            pixel: Pixel {
+                x: column.reg(),
+                y: row.reg(),
+            },
+            line_ends: line_ends.reg(),
+            retrace,
+        }
+    })
+}

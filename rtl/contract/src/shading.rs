@@ -1,0 +1,27 @@
+//! Words of the shading processor and their addresses.
+
+/// Clocks from a pixel to its colour.
+pub const LATENCY: usize = 38;
+/// Bits after the point of a level before it is rounded.
+pub const LEVEL_FRACTION: usize = 21;
+
+/// Address of columns and lines of the picture.
+pub const SIZE: u64 = 0;
+/// Address of the flags of the view and of its shift.
+pub const VIEW: u64 = 1;
+/// Address of the distance of the eye.
+pub const DISTANCE: u64 = 2;
+/// Address of the word of the attenuation.
+pub const ATTENUATION: u64 = 3;
+/// Address of the colour of the background.
+pub const BACKGROUND: u64 = 4;
+/// Address of the first word of light 0.
+pub const LIGHT: u64 = 0x10;
+/// Addresses from one light to the next.
+pub const LIGHT_WORDS: u64 = 0x10;
+/// Address of the first word of material 0.
+pub const MATERIAL: u64 = 0x1000;
+/// Words of a material.
+pub const MATERIAL_WORDS: u64 = 4;
+/// Materials at most.
+pub const MOST_MATERIALS: u64 = 256;
