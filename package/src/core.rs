@@ -28,16 +28,17 @@ pub enum PackageError {
 /// A file of a package: path below its folder, with `/`, and text.
 pub type File = (String, String);
 
-/// Every unit at the base format with its default parameters, each in a folder of its own, and a `README.md` that lists them.
+/// Units at the base format with their default parameters, each in a folder of its own, and a `README.md` that lists
+/// them.
 ///
 /// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left out.
 ///
 /// # Errors
 ///
 /// A defect of this workspace, if any.
-pub fn package(clocks: usize) -> Result<Vec<File>, PackageError> {
-    let mut files = vec![("README.md".to_owned(), readme(clocks))];
-    for unit in Unit::ALL {
+pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, PackageError> {
+    let mut files = vec![("README.md".to_owned(), readme(units, clocks))];
+    for &unit in units {
         let core = core(unit, clocks)?;
         let inside = core.into_iter();
         files.extend(inside.map(|(path, text)| (format!("{}/{path}", unit.name()), text)));
@@ -147,16 +148,21 @@ targets:
     text
 }
 
-fn readme(clocks: usize) -> String {
+fn readme(units: &[Unit], clocks: usize) -> String {
+    let names: Vec<&str> = units.iter().map(|unit| unit.name()).collect();
+    let names = match units.len() == Unit::ALL.len() {
+        true => String::new(),
+        false => format!("{} ", names.join(" ")),
+    };
     let mut text = String::from(
         "# The units of imogene as IP cores\n\nBase format 24, the planes that `imogene units` gives as default, 1 row of the root network per register stage, 4 objects. \
          Each folder holds the Verilog of a unit (`rtl/`, one file\nfor each module), its contract (`CONTRACT.md`, `contract.json`) and a FuseSoC core file.\n",
     );
     let _ = writeln!(
         text,
-        "\nMade by: `imogene package --clocks {clocks} --out DIR`. Do not edit.\n\n| unit | computes |\n|---|---|"
+        "\nMade by: `imogene package {names}--clocks {clocks} --out DIR`. Do not edit.\n\n| unit | computes |\n|---|---|"
     );
-    for unit in Unit::ALL {
+    for unit in units {
         let name = unit.name();
         let _ = writeln!(
             text,

@@ -57,6 +57,7 @@ fn directions_and_formats_are_those_of_the_verilog_text() {
             assert_eq!(entry.direction == "input", is_input, "{}", entry.name);
             let line = head
                 .lines()
+                .map(|line| line.split(" = ").next().unwrap_or_default())
                 .map(|line| line.trim_end_matches(','))
                 .find(|line| line.split_whitespace().last() == Some(&entry.name))
                 .unwrap_or_else(|| panic!("{}: no line for {}", unit.name(), entry.name));

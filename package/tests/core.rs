@@ -27,17 +27,29 @@ fn files_below(folder: &Path, found: &mut BTreeSet<PathBuf>) {
     }
 }
 
+/// The units whose text a reader looks at; `imogene package` makes all others.
+const READ: [Unit; 8] = [
+    Unit::Pe1,
+    Unit::Pe2,
+    Unit::SquareRoot,
+    Unit::QuadricPe,
+    Unit::CutPlane,
+    Unit::QuadricProcessor,
+    Unit::Decider,
+    Unit::Beam,
+];
+
 #[test]
 fn committed_cores_are_those_of_this_source() {
     let folder = Path::new(ROOT).join("ip");
     let mut left = BTreeSet::new();
     files_below(&folder, &mut left);
-    for (name, text) in package(0).expect("every unit is packaged") {
+    for (name, text) in package(&READ, 0).expect("every unit is packaged") {
         let path = folder.join(&name);
         let committed = std::fs::read_to_string(&path).unwrap_or_default();
         assert!(
             committed == text,
-            "ip/{name} is stale; run `imogene package --clocks 0 --out ip`"
+            "ip/{name} is stale; run the command in ip/README.md"
         );
         left.remove(&path);
     }
@@ -146,7 +158,7 @@ fn fusesoc_runs_every_core() {
     let folder = tempfile::tempdir().expect("a scratch folder");
     write(
         &folder.path().join("cores"),
-        &package(500).expect("every unit"),
+        &package(&Unit::ALL, 500).expect("every unit"),
     );
     for unit in Unit::ALL {
         for target in ["lint", "sim"] {

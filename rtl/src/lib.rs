@@ -1,19 +1,11 @@
-//! Hardware that draws quadrics: the units in rust-hdl, their simulation and their Verilog.
+//! The catalogue of units and machines: their parameters and latencies, their Verilog and their simulation.
 //!
-//! One unit, one file. [`unit`](mod@unit) holds what processors are built from, [`object`] the object processors, [`machine`] the raster
-//! control, the decider and the beam machine. [`emit`](emit::emit) writes Verilog, [`catalogue`] names units, parameters and
-//! latencies, [`simulator`] runs a processor or a machine of any format of the catalogue behind one interface.
+//! [`catalogue`] names units, parameters and latencies, [`emit`](emit::emit) writes Verilog, [`simulator`] runs a unit or
+//! a machine on plain words. What they are is in `imogene-circuits`.
 #![warn(missing_docs)]
 
 pub mod catalogue;
 pub mod emit;
 /// Widths and numbers of the formats.
 pub use imogene_contract::words as format;
-mod kernel;
-pub mod machine;
-pub mod object;
 pub mod simulator;
-pub mod step;
-mod tree;
-pub mod unit;
-pub mod word;

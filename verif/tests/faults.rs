@@ -1,32 +1,25 @@
 //! A co-simulation that could not find a fault would prove nothing: broken units and a broken coefficient must be
 //! reported with cycle, pixel, values and a trace.
 
+use imogene_circuits::raster::{Flags, Linear, pe1};
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
-use imogene_rtl::step::step;
-use imogene_rtl::unit::pe1::Pe1;
-use imogene_rtl::word::Int;
-use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::engine::built_in::BuiltIn;
+use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::scene::{self, Fault, Options, TraceRequest};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{NAMES, Parameters, subject};
-use rust_hdl::core::prelude::Block;
 use std::path::Path;
 
 /// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
 fn broken_pe1() -> Subject {
     let mut broken = subject("pe1", Parameters::default()).unwrap();
     broken.hardware = Box::new(|| {
-        let mut unit = Box::new(Pe1::<26>::default());
-        unit.connect_all();
+        let mut unit = Circuit::of(|| pe1("top", Flags::input(), Linear::input(26)));
         Box::new(move |i: &[i64]| {
-            (unit.valid.next, unit.start.next, unit.line.next) = (i[0] != 0, i[1] != 0, i[2] != 0);
-            unit.a.next = Int::new(i[3]);
-            unit.b.next = Int::new(i[3]);
-            unit.c.next = Int::new(i[5]);
-            step(unit.as_mut());
-            vec![Some(unit.value.val().get())]
+            unit.clock(&[i[0], i[1], i[2], i[3], i[3], i[5]]);
+            vec![Some(unit.output(0))]
         })
     });
     broken
@@ -114,7 +107,7 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
         fault: None,
     };
     let run = |options: &Options| {
-        scene::run(&scene, options, |shape| RustHdl::new(shape).unwrap(), || ()).unwrap()
+        scene::run(&scene, options, |shape| BuiltIn::new(shape).unwrap(), || ()).unwrap()
     };
     let (good, frame) = run(&options);
     assert!(good.passed(), "{:?}", good.first_mismatches);
@@ -153,7 +146,7 @@ fn faults_that_do_not_exist_are_refused() {
     let outcome = scene::run(
         &scene,
         &options,
-        |shape| RustHdl::new(shape).unwrap(),
+        |shape| BuiltIn::new(shape).unwrap(),
         || (),
     );
     let message = outcome.err().unwrap().to_string();

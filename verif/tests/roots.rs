@@ -1,14 +1,12 @@
 //! The parameters of the root networks, beyond the catalogue too: any number of digits kept, any number of corrections, against the golden
 //! model on every radicand of a spread that holds each length and each decision boundary.
 
+use imogene_circuits::arith::{
+    square_root_leading, square_root_linear, square_root_quadratic, square_root_rows,
+};
+use imogene_hdl::{Bits, Value};
 use imogene_models::unit::root::{Method, root};
-use imogene_rtl::step::step;
-use imogene_rtl::unit::square_root_leading::SquareRootLeading;
-use imogene_rtl::unit::square_root_linear::SquareRootLinear;
-use imogene_rtl::unit::square_root_quadratic::SquareRootQuadratic;
-use imogene_rtl::unit::square_root_rows::SquareRootRows;
-use imogene_rtl::word::Word;
-use rust_hdl::core::prelude::Block;
+use imogene_verif::engine::circuit::Circuit;
 
 /// Small radicands, and those about the squares and powers of two of each length.
 fn radicands(bits: u32) -> Vec<u64> {
@@ -35,67 +33,43 @@ fn radicands(bits: u32) -> Vec<u64> {
 }
 
 /// Streams the radicands through a free running unit and compares each result.
-macro_rules! check {
-    ($block:expr, $method:expr, $bits:expr) => {{
-        let (mut block, method, bits) = ($block, $method, $bits);
-        block.connect_all();
-        let radicands = radicands(bits);
-        let latency = method.latency(bits, 1) as usize;
-        for clock in 0..radicands.len() + latency - 1 {
-            let radicand = radicands.get(clock).copied().unwrap_or(0);
-            block.radicand.next = Word::new(radicand);
-            step(&mut block);
-            if let Some(given) = (clock + 1).checked_sub(latency) {
-                let expected = root(method, radicands[given].into(), bits).root;
-                let found = block.root.val().get();
-                assert_eq!(
-                    found, expected,
-                    "{method} of {}, {bits} bits",
-                    radicands[given]
-                );
-            }
+fn check(method: Method, bits: u32, build: impl Fn(Bits) -> Bits) {
+    let mut circuit = Circuit::of(|| build(Bits::input(2 * bits)));
+    let radicands = radicands(bits);
+    let latency = method.latency(bits, 1) as usize;
+    for clock in 0..radicands.len() + latency - 1 {
+        let radicand = radicands.get(clock).copied().unwrap_or(0);
+        circuit.clock(&[radicand as i64]);
+        if let Some(given) = (clock + 1).checked_sub(latency) {
+            let expected = root(method, radicands[given].into(), bits).root;
+            let found = circuit.value("root") as u64;
+            assert_eq!(
+                found, expected,
+                "{method} of {}, {bits} bits",
+                radicands[given]
+            );
         }
-    }};
+    }
 }
 
 #[test]
 fn every_number_of_corrections() {
     for corrections in 0..=3 {
-        let method = Method::Linear { corrections };
-        let count = corrections as usize;
-        check!(SquareRootLinear::<32, 16, 17>::new(count), method, 16);
-        check!(SquareRootLinear::<48, 24, 25>::new(count), method, 24);
-        check!(SquareRootLinear::<64, 32, 33>::new(count), method, 32);
-        let method = Method::Quadratic { corrections };
-        check!(
-            SquareRootQuadratic::<32, 16, 17, 28>::new(count),
-            method,
-            16
-        );
-        check!(
-            SquareRootQuadratic::<48, 24, 25, 36>::new(count),
-            method,
-            24
-        );
-        check!(
-            SquareRootQuadratic::<64, 32, 33, 44>::new(count),
-            method,
-            32
-        );
+        for bits in [16, 24, 32] {
+            let linear = |radicand| square_root_linear("top", radicand, corrections);
+            check(Method::Linear { corrections }, bits, linear);
+            let quadratic = |radicand| square_root_quadratic("top", radicand, corrections);
+            check(Method::Quadratic { corrections }, bits, quadratic);
+        }
     }
 }
 
 #[test]
 fn every_number_of_digits() {
     for kept in 1..=24 {
-        let count = kept as usize;
-        let method = Method::Rows { kept };
-        check!(SquareRootRows::<48, 24, 25, 26>::new(count, 1), method, 24);
-        let method = Method::Leading { kept };
-        check!(
-            SquareRootLeading::<48, 24, 25, 26>::new(count, 1),
-            method,
-            24
-        );
+        let rows = |radicand| square_root_rows("top", radicand, kept, 1);
+        check(Method::Rows { kept }, 24, rows);
+        let leading = |radicand| square_root_leading("top", radicand, kept, 1);
+        check(Method::Leading { kept }, 24, leading);
     }
 }

@@ -1,11 +1,11 @@
 //! The units of the graphics module behind the decider, over whole frames: what the clock by clock comparison of `units.rs` does not say by itself.
 
+use imogene_circuits::video::{Queue, pixel_fifo, video_timing};
+use imogene_contract::video::{Span, VideoMode};
+use imogene_hdl::{Bits, Value};
 use imogene_models::machine::post_filter::Kernel;
 use imogene_models::machine::video_timing::{self as golden, MODES};
-use imogene_rtl::machine::pixel_fifo::PixelFifo;
-use imogene_rtl::machine::video_mode::{Span, VideoMode};
-use imogene_rtl::machine::video_timing::VideoTiming;
-use imogene_rtl::step::step;
+use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
 use imogene_verif::subject::{Hardware, Subject};
 use imogene_verif::unit::{Parameters, subject};
@@ -112,29 +112,25 @@ fn leads_of_any_length() {
         vsync_high: false,
     };
     for lead in 0..mode.retrace() as usize {
-        let mut unit = VideoTiming::new(&mode, lead);
-        rust_hdl::core::prelude::Block::connect_all(&mut unit);
+        let mut unit = Circuit::of(|| video_timing("top", Bits::input(1), &mode, lead as u64));
         let mut timing = golden::VideoTiming::new(model, lead as u64);
         for at in 0..150 {
-            unit.enable.next = true;
-            step(&mut unit);
+            unit.clock(&[1]);
             let expected = timing.clock(true);
             let place = format!("lead {lead}, clock {at}");
-            let now = [
-                (unit.de.val(), unit.start.val(), unit.line.val()),
-                (unit.need.val(), unit.go.val(), unit.need_line.val()),
+            let mut value = |name: &str| unit.value(name) as u64;
+            let names = [
+                ["de", "start", "line", "x", "y"],
+                ["need", "go", "need_line", "need_x", "need_y"],
             ];
-            let places = [
-                (unit.x.val().get(), unit.y.val().get()),
-                (unit.need_x.val().get(), unit.need_y.val().get()),
-            ];
-            for (k, shown) in [expected.now, expected.ahead].iter().enumerate() {
-                assert_eq!(now[k], (shown.active, shown.start, shown.line), "{place}");
-                assert_eq!(places[k], (shown.x.into(), shown.y.into()), "{place}");
+            for (names, shown) in names.iter().zip([&expected.now, &expected.ahead]) {
+                let flags = [shown.active, shown.start, shown.line].map(u64::from);
+                let stated = [flags[0], flags[1], flags[2], shown.x.into(), shown.y.into()];
+                assert_eq!(names.map(&mut value), stated, "{place}");
             }
-            assert_eq!(unit.hsync.val(), expected.hsync, "{place}");
-            assert_eq!(unit.vsync.val(), expected.vsync, "{place}");
-            assert_eq!(unit.frame_start.val(), expected.frame_start, "{place}");
+            let syncs = ["hsync", "vsync", "frame_start"].map(&mut value);
+            let stated = [expected.hsync, expected.vsync, expected.frame_start];
+            assert_eq!(syncs, stated.map(u64::from), "{place}");
         }
     }
 }
@@ -142,13 +138,13 @@ fn leads_of_any_length() {
 #[test]
 #[should_panic(expected = "accepted are fewer than the 336 of the vertical blanking")]
 fn a_lead_longer_than_the_blanking_is_refused() {
-    VideoTiming::new(&VideoMode::SMALL, 336);
+    Circuit::of(|| video_timing("top", Bits::input(1), &VideoMode::SMALL, 336));
 }
 
 #[test]
 #[should_panic(expected = "accepted are 65 at least")]
 fn a_queue_shorter_than_the_pipeline_is_refused() {
-    PixelFifo::<6, 7, 8, 9>::new(61);
+    Circuit::of(|| pixel_fifo("top", Queue::input(8), 6, 61));
 }
 
 /// A pipeline of `flight` clocks before the queue, which starts a pixel on every clock with `room` that `wants` one; gives pushed and taken words.

@@ -161,6 +161,8 @@ pub struct Contract {
 /// Arguments of `package`.
 #[derive(Debug, Args)]
 pub struct Package {
+    /// Units, as listed by `imogene units`; all if none is named.
+    pub units: Vec<String>,
     /// Output folder.
     #[arg(long)]
     pub out: PathBuf,

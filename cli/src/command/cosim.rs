@@ -9,8 +9,8 @@ use imogene_models::prepare::PreparedScene;
 use imogene_rtl::emit::{EmitRequest, emit};
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::beam::BeamDesign;
+use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
-use imogene_verif::engine::rust_hdl::RustHdl;
 use imogene_verif::random;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest, slots, volumes};
@@ -163,7 +163,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
             scene::run(prepared, &run_options, |_| design.machine(), pixel_done)
         }
         None => {
-            let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+            let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
             scene::run(prepared, &run_options, engine, pixel_done)
         }
     };

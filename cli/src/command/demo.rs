@@ -9,7 +9,7 @@ use crate::output;
 use imogene_models::machine::shading;
 use imogene_models::picture;
 use imogene_models::scene::SceneFile;
-use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
 use serde::Serialize;
@@ -81,7 +81,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         u64::from(SIZE.width * SIZE.height),
         "hardware in simulation",
     );
-    let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+    let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
     let (mut report, frame) =
         scene::run(&prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
     bar.finish_and_clear();

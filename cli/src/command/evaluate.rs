@@ -9,7 +9,7 @@ use imogene_models::evaluate::{
 };
 use imogene_package::processors::processors;
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
-use imogene_rtl::machine::zone_core::{ZONE_BITS, ZoneShape};
+use imogene_rtl::emit::display::{ZONE_BITS, ZoneShape};
 use imogene_verif::display::request::zone_timing;
 use serde::Serialize;
 use std::path::{Path, PathBuf};

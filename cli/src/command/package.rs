@@ -17,11 +17,20 @@ struct PackageReport {
     files: Vec<PathBuf>,
 }
 
-/// Writes every unit as an IP core.
+/// Writes units as IP cores.
 pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
-    let texts = package(options.clocks).map_err(Failure::input)?;
+    let units: Result<Vec<Unit>, Failure> = options
+        .units
+        .iter()
+        .map(|name| Unit::from_name(name).map_err(Failure::input))
+        .collect();
+    let units = match units?.as_slice() {
+        [] => Unit::ALL.to_vec(),
+        named => named.to_vec(),
+    };
+    let texts = package(&units, options.clocks).map_err(Failure::input)?;
     let mut report = PackageReport {
-        cores: Unit::ALL.len(),
+        cores: units.len(),
         bytes: texts.iter().map(|(_, text)| text.len()).sum(),
         files: Vec::new(),
     };

@@ -19,7 +19,7 @@ use imogene_models::scene::{Absent, FramedScene, FramedSource, RangeReport};
 use imogene_models::text::counted;
 use imogene_models::trade::measure::zones;
 use imogene_models::{exact, picture};
-use imogene_verif::engine::rust_hdl::RustHdl;
+use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots};
 use serde::Serialize;
@@ -335,7 +335,7 @@ fn beam_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Fra
         trace: None,
         fault: None,
     };
-    let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+    let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
     let drawn = scene::run(prepared, &run_options, engine, || bar.inc(1));
     bar.finish_and_clear();
     drawn.map_err(Failure::input)

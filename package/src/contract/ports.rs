@@ -405,8 +405,11 @@ pub fn described(request: &EmitRequest) -> Vec<Described> {
         repeated(name, *width, meaning.to_string(), request)
     });
     let polynomials = processors::polynomials(request.unit).iter();
+    // Of a single input the decider is a wire.
+    let is_wire = request.unit == Unit::Decider && request.objects == 1;
     ports
         .chain(polynomials.flat_map(|polynomial| words(polynomial, request)))
+        .filter(|port| !is_wire || port.name != "clock")
         .collect()
 }
 

@@ -1,8 +1,7 @@
 //! What a unit is made of, counted in its hierarchy.
 
-use super::collect::Scope;
-use super::{Collect, EmitError, EmitRequest, emit, with_block};
-use std::collections::BTreeMap;
+use super::{EmitError, EmitRequest, design};
+use imogene_hdl::{Binary, Module, Op};
 
 /// Parts of a unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,30 +22,26 @@ pub struct Census {
 ///
 /// When a parameter is out of its legal range.
 pub fn census(request: &EmitRequest) -> Result<Census, EmitError> {
-    let mut instances = BTreeMap::new();
-    count(&with_block(request, Collect)?, &mut instances);
-    let of = |name: &str| instances.get(name).copied().unwrap_or(0);
-    // Every product of this crate stands in a module of its own kind, whose instances have its products.
-    let modules = emit(request)?.modules;
-    let products = modules
-        .iter()
-        .map(|(name, text)| text.matches(" * ").count() * of(name));
-    Ok(Census {
-        pe1: of("pe1"),
-        pe2: of("pe2"),
-        roots: of("square_root"),
-        multipliers: products.sum(),
-    })
+    let mut parts = Census::default();
+    count(&design(request)?.top, &mut parts);
+    Ok(parts)
 }
 
-fn count(scope: &Scope, instances: &mut BTreeMap<String, usize>) {
-    if let Some(unit) = scope.unit() {
-        *instances.entry(unit.to_owned()).or_default() += 1;
+fn count(module: &Module, parts: &mut Census) {
+    // In several widths it is called after them.
+    let (kind, _) = module.name.split_once("_w").unwrap_or((&module.name, ""));
+    match kind {
+        "pe1" => parts.pe1 += 1,
+        "pe2" => parts.pe2 += 1,
+        "square_root" => parts.roots += 1,
+        _ => {}
     }
-    scope
-        .children
-        .iter()
-        .for_each(|child| count(child, instances));
+    let is_product = |op: &Op| matches!(op, Op::Binary(Binary::Mul, ..));
+    let products = module.nodes.iter().filter(|node| is_product(&node.op));
+    parts.multipliers += products.count();
+    for instance in &module.instances {
+        count(&instance.module, parts);
+    }
 }
 
 #[cfg(test)]

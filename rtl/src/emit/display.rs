@@ -1,20 +1,119 @@
 //! Machines with everything between the object processors and the picture.
 
-use super::collect::{Scope, collect};
-use super::{EmitError, Emitted, Heading, Task, merge, module_texts, names, ports};
-use crate::for_format;
-use crate::format::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
-use crate::kernel::Ports;
-use crate::machine::beam_core::{BeamCore, BeamShape};
-use crate::machine::beam_display::BeamDisplay;
-use crate::machine::beam_stream::BeamStream;
-use crate::machine::frame_loader::LOADER_BITS;
-use crate::machine::video_output::{OutputShape, VideoOutput};
-use crate::machine::zone_core::{ZONE_BITS, ZoneCore, ZoneShape};
-use crate::machine::zone_display::ZoneDisplay;
-use crate::machine::zone_machine::ZoneMachine;
-use crate::step::Clocked;
-use rust_hdl::core::prelude::Block;
+use super::{EmitError, Emitted, Heading, circuit, names};
+use crate::format::{DEPTH_WORDS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
+use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, ZoneCore, ZoneMachine};
+use imogene_circuits::machines;
+use imogene_circuits::video::Output;
+use imogene_contract::video::VideoMode;
+use imogene_hdl::Design;
+
+/// Bits of the address of a pixel in a zone, at most.
+pub const ZONE_BITS: usize = 14;
+/// Bits of the address of a word that waits for the next frame, at most.
+pub const LOADER_BITS: usize = 16;
+
+/// How many processors of what kind a zone machine has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ZoneShape {
+    /// Object processors.
+    pub objects: usize,
+    /// Cut planes of each.
+    pub planes: usize,
+    /// Volume processors; may be none.
+    pub volumes: usize,
+    /// Planes of each.
+    pub volume_planes: usize,
+    /// Rows of the root networks between registers.
+    pub rows_per_stage: usize,
+    /// Bits of the address of a pixel in a zone.
+    pub zone_bits: usize,
+    /// Samples of a pixel along each side: 1, 2 or 4.
+    pub samples: usize,
+}
+
+/// How many processors of what kind a beam machine has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BeamShape {
+    /// Object processors, one for each object.
+    pub objects: usize,
+    /// Cut planes of each.
+    pub planes: usize,
+    /// Volume processors, one for each shadow or light volume; may be none.
+    pub volumes: usize,
+    /// Planes of each.
+    pub volume_planes: usize,
+    /// Rows of the root networks between registers.
+    pub rows_per_stage: usize,
+    /// Bits of the address of a word that waits for the vertical blanking.
+    pub loader_bits: usize,
+}
+
+/// What stands between the pixels of a machine and its pins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OutputShape {
+    /// Video mode.
+    pub mode: VideoMode,
+    /// Smoothing: 0 none, 1 box of 2 x 2, 2 binomial of 3 x 3.
+    pub kernel: usize,
+    /// An overlay plane over the picture.
+    pub has_overlay: bool,
+}
+
+impl OutputShape {
+    /// Pixels of a line.
+    pub fn width(&self) -> usize {
+        self.mode.line.active as usize
+    }
+
+    /// Lines.
+    pub fn height(&self) -> usize {
+        self.mode.frame.active as usize
+    }
+
+    fn output(&self) -> Output {
+        Output {
+            mode: self.mode,
+            kernel: self.kernel as u64,
+            has_overlay: self.has_overlay,
+        }
+    }
+}
+
+impl ZoneShape {
+    fn core(&self, depth_word: usize) -> ZoneCore {
+        let (word, rows) = (depth_word as u32, self.rows_per_stage as u32);
+        let [objects, planes] = [self.objects, self.planes].map(|count| count as u32);
+        let [volumes, volume_planes] = [self.volumes, self.volume_planes].map(|count| count as u32);
+        ZoneCore {
+            objects: machines::objects(word, rows, objects, planes),
+            volumes: machines::volumes(word, rows, volumes, volume_planes),
+            places: self.zone_bits as u32,
+        }
+    }
+
+    fn machine(&self, depth_word: usize, lights: usize) -> ZoneMachine {
+        ZoneMachine {
+            core: self.core(depth_word),
+            samples: self.samples as u32,
+            lights: lights as u64,
+        }
+    }
+}
+
+impl BeamShape {
+    fn machine(&self, depth_word: usize, lights: usize) -> BeamMachine {
+        let (word, rows) = (depth_word as u32, self.rows_per_stage as u32);
+        let [objects, planes] = [self.objects, self.planes].map(|count| count as u32);
+        let [volumes, volume_planes] = [self.volumes, self.volume_planes].map(|count| count as u32);
+        BeamMachine {
+            objects: machines::objects(word, rows, objects, planes),
+            volumes: machines::volumes(word, rows, volumes, volume_planes),
+            lights: lights as u64,
+            loader_places: self.loader_bits as u32,
+        }
+    }
+}
 
 /// Which machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,6 +162,11 @@ fn range(
 
 impl DisplayRequest {
     fn check(&self) -> Result<(), EmitError> {
+        if !DEPTH_WORDS.contains(&self.depth_word) {
+            return Err(EmitError::Format {
+                value: self.depth_word,
+            });
+        }
         let processors = |objects, planes, volumes, volume_planes, rows| {
             range("objects", objects, 1, MOST_OBJECTS)?;
             range("planes", planes, 0, MOST_PLANES)?;
@@ -117,7 +221,59 @@ impl DisplayRequest {
     /// When a number is out of its range.
     pub fn clocks(&self) -> Result<MachineClocks, EmitError> {
         self.check()?;
-        for_format!(self.depth_word, clocks_of_format(self))
+        let word = self.depth_word;
+        let zone = |shape: &ZoneShape| {
+            let core = shape.core(word);
+            MachineClocks {
+                draw: core.draw_clocks() as usize,
+                light: core.light_clocks() as usize,
+                show: SHOW_CLOCKS as usize,
+                settle: core.settle_clocks() as usize,
+                ..MachineClocks::default()
+            }
+        };
+        let beam = |shape: &BeamShape, lights: usize| MachineClocks {
+            pixel: shape.machine(word, lights).latency() as usize,
+            ..MachineClocks::default()
+        };
+        Ok(match &self.kind {
+            DisplayKind::ZoneCore(shape) | DisplayKind::ZoneMachine(shape, _) => zone(shape),
+            DisplayKind::ZoneDisplay(shape, _, output) => MachineClocks {
+                output: output.output().latency() as usize,
+                ..zone(shape)
+            },
+            DisplayKind::BeamStream(shape, lights, ..) => beam(shape, *lights),
+            DisplayKind::BeamDisplay(shape, lights, output) => MachineClocks {
+                output: output.output().latency() as usize,
+                ..beam(shape, *lights)
+            },
+        })
+    }
+
+    /// The circuit of the machine.
+    ///
+    /// # Errors
+    ///
+    /// When a number is out of its range.
+    pub fn design(&self) -> Result<Design, EmitError> {
+        self.check()?;
+        let word = self.depth_word;
+        Ok(match &self.kind {
+            DisplayKind::ZoneCore(shape) => machines::zone_core(&shape.core(word)),
+            DisplayKind::ZoneMachine(shape, lights) => {
+                machines::zone_machine(&shape.machine(word, *lights))
+            }
+            DisplayKind::ZoneDisplay(shape, lights, output) => {
+                machines::zone_display(&shape.machine(word, *lights), &output.output())
+            }
+            DisplayKind::BeamDisplay(shape, lights, output) => {
+                machines::beam_display(&shape.machine(word, *lights), &output.output())
+            }
+            DisplayKind::BeamStream(shape, lights, width, height) => {
+                let size = (*width as u64, *height as u64);
+                machines::beam_stream(&shape.machine(word, *lights), size)
+            }
+        })
     }
 }
 
@@ -138,106 +294,16 @@ pub struct MachineClocks {
     pub output: usize,
 }
 
-fn clocks_of_format<
-    const W: usize,
-    const W1: usize,
-    const S: usize,
-    const F: usize,
-    const P: usize,
->(
-    request: &DisplayRequest,
-) -> Result<MachineClocks, EmitError> {
-    let zone = |shape: &ZoneShape| {
-        let draw = ZoneCore::<W, W1, S, F, P>::draw_clocks(shape);
-        let light = ZoneCore::<W, W1, S, F, P>::light_clocks(shape);
-        MachineClocks {
-            draw,
-            light,
-            show: ZoneCore::<W, W1, S, F, P>::SHOW_CLOCKS,
-            settle: ZoneCore::<W, W1, S, F, P>::settle_clocks(shape),
-            ..MachineClocks::default()
-        }
-    };
-    Ok(match &request.kind {
-        DisplayKind::ZoneCore(shape) | DisplayKind::ZoneMachine(shape, _) => zone(shape),
-        DisplayKind::ZoneDisplay(shape, _, output) => MachineClocks {
-            output: VideoOutput::latency(output),
-            ..zone(shape)
-        },
-        DisplayKind::BeamStream(shape, ..) => MachineClocks {
-            pixel: BeamCore::<W, W1, S, F, P>::latency(shape),
-            ..MachineClocks::default()
-        },
-        DisplayKind::BeamDisplay(shape, _, output) => MachineClocks {
-            pixel: BeamCore::<W, W1, S, F, P>::latency(shape),
-            output: VideoOutput::latency(output),
-            ..MachineClocks::default()
-        },
-    })
-}
-
-/// Builds the block of a machine and runs a task on it.
-pub(crate) fn with_machine<T: Task>(
-    request: &DisplayRequest,
-    task: T,
-) -> Result<T::Outcome, EmitError> {
-    request.check()?;
-    for_format!(request.depth_word, machine_of_format[T](request, task))
-}
-
-fn machine_of_format<
-    const W: usize,
-    const W1: usize,
-    const S: usize,
-    const F: usize,
-    const P: usize,
-    T: Task,
->(
-    request: &DisplayRequest,
-    task: T,
-) -> Result<T::Outcome, EmitError> {
-    match &request.kind {
-        DisplayKind::ZoneCore(shape) => task.run(ZoneCore::<W, W1, S, F, P>::new(shape, 0)),
-        DisplayKind::ZoneMachine(shape, lights) => {
-            task.run(ZoneMachine::<W, W1, S, F, P>::new(shape, *lights))
-        }
-        DisplayKind::ZoneDisplay(shape, lights, output) => {
-            task.run(ZoneDisplay::<W, W1, S, F, P>::new(shape, *lights, output))
-        }
-        DisplayKind::BeamDisplay(shape, lights, output) => {
-            task.run(BeamDisplay::<W, W1, S, F, P>::new(shape, *lights, output))
-        }
-        DisplayKind::BeamStream(shape, lights, width, height) => {
-            task.run(BeamStream::<W, W1, S, F, P>::new(
-                shape, *lights, *width, *height,
-            ))
-        }
-    }
-}
-
-struct Collect;
-
-impl Task for Collect {
-    type Outcome = Scope;
-
-    fn run<B: Block + Clocked + Ports + Send + 'static>(
-        self,
-        block: B,
-    ) -> Result<Scope, EmitError> {
-        collect(block)
-    }
-}
-
 /// The Verilog of a machine.
 ///
 /// # Errors
 ///
 /// When a number is out of its range, or a prefix begins no identifier.
 pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, EmitError> {
-    let scope = with_machine(request, Collect)?;
+    let design = request.design()?;
     let clocks = request.clocks()?;
-    let ports = ports(&scope);
-    let top = format!("{}{}", request.prefix, scope.unit().unwrap_or_default());
+    let ports = circuit::ports(&design);
+    let top = format!("{}{}", request.prefix, design.top.name);
     let heading = Heading {
         top: &top,
         contract: request.contract(),
@@ -251,7 +317,7 @@ pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, EmitError> {
     let header = heading.text();
     Ok(Emitted {
         header,
-        modules: module_texts(merge::modules(&scope, &request.prefix)?),
+        modules: circuit::modules(&design, &request.prefix),
         top,
         ports,
         latency: clocks.pixel,
@@ -342,7 +408,6 @@ impl DisplayRequest {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::video_mode::VideoMode;
 
     const ZONE: ZoneShape = ZoneShape {
         objects: 2,
@@ -399,7 +464,7 @@ mod tests {
             let emitted = emit_display(&request(kind)).unwrap();
             assert_eq!(emitted.top, top);
             let text = emitted.bundle();
-            assert!(text.contains("words [0:255];"), "{top}");
+            assert!(text.contains(" [0:255];"), "{top}");
             if let Ok(folder) = std::env::var("IMOGENE_EMIT") {
                 std::fs::write(format!("{folder}/{top}.v"), text).unwrap();
             }

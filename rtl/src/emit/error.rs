@@ -40,26 +40,6 @@ pub enum EmitError {
         /// The prefix asked for.
         prefix: String,
     },
-    /// A block is not written as the emitter needs it; a defect of this crate.
-    Block {
-        /// The block, name or expression.
-        place: String,
-        /// What is wrong with it.
-        problem: String,
-    },
-}
-
-impl EmitError {
-    pub(super) fn block(place: &str, problem: &str) -> Self {
-        Self::Block {
-            place: place.to_owned(),
-            problem: problem.to_owned(),
-        }
-    }
-
-    pub(super) fn mixed(operator: &str) -> Self {
-        Self::block(operator, "has operands of types that do not go together")
-    }
 }
 
 impl fmt::Display for EmitError {
@@ -104,7 +84,6 @@ impl fmt::Display for EmitError {
                     "prefix `{prefix}` begins no portable name of a module; legal prefixes begin with a letter and go on with letters, digits and single underscores"
                 )
             }
-            Self::Block { place, problem } => write!(f, "`{place}` {problem}"),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use super::{EmitError, Emitted, Heading, circuit, names};
 use crate::format::{MOST_OBJECTS, MOST_PLANES};
-use crate::machine::slot_shape::SlotShape;
 use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
 use imogene_circuits::object::{Network, Widths};
 use imogene_hdl::Design;
@@ -26,6 +25,25 @@ pub struct MachineWords {
     pub guard_linear: usize,
     /// Guard bits of f2.
     pub guard_quadratic: usize,
+}
+
+/// Shape of the quadric processor of a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct SlotShape {
+    /// Cut planes, 0 to 12.
+    pub planes: usize,
+    /// With half B, for objects of class front.
+    pub two_volumes: bool,
+}
+
+impl SlotShape {
+    /// A processor for every class of object.
+    pub const fn full(planes: usize) -> Self {
+        Self {
+            planes,
+            two_volumes: true,
+        }
+    }
 }
 
 /// A beam machine.
@@ -85,6 +103,7 @@ impl MachineRequest {
                 plane: words.plane as u32,
             },
             root: Network {
+                sum: sum as u32,
                 digits: words.root as u32,
                 rows: root as u32,
                 rows_per_stage: self.rows_per_stage as u32,

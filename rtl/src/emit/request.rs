@@ -6,9 +6,9 @@ use crate::format::{
     DEPTH_WORDS, MOST_CARDS, MOST_CORRECTIONS, MOST_LAYERS, MOST_LIGHTS, MOST_LITERALS, MOST_MODE,
     MOST_OBJECTS, MOST_PLANES, MOST_PRODUCTS, MOST_SIDES,
 };
-use crate::machine::shading_processor::LATENCY as SHADING_LATENCY;
-use crate::machine::shadow_stage::ShadowStage;
+use imogene_circuits::machine::shadow_clocks;
 use imogene_contract::parameters::Parameters;
+use imogene_contract::shading::LATENCY as SHADING_LATENCY;
 use std::fmt::Write;
 
 /// What to emit.
@@ -251,7 +251,7 @@ impl EmitRequest {
             }
             Unit::TransparencyStage => 2,
             Unit::TransparencyPipeline => 2 * self.layers(),
-            Unit::ShadowStage => ShadowStage::latency(self.objects),
+            Unit::ShadowStage => shadow_clocks(self.objects) as usize,
             Unit::Beam => 1 + (root + self.planes + 7) + decision,
             Unit::ShadingProcessor => SHADING_LATENCY,
             _ => 1,

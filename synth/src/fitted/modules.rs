@@ -83,15 +83,22 @@ fn texts_below(machine: &Emitted, name: &str) -> String {
     digest(&texts.concat())
 }
 
-/// Instances in a text: lines of the form `module instance (`.
+/// Instances in a text: lines of the form `module instance (`, as often as the loop around them runs.
 fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
     let mut children = BTreeMap::new();
+    let mut times = 1;
     for line in text.lines() {
+        if let Some((_, bound)) = line.split_once("for (k = 0; k < ") {
+            let bound = bound.split(';').next().unwrap_or_default();
+            times = bound.parse().unwrap_or(1);
+        } else if line.trim() == "endgenerate" {
+            times = 1;
+        }
         let words: Vec<&str> = line.split_whitespace().collect();
         if let [module, _, "("] = words[..]
             && names.contains(module)
         {
-            *children.entry(module.to_owned()).or_insert(0) += 1;
+            *children.entry(module.to_owned()).or_insert(0) += times;
         }
     }
     children
@@ -116,7 +123,9 @@ pub(super) fn ports(text: &str) -> Vec<Port> {
 }
 
 fn port(line: &str) -> Option<Port> {
-    let words: Vec<&str> = line
+    // A register has its initial value behind its name.
+    let (declaration, _) = line.split_once(" = ").unwrap_or((line, ""));
+    let words: Vec<&str> = declaration
         .trim()
         .trim_end_matches(',')
         .split_whitespace()

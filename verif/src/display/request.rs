@@ -1,15 +1,13 @@
 //! The hardware of a machine description.
 
+use imogene_contract::video::{Span, VideoMode};
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
 use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::EmitError;
+use imogene_rtl::emit::display::{BeamShape, OutputShape, ZoneShape};
 use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
-use imogene_rtl::machine::beam_core::BeamShape;
-use imogene_rtl::machine::video_mode::{Span, VideoMode};
-use imogene_rtl::machine::video_output::OutputShape;
-use imogene_rtl::machine::zone_core::ZoneShape;
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///

@@ -1,45 +1,64 @@
-//! A circuit of `imogene-hdl` in its own simulator, in process.
+//! A circuit by itself, stepped by hand with plain numbers.
 
 use crate::signal::Signal;
-use crate::subject::Hardware;
-use imogene_hdl::{Design, Port, Simulator};
+use imogene_hdl::{Design, Direction, Port, Simulator};
 
-/// A circuit with ports in an order.
+/// A circuit with its ports in their order.
 pub struct Circuit {
     simulator: Simulator,
     inputs: Vec<Port>,
-    outputs: Vec<(Port, Signal)>,
+    outputs: Vec<(Signal, Port)>,
 }
 
 impl Circuit {
-    /// A fresh instance of a design.
+    /// The one module that a function builds.
     ///
     /// # Panics
     ///
-    /// If the design has no port of one of the names.
-    pub fn new(design: &Design, inputs: &[Signal], outputs: &[Signal]) -> Circuit {
-        let simulator = Simulator::new(design);
+    /// If the circuit is refused.
+    pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
+        let design = Design::of(build);
+        let simulator = Simulator::new(&design);
+        let inputs = design.top.ports_of(Direction::In);
+        let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
+        let output = design.top.ports_of(Direction::Out).map(|port| {
+            let signal = match port.signed {
+                true => Signal::signed(&port.name, port.width),
+                false => Signal::unsigned(&port.name, port.width),
+            };
+            (signal, simulator.port(&port.name))
+        });
         Circuit {
-            inputs: inputs
-                .iter()
-                .map(|signal| simulator.port(&signal.name))
-                .collect(),
-            outputs: outputs
-                .iter()
-                .map(|signal| (simulator.port(&signal.name), signal.clone()))
-                .collect(),
+            inputs,
+            outputs: output.collect(),
             simulator,
         }
     }
-}
 
-impl Hardware for Circuit {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+    /// Gives one clock with the inputs in their order.
+    pub fn clock(&mut self, inputs: &[i64]) {
         for (port, value) in self.inputs.iter().zip(inputs) {
             self.simulator.set(*port, *value as u64);
         }
         self.simulator.clock();
-        let read = |(port, signal): &(Port, Signal)| Some(signal.value(self.simulator.get(*port)));
-        self.outputs.iter().map(read).collect()
+    }
+
+    /// The value of an output, by its place among them.
+    pub fn output(&mut self, index: usize) -> i64 {
+        let (signal, port) = &self.outputs[index];
+        signal.value(self.simulator.get(*port))
+    }
+
+    /// The value of the output of this name.
+    ///
+    /// # Panics
+    ///
+    /// If there is none.
+    pub fn value(&mut self, name: &str) -> i64 {
+        let found = self
+            .outputs
+            .iter()
+            .position(|(signal, _)| signal.name == name);
+        self.output(found.unwrap_or_else(|| panic!("no output `{name}`")))
     }
 }

@@ -4,10 +4,10 @@
 //! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod beam;
+pub mod built_in;
 pub mod circuit;
 pub mod design;
 pub mod icarus;
-pub mod rust_hdl;
 pub mod speed;
 pub mod verilator;
 

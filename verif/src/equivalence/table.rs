@@ -1,15 +1,18 @@
 //! The table of all units.
 
-use super::{Comparison, EquivalenceError, Verdict, unit};
+use super::{EquivalenceError, Verdict, unit};
+use imogene_hdl::Module;
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
+use imogene_rtl::emit::{EmitRequest, design};
 
 /// A unit and what was found of it.
 pub struct Row {
     /// Unit.
     pub unit: Unit,
-    /// rust-hdl's text as it prints it, and with ranges at its signed constants; or why it prints none.
-    pub found: Result<[Comparison; 2], String>,
+    /// Bits of its registers.
+    pub bits: u32,
+    /// What was found; nothing of a unit with a memory, which has too many bits.
+    pub verdict: Option<Verdict>,
 }
 
 impl Row {
@@ -17,49 +20,56 @@ impl Row {
     ///
     /// # Errors
     ///
-    /// When a tool is missing or refuses a text. A unit that rust-hdl cannot print is a row.
+    /// When a tool is missing or refuses a text.
     pub fn of(unit_of_row: Unit, depth_word: usize) -> Result<Row, EquivalenceError> {
         let request = EmitRequest {
             depth_word,
             ..EmitRequest::new(unit_of_row)
         };
-        let found = match unit(&request, false) {
-            Ok(printed) => Ok([printed, unit(&request, true)?]),
-            Err(EquivalenceError::Emit(error)) => Err(error.to_string()),
-            Err(error) => return Err(error),
+        let design = design(&request).map_err(EquivalenceError::Emit)?;
+        let remembers = !sums(&design.top, &|module| module.memories.len() as u32).eq(&0);
+        let register_bits = |module: &Module| {
+            let registers = module.registers.iter();
+            registers
+                .map(|register| module.node(register.net).width)
+                .sum()
         };
         Ok(Row {
             unit: unit_of_row,
-            found,
+            bits: sums(&design.top, &register_bits),
+            verdict: match remembers {
+                true => None,
+                false => Some(unit(&request)?),
+            },
         })
     }
 }
 
-/// The rows as Markdown.
-pub fn markdown(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "| unit | registers | bits | rust-hdl's text as printed | with ranges at its signed constants |\n|---|---|---|---|---|\n",
-    );
-    for row in rows {
-        text += &match &row.found {
-            Ok([printed, ranged]) => format!(
-                "| {} | {} | {} | {} | {} |\n",
-                row.unit.name(),
-                printed.registers,
-                printed.bits,
-                word(&printed.verdict),
-                word(&ranged.verdict)
-            ),
-            Err(_) => format!("| {} | | | cannot be printed | |\n", row.unit.name()),
-        };
-    }
-    text
+/// The sum over a module and all its instances.
+fn sums(module: &Module, of: &dyn Fn(&Module) -> u32) -> u32 {
+    let inner = module.instances.iter();
+    of(module)
+        + inner
+            .map(|instance| sums(&instance.module, of))
+            .sum::<u32>()
 }
 
-fn word(verdict: &Verdict) -> &'static str {
-    match verdict {
-        Verdict::Equal => "equal",
-        Verdict::Differs(_) => "differs",
-        Verdict::Open => "open",
+/// The rows as Markdown.
+pub fn markdown(rows: &[Row]) -> String {
+    let mut text = String::from("| unit | bits of registers | rust-hdl's text |\n|---|---|---|\n");
+    for Row {
+        unit,
+        bits,
+        verdict,
+    } in rows
+    {
+        let verdict = match verdict {
+            Some(Verdict::Equal) => "equal",
+            Some(Verdict::Differs(_)) => "differs",
+            Some(Verdict::Open) => "open",
+            None => "has a memory",
+        };
+        text += &format!("| {} | {bits} | {verdict} |\n", unit.name());
     }
+    text
 }

@@ -9,7 +9,7 @@ mod processors;
 mod scenes;
 mod units;
 
-use crate::engine::rust_hdl::RustHdl;
+use crate::engine::built_in::BuiltIn;
 use crate::report::Report;
 use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
@@ -143,7 +143,7 @@ impl Extreme {
             trace: None,
             fault: None,
         };
-        let engine = |shape: &_| RustHdl::new(shape).expect("the shape was checked");
+        let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
         let (mut report, frame) =
             scene::run(&prepared, &options, engine, || ()).map_err(|e| e.to_string())?;
         report.subject = format!("extremes/{}", self.name);

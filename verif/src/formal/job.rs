@@ -87,7 +87,7 @@ impl Job {
             design = mutant.apply(&design)?;
         }
         let mut text = String::new();
-        for (name, value) in self.definitions.iter().chain(&self.text_words(&design)?) {
+        for (name, value) in self.definitions.iter().chain(&self.text_words()) {
             let _ = writeln!(text, "`define {name} {value}");
         }
         if self.method == Method::Integers {
@@ -115,15 +115,14 @@ impl Job {
         }
     }
 
-    fn text_words(&self, design: &str) -> Result<Vec<(String, String)>, FormalError> {
+    fn text_words(&self) -> Vec<(String, String)> {
         match (self.words, &self.design) {
             (Words::Network { remainder_bits }, Design::Emitted(request)) => {
                 let (bits, rows) = (request.depth_word, request.rows_per_stage);
-                network::stage_words(design, self.top, bits, rows, remainder_bits)
-                    .map_err(|problem| FormalError::text(&self.name, problem))
+                network::stage_words(bits, rows, remainder_bits)
             }
-            (Words::Inputs, Design::Emitted(request)) => Ok(decider_inputs(request.objects)),
-            _ => Ok(Vec::new()),
+            (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects),
+            _ => Vec::new(),
         }
     }
 }

@@ -9,8 +9,8 @@ use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::PreparedScene;
 use imogene_rtl::emit::Emitted;
+use imogene_rtl::emit::machine::SlotShape;
 use imogene_rtl::emit::machine::{MachineRequest, MachineWords};
-use imogene_rtl::machine::slot_shape::SlotShape;
 
 /// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
 pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {

@@ -6,29 +6,17 @@ use std::fmt::Write as _;
 const FIRST_PORT: usize = 10_000;
 
 /// A register of a netlist.
-pub(crate) struct Register<'a> {
+struct Register<'a> {
     /// Cell.
-    pub cell: &'a str,
+    cell: &'a str,
     /// Bits.
-    pub width: &'a str,
+    width: &'a str,
     /// Signal of its value.
-    pub value: &'a str,
+    value: &'a str,
     /// Signal of its next value.
-    pub next: &'a str,
+    next: &'a str,
     /// Signal of its clock.
-    pub clock: &'a str,
-    /// Polarity of its clock, `1'1` for the rising edge.
-    pub edge: &'a str,
-}
-
-/// The registers of a netlist, in its order.
-pub(crate) fn registers(netlist: &str) -> Vec<Register<'_>> {
-    let mut found = Vec::new();
-    let mut lines = netlist.lines();
-    while let Some(line) = lines.next() {
-        found.extend(register(line, &mut lines));
-    }
-    found
+    clock: &'a str,
 }
 
 /// The register that begins at a line; takes its other lines.
@@ -46,7 +34,6 @@ fn register<'a>(line: &'a str, rest: &mut impl Iterator<Item = &'a str>) -> Opti
         value: after("connect \\Q ").unwrap_or_default(),
         next: after("connect \\D ").unwrap_or_default(),
         clock: after("connect \\CLK ").unwrap_or_default(),
-        edge: after("parameter \\CLK_POLARITY ").unwrap_or_default(),
     })
 }
 

@@ -1,13 +1,11 @@
 //! One cut, everything: every front depth, back depth, plane depth, kind and class at a small depth word.
 
 use super::account;
+use imogene_circuits::object::{self, Cut, cut_plane};
 use imogene_models::format::Format;
 use imogene_models::unit::cut_plane::{PlaneKind, cut};
 use imogene_models::unit::interval::Interval;
-use imogene_rtl::step::step;
-use imogene_rtl::unit::cut_plane::CutPlane;
-use imogene_rtl::word::{Int, Word};
-use rust_hdl::core::prelude::Block;
+use imogene_verif::engine::circuit::Circuit;
 use std::time::Instant;
 
 pub(super) const KINDS: [PlaneKind; 4] = [
@@ -58,30 +56,24 @@ fn by_sets(start: Interval, kind: PlaneKind, zp: i64, surface: bool, far: i64) -
 fn every_cut<const W: usize>() {
     let started = Instant::now();
     let format = small_format(W as u32);
-    let mut unit = CutPlane::<W>::new();
-    unit.connect_all();
+    let interval = || object::Interval::input(W as u32);
+    let mut unit = Circuit::of(|| cut_plane("top", Cut::input(W as u32), interval()));
     let words = || -(1i64 << (W - 1))..1 << (W - 1);
     let mut count = 0u64;
     for (kind, surface) in KINDS.into_iter().flat_map(|k| [(k, false), (k, true)]) {
-        unit.kind.next = Word::new(kind as u64);
-        unit.surface.next = surface;
-        unit.number.next = Word::new(7);
-        unit.nf.next = Word::new(4);
-        unit.nb.next = Word::new(9);
         for (zf, zb) in words().flat_map(|zf| words().map(move |zb| (zf, zb))) {
             for zp in words() {
-                unit.zp.next = Int::new(zp);
-                unit.zf.next = Int::new(zf);
-                unit.zb.next = Int::new(zb);
-                step(&mut unit);
                 let (nf, nb) = (4, 9);
+                let plane = [kind as i64, surface.into(), 7, zp];
+                let half = [zf, nf.into(), zb, nb.into()];
+                unit.clock(&[plane, half].concat());
                 let start = Interval { zf, zb, nf, nb };
                 let golden = cut(start, kind, zp, 7, surface, &format);
                 let found = Interval {
-                    zf: unit.cut_zf.val().get(),
-                    zb: unit.cut_zb.val().get(),
-                    nf: unit.cut_nf.val().get() as u8,
-                    nb: unit.cut_nb.val().get() as u8,
+                    zf: unit.output(0),
+                    zb: unit.output(2),
+                    nf: unit.output(1) as u8,
+                    nb: unit.output(3) as u8,
                 };
                 let case = || format!("{kind:?} at {zp} of {start:?}, surface {surface}");
                 assert_eq!(found, golden, "{}", case());

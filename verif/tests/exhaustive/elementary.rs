@@ -5,14 +5,11 @@
 //! another one left, in the middle of its raster now and then.
 
 use super::{account, is_full_run};
+use imogene_circuits::raster::{self, Flags, pe1, pe2};
 use imogene_models::unit::pe1::{Linear, Pe1 as GoldenPe1};
 use imogene_models::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
-use imogene_rtl::step::step;
-use imogene_rtl::unit::pe1::Pe1;
-use imogene_rtl::unit::pe2::Pe2;
-use imogene_rtl::word::Int;
+use imogene_verif::engine::circuit::Circuit;
 use rayon::prelude::*;
-use rust_hdl::core::prelude::Block;
 use std::time::Instant;
 
 /// `value` modulo 2^width as two's complement.
@@ -56,8 +53,8 @@ fn zones(columns: i64, lines: i64) -> Vec<RasterClock> {
 
 /// Runs every zone of PE1 with these `a`; returns the pixels checked.
 fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
-    let mut unit = Box::new(Pe1::<N>::default());
-    unit.connect_all();
+    let words_in = || raster::Linear::input(N as u32);
+    let mut unit = Circuit::of(|| pe1("top", Flags::input(), words_in()));
     let clocks = zones(side, side);
     let mut pixels = 0;
     for b in words(N) {
@@ -65,13 +62,10 @@ fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
             let words = Linear::new(a.into(), b.into(), c.into());
             let mut golden = GoldenPe1::object_start(&words, N as u32);
             for ([valid, start, line], place) in &clocks {
-                (unit.valid.next, unit.start.next, unit.line.next) = (*valid, *start, *line);
                 // The words are read at the start of a zone only; elsewhere their complements stand there.
                 let flip = if *valid && *start { 0 } else { -1 };
-                unit.a.next = Int::new(a ^ flip);
-                unit.b.next = Int::new(b ^ flip);
-                unit.c.next = Int::new(c ^ flip);
-                step(unit.as_mut());
+                let [valid, first, later] = [*valid, *start, *line].map(i64::from);
+                unit.clock(&[valid, first, later, a ^ flip, b ^ flip, c ^ flip]);
                 let Some((x, y)) = *place else { continue };
                 if *start {
                     golden = GoldenPe1::object_start(&words, N as u32);
@@ -79,7 +73,7 @@ fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
                     golden.line_step();
                 }
                 let exact = wrapped(a * x + b * y + c, N);
-                let found = unit.value.val().get();
+                let found = unit.output(0);
                 assert_eq!(found, exact, "{words:?} at ({x}, {y})");
                 assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
                 pixels += 1;
@@ -91,8 +85,8 @@ fn check_pe1<const N: usize>(a: i64, side: i64) -> u64 {
 
 /// Runs every zone of PE2 with these `a2` and `b2`; returns the pixels checked.
 fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
-    let mut unit = Box::new(Pe2::<N>::default());
-    unit.connect_all();
+    let words_in = || raster::Quadratic::input(N as u32);
+    let mut unit = Circuit::of(|| pe2("top", Flags::input(), words_in()));
     let clocks = zones(side, side);
     let mut pixels = 0;
     let count = words(N).count();
@@ -112,15 +106,10 @@ fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
         };
         let mut golden = GoldenPe2::object_start(&words, N as u32);
         for ([valid, start, line], place) in &clocks {
-            (unit.valid.next, unit.start.next, unit.line.next) = (*valid, *start, *line);
             let flip = if *valid && *start { 0 } else { -1 };
-            unit.a2.next = Int::new(a2 ^ flip);
-            unit.b2.next = Int::new(b2 ^ flip);
-            unit.c.next = Int::new(c ^ flip);
-            unit.p0.next = Int::new(p0 ^ flip);
-            unit.i0.next = Int::new(i0 ^ flip);
-            unit.f.next = Int::new(f ^ flip);
-            step(unit.as_mut());
+            let [valid, first, later] = [*valid, *start, *line].map(i64::from);
+            let [wa, wb, wc, wi, wp, wf] = [a2, b2, c, i0, p0, f].map(|word| word ^ flip);
+            unit.clock(&[valid, first, later, wa, wb, wc, wi, wp, wf]);
             let Some((x, y)) = *place else { continue };
             if *start {
                 golden = GoldenPe2::object_start(&words, N as u32);
@@ -128,7 +117,7 @@ fn check_pe2<const N: usize>(a2: i64, b2: i64, side: i64) -> u64 {
                 golden.line_step();
             }
             let exact = wrapped(a * x * x + b * y * y + c * x * y + d * x + e * y + f, N);
-            let found = unit.value.val().get();
+            let found = unit.output(0);
             assert_eq!(found, exact, "{words:?} at ({x}, {y})");
             assert_eq!(golden.pixel(), i128::from(exact), "{words:?} at ({x}, {y})");
             pixels += 1;

@@ -1,0 +1,40 @@
+//! Proves the emitted units the same circuits as those of a folder that `scripts/archive-verilog` wrote:
+//! `cargo run --release -p imogene-verif --example same_as -- target/archive/verilog 16 [UNIT ..]`.
+
+use imogene_rtl::catalogue::Unit;
+use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_verif::equivalence::{Text, Verdict, compare};
+use std::fs::{read_dir, read_to_string};
+use std::path::Path;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [folder, word, names @ ..] = &arguments[..] else {
+        return Err("usage: same_as FOLDER DEPTH_WORD [UNIT ..]".into());
+    };
+    let is_wanted = |unit: &Unit| names.is_empty() || names.iter().any(|name| name == unit.name());
+    for unit in Unit::ALL.into_iter().filter(is_wanted) {
+        let mut archived = String::new();
+        for file in read_dir(Path::new(folder).join(word).join(unit.name()))? {
+            let path = file?.path();
+            if path.extension().is_some_and(|extension| extension == "v") {
+                archived += &read_to_string(path)?;
+            }
+        }
+        let emitted = emit(&EmitRequest {
+            depth_word: word.parse()?,
+            ..EmitRequest::new(unit)
+        })?;
+        let today = emitted.bundle();
+        let texts = [&archived, &today].map(|verilog| Text {
+            top: unit.name(),
+            verilog,
+        });
+        let [before, now] = texts;
+        match compare(before, now)? {
+            Verdict::Equal => println!("{}: equal", unit.name()),
+            other => return Err(format!("{}: {other:?}", unit.name()).into()),
+        }
+    }
+    Ok(())
+}
