@@ -23,148 +23,115 @@ module normal_unit (
     input  wire signed [15:0] ky,
     input  wire signed [15:0] kz,
     input  wire signed [15:0] plane_0_nx,
-    input  wire signed [15:0] plane_1_nx,
-    input  wire signed [15:0] plane_2_nx,
     input  wire signed [15:0] plane_0_ny,
-    input  wire signed [15:0] plane_1_ny,
-    input  wire signed [15:0] plane_2_ny,
     input  wire signed [15:0] plane_0_nz,
+    input  wire signed [15:0] plane_1_nx,
+    input  wire signed [15:0] plane_1_ny,
     input  wire signed [15:0] plane_1_nz,
+    input  wire signed [15:0] plane_2_nx,
+    input  wire signed [15:0] plane_2_ny,
     input  wire signed [15:0] plane_2_nz,
     output wire signed [15:0] nx,
     output wire signed [15:0] ny,
     output wire signed [15:0] nz
 );
 
-    localparam [3:0] near_root = 4'd0;
-    localparam [3:0] far_root = 4'd1;
-    localparam [3:0] cap = 4'd15;
-    localparam signed [15:0] zero = 16'sd0;
-    localparam signed [15:0] to_viewer = -16'sd32767;
+    reg valid_late_1 = 1'd0;
+    reg start_late_1 = 1'd0;
+    reg line_late_1 = 1'd0;
     wire [23:0] shifted_root;
     wire [14:0] low_root;
-    wire [15:0] wide_root;
-    wire number_is_near;
-    wire number_is_far;
-    wire number_is_cap;
-    wire flags_late_valid;
-    wire flags_late_start;
-    wire flags_late_line;
-    wire signed [15:0] component_x_result;
-    wire signed [15:0] component_y_result;
-    wire signed [15:0] component_z_result;
     reg signed [15:0] scaled_root = 16'sd0;
+    wire is_near_test;
     reg is_near = 1'd0;
     reg is_quadric = 1'd0;
-    reg signed [15:0] constant_x = 16'sd0;
-    reg signed [15:0] constant_y = 16'sd0;
-    reg signed [15:0] constant_z = 16'sd0;
-    reg late_is_quadric = 1'd0;
-    reg signed [15:0] late_constant_x = 16'sd0;
-    reg signed [15:0] late_constant_y = 16'sd0;
-    reg signed [15:0] late_constant_z = 16'sd0;
-
-    flag_delay_x3 flags (
-        .clock(clock),
-        .valid(valid),
-        .start(start),
-        .line(line),
-        .late_valid(flags_late_valid),
-        .late_start(flags_late_start),
-        .late_line(flags_late_line)
-    );
+    wire test_4;
+    wire test_3;
+    wire test_2;
+    wire test;
+    reg signed [15:0] component_x_fixed_kept_kept = 16'sd0;
+    reg signed [15:0] component_y_fixed_kept_kept = 16'sd0;
+    reg signed [15:0] component_z_fixed_kept_kept = 16'sd0;
+    reg signed [15:0] component_x_fixed_kept = 16'sd0;
+    reg signed [15:0] component_y_fixed_kept = 16'sd0;
+    reg signed [15:0] component_z_fixed_kept = 16'sd0;
+    reg component_x_is_quadric_kept = 1'd0;
+    reg component_y_is_quadric_kept = 1'd0;
+    reg component_z_is_quadric_kept = 1'd0;
 
     normal_component component_x (
         .clock(clock),
-        .valid(flags_late_valid),
-        .start(flags_late_start),
-        .line(flags_late_line),
+        .valid(valid_late_1),
+        .start(start_late_1),
+        .line(line_late_1),
         .a(gx_a),
         .b(gx_b),
         .c(gx_c),
         .k(kx),
         .scaled_root(scaled_root),
         .is_near(is_near),
-        .is_quadric(late_is_quadric),
-        .fixed(late_constant_x),
-        .result(component_x_result)
+        .is_quadric(component_x_is_quadric_kept),
+        .fixed(component_x_fixed_kept),
+        .result(nx)
     );
 
     normal_component component_y (
         .clock(clock),
-        .valid(flags_late_valid),
-        .start(flags_late_start),
-        .line(flags_late_line),
+        .valid(valid_late_1),
+        .start(start_late_1),
+        .line(line_late_1),
         .a(gy_a),
         .b(gy_b),
         .c(gy_c),
         .k(ky),
         .scaled_root(scaled_root),
         .is_near(is_near),
-        .is_quadric(late_is_quadric),
-        .fixed(late_constant_y),
-        .result(component_y_result)
+        .is_quadric(component_y_is_quadric_kept),
+        .fixed(component_y_fixed_kept),
+        .result(ny)
     );
 
     normal_component component_z (
         .clock(clock),
-        .valid(flags_late_valid),
-        .start(flags_late_start),
-        .line(flags_late_line),
+        .valid(valid_late_1),
+        .start(start_late_1),
+        .line(line_late_1),
         .a(gz_a),
         .b(gz_b),
         .c(gz_c),
         .k(kz),
         .scaled_root(scaled_root),
         .is_near(is_near),
-        .is_quadric(late_is_quadric),
-        .fixed(late_constant_z),
-        .result(component_z_result)
+        .is_quadric(component_z_is_quadric_kept),
+        .fixed(component_z_fixed_kept),
+        .result(nz)
     );
 
     assign shifted_root = root >> shift;
     assign low_root = shifted_root[14:0];
-    assign wide_root = {1'd0, low_root};
-    assign number_is_near = number == near_root;
-    assign number_is_far = number == far_root;
-    assign number_is_cap = number == cap;
-    assign nx = component_x_result;
-    assign ny = component_y_result;
-    assign nz = component_z_result;
-
-    wire unused_bits = &{1'b0, shifted_root[23:15]};
+    assign is_near_test = number == 4'd0;
+    assign test_4 = number == 4'd2;
+    assign test_3 = number == 4'd3;
+    assign test_2 = number == 4'd4;
+    assign test = number == 4'd15;
+    wire unused = &{1'b0, shifted_root[23:15]};
 
     always @(posedge clock) begin
-        scaled_root <= wide_root;
-        is_near <= number_is_near;
-        is_quadric <= (number_is_near | number_is_far) & ~absent;
-        constant_x <= zero;
-        constant_y <= zero;
-        constant_z <= zero;
-        if (~absent) begin
-            if (number_is_cap) begin
-                constant_z <= to_viewer;
-            end
-            if (number == 4'd2) begin
-                constant_x <= plane_0_nx;
-                constant_y <= plane_0_ny;
-                constant_z <= plane_0_nz;
-            end
-            if (number == 4'd3) begin
-                constant_x <= plane_1_nx;
-                constant_y <= plane_1_ny;
-                constant_z <= plane_1_nz;
-            end
-            if (number == 4'd4) begin
-                constant_x <= plane_2_nx;
-                constant_y <= plane_2_ny;
-                constant_z <= plane_2_nz;
-            end
-        end
-        late_is_quadric <= is_quadric;
-        late_constant_x <= constant_x;
-        late_constant_y <= constant_y;
-        late_constant_z <= constant_z;
+        valid_late_1 <= valid;
+        start_late_1 <= start;
+        line_late_1 <= line;
+        scaled_root <= {1'd0, low_root};
+        is_near <= is_near_test;
+        is_quadric <= (is_near_test | (number == 4'd1)) & ~absent;
+        component_x_fixed_kept_kept <= absent ? 16'sd0 : test ? 16'sd0 : test_2 ? plane_2_nx : test_3 ? plane_1_nx : test_4 ? plane_0_nx : 16'sd0;
+        component_y_fixed_kept_kept <= absent ? 16'sd0 : test ? 16'sd0 : test_2 ? plane_2_ny : test_3 ? plane_1_ny : test_4 ? plane_0_ny : 16'sd0;
+        component_z_fixed_kept_kept <= absent ? 16'sd0 : test ? -16'sd32767 : test_2 ? plane_2_nz : test_3 ? plane_1_nz : test_4 ? plane_0_nz : 16'sd0;
+        component_x_fixed_kept <= component_x_fixed_kept_kept;
+        component_y_fixed_kept <= component_y_fixed_kept_kept;
+        component_z_fixed_kept <= component_z_fixed_kept_kept;
+        component_x_is_quadric_kept <= is_quadric;
+        component_y_is_quadric_kept <= is_quadric;
+        component_z_is_quadric_kept <= is_quadric;
     end
 
 endmodule

@@ -6,65 +6,52 @@ module raster_control (
     input  wire go,
     input  wire [11:0] width,
     input  wire [11:0] height,
-    output wire valid,
-    output wire start,
-    output wire line,
-    output wire [11:0] x,
-    output wire [11:0] y,
-    output wire last
+    output reg  valid = 1'd0,
+    output reg  start = 1'd0,
+    output reg  line = 1'd0,
+    output reg  [11:0] x = 12'd0,
+    output reg  [11:0] y = 12'd0,
+    output reg  last = 1'd0
 );
 
-    localparam [11:0] zero = 12'd0;
-    localparam [11:0] one = 12'd1;
+    reg [11:0] right_edge = 12'd0;
+    reg [11:0] bottom_edge = 12'd0;
     wire obeyed;
     wire line_ends;
     wire [11:0] next_x;
     wire [11:0] next_y;
     wire [11:0] last_x;
     wire [11:0] last_y;
-    reg kept_valid = 1'd0;
-    reg kept_start = 1'd0;
-    reg kept_line = 1'd0;
-    reg kept_last = 1'd0;
-    reg [11:0] kept_x = 12'd0;
-    reg [11:0] kept_y = 12'd0;
-    reg [11:0] right_edge = 12'd0;
-    reg [11:0] bottom_edge = 12'd0;
+    wire is_single;
+    wire next_is_last;
+    wire moves;
+    wire goes_on;
 
-    assign obeyed = go & (~kept_valid | kept_last);
-    assign line_ends = kept_x == right_edge;
-    assign next_x = line_ends ? zero : kept_x + one;
-    assign next_y = line_ends ? kept_y + one : kept_y;
-    assign last_x = width - one;
-    assign last_y = height - one;
-    assign valid = kept_valid;
-    assign start = kept_start;
-    assign line = kept_line;
-    assign x = kept_x;
-    assign y = kept_y;
-    assign last = kept_last;
+    assign obeyed = go & (~valid | last);
+    assign line_ends = x == right_edge;
+    assign next_x = line_ends ? 12'd0 : (x + 12'd1);
+    assign next_y = line_ends ? (y + 12'd1) : y;
+    assign last_x = width - 12'd1;
+    assign last_y = height - 12'd1;
+    assign is_single = (last_x == 12'd0) & (last_y == 12'd0);
+    assign next_is_last = (next_x == right_edge) & (next_y == bottom_edge);
+    assign moves = (obeyed | last) | valid;
+    assign goes_on = ~last;
 
     always @(posedge clock) begin
+        if (moves) begin
+            valid <= obeyed ? 1'd1 : goes_on;
+            start <= obeyed;
+            line <= obeyed ? 1'd0 : (goes_on & line_ends);
+            last <= obeyed ? is_single : (goes_on & next_is_last);
+        end
+        if (obeyed | (goes_on & valid)) begin
+            x <= obeyed ? 12'd0 : next_x;
+            y <= obeyed ? 12'd0 : next_y;
+        end
         if (obeyed) begin
-            kept_valid <= 1'd1;
-            kept_start <= 1'd1;
-            kept_line <= 1'd0;
-            kept_last <= (last_x == zero) & (last_y == zero);
-            kept_x <= zero;
-            kept_y <= zero;
             right_edge <= last_x;
             bottom_edge <= last_y;
-        end else if (kept_last) begin
-            kept_valid <= 1'd0;
-            kept_start <= 1'd0;
-            kept_line <= 1'd0;
-            kept_last <= 1'd0;
-        end else if (kept_valid) begin
-            kept_start <= 1'd0;
-            kept_line <= line_ends;
-            kept_last <= (next_x == right_edge) & (next_y == bottom_edge);
-            kept_x <= next_x;
-            kept_y <= next_y;
         end
     end
 

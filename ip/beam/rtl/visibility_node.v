@@ -15,52 +15,29 @@ module visibility_node (
     input  wire signed [15:0] b_nx,
     input  wire signed [15:0] b_ny,
     input  wire signed [15:0] b_nz,
-    output wire signed [23:0] depth,
-    output wire [7:0] id,
-    output wire [3:0] number,
-    output wire signed [15:0] nx,
-    output wire signed [15:0] ny,
-    output wire signed [15:0] nz
+    output reg  signed [23:0] depth = 24'sd0,
+    output reg  [7:0] id = 8'd0,
+    output reg  [3:0] number = 4'd0,
+    output reg  signed [15:0] nx = 16'sd0,
+    output reg  signed [15:0] ny = 16'sd0,
+    output reg  signed [15:0] nz = 16'sd0
 );
 
-    wire b_is_nearer;
-    wire depths_are_equal;
-    wire b_has_smaller_id;
+    wire is_nearer;
+    wire is_as_near;
     wire b_wins;
-    reg signed [23:0] kept_depth = 24'sd0;
-    reg [7:0] kept_id = 8'd0;
-    reg [3:0] kept_number = 4'd0;
-    reg signed [15:0] kept_nx = 16'sd0;
-    reg signed [15:0] kept_ny = 16'sd0;
-    reg signed [15:0] kept_nz = 16'sd0;
 
-    assign b_is_nearer = b_depth < a_depth;
-    assign depths_are_equal = b_depth == a_depth;
-    assign b_has_smaller_id = b_id < a_id;
-    assign b_wins = b_is_nearer | (depths_are_equal & b_has_smaller_id);
-    assign depth = kept_depth;
-    assign id = kept_id;
-    assign number = kept_number;
-    assign nx = kept_nx;
-    assign ny = kept_ny;
-    assign nz = kept_nz;
+    assign is_nearer = b_depth < a_depth;
+    assign is_as_near = b_depth == a_depth;
+    assign b_wins = is_nearer | (is_as_near & (b_id < a_id));
 
     always @(posedge clock) begin
-        if (b_wins) begin
-            kept_depth <= b_depth;
-            kept_id <= b_id;
-            kept_number <= b_number;
-            kept_nx <= b_nx;
-            kept_ny <= b_ny;
-            kept_nz <= b_nz;
-        end else begin
-            kept_depth <= a_depth;
-            kept_id <= a_id;
-            kept_number <= a_number;
-            kept_nx <= a_nx;
-            kept_ny <= a_ny;
-            kept_nz <= a_nz;
-        end
+        depth <= b_wins ? b_depth : a_depth;
+        id <= b_wins ? b_id : a_id;
+        number <= b_wins ? b_number : a_number;
+        nx <= b_wins ? b_nx : a_nx;
+        ny <= b_wins ? b_ny : a_ny;
+        nz <= b_wins ? b_nz : a_nz;
     end
 
 endmodule

@@ -8,28 +8,28 @@
 // ports:
 //   in  clock           1 unsigned
 //   in  input_0_depth  24 two's complement
-//   in  input_1_depth  24 two's complement
-//   in  input_2_depth  24 two's complement
-//   in  input_3_depth  24 two's complement
 //   in  input_0_id      8 unsigned
-//   in  input_1_id      8 unsigned
-//   in  input_2_id      8 unsigned
-//   in  input_3_id      8 unsigned
 //   in  input_0_number  4 unsigned
-//   in  input_1_number  4 unsigned
-//   in  input_2_number  4 unsigned
-//   in  input_3_number  4 unsigned
 //   in  input_0_nx     16 two's complement
-//   in  input_1_nx     16 two's complement
-//   in  input_2_nx     16 two's complement
-//   in  input_3_nx     16 two's complement
 //   in  input_0_ny     16 two's complement
-//   in  input_1_ny     16 two's complement
-//   in  input_2_ny     16 two's complement
-//   in  input_3_ny     16 two's complement
 //   in  input_0_nz     16 two's complement
+//   in  input_1_depth  24 two's complement
+//   in  input_1_id      8 unsigned
+//   in  input_1_number  4 unsigned
+//   in  input_1_nx     16 two's complement
+//   in  input_1_ny     16 two's complement
 //   in  input_1_nz     16 two's complement
+//   in  input_2_depth  24 two's complement
+//   in  input_2_id      8 unsigned
+//   in  input_2_number  4 unsigned
+//   in  input_2_nx     16 two's complement
+//   in  input_2_ny     16 two's complement
 //   in  input_2_nz     16 two's complement
+//   in  input_3_depth  24 two's complement
+//   in  input_3_id      8 unsigned
+//   in  input_3_number  4 unsigned
+//   in  input_3_nx     16 two's complement
+//   in  input_3_ny     16 two's complement
 //   in  input_3_nz     16 two's complement
 //   out depth          24 two's complement
 //   out id              8 unsigned
@@ -44,28 +44,28 @@
 module decider (
     input  wire clock,
     input  wire signed [23:0] input_0_depth,
-    input  wire signed [23:0] input_1_depth,
-    input  wire signed [23:0] input_2_depth,
-    input  wire signed [23:0] input_3_depth,
     input  wire [7:0] input_0_id,
-    input  wire [7:0] input_1_id,
-    input  wire [7:0] input_2_id,
-    input  wire [7:0] input_3_id,
     input  wire [3:0] input_0_number,
-    input  wire [3:0] input_1_number,
-    input  wire [3:0] input_2_number,
-    input  wire [3:0] input_3_number,
     input  wire signed [15:0] input_0_nx,
-    input  wire signed [15:0] input_1_nx,
-    input  wire signed [15:0] input_2_nx,
-    input  wire signed [15:0] input_3_nx,
     input  wire signed [15:0] input_0_ny,
-    input  wire signed [15:0] input_1_ny,
-    input  wire signed [15:0] input_2_ny,
-    input  wire signed [15:0] input_3_ny,
     input  wire signed [15:0] input_0_nz,
+    input  wire signed [23:0] input_1_depth,
+    input  wire [7:0] input_1_id,
+    input  wire [3:0] input_1_number,
+    input  wire signed [15:0] input_1_nx,
+    input  wire signed [15:0] input_1_ny,
     input  wire signed [15:0] input_1_nz,
+    input  wire signed [23:0] input_2_depth,
+    input  wire [7:0] input_2_id,
+    input  wire [3:0] input_2_number,
+    input  wire signed [15:0] input_2_nx,
+    input  wire signed [15:0] input_2_ny,
     input  wire signed [15:0] input_2_nz,
+    input  wire signed [23:0] input_3_depth,
+    input  wire [7:0] input_3_id,
+    input  wire [3:0] input_3_number,
+    input  wire signed [15:0] input_3_nx,
+    input  wire signed [15:0] input_3_ny,
     input  wire signed [15:0] input_3_nz,
     output wire signed [23:0] depth,
     output wire [7:0] id,
@@ -87,12 +87,6 @@ module decider (
     wire signed [15:0] nodes_1_nx;
     wire signed [15:0] nodes_1_ny;
     wire signed [15:0] nodes_1_nz;
-    wire signed [23:0] nodes_2_depth;
-    wire [7:0] nodes_2_id;
-    wire [3:0] nodes_2_number;
-    wire signed [15:0] nodes_2_nx;
-    wire signed [15:0] nodes_2_ny;
-    wire signed [15:0] nodes_2_nz;
 
     visibility_node nodes_0 (
         .clock(clock),
@@ -152,19 +146,12 @@ module decider (
         .b_nx(nodes_1_nx),
         .b_ny(nodes_1_ny),
         .b_nz(nodes_1_nz),
-        .depth(nodes_2_depth),
-        .id(nodes_2_id),
-        .number(nodes_2_number),
-        .nx(nodes_2_nx),
-        .ny(nodes_2_ny),
-        .nz(nodes_2_nz)
+        .depth(depth),
+        .id(id),
+        .number(number),
+        .nx(nx),
+        .ny(ny),
+        .nz(nz)
     );
-
-    assign depth = nodes_2_depth;
-    assign id = nodes_2_id;
-    assign number = nodes_2_number;
-    assign nx = nodes_2_nx;
-    assign ny = nodes_2_ny;
-    assign nz = nodes_2_nz;
 
 endmodule

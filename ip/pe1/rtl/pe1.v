@@ -29,31 +29,29 @@ module pe1 (
 );
 
     wire first;
-    wire signed [25:0] next_line;
-    wire signed [25:0] line_begin;
-    wire signed [25:0] next_pixel;
     reg signed [25:0] kept_a = 26'sd0;
     reg signed [25:0] kept_b = 26'sd0;
     reg signed [25:0] line_value = 26'sd0;
     reg signed [25:0] pixel_value = 26'sd0;
+    wire signed [25:0] next_line;
+    wire signed [25:0] next_pixel;
+    wire signed [25:0] line_begin;
 
     assign first = start | line;
     assign next_line = line_value + kept_b;
-    assign line_begin = start ? c : next_line;
     assign next_pixel = pixel_value + kept_a;
+    assign line_begin = start ? c : next_line;
     assign value = pixel_value;
 
     always @(posedge clock) begin
         if (valid) begin
+            pixel_value <= first ? line_begin : next_pixel;
             if (start) begin
                 kept_a <= a;
                 kept_b <= b;
             end
             if (first) begin
                 line_value <= line_begin;
-                pixel_value <= line_begin;
-            end else begin
-                pixel_value <= next_pixel;
             end
         end
     end

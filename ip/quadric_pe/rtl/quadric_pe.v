@@ -53,20 +53,19 @@ module quadric_pe (
     output wire late_line
 );
 
-    wire [25:0] wide_root;
-    wire signed [25:0] step;
     wire signed [47:0] f2_value;
-    wire flags_late_valid;
-    wire flags_late_start;
-    wire flags_late_line;
+    reg [23:0] valid_late = 24'd0;
+    reg [23:0] start_late = 24'd0;
+    reg [23:0] line_late = 24'd0;
     wire signed [25:0] f1_value;
     wire [23:0] square_root_root;
     wire [24:0] unused_square_root_remainder;
-    wire f2_is_negative_word;
-    wire f2_is_negative_late;
+    wire signed [25:0] step;
     reg signed [25:0] kept_near_sum = 26'sd0;
     reg signed [25:0] kept_far_sum = 26'sd0;
     reg [23:0] kept_root = 24'd0;
+    reg [24:0] is_outside_kept = 25'd0;
+    wire is_outside;
 
     pe2 f2 (
         .clock(clock),
@@ -76,27 +75,17 @@ module quadric_pe (
         .a2(f2_a2),
         .b2(f2_b2),
         .c(f2_c),
-        .p0(f2_p0),
         .i0(f2_i0),
+        .p0(f2_p0),
         .f(f2_f),
         .value(f2_value)
     );
 
-    flag_delay flags (
-        .clock(clock),
-        .valid(valid),
-        .start(start),
-        .line(line),
-        .late_valid(flags_late_valid),
-        .late_start(flags_late_start),
-        .late_line(flags_late_line)
-    );
-
     pe1 f1 (
         .clock(clock),
-        .valid(flags_late_valid),
-        .start(flags_late_start),
-        .line(flags_late_line),
+        .valid(valid_late[23]),
+        .start(start_late[23]),
+        .line(line_late[23]),
         .a(f1_a),
         .b(f1_b),
         .c(f1_c),
@@ -110,27 +99,24 @@ module quadric_pe (
         .remainder(unused_square_root_remainder)
     );
 
-    word_delay f2_is_negative (
-        .clock(clock),
-        .word(f2_is_negative_word),
-        .late(f2_is_negative_late)
-    );
-
-    assign wide_root = {2'd0, square_root_root};
-    assign step = wide_root;
-    assign f2_is_negative_word = f2_value[47];
+    assign step = {2'd0, square_root_root};
+    assign is_outside = is_outside_kept[24];
+    assign is_inside = ~is_outside;
     assign near_sum = kept_near_sum;
     assign far_sum = kept_far_sum;
     assign root = kept_root;
-    assign is_inside = ~f2_is_negative_late;
-    assign late_valid = flags_late_valid;
-    assign late_start = flags_late_start;
-    assign late_line = flags_late_line;
+    assign late_valid = valid_late[23];
+    assign late_start = start_late[23];
+    assign late_line = line_late[23];
 
     always @(posedge clock) begin
+        valid_late <= {valid_late[22:0], valid};
+        start_late <= {start_late[22:0], start};
+        line_late <= {line_late[22:0], line};
         kept_near_sum <= f1_value - step;
         kept_far_sum <= f1_value + step;
         kept_root <= square_root_root;
+        is_outside_kept <= {is_outside_kept[23:0], f2_value[47]};
     end
 
 endmodule

@@ -11,76 +11,35 @@ module cut_plane (
     input  wire [3:0] nf,
     input  wire signed [23:0] zb,
     input  wire [3:0] nb,
-    output wire signed [23:0] cut_zf,
-    output wire [3:0] cut_nf,
-    output wire signed [23:0] cut_zb,
-    output wire [3:0] cut_nb
+    output reg  signed [23:0] cut_zf = 24'sd0,
+    output reg  [3:0] cut_nf = 4'd0,
+    output reg  signed [23:0] cut_zb = 24'sd0,
+    output reg  [3:0] cut_nb = 4'd0
 );
 
-    localparam [1:0] front = 2'd1;
-    localparam [1:0] back = 2'd2;
-    localparam [1:0] perpendicular = 2'd3;
-    localparam signed [23:0] absent = 24'sd8388607;
-    localparam [3:0] no_face = 4'd0;
-    wire is_front;
-    wire is_back;
-    wire is_perpendicular;
     wire before_front;
     wire at_front;
     wire before_back;
     wire at_back;
-    wire removed;
     wire cuts_front;
     wire cuts_back;
-    wire plane_is_negative;
-    reg signed [23:0] kept_zf = 24'sd0;
-    reg [3:0] kept_nf = 4'd0;
-    reg signed [23:0] kept_zb = 24'sd0;
-    reg [3:0] kept_nb = 4'd0;
+    wire leaves_nothing;
+    wire removed;
 
-    assign is_front = kind == front;
-    assign is_back = kind == back;
-    assign is_perpendicular = kind == perpendicular;
     assign before_front = zp < zf;
     assign at_front = zp == zf;
     assign before_back = zp < zb;
     assign at_back = zp == zb;
-    assign removed = ((is_perpendicular & plane_is_negative) | (cuts_front & ~(before_back | at_back))) | (cuts_back & before_front);
-    assign cuts_front = is_front & ~(before_front | at_front);
-    assign cuts_back = is_back & before_back;
-    assign plane_is_negative = zp[23];
-    assign cut_zf = kept_zf;
-    assign cut_nf = kept_nf;
-    assign cut_zb = kept_zb;
-    assign cut_nb = kept_nb;
+    assign cuts_front = (kind == 2'd1) & ~(before_front | at_front);
+    assign cuts_back = (kind == 2'd2) & before_back;
+    assign leaves_nothing = cuts_front & ~(before_back | at_back);
+    assign removed = (((kind == 2'd3) & zp[23]) | leaves_nothing) | (cuts_back & before_front);
 
     always @(posedge clock) begin
-        kept_zf <= zf;
-        kept_nf <= nf;
-        kept_zb <= zb;
-        kept_nb <= nb;
-        if (removed) begin
-            kept_zf <= absent;
-            kept_nf <= no_face;
-            kept_zb <= absent;
-            kept_nb <= no_face;
-        end else if (cuts_front) begin
-            if (surface) begin
-                kept_zf <= zb;
-                kept_nf <= nb;
-            end else begin
-                kept_zf <= zp;
-                kept_nf <= number;
-            end
-        end else if (cuts_back) begin
-            if (surface) begin
-                kept_zb <= zf;
-                kept_nb <= nf;
-            end else begin
-                kept_zb <= zp;
-                kept_nb <= number;
-            end
-        end
+        cut_zf <= removed ? 24'sd8388607 : cuts_front ? (surface ? zb : zp) : zf;
+        cut_nf <= removed ? 4'd0 : cuts_front ? (surface ? nb : number) : nf;
+        cut_zb <= removed ? 24'sd8388607 : cuts_front ? zb : cuts_back ? (surface ? zf : zp) : zb;
+        cut_nb <= removed ? 4'd0 : cuts_front ? nb : cuts_back ? (surface ? nf : number) : nb;
     end
 
 endmodule

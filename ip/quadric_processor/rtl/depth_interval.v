@@ -8,139 +8,79 @@ module depth_interval (
     input  wire is_inside,
     input  wire in_box,
     input  wire [1:0] object_class,
-    output wire signed [23:0] zf_a,
-    output wire [3:0] nf_a,
-    output wire signed [23:0] zb_a,
-    output wire [3:0] nb_a,
-    output wire signed [23:0] zf_b,
-    output wire [3:0] nf_b,
-    output wire signed [23:0] zb_b,
-    output wire [3:0] nb_b
+    output reg  signed [23:0] zf_a = 24'sd0,
+    output reg  [3:0] nf_a = 4'd0,
+    output reg  signed [23:0] zb_a = 24'sd0,
+    output reg  [3:0] nb_a = 4'd0,
+    output reg  signed [23:0] zf_b = 24'sd0,
+    output reg  [3:0] nf_b = 4'd0,
+    output reg  signed [23:0] zb_b = 24'sd0,
+    output reg  [3:0] nb_b = 4'd0
 );
 
-    localparam signed [25:0] low_sum = -26'sd8388607;
-    localparam signed [25:0] far_end_sum = 26'sd8388607;
-    localparam signed [23:0] low = -24'sd8388607;
-    localparam signed [23:0] absent = 24'sd8388607;
-    localparam [3:0] near_root = 4'd0;
-    localparam [3:0] far_root = 4'd1;
-    localparam [3:0] cap = 4'd15;
-    localparam [3:0] no_face = 4'd0;
-    localparam [1:0] side = 2'd0;
-    localparam [1:0] front = 2'd1;
-    localparam [1:0] patch = 2'd2;
-    localparam [1:0] prism = 2'd3;
     wire near_is_low;
     wire near_is_far;
+    wire signed [23:0] near_depth;
+    wire [3:0] near_face;
     wire far_is_low;
     wire far_is_far;
-    wire signed [23:0] near_depth;
     wire signed [23:0] far_depth;
-    wire [3:0] near_face;
     wire [3:0] far_face;
     wire near_visible;
     wire far_visible;
-    wire is_side;
     wire is_front;
-    wire is_patch;
+    wire is_side;
+    wire is_before;
+    wire is_surface;
     wire is_prism;
-    wire side_present;
-    reg signed [23:0] kept_zf_a = 24'sd0;
-    reg [3:0] kept_nf_a = 4'd0;
-    reg signed [23:0] kept_zb_a = 24'sd0;
-    reg [3:0] kept_nb_a = 4'd0;
-    reg signed [23:0] kept_zf_b = 24'sd0;
-    reg [3:0] kept_nf_b = 4'd0;
-    reg signed [23:0] kept_zb_b = 24'sd0;
-    reg [3:0] kept_nb_b = 4'd0;
+    wire has_b;
+    wire signed [23:0] surface_zf;
+    wire [3:0] surface_nf;
+    wire signed [23:0] surface_zb;
+    wire [3:0] surface_nb;
+    wire [3:0] choice_2;
+    wire signed [23:0] inside_zf;
+    wire [3:0] inside_nf;
+    wire signed [23:0] inside_zb;
+    wire [3:0] inside_nb;
+    wire [3:0] choice;
 
-    assign near_is_low = near_sum < low_sum;
-    assign near_is_far = near_sum >= far_end_sum;
-    assign far_is_low = far_sum < low_sum;
-    assign far_is_far = far_sum >= far_end_sum;
-    assign near_depth = near_is_low ? low :
-        near_is_far ? absent : near_sum[23:0];
-    assign far_depth = far_is_low ? low :
-        far_is_far ? absent : far_sum[23:0];
-    assign near_face = near_is_low ? cap : near_root;
-    assign far_face = far_is_low ? cap : far_root;
+    assign near_is_low = near_sum < -26'sd8388607;
+    assign near_is_far = near_sum >= 26'sd8388607;
+    assign near_depth = near_is_low ? -24'sd8388607 : near_is_far ? 24'sd8388607 : near_sum[23:0];
+    assign near_face = near_is_low ? 4'd15 : 4'd0;
+    assign far_is_low = far_sum < -26'sd8388607;
+    assign far_is_far = far_sum >= 26'sd8388607;
+    assign far_depth = far_is_low ? -24'sd8388607 : far_is_far ? 24'sd8388607 : far_sum[23:0];
+    assign far_face = far_is_low ? 4'd15 : 4'd1;
     assign near_visible = ~(near_is_low | near_is_far);
     assign far_visible = ~(far_is_low | far_is_far);
-    assign is_side = object_class == side;
-    assign is_front = object_class == front;
-    assign is_patch = object_class == patch;
-    assign is_prism = object_class == prism;
-    assign side_present = is_side & ~(near_is_far | far_is_low);
-    assign zf_a = kept_zf_a;
-    assign nf_a = kept_nf_a;
-    assign zb_a = kept_zb_a;
-    assign nb_a = kept_nb_a;
-    assign zf_b = kept_zf_b;
-    assign nf_b = kept_nf_b;
-    assign zb_b = kept_zb_b;
-    assign nb_b = kept_nb_b;
+    assign is_front = object_class == 2'd1;
+    assign is_side = (object_class == 2'd0) & ~(near_is_far | far_is_low);
+    assign is_before = is_front & ~near_is_low;
+    assign is_surface = object_class == 2'd2;
+    assign is_prism = object_class == 2'd3;
+    assign has_b = ((in_box & is_inside) & is_front) & ~far_is_far;
+    assign surface_zf = near_visible ? near_depth : far_visible ? far_depth : 24'sd8388607;
+    assign surface_nf = (far_visible & ~near_visible) ? 4'd1 : 4'd0;
+    assign surface_zb = far_visible ? far_depth : near_visible ? near_depth : 24'sd8388607;
+    assign surface_nb = far_visible ? 4'd1 : 4'd0;
+    assign choice_2 = is_prism ? 4'd15 : 4'd0;
+    assign inside_zf = is_side ? near_depth : is_before ? -24'sd8388607 : is_surface ? surface_zf : is_prism ? -24'sd8388607 : 24'sd8388607;
+    assign inside_nf = is_side ? near_face : is_before ? 4'd15 : is_surface ? surface_nf : choice_2;
+    assign inside_zb = is_side ? far_depth : is_before ? near_depth : is_surface ? surface_zb : 24'sd8388607;
+    assign inside_nb = is_side ? 4'd1 : is_before ? 4'd0 : is_surface ? surface_nb : choice_2;
+    assign choice = is_front ? 4'd15 : 4'd0;
 
     always @(posedge clock) begin
-        kept_zf_a <= absent;
-        kept_nf_a <= no_face;
-        kept_zb_a <= absent;
-        kept_nb_a <= no_face;
-        kept_zf_b <= absent;
-        kept_nf_b <= no_face;
-        kept_zb_b <= absent;
-        kept_nb_b <= no_face;
-        if (in_box) begin
-            if (is_inside) begin
-                if (side_present) begin
-                    kept_zf_a <= near_depth;
-                    kept_nf_a <= near_face;
-                    kept_zb_a <= far_depth;
-                    kept_nb_a <= far_root;
-                end
-                if (is_front) begin
-                    if (~near_is_low) begin
-                        kept_zf_a <= low;
-                        kept_nf_a <= cap;
-                        kept_zb_a <= near_depth;
-                        kept_nb_a <= near_root;
-                    end
-                    if (~far_is_far) begin
-                        kept_zf_b <= far_depth;
-                        kept_nf_b <= far_face;
-                        kept_zb_b <= absent;
-                        kept_nb_b <= cap;
-                    end
-                end
-                if (is_patch) begin
-                    if (near_visible) begin
-                        kept_zf_a <= near_depth;
-                        kept_nf_a <= near_root;
-                        kept_zb_a <= near_depth;
-                        kept_nb_a <= near_root;
-                        if (far_visible) begin
-                            kept_zb_a <= far_depth;
-                            kept_nb_a <= far_root;
-                        end
-                    end else if (far_visible) begin
-                        kept_zf_a <= far_depth;
-                        kept_nf_a <= far_root;
-                        kept_zb_a <= far_depth;
-                        kept_nb_a <= far_root;
-                    end
-                end
-                if (is_prism) begin
-                    kept_zf_a <= low;
-                    kept_nf_a <= cap;
-                    kept_zb_a <= absent;
-                    kept_nb_a <= cap;
-                end
-            end else if (is_front) begin
-                kept_zf_a <= low;
-                kept_nf_a <= cap;
-                kept_zb_a <= absent;
-                kept_nb_a <= cap;
-            end
-        end
+        zf_a <= in_box ? (is_inside ? inside_zf : is_front ? -24'sd8388607 : 24'sd8388607) : 24'sd8388607;
+        nf_a <= in_box ? (is_inside ? inside_nf : choice) : 4'd0;
+        zb_a <= in_box ? (is_inside ? inside_zb : 24'sd8388607) : 24'sd8388607;
+        nb_a <= in_box ? (is_inside ? inside_nb : choice) : 4'd0;
+        zf_b <= has_b ? far_depth : 24'sd8388607;
+        nf_b <= has_b ? far_face : 4'd0;
+        zb_b <= 24'sd8388607;
+        nb_b <= has_b ? 4'd15 : 4'd0;
     end
 
 endmodule

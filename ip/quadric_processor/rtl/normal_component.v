@@ -14,16 +14,14 @@ module normal_component (
     input  wire is_near,
     input  wire is_quadric,
     input  wire signed [15:0] fixed,
-    output wire signed [15:0] result
+    output reg  signed [15:0] result = 16'sd0
 );
 
+    wire signed [23:0] g_value;
     wire signed [31:0] product;
     wire signed [31:0] opposite;
-    wire signed [23:0] change;
-    wire signed [23:0] sum;
-    wire signed [23:0] g_value;
     reg signed [31:0] kept_change = 32'sd0;
-    reg signed [15:0] kept_component = 16'sd0;
+    wire signed [23:0] sum;
 
     pe1_w24 g (
         .clock(clock),
@@ -37,24 +35,13 @@ module normal_component (
     );
 
     assign product = k * scaled_root;
-    assign opposite = -product;
-    assign change = kept_change[29:6];
-    assign sum = g_value + change;
-    assign result = kept_component;
-
-    wire unused_bits = &{1'b0, sum[7:0], kept_change[31:30], kept_change[5:0]};
+    assign opposite = 32'sd0 - product;
+    assign sum = g_value + kept_change[29:6];
+    wire unused = &{1'b0, kept_change[5:0], kept_change[31:30], sum[7:0]};
 
     always @(posedge clock) begin
-        if (is_near) begin
-            kept_change <= opposite;
-        end else begin
-            kept_change <= product;
-        end
-        if (is_quadric) begin
-            kept_component <= sum[23:8];
-        end else begin
-            kept_component <= fixed;
-        end
+        kept_change <= is_near ? opposite : product;
+        result <= is_quadric ? sum[23:8] : fixed;
     end
 
 endmodule

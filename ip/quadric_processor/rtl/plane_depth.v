@@ -9,17 +9,12 @@ module plane_depth (
     input  wire signed [35:0] a,
     input  wire signed [35:0] b,
     input  wire signed [35:0] c,
-    output wire signed [23:0] depth
+    output reg  signed [23:0] depth = 24'sd0
 );
 
-    localparam signed [35:0] largest = 36'sd8388607;
-    localparam signed [35:0] smallest = -36'sd8388608;
-    localparam signed [23:0] farthest = 24'sd8388607;
-    localparam signed [23:0] nearest = 24'sh800000;
+    wire signed [35:0] plane_value;
     wire above;
     wire below;
-    wire signed [35:0] plane_value;
-    reg signed [23:0] clamped = 24'sd0;
 
     pe1_w36 plane (
         .clock(clock),
@@ -32,18 +27,11 @@ module plane_depth (
         .value(plane_value)
     );
 
-    assign above = plane_value > largest;
-    assign below = plane_value < smallest;
-    assign depth = clamped;
+    assign above = 36'sd8388607 < plane_value;
+    assign below = plane_value < -36'sd8388608;
 
     always @(posedge clock) begin
-        if (above) begin
-            clamped <= farthest;
-        end else if (below) begin
-            clamped <= nearest;
-        end else begin
-            clamped <= plane_value[23:0];
-        end
+        depth <= above ? 24'sd8388607 : below ? 24'sh800000 : plane_value[23:0];
     end
 
 endmodule

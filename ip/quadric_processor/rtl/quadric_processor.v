@@ -38,28 +38,28 @@
 //   in  box_x1         12 unsigned
 //   in  box_y0         12 unsigned
 //   in  box_y1         12 unsigned
-//   in  object_class    2 unsigned
 //   in  shift           5 unsigned
+//   in  object_class    2 unsigned
 //   in  plane_0_kind    2 unsigned
-//   in  plane_1_kind    2 unsigned
-//   in  plane_2_kind    2 unsigned
 //   in  plane_0_a      36 two's complement
-//   in  plane_1_a      36 two's complement
-//   in  plane_2_a      36 two's complement
 //   in  plane_0_b      36 two's complement
-//   in  plane_1_b      36 two's complement
-//   in  plane_2_b      36 two's complement
 //   in  plane_0_c      36 two's complement
-//   in  plane_1_c      36 two's complement
-//   in  plane_2_c      36 two's complement
 //   in  plane_0_nx     16 two's complement
-//   in  plane_1_nx     16 two's complement
-//   in  plane_2_nx     16 two's complement
 //   in  plane_0_ny     16 two's complement
-//   in  plane_1_ny     16 two's complement
-//   in  plane_2_ny     16 two's complement
 //   in  plane_0_nz     16 two's complement
+//   in  plane_1_kind    2 unsigned
+//   in  plane_1_a      36 two's complement
+//   in  plane_1_b      36 two's complement
+//   in  plane_1_c      36 two's complement
+//   in  plane_1_nx     16 two's complement
+//   in  plane_1_ny     16 two's complement
 //   in  plane_1_nz     16 two's complement
+//   in  plane_2_kind    2 unsigned
+//   in  plane_2_a      36 two's complement
+//   in  plane_2_b      36 two's complement
+//   in  plane_2_c      36 two's complement
+//   in  plane_2_nx     16 two's complement
+//   in  plane_2_ny     16 two's complement
 //   in  plane_2_nz     16 two's complement
 //   out out_valid       1 unsigned
 //   out zf             24 two's complement
@@ -104,28 +104,28 @@ module quadric_processor (
     input  wire [11:0] box_x1,
     input  wire [11:0] box_y0,
     input  wire [11:0] box_y1,
-    input  wire [1:0] object_class,
     input  wire [4:0] shift,
+    input  wire [1:0] object_class,
     input  wire [1:0] plane_0_kind,
-    input  wire [1:0] plane_1_kind,
-    input  wire [1:0] plane_2_kind,
     input  wire signed [35:0] plane_0_a,
-    input  wire signed [35:0] plane_1_a,
-    input  wire signed [35:0] plane_2_a,
     input  wire signed [35:0] plane_0_b,
-    input  wire signed [35:0] plane_1_b,
-    input  wire signed [35:0] plane_2_b,
     input  wire signed [35:0] plane_0_c,
-    input  wire signed [35:0] plane_1_c,
-    input  wire signed [35:0] plane_2_c,
     input  wire signed [15:0] plane_0_nx,
-    input  wire signed [15:0] plane_1_nx,
-    input  wire signed [15:0] plane_2_nx,
     input  wire signed [15:0] plane_0_ny,
-    input  wire signed [15:0] plane_1_ny,
-    input  wire signed [15:0] plane_2_ny,
     input  wire signed [15:0] plane_0_nz,
+    input  wire [1:0] plane_1_kind,
+    input  wire signed [35:0] plane_1_a,
+    input  wire signed [35:0] plane_1_b,
+    input  wire signed [35:0] plane_1_c,
+    input  wire signed [15:0] plane_1_nx,
+    input  wire signed [15:0] plane_1_ny,
     input  wire signed [15:0] plane_1_nz,
+    input  wire [1:0] plane_2_kind,
+    input  wire signed [35:0] plane_2_a,
+    input  wire signed [35:0] plane_2_b,
+    input  wire signed [35:0] plane_2_c,
+    input  wire signed [15:0] plane_2_nx,
+    input  wire signed [15:0] plane_2_ny,
     input  wire signed [15:0] plane_2_nz,
     output wire out_valid,
     output wire signed [23:0] zf,
@@ -136,15 +136,6 @@ module quadric_processor (
     output wire signed [15:0] nz
 );
 
-    localparam [1:0] patch = 2'd2;
-    localparam signed [23:0] absent = 24'sd8388607;
-    wire right_of_x0;
-    wire left_of_x1;
-    wire below_y0;
-    wire above_y1;
-    wire surface;
-    wire in_box_word;
-    wire in_box_late;
     wire signed [25:0] quadric_near_sum;
     wire signed [25:0] quadric_far_sum;
     wire [23:0] quadric_root;
@@ -152,6 +143,8 @@ module quadric_processor (
     wire quadric_late_valid;
     wire quadric_late_start;
     wire quadric_late_line;
+    wire in_box;
+    reg [25:0] in_box_late = 26'd0;
     wire signed [23:0] interval_zf_a;
     wire [3:0] interval_nf_a;
     wire signed [23:0] interval_zb_a;
@@ -160,64 +153,56 @@ module quadric_processor (
     wire [3:0] interval_nf_b;
     wire signed [23:0] interval_zb_b;
     wire [3:0] interval_nb_b;
-    wire plane_flags_0_late_valid;
-    wire plane_flags_0_late_start;
-    wire plane_flags_0_late_line;
-    wire plane_flags_1_late_valid;
-    wire plane_flags_1_late_start;
-    wire plane_flags_1_late_line;
-    wire plane_flags_2_late_valid;
-    wire plane_flags_2_late_start;
-    wire plane_flags_2_late_line;
+    wire surface;
+    reg valid_late_1 = 1'd0;
+    reg start_late_1 = 1'd0;
+    reg line_late_1 = 1'd0;
     wire signed [23:0] planes_0_depth;
+    reg valid_late_1_2 = 1'd0;
+    reg start_late_1_2 = 1'd0;
+    reg line_late_1_2 = 1'd0;
     wire signed [23:0] planes_1_depth;
+    reg valid_late_1_3 = 1'd0;
+    reg start_late_1_3 = 1'd0;
+    reg line_late_1_3 = 1'd0;
     wire signed [23:0] planes_2_depth;
-    wire signed [23:0] cut_a_0_cut_zf;
-    wire [3:0] cut_a_0_cut_nf;
-    wire signed [23:0] cut_a_0_cut_zb;
-    wire [3:0] cut_a_0_cut_nb;
-    wire signed [23:0] cut_a_1_cut_zf;
-    wire [3:0] cut_a_1_cut_nf;
-    wire signed [23:0] cut_a_1_cut_zb;
-    wire [3:0] cut_a_1_cut_nb;
-    wire signed [23:0] cut_a_2_cut_zf;
-    wire [3:0] cut_a_2_cut_nf;
-    wire signed [23:0] cut_a_2_cut_zb;
-    wire [3:0] cut_a_2_cut_nb;
-    wire signed [23:0] cut_b_0_cut_zf;
-    wire [3:0] cut_b_0_cut_nf;
-    wire signed [23:0] cut_b_0_cut_zb;
-    wire [3:0] cut_b_0_cut_nb;
-    wire signed [23:0] cut_b_1_cut_zf;
-    wire [3:0] cut_b_1_cut_nf;
-    wire signed [23:0] cut_b_1_cut_zb;
-    wire [3:0] cut_b_1_cut_nb;
-    wire signed [23:0] cut_b_2_cut_zf;
-    wire [3:0] cut_b_2_cut_nf;
-    wire signed [23:0] cut_b_2_cut_zb;
-    wire [3:0] cut_b_2_cut_nb;
     wire signed [23:0] merge_zf;
     wire [3:0] merge_nf;
     wire signed [23:0] merge_zb;
     wire [3:0] unused_merge_nb;
-    wire normal_flags_late_valid;
-    wire normal_flags_late_start;
-    wire normal_flags_late_line;
-    wire [23:0] root_delay_late;
-    wire normal_absent;
-    wire signed [15:0] normal_nx;
-    wire signed [15:0] normal_ny;
-    wire signed [15:0] normal_nz;
-    wire valid_delay_late;
-    wire signed [23:0] zf_delay_late;
-    wire signed [23:0] zb_delay_late;
-    wire [3:0] number_delay_late;
-
-    word_delay_w1_x26 in_box (
-        .clock(clock),
-        .word(in_box_word),
-        .late(in_box_late)
-    );
+    reg [23:0] root_late_1 = 24'd0;
+    reg [23:0] root_late_2 = 24'd0;
+    reg [23:0] root_late_3 = 24'd0;
+    reg [23:0] root_late_4 = 24'd0;
+    reg [23:0] root_late_5 = 24'd0;
+    reg [3:0] valid_late = 4'd0;
+    reg [3:0] start_late = 4'd0;
+    reg [3:0] line_late = 4'd0;
+    reg [2:0] out_valid_late = 3'd0;
+    reg signed [23:0] zf_late_1 = 24'sd0;
+    reg signed [23:0] zf_late_2 = 24'sd0;
+    reg signed [23:0] zf_late_3 = 24'sd0;
+    reg signed [23:0] zb_late_1 = 24'sd0;
+    reg signed [23:0] zb_late_2 = 24'sd0;
+    reg signed [23:0] zb_late_3 = 24'sd0;
+    reg [3:0] number_late_1 = 4'd0;
+    reg [3:0] number_late_2 = 4'd0;
+    reg [3:0] number_late_3 = 4'd0;
+    genvar k;
+    wire [5:0] cut_a_kind;
+    wire [11:0] cut_a_number;
+    wire [71:0] cut_a_zp;
+    wire [95:0] cut_a_zf;
+    wire [15:0] cut_a_nf;
+    wire [95:0] cut_a_zb;
+    wire [15:0] cut_a_nb;
+    wire [5:0] cut_b_kind;
+    wire [11:0] cut_b_number;
+    wire [71:0] cut_b_zp;
+    wire [95:0] cut_b_zf;
+    wire [15:0] cut_b_nf;
+    wire [95:0] cut_b_zb;
+    wire [15:0] cut_b_nb;
 
     quadric_pe quadric (
         .clock(clock),
@@ -247,7 +232,7 @@ module quadric_processor (
         .near_sum(quadric_near_sum),
         .far_sum(quadric_far_sum),
         .is_inside(quadric_is_inside),
-        .in_box(in_box_late),
+        .in_box(in_box_late[25]),
         .object_class(object_class),
         .zf_a(interval_zf_a),
         .nf_a(interval_nf_a),
@@ -259,41 +244,11 @@ module quadric_processor (
         .nb_b(interval_nb_b)
     );
 
-    flag_delay_x3 plane_flags_0 (
-        .clock(clock),
-        .valid(quadric_late_valid),
-        .start(quadric_late_start),
-        .line(quadric_late_line),
-        .late_valid(plane_flags_0_late_valid),
-        .late_start(plane_flags_0_late_start),
-        .late_line(plane_flags_0_late_line)
-    );
-
-    flag_delay_x3 plane_flags_1 (
-        .clock(clock),
-        .valid(plane_flags_0_late_valid),
-        .start(plane_flags_0_late_start),
-        .line(plane_flags_0_late_line),
-        .late_valid(plane_flags_1_late_valid),
-        .late_start(plane_flags_1_late_start),
-        .late_line(plane_flags_1_late_line)
-    );
-
-    flag_delay_x3 plane_flags_2 (
-        .clock(clock),
-        .valid(plane_flags_1_late_valid),
-        .start(plane_flags_1_late_start),
-        .line(plane_flags_1_late_line),
-        .late_valid(plane_flags_2_late_valid),
-        .late_start(plane_flags_2_late_start),
-        .late_line(plane_flags_2_late_line)
-    );
-
     plane_depth planes_0 (
         .clock(clock),
-        .valid(plane_flags_0_late_valid),
-        .start(plane_flags_0_late_start),
-        .line(plane_flags_0_late_line),
+        .valid(valid_late_1),
+        .start(start_late_1),
+        .line(line_late_1),
         .a(plane_0_a),
         .b(plane_0_b),
         .c(plane_0_c),
@@ -302,9 +257,9 @@ module quadric_processor (
 
     plane_depth planes_1 (
         .clock(clock),
-        .valid(plane_flags_1_late_valid),
-        .start(plane_flags_1_late_start),
-        .line(plane_flags_1_late_line),
+        .valid(valid_late_1_2),
+        .start(start_late_1_2),
+        .line(line_late_1_2),
         .a(plane_1_a),
         .b(plane_1_b),
         .c(plane_1_c),
@@ -313,151 +268,117 @@ module quadric_processor (
 
     plane_depth planes_2 (
         .clock(clock),
-        .valid(plane_flags_2_late_valid),
-        .start(plane_flags_2_late_start),
-        .line(plane_flags_2_late_line),
+        .valid(valid_late_1_3),
+        .start(start_late_1_3),
+        .line(line_late_1_3),
         .a(plane_2_a),
         .b(plane_2_b),
         .c(plane_2_c),
         .depth(planes_2_depth)
     );
 
-    cut_plane cut_a_0 (
-        .clock(clock),
-        .kind(plane_0_kind),
-        .surface(surface),
-        .number(4'd2),
-        .zp(planes_0_depth),
-        .zf(interval_zf_a),
-        .nf(interval_nf_a),
-        .zb(interval_zb_a),
-        .nb(interval_nb_a),
-        .cut_zf(cut_a_0_cut_zf),
-        .cut_nf(cut_a_0_cut_nf),
-        .cut_zb(cut_a_0_cut_zb),
-        .cut_nb(cut_a_0_cut_nb)
-    );
+    assign cut_a_kind = {
+        plane_2_kind,
+        plane_1_kind,
+        plane_0_kind
+    };
+    assign cut_a_number = {
+        4'd4,
+        4'd3,
+        4'd2
+    };
+    assign cut_a_zp = {
+        planes_2_depth,
+        planes_1_depth,
+        planes_0_depth
+    };
+    assign cut_a_zf[23:0] = interval_zf_a;
+    assign cut_a_nf[3:0] = interval_nf_a;
+    assign cut_a_zb[23:0] = interval_zb_a;
+    assign cut_a_nb[3:0] = interval_nb_a;
+    generate
+        for (k = 0; k < 3; k = k + 1) begin : cut_a
+            cut_plane one (
+                .clock(clock),
+                .kind(cut_a_kind[2 * k +: 2]),
+                .surface(surface),
+                .number(cut_a_number[4 * k +: 4]),
+                .zp(cut_a_zp[24 * k +: 24]),
+                .zf(cut_a_zf[24 * k +: 24]),
+                .nf(cut_a_nf[4 * k +: 4]),
+                .zb(cut_a_zb[24 * k +: 24]),
+                .nb(cut_a_nb[4 * k +: 4]),
+                .cut_zf(cut_a_zf[24 * (k + 1) +: 24]),
+                .cut_nf(cut_a_nf[4 * (k + 1) +: 4]),
+                .cut_zb(cut_a_zb[24 * (k + 1) +: 24]),
+                .cut_nb(cut_a_nb[4 * (k + 1) +: 4])
+            );
+        end
+    endgenerate
 
-    cut_plane cut_a_1 (
-        .clock(clock),
-        .kind(plane_1_kind),
-        .surface(surface),
-        .number(4'd3),
-        .zp(planes_1_depth),
-        .zf(cut_a_0_cut_zf),
-        .nf(cut_a_0_cut_nf),
-        .zb(cut_a_0_cut_zb),
-        .nb(cut_a_0_cut_nb),
-        .cut_zf(cut_a_1_cut_zf),
-        .cut_nf(cut_a_1_cut_nf),
-        .cut_zb(cut_a_1_cut_zb),
-        .cut_nb(cut_a_1_cut_nb)
-    );
-
-    cut_plane cut_a_2 (
-        .clock(clock),
-        .kind(plane_2_kind),
-        .surface(surface),
-        .number(4'd4),
-        .zp(planes_2_depth),
-        .zf(cut_a_1_cut_zf),
-        .nf(cut_a_1_cut_nf),
-        .zb(cut_a_1_cut_zb),
-        .nb(cut_a_1_cut_nb),
-        .cut_zf(cut_a_2_cut_zf),
-        .cut_nf(cut_a_2_cut_nf),
-        .cut_zb(cut_a_2_cut_zb),
-        .cut_nb(cut_a_2_cut_nb)
-    );
-
-    cut_plane cut_b_0 (
-        .clock(clock),
-        .kind(plane_0_kind),
-        .surface(surface),
-        .number(4'd2),
-        .zp(planes_0_depth),
-        .zf(interval_zf_b),
-        .nf(interval_nf_b),
-        .zb(interval_zb_b),
-        .nb(interval_nb_b),
-        .cut_zf(cut_b_0_cut_zf),
-        .cut_nf(cut_b_0_cut_nf),
-        .cut_zb(cut_b_0_cut_zb),
-        .cut_nb(cut_b_0_cut_nb)
-    );
-
-    cut_plane cut_b_1 (
-        .clock(clock),
-        .kind(plane_1_kind),
-        .surface(surface),
-        .number(4'd3),
-        .zp(planes_1_depth),
-        .zf(cut_b_0_cut_zf),
-        .nf(cut_b_0_cut_nf),
-        .zb(cut_b_0_cut_zb),
-        .nb(cut_b_0_cut_nb),
-        .cut_zf(cut_b_1_cut_zf),
-        .cut_nf(cut_b_1_cut_nf),
-        .cut_zb(cut_b_1_cut_zb),
-        .cut_nb(cut_b_1_cut_nb)
-    );
-
-    cut_plane cut_b_2 (
-        .clock(clock),
-        .kind(plane_2_kind),
-        .surface(surface),
-        .number(4'd4),
-        .zp(planes_2_depth),
-        .zf(cut_b_1_cut_zf),
-        .nf(cut_b_1_cut_nf),
-        .zb(cut_b_1_cut_zb),
-        .nb(cut_b_1_cut_nb),
-        .cut_zf(cut_b_2_cut_zf),
-        .cut_nf(cut_b_2_cut_nf),
-        .cut_zb(cut_b_2_cut_zb),
-        .cut_nb(cut_b_2_cut_nb)
-    );
+    assign cut_b_kind = {
+        plane_2_kind,
+        plane_1_kind,
+        plane_0_kind
+    };
+    assign cut_b_number = {
+        4'd4,
+        4'd3,
+        4'd2
+    };
+    assign cut_b_zp = {
+        planes_2_depth,
+        planes_1_depth,
+        planes_0_depth
+    };
+    assign cut_b_zf[23:0] = interval_zf_b;
+    assign cut_b_nf[3:0] = interval_nf_b;
+    assign cut_b_zb[23:0] = interval_zb_b;
+    assign cut_b_nb[3:0] = interval_nb_b;
+    generate
+        for (k = 0; k < 3; k = k + 1) begin : cut_b
+            cut_plane one (
+                .clock(clock),
+                .kind(cut_b_kind[2 * k +: 2]),
+                .surface(surface),
+                .number(cut_b_number[4 * k +: 4]),
+                .zp(cut_b_zp[24 * k +: 24]),
+                .zf(cut_b_zf[24 * k +: 24]),
+                .nf(cut_b_nf[4 * k +: 4]),
+                .zb(cut_b_zb[24 * k +: 24]),
+                .nb(cut_b_nb[4 * k +: 4]),
+                .cut_zf(cut_b_zf[24 * (k + 1) +: 24]),
+                .cut_nf(cut_b_nf[4 * (k + 1) +: 4]),
+                .cut_zb(cut_b_zb[24 * (k + 1) +: 24]),
+                .cut_nb(cut_b_nb[4 * (k + 1) +: 4])
+            );
+        end
+    endgenerate
 
     two_volume_merge merge (
         .clock(clock),
-        .zf_a(cut_a_2_cut_zf),
-        .nf_a(cut_a_2_cut_nf),
-        .zb_a(cut_a_2_cut_zb),
-        .nb_a(cut_a_2_cut_nb),
-        .zf_b(cut_b_2_cut_zf),
-        .nf_b(cut_b_2_cut_nf),
-        .zb_b(cut_b_2_cut_zb),
-        .nb_b(cut_b_2_cut_nb),
+        .zf_a(cut_a_zf[95:72]),
+        .nf_a(cut_a_nf[15:12]),
+        .zb_a(cut_a_zb[95:72]),
+        .nb_a(cut_a_nb[15:12]),
+        .zf_b(cut_b_zf[95:72]),
+        .nf_b(cut_b_nf[15:12]),
+        .zb_b(cut_b_zb[95:72]),
+        .nb_b(cut_b_nb[15:12]),
         .zf(merge_zf),
         .nf(merge_nf),
         .zb(merge_zb),
         .nb(unused_merge_nb)
     );
 
-    flag_delay_x12 normal_flags (
-        .clock(clock),
-        .valid(plane_flags_2_late_valid),
-        .start(plane_flags_2_late_start),
-        .line(plane_flags_2_late_line),
-        .late_valid(normal_flags_late_valid),
-        .late_start(normal_flags_late_start),
-        .late_line(normal_flags_late_line)
-    );
-
-    word_delay_w24_x5 root_delay (
-        .clock(clock),
-        .word(quadric_root),
-        .late(root_delay_late)
-    );
-
     normal_unit normal (
         .clock(clock),
-        .valid(normal_flags_late_valid),
-        .start(normal_flags_late_start),
-        .line(normal_flags_late_line),
+        .valid(valid_late[3]),
+        .start(start_late[3]),
+        .line(line_late[3]),
         .number(merge_nf),
-        .absent(normal_absent),
-        .root(root_delay_late),
+        .absent(merge_zf == 24'sd8388607),
+        .root(root_late_5),
         .shift(shift),
         .gx_a(gx_a),
         .gx_b(gx_b),
@@ -472,56 +393,55 @@ module quadric_processor (
         .ky(ky),
         .kz(kz),
         .plane_0_nx(plane_0_nx),
-        .plane_1_nx(plane_1_nx),
-        .plane_2_nx(plane_2_nx),
         .plane_0_ny(plane_0_ny),
-        .plane_1_ny(plane_1_ny),
-        .plane_2_ny(plane_2_ny),
         .plane_0_nz(plane_0_nz),
+        .plane_1_nx(plane_1_nx),
+        .plane_1_ny(plane_1_ny),
         .plane_1_nz(plane_1_nz),
+        .plane_2_nx(plane_2_nx),
+        .plane_2_ny(plane_2_ny),
         .plane_2_nz(plane_2_nz),
-        .nx(normal_nx),
-        .ny(normal_ny),
-        .nz(normal_nz)
+        .nx(nx),
+        .ny(ny),
+        .nz(nz)
     );
 
-    word_delay_w1_x3 valid_delay (
-        .clock(clock),
-        .word(normal_flags_late_valid),
-        .late(valid_delay_late)
-    );
+    assign in_box = (((x >= box_x0) & (box_x1 >= x)) & (y >= box_y0)) & (box_y1 >= y);
+    assign surface = object_class == 2'd2;
+    assign out_valid = out_valid_late[2];
+    assign zf = zf_late_3;
+    assign zb = zb_late_3;
+    assign number = number_late_3;
 
-    word_delay_w24s_x3 zf_delay (
-        .clock(clock),
-        .word(merge_zf),
-        .late(zf_delay_late)
-    );
-
-    word_delay_w24s_x3 zb_delay (
-        .clock(clock),
-        .word(merge_zb),
-        .late(zb_delay_late)
-    );
-
-    word_delay_w4_x3 number_delay (
-        .clock(clock),
-        .word(merge_nf),
-        .late(number_delay_late)
-    );
-
-    assign right_of_x0 = x >= box_x0;
-    assign left_of_x1 = x <= box_x1;
-    assign below_y0 = y >= box_y0;
-    assign above_y1 = y <= box_y1;
-    assign surface = object_class == patch;
-    assign in_box_word = ((right_of_x0 & left_of_x1) & below_y0) & above_y1;
-    assign normal_absent = merge_zf == absent;
-    assign out_valid = valid_delay_late;
-    assign zf = zf_delay_late;
-    assign zb = zb_delay_late;
-    assign number = number_delay_late;
-    assign nx = normal_nx;
-    assign ny = normal_ny;
-    assign nz = normal_nz;
+    always @(posedge clock) begin
+        in_box_late <= {in_box_late[24:0], in_box};
+        valid_late_1 <= quadric_late_valid;
+        start_late_1 <= quadric_late_start;
+        line_late_1 <= quadric_late_line;
+        valid_late_1_2 <= valid_late_1;
+        start_late_1_2 <= start_late_1;
+        line_late_1_2 <= line_late_1;
+        valid_late_1_3 <= valid_late_1_2;
+        start_late_1_3 <= start_late_1_2;
+        line_late_1_3 <= line_late_1_2;
+        root_late_1 <= quadric_root;
+        root_late_2 <= root_late_1;
+        root_late_3 <= root_late_2;
+        root_late_4 <= root_late_3;
+        root_late_5 <= root_late_4;
+        valid_late <= {valid_late[2:0], valid_late_1_3};
+        start_late <= {start_late[2:0], start_late_1_3};
+        line_late <= {line_late[2:0], line_late_1_3};
+        out_valid_late <= {out_valid_late[1:0], valid_late[3]};
+        zf_late_1 <= merge_zf;
+        zf_late_2 <= zf_late_1;
+        zf_late_3 <= zf_late_2;
+        zb_late_1 <= merge_zb;
+        zb_late_2 <= zb_late_1;
+        zb_late_3 <= zb_late_2;
+        number_late_1 <= merge_nf;
+        number_late_2 <= number_late_1;
+        number_late_3 <= number_late_2;
+    end
 
 endmodule

@@ -11,36 +11,21 @@ module two_volume_merge (
     input  wire [3:0] nf_b,
     input  wire signed [23:0] zb_b,
     input  wire [3:0] nb_b,
-    output wire signed [23:0] zf,
-    output wire [3:0] nf,
-    output wire signed [23:0] zb,
-    output wire [3:0] nb
+    output reg  signed [23:0] zf = 24'sd0,
+    output reg  [3:0] nf = 4'd0,
+    output reg  signed [23:0] zb = 24'sd0,
+    output reg  [3:0] nb = 4'd0
 );
 
     wire b_in_front;
-    reg signed [23:0] kept_zf = 24'sd0;
-    reg [3:0] kept_nf = 4'd0;
-    reg signed [23:0] kept_zb = 24'sd0;
-    reg [3:0] kept_nb = 4'd0;
 
     assign b_in_front = zf_b < zf_a;
-    assign zf = kept_zf;
-    assign nf = kept_nf;
-    assign zb = kept_zb;
-    assign nb = kept_nb;
 
     always @(posedge clock) begin
-        if (b_in_front) begin
-            kept_zf <= zf_b;
-            kept_nf <= nf_b;
-            kept_zb <= zb_b;
-            kept_nb <= nb_b;
-        end else begin
-            kept_zf <= zf_a;
-            kept_nf <= nf_a;
-            kept_zb <= zb_a;
-            kept_nb <= nb_a;
-        end
+        zf <= b_in_front ? zf_b : zf_a;
+        nf <= b_in_front ? nf_b : nf_a;
+        zb <= b_in_front ? zb_b : zb_a;
+        nb <= b_in_front ? nb_b : nb_a;
     end
 
 endmodule
