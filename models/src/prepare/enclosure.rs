@@ -47,7 +47,7 @@ pub(super) fn around(quadric: &[f64; 10], planes: &[[f64; 4]]) -> Option<Cell> {
     let uncut = planes.is_empty().then_some((None, 0));
     let choices = uncut.into_iter().chain(cut).filter_map(|(pair, power)| {
         let closed = closed_about(quadric, pair.map(|pair| pair.map(|k| &planes[k])), power);
-        Some((volume(&closed)?, pair, power))
+        Some((size(&closed)?, pair, power))
     });
     let (_, pair, power) = choices.min_by(|(a, ..), (b, ..)| a.total_cmp(b))?;
     Extent::of_whole(closed(
@@ -102,9 +102,9 @@ where
     TERMS.map(|[i, j]| &p[i] * &s[j] + &p[j] * &s[i])
 }
 
-/// The square of the volume of an ellipsoid, but for a constant; nothing for any other quadric, as far as floating
-/// point tells.
-fn volume(&[a, b, c, d, e, f, g, h, i, j]: &[f64; 10]) -> Option<f64> {
+/// The sum of the squares of the sides of an ellipsoid's box, but for a constant; nothing for any other quadric, as far
+/// as floating point tells. The least volume can belong to a needle.
+fn size(&[a, b, c, d, e, f, g, h, i, j]: &[f64; 10]) -> Option<f64> {
     let [xx, yy, zz] = [b * c - f * f, a * c - e * e, a * b - d * d];
     let [xy, xz, yz] = [e * f - d * c, d * f - b * e, d * e - a * f];
     let determinant = a * xx + d * xy + e * xz;
@@ -113,7 +113,7 @@ fn volume(&[a, b, c, d, e, f, g, h, i, j]: &[f64; 10]) -> Option<f64> {
     // Less the value at the centre.
     let depth = (squares + 2.0 * products) / determinant - j;
     let is_ellipsoid = a > 0.0 && zz > 0.0 && determinant > 0.0 && depth > 0.0;
-    is_ellipsoid.then(|| depth.powi(3) / determinant)
+    is_ellipsoid.then(|| depth * (xx + yy + zz) / determinant)
 }
 
 #[cfg(test)]

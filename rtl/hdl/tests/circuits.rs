@@ -411,3 +411,20 @@ fn what_forward_values_read_is_written() {
         "{text}"
     );
 }
+
+/// A register that nobody reads is not written, and does not read.
+#[test]
+fn what_only_feeds_unread_registers_is_not_read() {
+    let design = Design::of(|| {
+        module("outer", "top", ("x", Bits::input(1)), |(_, x)| {
+            let (_, (_, late)) = module("inner", "inner", ("x", x), |(_, x)| {
+                (("same", x), ("late", x.reg()))
+            });
+            net! { let unread = late.delay(2); }
+            let _ = unread;
+            ("y", x.reg())
+        });
+    });
+    let text = verilog::write(&design.top, "");
+    assert!(text.contains(".late(unused_inner_late)"), "{text}");
+}

@@ -1,7 +1,8 @@
 //! The part of a beam machine that draws: from the raster to the colour of every pixel.
 
 use super::{
-    Lit, MATERIAL, NORMAL, Objects, SHADING, SOURCES, Volumes, WordBus, object_array, volume_array,
+    Lit, MATERIAL, NORMAL, Objects, SHADING, Volumes, WordBus, all_sources, object_array,
+    volume_array,
 };
 use crate::object::Normal;
 use crate::raster::{Flags, Pixel};
@@ -70,14 +71,13 @@ pub fn beam_core(
         let own_material = load.data.low(MATERIAL);
         let write = (load.material, load.address.low(SLOT), own_material);
         let material = memory("materials", 1 << SLOT, write, seen.id.low(SLOT));
-        let all_sources = Bits::new((1 << SOURCES) - 1, SOURCES);
         let flags = match machine.volumes.planes.len() {
-            0 => all_sources,
+            0 => all_sources(),
             _ => {
                 let start = machine.volume_start();
                 let lit = Lit {
                     depth: seen.depth,
-                    flags_in: all_sources,
+                    flags_in: all_sources(),
                 };
                 let words = (take, load.volumes());
                 let scan = (scan.0.delayed(start), scan.1.delayed(start));

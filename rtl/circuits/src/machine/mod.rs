@@ -51,6 +51,7 @@ pub use zone_display::{ZoneScreen, zone_display};
 pub use zone_machine::{ZoneMachine, zone_machine};
 
 use imogene_contract::{shading, words};
+use imogene_hdl::Bits;
 
 /// Bits of a screen coordinate.
 const COORDINATE: u32 = words::COORDINATE as u32;
@@ -62,3 +63,8 @@ const SOURCES: u32 = 16;
 const SHADING: u32 = 32;
 /// Bits of the number of a material.
 const MATERIAL: u32 = shading::MOST_MATERIALS.ilog2();
+
+/// The flags of all sources.
+fn all_sources() -> Bits {
+    Bits::new((1 << SOURCES) - 1, SOURCES)
+}

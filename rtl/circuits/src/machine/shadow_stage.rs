@@ -1,11 +1,10 @@
 //! Sources that reach a point.
 
+use super::{SOURCES, all_sources};
 use imogene_hdl::{Bits, Value, bundle, module, net};
 
 /// Words that one register takes.
 const GROUP: usize = 8;
-/// Flags of sources.
-const SOURCES: u32 = 16;
 
 bundle! {
     /// A shadow or light volume at a point.
@@ -32,13 +31,12 @@ pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
     let inputs = (("flags_in", flags), ("volume", volumes));
     module("shadow_stage", at, inputs, |((_, flags), (_, volumes))| {
         let one = Bits::new(1, SOURCES);
-        let all = Bits::new(0xffff, SOURCES);
         let word = |volume: &Volume| {
             net! {
                 let takes_away = volume.enabled & (volume.inside ^ volume.kind);
                 let mask = one.left_by(volume.source);
             }
-            takes_away.select(!mask, all)
+            takes_away.select(!mask, all_sources())
         };
         let mut level: Vec<Bits> = volumes.iter().map(word).collect();
         level[0] = flags & level[0];

@@ -2,8 +2,8 @@
 
 use super::{
     Beat, Lit, Objects, Raster, SOURCES, Steps, Surface, Volumes, Waits, WordBus, Zone,
-    object_array, raster_control, show_control, stream_slice, volume_array, zone_buffer,
-    zone_control,
+    all_sources, object_array, raster_control, show_control, stream_slice, volume_array,
+    zone_buffer, zone_control,
 };
 use crate::object::absent;
 use crate::raster::{Flags, Pixel};
@@ -111,10 +111,9 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         // What the volumes are told comes from the buffer, which takes what they answer.
         let depth = Int::forward(objects.depth);
         let flags = Bits::forward(SOURCES);
-        let all = Bits::new((1 << SOURCES) - 1, SOURCES);
         let known = Lit {
             depth,
-            flags_in: pass.is_first.select(all, flags),
+            flags_in: pass.is_first.select(all_sources(), flags),
         };
         let lighting = lighting(light, known, (pass.take_volumes, load), &machine.volumes);
         let steps = Steps {
@@ -140,7 +139,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
                 depth: pass.was_drawn.select(seen.surface.depth, background),
                 ..seen.surface
             },
-            flags: pass.was_lit.select(seen.flags, all),
+            flags: pass.was_lit.select(seen.flags, all_sources()),
             sample: pass.sample,
             pass_ends: show.is_last,
             frame_ends: show.is_last & pass.is_last_zone,
@@ -174,7 +173,7 @@ fn lighting(
         return Lighting {
             depth_soon: never,
             flags_soon: never,
-            lit: (never, known.flags_in),
+            lit: (never, all_sources()),
             ends: light.last,
         };
     }

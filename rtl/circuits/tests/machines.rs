@@ -1,0 +1,110 @@
+//! Whole machines of words and slots that no format of the catalogue has.
+
+use imogene_circuits::machine::{BeamMachine, Objects, Slot, Volumes};
+use imogene_circuits::machines::{beam_display, beam_stream};
+use imogene_circuits::object::{Network, Widths};
+use imogene_circuits::video::Output;
+use imogene_contract::command_stream::SHADING_WORD;
+use imogene_contract::shading::BACKGROUND;
+use imogene_contract::video::{Span, VideoMode};
+use imogene_hdl::{Design, Port, Simulator};
+
+/// A colour as pixels have it, and as the word of the background, which has red in its low bits.
+const COLOUR: u64 = 0x12_34_56;
+const BACKGROUND_WORD: u64 = 0x56_34_12;
+
+/// Guard bits, rows that are left out, slots of different planes and halves, volumes of different planes.
+fn machine() -> BeamMachine {
+    let widths = Widths {
+        linear: 24,
+        quadratic: 35,
+        gradient: 19,
+        normal: 11,
+        plane: 23,
+    };
+    let root = Network {
+        sum: 21,
+        digits: 15,
+        rows: 13,
+        rows_per_stage: 4,
+    };
+    let slots = [(0, false), (2, true), (3, false)];
+    BeamMachine {
+        objects: Objects {
+            depth: 19,
+            widths,
+            root,
+            slots: slots
+                .map(|(planes, two_volumes)| Slot {
+                    planes,
+                    two_volumes,
+                })
+                .to_vec(),
+        },
+        volumes: Volumes {
+            depth: 19,
+            widths,
+            root,
+            planes: vec![1, 0],
+        },
+        lights: 1,
+        loader_places: 3,
+    }
+}
+
+/// Sends the background as a whole frame; then the pixels of some clocks from the one on at which it is at work.
+fn pixels(design: &Design, valid: &str, levels: &[&str]) -> Vec<u64> {
+    let mut simulator = Simulator::new(design);
+    // A screen has no receiver that could wait.
+    let is_stream = design.top.ports.iter().any(|port| port.name == "m_tready");
+    let word = [
+        ("s_tlast", 1),
+        ("s_tdest", SHADING_WORD),
+        ("s_tuser", BACKGROUND),
+        ("s_tdata", BACKGROUND_WORD),
+    ];
+    let ready = is_stream.then_some(("m_tready", 1));
+    for (name, value) in word.into_iter().chain(ready) {
+        let port = simulator.port(name);
+        simulator.set(port, value);
+    }
+    let levels: Vec<Port> = levels.iter().map(|name| simulator.port(name)).collect();
+    let [host, valid, swapped] = ["s_tvalid", valid, "swapped"].map(|name| simulator.port(name));
+    let (mut is_new, mut found) = (false, vec![]);
+    for clock in 0..1000 {
+        simulator.set(host, u64::from(clock == 0));
+        simulator.clock();
+        is_new |= simulator.get(swapped) == 1;
+        if is_new && simulator.get(valid) == 1 {
+            let levels = levels.iter().map(|port| simulator.get(*port));
+            found.push(levels.fold(0, |colour, level| colour << 8 | level));
+        }
+    }
+    found
+}
+
+#[test]
+fn a_screen_shows_the_background_of_a_machine_of_any_words() {
+    let output = Output {
+        mode: VideoMode {
+            line: Span::new(8, 1, 2, 3),
+            frame: Span::new(6, 1, 1, 9),
+            hsync_high: false,
+            vsync_high: true,
+        },
+        kernel: 2,
+        has_overlay: true,
+    };
+    let design = beam_display(&machine(), &output);
+    let found = pixels(&design, "de", &["red", "green", "blue"]);
+    assert!(found.len() >= 2 * 8 * 6);
+    assert!(found.iter().all(|colour| *colour == COLOUR));
+}
+
+#[test]
+fn a_machine_of_any_words_streams_its_background() {
+    assert_eq!(machine().bus(), 35);
+    let found = pixels(&beam_stream(&machine(), (8, 6)), "m_tvalid", &["m_tdata"]);
+    assert!(found.len() >= 2 * 8 * 6);
+    assert!(found.iter().all(|colour| *colour == COLOUR));
+}
