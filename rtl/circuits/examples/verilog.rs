@@ -1,4 +1,4 @@
-//! Writes the Verilog of a unit, a file for each module, and prints its lines:
+//! Writes the Verilog of a unit with the parameters of `Parameters::of`, a file for each module, and prints its lines:
 //! `cargo run --release -p imogene-circuits --example verilog -- quadric_pe 24 FOLDER`.
 
 use imogene_circuits::units::{UNITS, design};

@@ -1,6 +1,6 @@
 //! What a unit is built for.
 
-/// Every parameter that a unit may have; a unit reads those that its record names.
+/// Every parameter that a unit may have; a circuit reads those that it has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parameters {
     /// Depth word `W` of the format.

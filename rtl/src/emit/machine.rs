@@ -5,11 +5,10 @@ use crate::format::{MOST_OBJECTS, MOST_PLANES};
 use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
 use imogene_circuits::object::{Network, Widths};
 use imogene_hdl::Design;
-use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// The words from which all others of a machine follow, in bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MachineWords {
     /// Depth word `W`.
     pub depth: usize,
@@ -28,7 +27,7 @@ pub struct MachineWords {
 }
 
 /// Shape of the quadric processor of a slot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SlotShape {
     /// Cut planes, 0 to 12.
     pub planes: usize,
@@ -47,7 +46,7 @@ impl SlotShape {
 }
 
 /// A beam machine.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct MachineRequest {
     /// Its words.
     pub words: MachineWords,

@@ -17,11 +17,10 @@ use imogene_circuits::units;
 use imogene_hdl::Design;
 pub use raw::raw;
 pub use request::EmitRequest;
-use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// Direction of a port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Into the unit.
     Input,
@@ -30,7 +29,7 @@ pub enum Direction {
 }
 
 /// A port of the emitted module.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Port {
     /// Name in the Verilog.
     pub name: String,
@@ -43,7 +42,7 @@ pub struct Port {
 }
 
 /// The Verilog of a unit.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Emitted {
     /// Name of the top module.
     pub top: String,

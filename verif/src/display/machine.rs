@@ -1,10 +1,10 @@
 //! A machine in any engine, seen through its ports.
 
+use crate::engine::circuit::Circuit;
 use crate::engine::design::{Design, DesignError, Instance, Simulator, Source};
 use crate::signal::Signal;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
 use imogene_rtl::emit::{Direction, EmitError, Port};
-use imogene_rtl::simulator::{UnitSimulator, display_simulator};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -39,7 +39,7 @@ impl DisplayEngine {
 }
 
 enum Running {
-    RustHdl(Box<dyn UnitSimulator>),
+    RustHdl(Circuit),
     Verilog(Box<dyn Instance>),
 }
 
@@ -77,7 +77,7 @@ impl Machine {
         };
         let (inputs, outputs) = (of(Direction::Input), of(Direction::Output));
         let running = match engine {
-            DisplayEngine::RustHdl => Running::RustHdl(display_simulator(request)?),
+            DisplayEngine::RustHdl => Running::RustHdl(Circuit::new(&request.design()?)),
             DisplayEngine::Verilog(simulator) => {
                 let design: Box<dyn Design> = simulator.compile(&Source {
                     top: &emitted.top,
@@ -137,9 +137,12 @@ impl Machine {
     /// One clock.
     pub fn clock(&mut self) {
         match &mut self.running {
-            Running::RustHdl(block) => {
-                let words = block.clock(&self.given);
-                self.found = words.into_iter().map(Some).collect();
+            Running::RustHdl(circuit) => {
+                let given: Vec<i64> = self.given.iter().map(|bits| *bits as i64).collect();
+                circuit.clock(&given);
+                for (index, signal) in self.outputs.iter().enumerate() {
+                    self.found[index] = Some(signal.bits(circuit.output(index)));
+                }
             }
             Running::Verilog(instance) => instance.clock(&self.given, &mut self.found),
         }

@@ -1,18 +1,14 @@
 //! The built-in engine: the simulator of the circuits themselves, in process, no outside tool.
 
+use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
-use crate::signal::Signal;
-use imogene_hdl::{Port, Simulator};
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitError, EmitRequest, design};
 
 /// A beam machine in its own simulator.
 pub struct BuiltIn {
-    simulator: Simulator,
-    /// `go`, `width`, `height`, and the load bus.
-    inputs: [Port; 7],
-    outputs: Vec<(Signal, Port)>,
+    circuit: Circuit,
     /// Signals inside a slot, and what each is called there.
     inside: Vec<(ProbeSignal, String)>,
 }
@@ -62,55 +58,31 @@ impl BuiltIn {
             objects: shape.objects,
             ..EmitRequest::new(Unit::Beam)
         };
-        let simulator = Simulator::new(&design(&request)?);
-        let inputs = [
-            "go",
-            "width",
-            "height",
-            "load_valid",
-            "load_object",
-            "load_address",
-            "load_data",
-        ];
-        let outputs = MachineOutputs::signals(shape.depth_word).into_iter();
         let inside = processor_signals(shape).into_iter().map(|probe| {
             let point = point(&probe.signal.name);
             (probe, point)
         });
         Ok(BuiltIn {
-            inputs: inputs.map(|name| simulator.port(name)),
-            outputs: outputs
-                .map(|signal| {
-                    let port = simulator.port(&signal.name);
-                    (signal, port)
-                })
-                .collect(),
+            circuit: Circuit::new(&design(&request)?),
             inside: inside.collect(),
-            simulator,
         })
-    }
-
-    fn step(&mut self, words: [u64; 7]) {
-        for (port, word) in self.inputs.iter().zip(words) {
-            self.simulator.set(*port, word);
-        }
-        self.simulator.clock();
     }
 }
 
 impl Engine for BuiltIn {
     fn load(&mut self, object: u8, word: &LoadWord) {
-        self.step([0, 0, 0, 1, object.into(), word.address.into(), word.bits]);
+        let [object, address] = [object, word.address].map(i64::from);
+        let bits = word.bits as i64;
+        self.circuit.clock(&[0, 0, 0, 1, object, address, bits]);
     }
 
     fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs {
-        let [width, height] = [inputs.width, inputs.height].map(u64::from);
-        self.step([inputs.go.into(), width, height, 0, 0, 0, 0]);
-        let mut outputs = MachineOutputs::default();
-        for (value, (signal, port)) in outputs.values.iter_mut().zip(&self.outputs) {
-            *value = Some(signal.value(self.simulator.get(*port)));
+        let [width, height] = [inputs.width, inputs.height].map(i64::from);
+        let go = inputs.go.into();
+        self.circuit.clock(&[go, width, height, 0, 0, 0, 0]);
+        MachineOutputs {
+            values: std::array::from_fn(|index| Some(self.circuit.output(index))),
         }
-        outputs
     }
 
     fn inside(&self) -> Vec<ProbeSignal> {
@@ -118,14 +90,12 @@ impl Engine for BuiltIn {
     }
 
     fn probe(&mut self, object: usize) -> Vec<i64> {
-        let BuiltIn {
-            simulator, inside, ..
-        } = self;
+        let BuiltIn { circuit, inside } = self;
         let read = |(probe, point): &(ProbeSignal, String)| {
             let path = format!("processors_{object}.{point}");
-            let found = simulator.point(&path);
-            let port = found.unwrap_or_else(|| panic!("the machine has no point {path}"));
-            probe.signal.value(simulator.get(port))
+            let bits = circuit.point(&path);
+            let bits = bits.unwrap_or_else(|| panic!("the machine has no point {path}"));
+            probe.signal.value(bits)
         };
         inside.iter().map(read).collect()
     }

@@ -1,4 +1,4 @@
-//! A circuit by itself, stepped by hand with plain numbers.
+//! A circuit in its own simulator, stepped by hand with plain numbers.
 
 use crate::signal::Signal;
 use imogene_hdl::{Design, Direction, Port, Simulator};
@@ -17,8 +17,12 @@ impl Circuit {
     ///
     /// If the circuit is refused.
     pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
-        let design = Design::of(build);
-        let simulator = Simulator::new(&design);
+        Circuit::new(&Design::of(build))
+    }
+
+    /// A fresh instance of a design.
+    pub fn new(design: &Design) -> Circuit {
+        let simulator = Simulator::new(design);
         let inputs = design.top.ports_of(Direction::In);
         let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
         let output = design.top.ports_of(Direction::Out).map(|port| {
@@ -35,7 +39,7 @@ impl Circuit {
         }
     }
 
-    /// Gives one clock with the inputs in their order.
+    /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
         for (port, value) in self.inputs.iter().zip(inputs) {
             self.simulator.set(*port, *value as u64);
@@ -47,6 +51,12 @@ impl Circuit {
     pub fn output(&mut self, index: usize) -> i64 {
         let (signal, port) = &self.outputs[index];
         signal.value(self.simulator.get(*port))
+    }
+
+    /// The bits of a point inside, as [`Simulator::point`] finds it.
+    pub fn point(&mut self, path: &str) -> Option<u64> {
+        let port = self.simulator.point(path)?;
+        Some(self.simulator.get(port))
     }
 
     /// The value of the output of this name.

@@ -27,12 +27,13 @@ mod volume;
 pub mod words;
 mod zone;
 
+use crate::engine::circuit::Circuit;
 use crate::signal::Signal;
 use crate::subject::{Golden, Hardware, Inputs, Stimulus, Subject};
+use imogene_hdl::Direction;
 use imogene_models::format::{Format, FormatError};
 use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Direction, EmitError, EmitRequest, emit};
-use imogene_rtl::simulator::{UnitSimulator, unit_simulator};
+use imogene_rtl::emit::{EmitError, EmitRequest, design};
 use thiserror::Error;
 
 /// Parameters of a unit under co-simulation.
@@ -282,56 +283,45 @@ fn describe(p: &EmitRequest, format: Format) -> Description {
     }
 }
 
-/// The unit in rust-hdl's simulator, its ports matched by name.
+/// The unit in its own simulator, its ports matched by name.
 struct UnitHardware {
-    simulator: Box<dyn UnitSimulator>,
-    inputs: Vec<(usize, Signal)>,
-    outputs: Vec<(usize, Signal)>,
+    circuit: Circuit,
+    /// For each port of a direction the signal that it is.
+    inputs: Vec<usize>,
+    outputs: Vec<usize>,
 }
 
 impl UnitHardware {
     fn new(request: &EmitRequest, inputs: &[Signal], outputs: &[Signal]) -> UnitHardware {
-        let ports = emit(request).expect("a checked request").ports;
-        let place = |signals: &[Signal], direction: Direction| -> Vec<(usize, Signal)> {
+        let design = design(request).expect("a checked request");
+        let place = |signals: &[Signal], direction: Direction| -> Vec<usize> {
+            let ports = design.top.ports_of(direction);
             ports
-                .iter()
-                .filter(|port| port.direction == direction && port.name != "clock")
                 .map(|port| {
-                    let index = signals
-                        .iter()
-                        .position(|s| s.name == port.name)
-                        .unwrap_or_else(|| panic!("no signal for port '{}'", port.name));
-                    let signal = signals[index].clone();
-                    let (width, signed) = (port.width as u32, port.signed);
-                    assert_eq!(
-                        (signal.width, signal.signed),
-                        (width, signed),
-                        "{}",
-                        port.name
-                    );
-                    (index, signal)
+                    let name = &port.name;
+                    let index = signals.iter().position(|signal| signal.name == *name);
+                    let index = index.unwrap_or_else(|| panic!("no signal for port '{name}'"));
+                    let Signal { width, signed, .. } = signals[index];
+                    assert_eq!((width, signed), (port.width, port.signed), "{name}");
+                    index
                 })
                 .collect()
         };
         UnitHardware {
-            simulator: unit_simulator(request).expect("a checked request"),
-            inputs: place(inputs, Direction::Input),
-            outputs: place(outputs, Direction::Output),
+            circuit: Circuit::new(&design),
+            inputs: place(inputs, Direction::In),
+            outputs: place(outputs, Direction::Out),
         }
     }
 }
 
 impl Hardware for UnitHardware {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        let words: Vec<u64> = self
-            .inputs
-            .iter()
-            .map(|(index, signal)| signal.bits(inputs[*index]))
-            .collect();
-        let found = self.simulator.clock(&words);
+        let words: Vec<i64> = self.inputs.iter().map(|index| inputs[*index]).collect();
+        self.circuit.clock(&words);
         let mut values = vec![None; self.outputs.len()];
-        for ((index, signal), bits) in self.outputs.iter().zip(found) {
-            values[*index] = Some(signal.value(bits));
+        for (port, index) in self.outputs.iter().enumerate() {
+            values[*index] = Some(self.circuit.output(port));
         }
         values
     }
