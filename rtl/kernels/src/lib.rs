@@ -1,0 +1,37 @@
+//! The main circuits of imogene as plain kernels of rust-hdl, with its own derive, `Bits`, `Signed` and `DFF`.
+//!
+//! They are an example for those who know rust-hdl, and a witness: rust-hdl's own simulation and printer run on them,
+//! and none of our own code does. `rtl/circuits` has the same circuits as functions, whose widths are known when they
+//! are built. `docs/kernels.md` says how both are proven the same.
+//!
+//! Rules that keep the printed Verilog what the simulation is: one arithmetic operation for each signal, constants of
+//! the exact width, no comparison of a sum, mixed operators in parentheses.
+
+mod cut_plane;
+mod decider;
+mod pe1;
+mod pe2;
+mod square_root;
+mod visibility_node;
+
+pub use cut_plane::CutPlane;
+pub use decider::Decider;
+pub use pe1::Pe1;
+pub use pe2::Pe2;
+pub use square_root::{SquareRoot, SquareRootRow, SquareRootStage};
+pub use visibility_node::{Candidate, Nearest, VisibilityNode};
+
+use rust_hdl::core::prelude::{Block, generate_verilog};
+
+/// What rust-hdl prints of a kernel, with `_` in the place of its `$`, so that ports are called as in `rtl/circuits`.
+/// The module is called `top`.
+///
+/// # Panics
+///
+/// With what rust-hdl's check found: a signal that is not driven, or a loop.
+pub fn verilog<K: Block>(kernel: &mut K) -> String {
+    kernel.connect_all();
+    generate_verilog(kernel)
+        .replace('$', "_")
+        .replace("nearest_", "")
+}

@@ -1,0 +1,51 @@
+//! First-degree elementary processor.
+
+use rust_hdl::prelude::*;
+
+/// `value(x, y) = a x + b y + c` modulo `2^W`, one pixel per clock. Latency 1. Section 2.3.2.
+#[derive(LogicBlock, Default)]
+pub struct Pe1<const W: usize> {
+    /// Clock.
+    pub clock: Signal<In, Clock>,
+    /// This clock carries a pixel.
+    pub valid: Signal<In, Bit>,
+    /// First pixel of the zone.
+    pub start: Signal<In, Bit>,
+    /// First pixel of a later line.
+    pub line: Signal<In, Bit>,
+    /// Increment along the line.
+    pub a: Signal<In, Signed<W>>,
+    /// Increment from line to line.
+    pub b: Signal<In, Signed<W>>,
+    /// Value of the first pixel.
+    pub c: Signal<In, Signed<W>>,
+    /// Value of the pixel.
+    pub value: Signal<Out, Signed<W>>,
+    kept_a: DFF<Signed<W>>,
+    kept_b: DFF<Signed<W>>,
+    line_value: DFF<Signed<W>>,
+    pixel_value: DFF<Signed<W>>,
+    next_line: Signal<Local, Signed<W>>,
+}
+
+impl<const W: usize> Logic for Pe1<W> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, kept_a, kept_b, line_value, pixel_value);
+        self.next_line.next = self.line_value.q.val() + self.kept_b.q.val();
+        if self.valid.val() {
+            if self.start.val() {
+                self.kept_a.d.next = self.a.val();
+                self.kept_b.d.next = self.b.val();
+                self.line_value.d.next = self.c.val();
+                self.pixel_value.d.next = self.c.val();
+            } else if self.line.val() {
+                self.line_value.d.next = self.next_line.val();
+                self.pixel_value.d.next = self.next_line.val();
+            } else {
+                self.pixel_value.d.next = self.pixel_value.q.val() + self.kept_a.q.val();
+            }
+        }
+        self.value.next = self.pixel_value.q.val();
+    }
+}

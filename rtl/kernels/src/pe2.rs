@@ -1,0 +1,74 @@
+//! Second-degree elementary processor.
+
+use rust_hdl::prelude::*;
+
+/// `value(x, y) = a x^2 + b y^2 + c xy + d x + e y + f` modulo `2^W` from preconditioned words, one pixel per clock.
+/// Latency 1. Sections 2.3.2 and B.2.1.
+#[derive(LogicBlock, Default)]
+pub struct Pe2<const W: usize> {
+    /// Clock.
+    pub clock: Signal<In, Clock>,
+    /// This clock carries a pixel.
+    pub valid: Signal<In, Bit>,
+    /// First pixel of the zone.
+    pub start: Signal<In, Bit>,
+    /// First pixel of a later line.
+    pub line: Signal<In, Bit>,
+    /// Second difference along the line.
+    pub a2: Signal<In, Signed<W>>,
+    /// Second difference from line to line.
+    pub b2: Signal<In, Signed<W>>,
+    /// Mixed difference.
+    pub c: Signal<In, Signed<W>>,
+    /// Increment from the first line to the second.
+    pub i0: Signal<In, Signed<W>>,
+    /// Increment from the first pixel to the second.
+    pub p0: Signal<In, Signed<W>>,
+    /// Value of the first pixel.
+    pub f: Signal<In, Signed<W>>,
+    /// Value of the pixel.
+    pub value: Signal<Out, Signed<W>>,
+    kept_a2: DFF<Signed<W>>,
+    kept_b2: DFF<Signed<W>>,
+    kept_c: DFF<Signed<W>>,
+    line_value: DFF<Signed<W>>,
+    line_step: DFF<Signed<W>>,
+    first_step: DFF<Signed<W>>,
+    pixel_step: DFF<Signed<W>>,
+    pixel_value: DFF<Signed<W>>,
+    next_line: Signal<Local, Signed<W>>,
+    next_first_step: Signal<Local, Signed<W>>,
+}
+
+impl<const W: usize> Logic for Pe2<W> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, kept_a2, kept_b2, kept_c);
+        dff_setup!(self, clock, line_value, line_step, first_step);
+        dff_setup!(self, clock, pixel_value, pixel_step);
+        self.next_line.next = self.line_value.q.val() + self.line_step.q.val();
+        self.next_first_step.next = self.first_step.q.val() + self.kept_c.q.val();
+        if self.valid.val() {
+            if self.start.val() {
+                self.kept_a2.d.next = self.a2.val();
+                self.kept_b2.d.next = self.b2.val();
+                self.kept_c.d.next = self.c.val();
+                self.line_value.d.next = self.f.val();
+                self.line_step.d.next = self.i0.val();
+                self.first_step.d.next = self.p0.val();
+                self.pixel_value.d.next = self.f.val();
+                self.pixel_step.d.next = self.p0.val();
+            } else if self.line.val() {
+                self.line_value.d.next = self.next_line.val();
+                self.line_step.d.next = self.line_step.q.val() + self.kept_b2.q.val();
+                self.first_step.d.next = self.next_first_step.val();
+                self.pixel_value.d.next = self.next_line.val();
+                self.pixel_step.d.next = self.next_first_step.val();
+            } else {
+                self.pixel_value.d.next = self.pixel_value.q.val() + self.pixel_step.q.val();
+                self.pixel_step.d.next = self.pixel_step.q.val() + self.kept_a2.q.val();
+            }
+        }
+        self.value.next = self.pixel_value.q.val();
+    }
+}

@@ -1,0 +1,16 @@
+//! The kernels stay an example that is read in one sitting.
+
+use std::fs::{read_dir, read_to_string};
+
+const MOST_LINES: usize = 600;
+
+#[test]
+fn the_source_has_at_most_600_lines() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
+    let files = read_dir(folder).expect("the source of the kernels");
+    let lines: usize = files
+        .map(|file| read_to_string(file.expect("a file").path()).expect("a text"))
+        .map(|text| text.lines().count())
+        .sum();
+    assert!((1..=MOST_LINES).contains(&lines), "{lines} lines");
+}
