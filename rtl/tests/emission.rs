@@ -4,30 +4,7 @@ mod support;
 
 use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{EmitError, EmitRequest, emit, raw};
-use support::{run, write, write_split};
-
-/// Every unit in shapes that reach the ends of the ranges.
-fn requests() -> Vec<EmitRequest> {
-    let shapes = [
-        (24, 3, 1, 4),
-        (16, 0, 16, 1),
-        (20, 1, 7, 2),
-        (28, 2, 5, 3),
-        (32, 12, 4, 5),
-    ];
-    let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
-        depth_word,
-        // A polyhedron has a plane at least.
-        planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
-        rows_per_stage,
-        objects,
-        ..EmitRequest::new(unit)
-    };
-    Unit::ALL
-        .into_iter()
-        .flat_map(|unit| shapes.map(|shape| request(unit, shape)))
-        .collect()
-}
+use support::{requests, run, write, write_split};
 
 #[test]
 fn icarus_accepts_every_unit_without_a_warning() {

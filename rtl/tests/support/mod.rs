@@ -1,6 +1,7 @@
 //! What the tests share: shapes, a random source, the Verilog tools and a generated test bench.
 #![allow(dead_code)]
 
+use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -36,6 +37,29 @@ impl Random {
             }
         }
     }
+}
+
+/// Every unit in shapes that reach the ends of the ranges.
+pub fn requests() -> Vec<EmitRequest> {
+    let shapes = [
+        (24, 3, 1, 4),
+        (16, 0, 16, 1),
+        (20, 1, 7, 2),
+        (28, 2, 5, 3),
+        (32, 12, 4, 5),
+    ];
+    let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
+        depth_word,
+        // A polyhedron has a plane at least.
+        planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
+        rows_per_stage,
+        objects,
+        ..EmitRequest::new(unit)
+    };
+    Unit::ALL
+        .into_iter()
+        .flat_map(|unit| shapes.map(|shape| request(unit, shape)))
+        .collect()
 }
 
 /// A fresh directory for a test.
