@@ -23,8 +23,8 @@ pub use visibility_node::{Candidate, Nearest, VisibilityNode};
 
 use rust_hdl::core::prelude::{Block, generate_verilog};
 
-/// What rust-hdl prints of a kernel, with `_` in the place of its `$`, so that ports are called as in `rtl/circuits`.
-/// The module is called `top`.
+/// What rust-hdl prints of a kernel, as module `top`. Ports are called as in `rtl/circuits`: `_` stands for its `$`,
+/// and outputs have no name together.
 ///
 /// # Panics
 ///

@@ -7,7 +7,7 @@
 use rust_hdl::prelude::*;
 
 /// What an object says of a pixel.
-#[derive(LogicInterface, Default, Clone, Debug)]
+#[derive(LogicInterface, Default)]
 #[join = "Nearest"]
 pub struct Candidate<const D: usize, const N: usize> {
     /// Depth, the far end where it is absent.
@@ -25,7 +25,7 @@ pub struct Candidate<const D: usize, const N: usize> {
 }
 
 /// The same of the object that is chosen.
-#[derive(LogicInterface, Default, Clone, Debug)]
+#[derive(LogicInterface, Default)]
 #[join = "Candidate"]
 pub struct Nearest<const D: usize, const N: usize> {
     /// Depth, the far end where none is there.
