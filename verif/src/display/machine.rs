@@ -39,7 +39,7 @@ impl DisplayEngine {
 }
 
 enum Running {
-    RustHdl(Circuit),
+    RustHdl(Box<Circuit>),
     Verilog(Box<dyn Instance>),
 }
 
@@ -77,7 +77,7 @@ impl Machine {
         };
         let (inputs, outputs) = (of(Direction::Input), of(Direction::Output));
         let running = match engine {
-            DisplayEngine::RustHdl => Running::RustHdl(Circuit::new(&request.design()?)),
+            DisplayEngine::RustHdl => Running::RustHdl(Box::new(Circuit::new(&request.design()?))),
             DisplayEngine::Verilog(simulator) => {
                 let design: Box<dyn Design> = simulator.compile(&Source {
                     top: &emitted.top,
