@@ -48,16 +48,21 @@ pub use unit::{Contract, Demo, Emit, Package, Processors, Roots, Shape};
 #[command(version, propagate_version = true)]
 pub struct Arguments {
     /// Print one JSON document on standard output and nothing else there.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = "Any command")]
     pub json: bool,
     /// Refuse a scene if one of its objects cannot be drawn, with exit code 2, in the place of leaving the object out.
-    #[arg(long, global = true, conflicts_with = "allow_missing")]
+    #[arg(
+        long,
+        global = true,
+        help_heading = "Any command",
+        conflicts_with = "allow_missing"
+    )]
     pub strict: bool,
     /// End with exit code 0 though an object that cannot be drawn is left out.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = "Any command")]
     pub allow_missing: bool,
     /// Most memory to take, such as 512M or 2G, for scenes of very many objects [default: what the machine has].
-    #[arg(long, global = true, value_name = "SIZE", value_parser = bytes)]
+    #[arg(long, global = true, help_heading = "Any command", value_name = "SIZE", value_parser = bytes)]
     pub max_memory: Option<u64>,
     /// What to do.
     #[command(subcommand)]

@@ -1,29 +1,14 @@
 //! A unit as an IP core: a folder with Verilog, contract, self-checking bench and FuseSoC core file.
 
-use crate::contract::{Contract, ContractError, of_emitted};
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitError, EmitRequest, emit};
+use crate::contract::{Contract, of_emitted};
+use imogene_contract::{Request, RequestError, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::bench;
-use imogene_verif::unit::{Parameters, UnitError, subject};
+use imogene_verif::unit::subject;
 use std::fmt::Write;
-use thiserror::Error;
 
 /// Seed of the vectors: the same package each time.
 const SEED: u64 = 1;
-
-/// Why a unit cannot be packaged.
-#[derive(Debug, Error)]
-pub enum PackageError {
-    /// The unit cannot be emitted.
-    #[error("{0}")]
-    Emit(EmitError),
-    /// Its contract and its Verilog differ.
-    #[error(transparent)]
-    Contract(#[from] ContractError),
-    /// It has no golden model.
-    #[error(transparent)]
-    Subject(#[from] UnitError),
-}
 
 /// A file of a package: path below its folder, with `/`, and text.
 pub type File = (String, String);
@@ -36,7 +21,7 @@ pub type File = (String, String);
 /// # Errors
 ///
 /// A defect of this workspace, if any.
-pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, PackageError> {
+pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, RequestError> {
     let mut files = vec![("README.md".to_owned(), readme(units, clocks))];
     for &unit in units {
         let core = core(unit, clocks)?;
@@ -51,13 +36,9 @@ pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, PackageError>
 /// # Errors
 ///
 /// As for [`package`].
-pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, PackageError> {
-    let parameters = Parameters {
-        planes: unit.default_planes(),
-        ..Parameters::default()
-    };
-    let request: EmitRequest = parameters.request(unit);
-    let emitted = emit(&request).map_err(PackageError::Emit)?;
+pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, RequestError> {
+    let request = Request::new(unit);
+    let emitted = emit(&request)?;
     let contract = of_emitted(&request, &emitted)?;
     let verilog = emitted.files();
     let names: Vec<String> = verilog
@@ -78,7 +59,7 @@ pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, PackageError> {
             .zip(verilog.into_iter().map(|(_, text)| text)),
     );
     if clocks > 0 {
-        let subject = subject(unit.name(), parameters)?;
+        let subject = subject(&request)?;
         let stimulus = subject.seeded_stimulus(clocks, SEED);
         let bench = bench::files(&subject, &emitted.top, &stimulus);
         files.extend(
@@ -167,7 +148,7 @@ fn readme(units: &[Unit], clocks: usize) -> String {
         let _ = writeln!(
             text,
             "| [{name}]({name}/CONTRACT.md) | {} |",
-            unit.contract()
+            unit.record().computes
         );
     }
     text

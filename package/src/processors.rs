@@ -1,7 +1,7 @@
 //! The object processors of the two source machines side by side: what each is made of here, and what the sources count.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Census, EmitError, EmitRequest, census};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::{Census, EmitError, census};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -123,14 +123,13 @@ pub fn processors() -> Result<Vec<Processor>, EmitError> {
 }
 
 fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, EmitError> {
-    let has = |option: &str| unit.parameters().iter().any(|p| p.option == option);
-    let mut request = EmitRequest::new(*unit);
+    let mut request = Request::new(*unit);
     let mut parameters = String::new();
-    if has("planes") {
-        request.planes = *count;
+    if unit.has("planes") {
+        request.planes = *count as u32;
         parameters = format!("{count} planes");
-    } else if has("sides") {
-        request.sides = Some(*count);
+    } else if unit.has("sides") {
+        request.sides = *count as u32;
         parameters = format!("{count} sides");
     }
     let Census {
@@ -147,9 +146,9 @@ fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, Em
         roots,
         multipliers,
         latency: request.latency(),
-        latency_formula: unit.latency_formula(),
+        latency_formula: unit.record().latency,
         source,
-        section: unit.source(),
+        section: unit.record().source,
         difference,
     })
 }

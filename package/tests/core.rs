@@ -1,7 +1,7 @@
 //! The committed cores, and benches that find a wrong vector. Needs the package 'iverilog'. FuseSoC runs every core with `IMOGENE_FULL=1`.
 
+use imogene_contract::Unit;
 use imogene_package::core::{File, core, package};
-use imogene_rtl::catalogue::Unit;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,15 +1,15 @@
 //! Lines and modules of every unit at the base format: `cargo run --release --example emit_sizes [DIR]`. With a directory, the
 //! Verilog is written there.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use std::error::Error;
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let directory = std::env::args().nth(1);
     for unit in Unit::ALL {
-        let emitted = emit(&EmitRequest::new(unit))?;
+        let emitted = emit(&Request::new(unit))?;
         let text = emitted.bundle();
         println!(
             "{}: {} lines, {} modules",

@@ -2,8 +2,8 @@
 
 mod support;
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitError, EmitRequest, emit, raw};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::{EmitError, emit, raw};
 use support::{requests, run, write, write_split};
 
 #[test]
@@ -64,7 +64,7 @@ fn verilator_accepts_every_unit_without_a_warning() {
 #[test]
 fn the_same_request_gives_the_same_text() {
     for unit in Unit::ALL {
-        let request = EmitRequest::new(unit);
+        let request = Request::new(unit);
         assert_eq!(emit(&request), emit(&request));
     }
 }
@@ -84,12 +84,12 @@ fn identifiers_carry_no_dollar_and_the_top_is_the_unit() {
 
 #[test]
 fn equal_blocks_become_one_module() {
-    let emitted = emit(&EmitRequest::new(Unit::SquareRoot)).unwrap();
+    let emitted = emit(&Request::new(Unit::SquareRoot)).unwrap();
     assert_eq!(emitted.modules.len(), 3, "network, stage and row");
-    let beam = emit(&EmitRequest::new(Unit::Beam)).unwrap();
-    let more = emit(&EmitRequest {
+    let beam = emit(&Request::new(Unit::Beam)).unwrap();
+    let more = emit(&Request {
         objects: 8,
-        ..EmitRequest::new(Unit::Beam)
+        ..Request::new(Unit::Beam)
     })
     .unwrap();
     assert!(
@@ -100,9 +100,9 @@ fn equal_blocks_become_one_module() {
 
 #[test]
 fn ports_are_listed_as_they_stand() {
-    let emitted = emit(&EmitRequest {
+    let emitted = emit(&Request {
         planes: 2,
-        ..EmitRequest::new(Unit::QuadricProcessor)
+        ..Request::new(Unit::QuadricProcessor)
     })
     .unwrap();
     let port = |name: &str| emitted.ports.iter().find(|port| port.name == name).unwrap();
@@ -117,58 +117,83 @@ fn ports_are_listed_as_they_stand() {
 
 #[test]
 fn bad_requests_name_the_value_and_the_range() {
-    let good = EmitRequest::new(Unit::Beam);
-    let refused = |request: EmitRequest| emit(&request).unwrap_err().to_string();
-    let format = refused(EmitRequest {
-        depth_word: 23,
-        ..good
-    });
-    assert!(
-        format.contains("23") && format.contains("16, 20, 24, 28, 32"),
-        "{format}"
-    );
-    let planes = refused(EmitRequest { planes: 13, ..good });
-    assert!(
-        planes.contains("13") && planes.contains("0 to 12"),
-        "{planes}"
-    );
-    let rows = refused(EmitRequest {
-        rows_per_stage: 0,
-        ..good
-    });
-    assert!(rows.contains("0") && rows.contains("1 to 24"), "{rows}");
-    assert!(
-        refused(EmitRequest {
-            rows_per_stage: 25,
-            ..good
-        })
-        .contains("25")
-    );
-    assert!(refused(EmitRequest { objects: 0, ..good }).contains("1 to 256"));
-    assert!(
-        refused(EmitRequest {
-            objects: 257,
-            ..good
-        })
-        .contains("257")
-    );
-    let short = EmitRequest {
-        digits: Some(25),
-        ..EmitRequest::new(Unit::SquareRootRows)
+    for (name, depth_word, option, value, says) in [
+        (
+            "beam",
+            23,
+            "planes",
+            3,
+            "format 23 is not in the catalogue; legal formats are 16, 20, 24, 28, 32",
+        ),
+        (
+            "beam",
+            24,
+            "planes",
+            13,
+            "planes = 13 is out of range; legal values are 0 to 12",
+        ),
+        (
+            "beam",
+            24,
+            "rows-per-stage",
+            0,
+            "rows-per-stage = 0 is out of range; legal values are 1 to 24",
+        ),
+        (
+            "beam",
+            24,
+            "rows-per-stage",
+            25,
+            "rows-per-stage = 25 is out of range",
+        ),
+        (
+            "beam",
+            24,
+            "objects",
+            0,
+            "objects = 0 is out of range; legal values are 1 to 256",
+        ),
+        ("beam", 24, "objects", 257, "objects = 257 is out of range"),
+        (
+            "square_root_rows",
+            24,
+            "digits",
+            25,
+            "digits = 25 is out of range; legal values are 1 to 24",
+        ),
+        (
+            "square_root_linear",
+            24,
+            "corrections",
+            3,
+            "corrections = 3 is out of range; legal values are 0 to 2",
+        ),
+        (
+            "card_decider",
+            24,
+            "objects",
+            200,
+            "objects times cards = 400 is out of range",
+        ),
+        (
+            "beam",
+            24,
+            "corrections",
+            1,
+            "the unit `beam` has no parameter `corrections`",
+        ),
+    ] {
+        let refused = Request::given(name, depth_word, &[(option, Some(value))]).unwrap_err();
+        assert!(refused.to_string().contains(says), "{refused}");
+    }
+    let unchecked = Request {
+        planes: 13,
+        ..Request::new(Unit::Beam)
     };
-    assert!(refused(short).contains("digits = 25 is out of range; legal values are 1 to 24"));
-    let corrected = EmitRequest {
-        corrections: Some(3),
-        ..EmitRequest::new(Unit::SquareRootLinear)
-    };
-    assert!(
-        refused(corrected).contains("corrections = 3 is out of range; legal values are 0 to 2")
-    );
-    let foreign = EmitRequest {
-        corrections: Some(1),
-        ..good
-    };
-    assert!(refused(foreign).contains("the unit `beam` has no parameter `corrections`"));
+    assert!(matches!(
+        emit(&unchecked),
+        Err(EmitError::Range { value: 13, .. })
+    ));
     let unit = Unit::from_name("pe3").unwrap_err();
     assert!(matches!(&unit, EmitError::Unit { name } if name == "pe3"));
     assert!(unit.to_string().contains("quadric_processor"));
@@ -177,9 +202,9 @@ fn bad_requests_name_the_value_and_the_range() {
 /// rust-hdl's own text of the same block repeats every array element and every register as a module of its own.
 #[test]
 fn the_root_network_takes_an_eighth_of_the_lines_of_the_raw_text() {
-    let raw = raw(&EmitRequest::new(Unit::SquareRoot)).unwrap();
+    let raw = raw(&Request::new(Unit::SquareRoot)).unwrap();
     let raw = raw.lines().count();
-    let emitted = emit(&EmitRequest::new(Unit::SquareRoot)).unwrap();
+    let emitted = emit(&Request::new(Unit::SquareRoot)).unwrap();
     let lines = emitted.bundle().lines().count();
     println!(
         "raw {raw} lines, emitted {lines}, ratio {:.1}",

@@ -2,15 +2,12 @@
 
 mod support;
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, Emitted, emit, emit_with_prefix};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::{Emitted, emit, emit_with_prefix};
 use support::{Random, directory, run};
 
 fn root(depth_word: usize, prefix: &str) -> Emitted {
-    let request = EmitRequest {
-        depth_word,
-        ..EmitRequest::new(Unit::SquareRoot)
-    };
+    let request = Request::of(Unit::SquareRoot, depth_word as u32);
     emit_with_prefix(&request, prefix).unwrap()
 }
 
@@ -67,7 +64,7 @@ fn two_widths_of_one_unit_work_in_one_design() {
 #[test]
 fn a_prefix_changes_the_names_of_modules_and_nothing_else() {
     for unit in Unit::ALL {
-        let request = EmitRequest::new(unit);
+        let request = Request::new(unit);
         let plain = emit(&request).unwrap();
         let named = emit_with_prefix(&request, "mine_").unwrap();
         assert_eq!(named.top, format!("mine_{}", unit.name()));
@@ -90,7 +87,7 @@ fn a_prefix_changes_the_names_of_modules_and_nothing_else() {
 #[test]
 fn a_prefix_that_begins_no_identifier_is_refused() {
     for prefix in ["", "1st_", "_a", "a-b", "a__b", "a b", "a$", "\u{e4}_"] {
-        let refused = emit_with_prefix(&EmitRequest::new(Unit::Pe1), prefix).unwrap_err();
+        let refused = emit_with_prefix(&Request::new(Unit::Pe1), prefix).unwrap_err();
         let message = refused.to_string();
         assert!(
             message.contains(&format!("`{prefix}`")) && message.contains("begin with a letter"),

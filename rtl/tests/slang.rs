@@ -4,11 +4,11 @@
 mod support;
 
 use imogene_contract::video::VideoMode;
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::display::{
     BeamShape, DisplayKind, DisplayRequest, OutputShape, ZoneShape, emit_display,
 };
-use imogene_rtl::emit::{EmitRequest, Emitted, emit};
+use imogene_rtl::emit::{Emitted, emit};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::{requests, write};
@@ -41,8 +41,8 @@ fn assert_clean(files: &[PathBuf]) {
 
 #[test]
 fn slang_accepts_every_unit_without_a_warning() {
-    let base = Unit::ALL.into_iter().map(EmitRequest::new);
-    let file = |(index, request): (usize, EmitRequest)| {
+    let base = Unit::ALL.into_iter().map(Request::new);
+    let file = |(index, request): (usize, Request)| {
         let name = format!("slang-{}-{index}", request.unit.name());
         write(&name, &emit(&request).expect("legal parameters"))
     };
@@ -99,7 +99,7 @@ fn slang_accepts_both_machines_without_a_warning() {
 /// Texts with a fault each.
 #[test]
 fn slang_finds_faults() {
-    let emitted = emit(&EmitRequest::new(Unit::SquareRoot)).expect("legal parameters");
+    let emitted = emit(&Request::new(Unit::SquareRoot)).expect("legal parameters");
     let difference = "dividend - divisor";
     let test = "(trial & sign) != 26'd0";
     let faults = [

@@ -7,7 +7,7 @@ use crate::figures::Figures;
 use crate::flow::{parameters, synthesise_with, tools};
 use crate::report::SynthReport;
 use crate::table::{Row, Section, Table, rows};
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::Unit;
 use imogene_rtl::emit::emit;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

@@ -7,7 +7,8 @@ use crate::harness;
 use crate::report::{SynthReport, thousandths};
 use crate::target::{Family, Target};
 use crate::tools::{Program, Tool};
-use imogene_rtl::emit::{EmitRequest, Emitted, emit};
+use imogene_contract::Request;
+use imogene_rtl::emit::{Emitted, emit};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -31,7 +32,7 @@ impl Default for Options {
 ///
 /// When the request is not legal, a tool is missing or fails, or its report cannot be read.
 pub fn synthesise(
-    request: &EmitRequest,
+    request: &Request,
     target: Target,
     options: &Options,
 ) -> Result<SynthReport, SynthError> {
@@ -44,7 +45,7 @@ pub fn synthesise(
 ///
 /// When the request is not legal, a tool is missing or fails, or its report cannot be read.
 pub fn synthesise_with(
-    request: &EmitRequest,
+    request: &Request,
     target: Target,
     options: &Options,
     cache: Cache,
@@ -129,10 +130,10 @@ pub(crate) fn tools(target: Target) -> Result<BTreeMap<String, String>, SynthErr
 }
 
 /// Depth word and parameters of a request, by option of the command line.
-pub(crate) fn parameters(request: &EmitRequest) -> BTreeMap<String, usize> {
+pub(crate) fn parameters(request: &Request) -> BTreeMap<String, usize> {
     std::iter::once(("format", request.depth_word))
         .chain(request.options())
-        .map(|(option, value)| (option.to_owned(), value))
+        .map(|(option, value)| (option.to_owned(), value as usize))
         .collect()
 }
 

@@ -25,8 +25,8 @@ pub fn around(top: &str, ports: &[Port], clock: Option<&str>) -> String {
         .iter()
         .filter(|port| Some(port.name.as_str()) != clock)
         .collect();
-    let inputs = bits(&data, Direction::Input);
-    let outputs = bits(&data, Direction::Output);
+    let inputs = bits(&data, Direction::In);
+    let outputs = bits(&data, Direction::Out);
     let mut text = format!(
         "module {TOP} (
     input  wire clock,
@@ -74,8 +74,8 @@ fn connections(ports: &[&Port], clock: Option<&str>) -> String {
     }
     for port in ports {
         let (vector, used) = match port.direction {
-            Direction::Input => ("inputs", &mut used[0]),
-            Direction::Output => ("results", &mut used[1]),
+            Direction::In => ("inputs", &mut used[0]),
+            Direction::Out => ("results", &mut used[1]),
         };
         let separator = if text.is_empty() { "" } else { ",\n" };
         let _ = write!(

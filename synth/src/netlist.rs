@@ -5,7 +5,8 @@ use crate::flow::write;
 use crate::target::{Family, Target};
 use crate::tools::Program;
 use crate::yosys;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::Request;
+use imogene_rtl::emit::emit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -28,7 +29,7 @@ const NETLIST: &str = "netlist.v";
 /// # Errors
 ///
 /// When the request is not legal, the target has no models of its cells, Yosys is missing or fails.
-pub fn netlist(request: &EmitRequest, target: Target) -> Result<Netlist, SynthError> {
+pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError> {
     let libraries = libraries(target)?;
     let emitted = emit(request)?;
     let yosys = Program::Yosys.find()?;

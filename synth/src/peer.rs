@@ -9,7 +9,7 @@ use crate::flow::{Options, Programs, synthesise};
 use crate::harness;
 use crate::report::SeedResult;
 use crate::target::{Family, Target};
-use imogene_rtl::emit::EmitRequest;
+use imogene_contract::Request;
 use serde::Serialize;
 use source::Source;
 pub use source::{Peer, PeerError};
@@ -58,7 +58,7 @@ pub struct Measured {
 /// When a file of the peer is missing, Yosys refuses it, it has no such top or clock, the request is not legal or a tool fails.
 pub fn compare(
     peer: &Peer,
-    request: &EmitRequest,
+    request: &Request,
     target: Target,
     options: &Options,
 ) -> Result<Comparison, SynthError> {

@@ -10,8 +10,8 @@ use crate::error::SynthError;
 use crate::flow::{Options, synthesise};
 use crate::report::SynthReport;
 use crate::target::Target;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -38,7 +38,7 @@ pub struct Row {
     /// Where it is shown.
     pub section: Section,
     /// Unit.
-    pub request: EmitRequest,
+    pub request: Request,
     /// Target.
     pub target: Target,
     /// Options.
@@ -105,17 +105,17 @@ pub fn rows() -> Vec<Row> {
     let units = DEVICES
         .into_iter()
         .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
-    let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes));
+    let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes as u32));
     let sides = [3, 4].map(sides_row);
     let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
 
     let roots = DEVICES.into_iter().flat_map(|target| {
-        let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows, target));
+        let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows as u32, target));
         ROOTS.into_iter().flat_map(rows)
     });
     let transistors = GATES.map(|unit| Row {
         section: Section::Transistors,
-        request: EmitRequest::new(unit),
+        request: Request::new(unit),
         target: Target::Transistors,
         options: Options { seeds: 0 },
     });
@@ -126,12 +126,12 @@ pub fn rows() -> Vec<Row> {
         .collect()
 }
 
-fn planes_row(unit: Unit, planes: usize) -> Row {
+fn planes_row(unit: Unit, planes: u32) -> Row {
     Row {
         section: Section::Planes,
-        request: EmitRequest {
+        request: Request {
             planes,
-            ..EmitRequest::new(unit)
+            ..Request::new(unit)
         },
         target: Target::Ecp5With45k,
         // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
@@ -139,12 +139,12 @@ fn planes_row(unit: Unit, planes: usize) -> Row {
     }
 }
 
-fn sides_row(sides: usize) -> Row {
+fn sides_row(sides: u32) -> Row {
     Row {
         section: Section::Planes,
-        request: EmitRequest {
-            sides: Some(sides),
-            ..EmitRequest::new(Unit::FacetProcessor)
+        request: Request {
+            sides,
+            ..Request::new(Unit::FacetProcessor)
         },
         target: Target::Ecp5With45k,
         options: Options { seeds: 0 },
@@ -159,18 +159,18 @@ fn unit_row(unit: Unit, target: Target) -> Row {
     let seeds = if is_too_long { 0 } else { SEEDS };
     Row {
         section: Section::Units,
-        request: EmitRequest::new(unit),
+        request: Request::new(unit),
         target,
         options: Options { seeds },
     }
 }
 
-fn root_row(unit: Unit, rows_per_stage: usize, target: Target) -> Row {
+fn root_row(unit: Unit, rows_per_stage: u32, target: Target) -> Row {
     Row {
         section: Section::Rows,
-        request: EmitRequest {
+        request: Request {
             rows_per_stage,
-            ..EmitRequest::new(unit)
+            ..Request::new(unit)
         },
         target,
         options: Options { seeds: SEEDS },

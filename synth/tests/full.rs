@@ -1,7 +1,6 @@
 //! Synthesis with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool fails.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
+use imogene_contract::{Request, Unit};
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
 use imogene_synth::compare::{Tolerance, Verdict};
 use imogene_synth::{Cache, Options, SynthError, SynthReport, Target, synthesise, table};
@@ -12,7 +11,7 @@ fn is_full() -> bool {
 }
 
 fn run(unit: Unit, target: Target) -> SynthReport {
-    let request = EmitRequest::new(unit);
+    let request = Request::new(unit);
     synthesise(&request, target, &Options { seeds: 1 })
         .unwrap_or_else(|error| panic!("{} for {}: {error}", unit.name(), target.name()))
 }

@@ -1,12 +1,12 @@
 //! The register harness is Verilog that fits every unit.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::{Direction, Emitted, emit};
 use imogene_synth::harness;
 use std::process::Command;
 
 fn emitted(unit: Unit) -> Emitted {
-    emit(&EmitRequest::new(unit)).expect("the base request is legal")
+    emit(&Request::new(unit)).expect("the base request is legal")
 }
 
 #[test]
@@ -30,13 +30,13 @@ fn the_registers_have_a_bit_for_every_bit_of_a_port() {
     };
     let text = harness::verilog(&unit);
     // The clock is an input that is not in the chain.
-    let inputs = bits(Direction::Input) - 1;
+    let inputs = bits(Direction::In) - 1;
     assert!(
         text.contains(&format!("reg  [{}:0] inputs", inputs - 1)),
         "{text}"
     );
     assert!(
-        text.contains(&format!("reg  [{}:0] outputs", bits(Direction::Output) - 1)),
+        text.contains(&format!("reg  [{}:0] outputs", bits(Direction::Out) - 1)),
         "{text}"
     );
 }

@@ -1,7 +1,6 @@
 //! A missing tool is an error with the way out, never a report without figures.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
+use imogene_contract::{Request, Unit};
 use imogene_synth::{Options, SynthError, Target, synthesise};
 
 #[test]
@@ -10,7 +9,7 @@ fn a_folder_without_tools_is_an_error_for_every_target() {
     // SAFETY: the only test of this program, and the only thread that reads the environment.
     unsafe { std::env::set_var("IMOGENE_TOOLS", folder.path()) };
     for target in Target::ALL {
-        let request = EmitRequest::new(Unit::Pe1);
+        let request = Request::new(Unit::Pe1);
         let error = synthesise(&request, target, &Options::default()).expect_err("no tool");
         assert!(matches!(error, SynthError::MissingTool { .. }), "{error}");
     }

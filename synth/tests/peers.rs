@@ -1,7 +1,7 @@
 //! Peers beside units, with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool fails.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_synth::peer::{Comparison, Peer, PeerError, compare};
 use imogene_synth::{Options, SynthError, Target};
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ fn adder() -> Peer {
 }
 
 fn run(peer: &Peer, unit: Unit, target: Target, seeds: usize) -> Result<Comparison, SynthError> {
-    compare(peer, &EmitRequest::new(unit), target, &Options { seeds })
+    compare(peer, &Request::new(unit), target, &Options { seeds })
 }
 
 fn refusal(peer: &Peer) -> PeerError {
@@ -53,7 +53,7 @@ fn a_unit_beside_itself_is_itself() {
     }
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("pe1.v");
-    let verilog = emit(&EmitRequest::new(Unit::Pe1)).expect("a legal request");
+    let verilog = emit(&Request::new(Unit::Pe1)).expect("a legal request");
     std::fs::write(&file, verilog.bundle()).expect("a file");
     let peer = Peer {
         files: vec![file],

@@ -1,8 +1,8 @@
 //! Proves the emitted units the same circuits as those of a folder that `scripts/archive-verilog` wrote:
 //! `cargo run --release -p imogene-verif --example same_as -- target/archive/verilog 16 [UNIT ..]`.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::equivalence::{Text, Verdict, compare};
 use std::fs::{read_dir, read_to_string};
 use std::path::Path;
@@ -21,10 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 archived += &read_to_string(path)?;
             }
         }
-        let emitted = emit(&EmitRequest {
-            depth_word: word.parse()?,
-            ..EmitRequest::new(unit)
-        })?;
+        let emitted = emit(&Request::of(unit, word.parse()?))?;
         let today = emitted.bundle();
         let texts = [&archived, &today].map(|verilog| Text {
             top: unit.name(),

@@ -9,7 +9,8 @@ pub mod table;
 
 use crate::tool::{ToolError, YOSYS_ABC, write};
 use crate::yosys::yosys;
-use imogene_rtl::emit::{EmitError, EmitRequest, emit, raw};
+use imogene_contract::Request;
+use imogene_rtl::emit::{EmitError, emit, raw};
 use thiserror::Error;
 
 /// Why nothing can be said.
@@ -48,7 +49,7 @@ pub struct Text<'a> {
 /// # Errors
 ///
 /// When a parameter is out of its range, or a tool is missing or refuses a text.
-pub fn unit(request: &EmitRequest) -> Result<Verdict, EquivalenceError> {
+pub fn unit(request: &Request) -> Result<Verdict, EquivalenceError> {
     let printed = raw(request).map_err(EquivalenceError::Emit)?;
     let emitted = emit(request).map_err(EquivalenceError::Emit)?;
     let theirs = Text {

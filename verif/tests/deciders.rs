@@ -1,13 +1,21 @@
 //! The deciders in hardware: every shape, and the same answer from tree, chain and cards whichever input an object comes to.
 
+use imogene_contract::{Request, RequestError};
 use imogene_models::machine::card_decider;
 use imogene_verif::subject::{Inputs, Subject};
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 const FIELDS: usize = 6;
 
-fn check(name: &str, parameters: Parameters, clocks: usize) {
-    let subject = subject(name, parameters).expect("a unit in its legal range");
+fn unit(name: &str, values: &[(&'static str, usize)]) -> Result<Subject, RequestError> {
+    let given = values
+        .iter()
+        .map(|(option, value)| (*option, Some(*value as u32)));
+    subject(&Request::given(name, 24, &given.collect::<Vec<_>>())?)
+}
+
+fn check(name: &str, values: &[(&'static str, usize)], clocks: usize) {
+    let subject = unit(name, values).expect("a unit in its legal range");
     for seed in 0..8 {
         let (report, _) = subject.run(&subject.seeded_stimulus(clocks, seed), false);
         assert_eq!(report.mismatches, 0, "{name} {}", subject.options);
@@ -18,53 +26,39 @@ fn check(name: &str, parameters: Parameters, clocks: usize) {
 #[test]
 fn chains_of_every_length() {
     for objects in [1, 2, 3, 4, 5, 8, 17] {
-        let parameters = Parameters {
-            objects,
-            ..Parameters::default()
-        };
-        check("visibility_chain", parameters, objects + 30);
+        let values = [("objects", objects)];
+        check("visibility_chain", &values, objects + 30);
     }
 }
 
 #[test]
 fn cards_of_every_shape() {
     for (objects, cards) in [(1, 1), (1, 5), (4, 1), (3, 2), (2, 3), (4, 4), (3, 7)] {
-        let parameters = Parameters {
-            objects,
-            cards: Some(cards),
-            ..Parameters::default()
-        };
-        check("card_decider", parameters, objects + 30);
+        let values = [("objects", objects), ("cards", cards)];
+        check("card_decider", &values, objects + 30);
     }
 }
 
 #[test]
 fn shadow_stages_of_every_depth() {
     for objects in [1, 2, 7, 8, 9, 16, 17, 64, 65, 73, 130] {
-        let parameters = Parameters {
-            objects,
-            ..Parameters::default()
-        };
-        check("shadow_stage", parameters, 40);
+        let values = [("objects", objects)];
+        check("shadow_stage", &values, 40);
     }
 }
 
 #[test]
 fn too_many_cards_are_refused() {
-    let parameters = |objects, cards| Parameters {
-        objects,
-        cards: Some(cards),
-        ..Parameters::default()
-    };
-    let message = |name, parameters| match subject(name, parameters) {
+    let message = |name, objects, cards| match unit(name, &[("objects", objects), ("cards", cards)])
+    {
         Ok(_) => panic!("{name} is accepted"),
         Err(error) => error.to_string(),
     };
-    let text = message("card_decider", parameters(64, 5));
+    let text = message("card_decider", 64, 5);
     assert!(text.contains("320") && text.contains("256"), "{text}");
-    let text = message("card_decider", parameters(4, 65));
+    let text = message("card_decider", 4, 65);
     assert!(text.contains("cards") && text.contains("64"), "{text}");
-    let text = message("decider", parameters(4, 2));
+    let text = message("decider", 4, 2);
     assert!(text.contains("cards") && text.contains("decider"), "{text}");
 }
 
@@ -123,22 +117,25 @@ fn tree_chain_and_cards_agree_in_any_order() {
     });
     assert!(ties.count() > 50, "most pixels are ties");
     let units = [
-        ("decider", 12, None),
-        ("visibility_chain", 12, None),
-        ("card_decider", 4, Some(3)),
-        ("card_decider", 6, Some(2)),
+        ("decider", &[("objects", 12)][..], vec![0; 12]),
+        (
+            "visibility_chain",
+            &[("objects", 12)],
+            card_decider::starts(12, 1),
+        ),
+        (
+            "card_decider",
+            &[("objects", 4), ("cards", 3)],
+            card_decider::starts(4, 3),
+        ),
+        (
+            "card_decider",
+            &[("objects", 6), ("cards", 2)],
+            card_decider::starts(6, 2),
+        ),
     ];
-    for (name, objects, cards) in units {
-        let parameters = Parameters {
-            objects,
-            cards,
-            ..Parameters::default()
-        };
-        let subject = subject(name, parameters).expect("a unit in its legal range");
-        let starts = match (name, cards) {
-            ("decider", _) => vec![0; 12],
-            (_, cards) => card_decider::starts(objects, cards.unwrap_or(1)),
-        };
+    for (name, values, starts) in units {
+        let subject = unit(name, values).expect("a unit in its legal range");
         let mut order: Vec<usize> = (0..12).collect();
         for step in [1, 5, 7, 11] {
             // A permutation, since the step has no factor in common with 12.
@@ -152,18 +149,15 @@ fn tree_chain_and_cards_agree_in_any_order() {
 #[test]
 fn pipelines_of_every_number_of_layers() {
     for layers in 1..=8 {
-        let parameters = Parameters {
-            layers: Some(layers),
-            ..Parameters::default()
-        };
-        check("transparency_pipeline", parameters, 60);
+        let values = [("layers", layers)];
+        check("transparency_pipeline", &values, 60);
     }
 }
 
 /// All weights with all components in front, over the ends and two components that differ from clock to clock.
 #[test]
 fn blends_of_all_weights_and_components() {
-    let subject = subject("transparency_stage", Parameters::default()).expect("a unit");
+    let subject = unit("transparency_stage", &[]).expect("a unit");
     let rows = (0..1i64 << 16).map(|n| {
         let (weight, front) = (n >> 8, n & 255);
         let [some, other] = [n * 37 + n / 251, n * 101 + 7].map(|v| v & 255);
@@ -186,13 +180,12 @@ fn solids_of_every_shape() {
         (5, 2, 0),
         (2, 5, 4),
     ] {
-        let parameters = Parameters {
-            products: Some(products),
-            intersected: Some(intersected),
-            subtracted: Some(subtracted),
-            ..Parameters::default()
-        };
-        check("csg_decider", parameters, 120);
+        let values = [
+            ("products", products),
+            ("intersected", intersected),
+            ("subtracted", subtracted),
+        ];
+        check("csg_decider", &values, 120);
     }
 }
 
@@ -201,13 +194,12 @@ fn solids_of_every_shape() {
 fn every_front_of_small_products() {
     let far = (1 << 23) - 1;
     for (intersected, subtracted, levels) in [(2, 1, 5), (1, 2, 5), (1, 3, 4)] {
-        let parameters = Parameters {
-            products: Some(1),
-            intersected: Some(intersected),
-            subtracted: Some(subtracted),
-            ..Parameters::default()
-        };
-        let subject = subject("csg_decider", parameters).expect("a unit in its legal range");
+        let values = [
+            ("products", 1),
+            ("intersected", intersected),
+            ("subtracted", subtracted),
+        ];
+        let subject = unit("csg_decider", &values).expect("a unit in its legal range");
         let mut intervals = vec![[far, 0]];
         for zf in 0..levels {
             intervals.extend((zf..levels).map(|zb| [zf, zb]));
@@ -234,7 +226,7 @@ fn every_front_of_small_products() {
 /// A stimulus under which nothing were ever taken away would prove little.
 #[test]
 fn solids_are_seen_from_the_front_from_within_and_not_at_all() {
-    let subject = subject("csg_decider", Parameters::default()).expect("a unit");
+    let subject = unit("csg_decider", &[]).expect("a unit");
     let far = (1 << 23) - 1;
     let mut golden = (subject.golden)();
     let mut seen = [0; 3];

@@ -1,23 +1,24 @@
 //! What every simulator of Verilog must do: find a fault, show it, name an undefined bit, say which tool is missing.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 const CLOCKS: usize = 2_000;
 
 fn verilog(name: &str) -> String {
-    let request = EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"));
+    let request = Request::new(Unit::from_name(name).expect("a unit of the catalogue"));
     emit(&request).expect("a legal request").bundle()
 }
 
 fn changed(name: &str, right: &str, wrong: &str, simulator: Simulator) -> Subject {
     let text = verilog(name);
     assert!(text.contains(right), "{name} has no '{right}'");
-    let subject = subject(name, Parameters::default()).expect("a legal subject");
+    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
+    let subject = subject(&request).expect("its defaults are legal");
     with_verilog(subject, simulator, name, &text.replacen(right, wrong, 1)).expect("a unit")
 }
 
@@ -77,7 +78,7 @@ fn an_undefined_bit_is_a_mismatch_without_a_value() {
 #[test]
 fn verilog_that_a_simulator_refuses_is_reported() {
     for simulator in Simulator::ALL {
-        let subject = subject("pe1", Parameters::default()).expect("a legal subject");
+        let subject = subject(&Request::new(Unit::Pe1)).expect("a legal subject");
         let text = verilog("pe1").replace("= line_value + kept_b;", "= line_value + missing_name;");
         let outcome = with_verilog(subject, simulator, "pe1", &text);
         let message = outcome.err().expect("a refusal").to_string();

@@ -1,8 +1,8 @@
 //! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every unit
 //! at the base format and at the shortest under `IMOGENE_FULL=1`; small units otherwise.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::equivalence::table::{Row, markdown};
 use imogene_verif::equivalence::{Text, Verdict, compare};
 
@@ -38,7 +38,7 @@ fn every_unit_is_the_circuit_that_rust_hdl_prints() {
     let mut missing = Vec::new();
     for &depth_word in words {
         for &unit in units {
-            let row = Row::of(unit, depth_word).unwrap_or_else(|error| panic!("{error}"));
+            let row = Row::of(unit, depth_word as u32).unwrap_or_else(|error| panic!("{error}"));
             let text = markdown(std::slice::from_ref(&row));
             let line = text.lines().last().expect("a row");
             println!("{depth_word}: {line}");
@@ -58,7 +58,7 @@ fn every_unit_is_the_circuit_that_rust_hdl_prints() {
 
 #[test]
 fn a_changed_text_is_not_equal() {
-    let own = emit(&EmitRequest::new(Unit::Pe1)).expect("a text").bundle();
+    let own = emit(&Request::new(Unit::Pe1)).expect("a text").bundle();
     let verdict = |other: &str| {
         let [one, other] = [&own, other].map(|verilog| Text {
             top: "pe1",

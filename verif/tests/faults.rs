@@ -2,6 +2,7 @@
 //! reported with cycle, pixel, values and a trace.
 
 use imogene_circuits::raster::{Flags, Linear, pe1};
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
@@ -9,12 +10,12 @@ use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::scene::{self, Fault, Options, TraceRequest};
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{NAMES, Parameters, subject};
+use imogene_verif::unit::{subject, units};
 use std::path::Path;
 
 /// A PE1 wired wrongly: at a line start it is given the pixel increment in place of the line increment.
 fn broken_pe1() -> Subject {
-    let mut broken = subject("pe1", Parameters::default()).unwrap();
+    let mut broken = subject(&Request::new(Unit::Pe1)).unwrap();
     broken.hardware = Box::new(|| {
         let mut unit = Circuit::of(|| pe1("top", Flags::input(), Linear::input(26)));
         Box::new(move |i: &[i64]| {
@@ -62,11 +63,12 @@ fn a_broken_unit_is_reported_with_cycle_values_and_trace() {
 /// For every unit: hardware whose first output has its lowest bit inverted now and then is found.
 #[test]
 fn every_scoreboard_finds_a_flipped_output_bit() {
-    for name in NAMES {
-        let good = subject(name, Parameters::default()).unwrap();
+    for unit in units() {
+        let (name, request) = (unit.name(), Request::new(unit));
+        let good = subject(&request).unwrap();
         let stimulus = good.seeded_stimulus(120, 3);
-        let make = subject(name, Parameters::default()).unwrap().hardware;
-        let mut broken = subject(name, Parameters::default()).unwrap();
+        let make = subject(&request).unwrap().hardware;
+        let mut broken = subject(&request).unwrap();
         broken.hardware = Box::new(move || {
             let mut inner = make();
             let mut clock = 0;

@@ -1,20 +1,19 @@
 //! The emitted Verilog of every unit in Icarus Verilog against the golden models, by the scoreboard of every engine. Needs the package
 //! 'iverilog' and fails without it.
 
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::Request;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
-use imogene_verif::unit::{NAMES, Parameters, subject};
+use imogene_verif::unit::{subject, units};
 
 /// Clocks per stimulus and stimuli per unit: at least 2 000 compared pixels, edges included.
 const CLOCKS: usize = 450;
 const STIMULI: u64 = 6;
 
-fn check(name: &str, parameters: Parameters) {
-    let unit = Unit::from_name(name).expect("a unit of the catalogue");
-    let request = parameters.request(unit);
-    let emitted = emit(&request).expect("a legal request");
-    let subject = subject(name, parameters).expect("a legal subject");
+fn check(request: &Request) {
+    let name = request.unit.name();
+    let emitted = emit(request).expect("a legal request");
+    let subject = subject(request).expect("a legal request");
     let unit = with_verilog(subject, Simulator::Icarus, &emitted.top, &emitted.bundle())
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut pixels = 0;
@@ -37,25 +36,19 @@ fn check(name: &str, parameters: Parameters) {
 
 #[test]
 fn units_of_the_base_format() {
-    for name in NAMES {
-        check(name, Parameters::default());
-    }
+    units().for_each(|unit| check(&Request::new(unit)));
 }
 
 #[test]
 fn units_of_the_narrowest_and_widest_format() {
-    for name in NAMES {
+    for unit in units() {
         for depth_word in [16, 32] {
-            check(
-                name,
-                Parameters {
-                    depth_word,
-                    planes: 1,
-                    rows_per_stage: 3,
-                    objects: 5,
-                    ..Parameters::default()
-                },
-            );
+            check(&Request {
+                planes: 1,
+                rows_per_stage: 3,
+                objects: 5,
+                ..Request::of(unit, depth_word)
+            });
         }
     }
 }

@@ -1,26 +1,19 @@
 //! Mutation scores: every mutant of a unit's netlist is killed by the unit's stimulus or proven equivalent. Needs the packages 'yosys',
 //! 'verilator' and 'g++' and fails without them. All units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, Emitted, emit};
+use imogene_contract::Request;
+use imogene_rtl::emit::{Emitted, emit};
 use imogene_verif::mutation::{self, Design, MutationReport, Options, table};
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 fn is_full_run() -> bool {
     std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
 }
 
 fn unit(name: &str) -> (Subject, Emitted) {
-    let request = EmitRequest {
-        depth_word: 16,
-        ..EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"))
-    };
-    let parameters = Parameters {
-        depth_word: 16,
-        ..Parameters::default()
-    };
-    let subject = subject(name, parameters).expect("a legal subject");
+    let request = Request::given(name, 16, &[]).expect("a unit of the catalogue");
+    let subject = subject(&request).expect("its defaults are legal");
     (subject, emit(&request).expect("a legal request"))
 }
 

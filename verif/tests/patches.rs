@@ -1,9 +1,10 @@
 //! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the planes.
 
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
 use imogene_models::unit::cut_plane::{PlaneKind, cut};
 use imogene_models::unit::interval::{Class, Interval, halves};
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 const KINDS: [PlaneKind; 4] = [
     PlaneKind::None,
@@ -62,12 +63,11 @@ fn chain(
 fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
     let format = Format::new(16).unwrap();
     for planes in 0..=4usize {
-        let parameters = Parameters {
-            depth_word: 16,
-            planes,
-            ..Parameters::default()
+        let request = Request {
+            planes: planes as u32,
+            ..Request::of(Unit::PatchDecider, 16)
         };
-        let subject = subject("patch_decider", parameters).unwrap();
+        let subject = subject(&request).unwrap();
         let mut hardware = (subject.hardware)();
         let orders = orders(planes);
         let levels: Vec<i64> = (0..planes as i64 + 2).collect();

@@ -1,15 +1,16 @@
 //! The shading processor with every number of lights.
 
-use imogene_verif::unit::{Parameters, subject};
+use imogene_contract::{Request, Unit};
+use imogene_verif::unit::subject;
 
 #[test]
 fn every_number_of_lights() {
     for lights in 1..=4 {
-        let parameters = Parameters {
-            lights: Some(lights),
-            ..Parameters::default()
+        let request = Request {
+            lights,
+            ..Request::new(Unit::ShadingProcessor)
         };
-        let subject = subject("shading_processor", parameters).unwrap();
+        let subject = subject(&request).unwrap();
         // Small numbers before a logarithm are rare.
         for seed in 0..if lights == 1 { 100 } else { 8 } {
             let stimulus = subject.seeded_stimulus(500, seed);

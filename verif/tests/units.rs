@@ -1,8 +1,9 @@
 //! Every unit against its golden model, cycle by cycle, on random stimulus biased to the edges; failures shrink and are replayed from
 //! their seeds.
 
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
-use imogene_verif::unit::{NAMES, Parameters, subject};
+use imogene_verif::unit::{subject, units};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
@@ -14,8 +15,9 @@ fn cases() -> u32 {
     })
 }
 
-fn check(name: &str, parameters: Parameters, clocks: usize) {
-    let subject = subject(name, parameters).expect("a unit in its legal range");
+fn check(request: &Request, clocks: usize) {
+    let name = request.unit.name();
+    let subject = subject(request).expect("a unit in its legal range");
     let mut runner = TestRunner::new(Config {
         cases: cases(),
         // Replayable without files: proptest prints the minimal stimulus, and the seed of a run is fixed below.
@@ -44,13 +46,9 @@ const CLOCKS: usize = 120;
 
 #[test]
 fn every_unit_at_every_format() {
-    for name in NAMES {
+    for unit in units() {
         for depth_word in Format::CATALOGUE {
-            let parameters = Parameters {
-                depth_word,
-                ..Parameters::default()
-            };
-            check(name, parameters, CLOCKS);
+            check(&Request::of(unit, depth_word), CLOCKS);
         }
     }
 }
@@ -58,17 +56,17 @@ fn every_unit_at_every_format() {
 #[test]
 fn root_networks_at_all_rows_per_stage() {
     for rows_per_stage in 1..=24 {
-        let parameters = Parameters {
-            rows_per_stage,
-            ..Parameters::default()
-        };
-        for name in [
-            "square_root",
-            "square_root_non_restoring",
-            "square_root_rows",
-            "square_root_leading",
+        for unit in [
+            Unit::SquareRoot,
+            Unit::SquareRootNonRestoring,
+            Unit::SquareRootRows,
+            Unit::SquareRootLeading,
         ] {
-            check(name, parameters, CLOCKS);
+            let request = Request {
+                rows_per_stage,
+                ..Request::new(unit)
+            };
+            check(&request, CLOCKS);
         }
     }
 }
@@ -76,22 +74,22 @@ fn root_networks_at_all_rows_per_stage() {
 #[test]
 fn shortened_and_corrected_roots_of_every_parameter() {
     for digits in 1..=24 {
-        let parameters = Parameters {
-            digits: Some(digits),
-            rows_per_stage: 3,
-            ..Parameters::default()
-        };
-        for name in ["square_root_rows", "square_root_leading"] {
-            check(name, parameters, CLOCKS);
+        for unit in [Unit::SquareRootRows, Unit::SquareRootLeading] {
+            let request = Request {
+                digits,
+                rows_per_stage: 3,
+                ..Request::new(unit)
+            };
+            check(&request, CLOCKS);
         }
     }
     for corrections in 0..=2 {
-        let parameters = Parameters {
-            corrections: Some(corrections),
-            ..Parameters::default()
-        };
-        for name in ["square_root_linear", "square_root_quadratic"] {
-            check(name, parameters, CLOCKS);
+        for unit in [Unit::SquareRootLinear, Unit::SquareRootQuadratic] {
+            let request = Request {
+                corrections,
+                ..Request::new(unit)
+            };
+            check(&request, CLOCKS);
         }
     }
 }
@@ -99,50 +97,46 @@ fn shortened_and_corrected_roots_of_every_parameter() {
 #[test]
 fn processors_with_0_to_12_planes() {
     for planes in 0..=12 {
+        let of = |unit, rows_per_stage| Request {
+            planes,
+            rows_per_stage,
+            ..Request::new(unit)
+        };
         for rows_per_stage in [1, 5, 24] {
-            let parameters = Parameters {
-                planes,
-                rows_per_stage,
-                ..Parameters::default()
-            };
-            check("quadric_processor", parameters, CLOCKS);
-            if rows_per_stage == 1 {
-                check("normal_unit", parameters, 30);
-            }
+            check(&of(Unit::QuadricProcessor, rows_per_stage), CLOCKS);
         }
+        check(&of(Unit::NormalUnit, 1), 30);
     }
 }
 
 #[test]
 fn other_processors_with_every_number_of_planes_and_sides() {
-    for planes in 0..=12 {
-        let parameters = Parameters {
-            planes,
-            rows_per_stage: 7,
-            ..Parameters::default()
-        };
-        for name in [
-            "patch_decider",
-            "patch_processor",
-            "quadric_volume",
-            "polyhedral_volume",
-            "polyhedron_processor",
-        ] {
-            if planes > 0 || name != "polyhedron_processor" {
-                check(name, parameters, CLOCKS);
-            }
+    for unit in [
+        Unit::PatchDecider,
+        Unit::PatchProcessor,
+        Unit::QuadricVolume,
+        Unit::PolyhedralVolume,
+        Unit::PolyhedronProcessor,
+    ] {
+        for planes in u32::from(unit == Unit::PolyhedronProcessor)..=12 {
+            let request = Request {
+                planes,
+                rows_per_stage: 7,
+                ..Request::new(unit)
+            };
+            check(&request, CLOCKS);
         }
     }
-    for (name, sides) in [
-        ("facet_processor", 3..=4),
-        ("curved_facet_processor", 1..=4),
+    for (unit, sides) in [
+        (Unit::FacetProcessor, 3..=4),
+        (Unit::CurvedFacetProcessor, 1..=4),
     ] {
         for sides in sides {
-            let parameters = Parameters {
-                sides: Some(sides),
-                ..Parameters::default()
+            let request = Request {
+                sides,
+                ..Request::new(unit)
             };
-            check(name, parameters, CLOCKS);
+            check(&request, CLOCKS);
         }
     }
 }
@@ -153,21 +147,18 @@ fn both_sides_state_the_same_latency() {
     use imogene_models::object::{
         curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, sphere, volume,
     };
-    use imogene_rtl::catalogue::Unit;
     for depth_word in Format::CATALOGUE {
         let format = Format::new(depth_word).unwrap();
         for planes in 1..=12 {
             for rows in [1, 3, 7, 16] {
                 let stated = |unit| {
-                    let parameters = Parameters {
-                        depth_word,
-                        planes,
+                    let request = Request {
+                        planes: planes as u32,
                         rows_per_stage: rows,
-                        ..Parameters::default()
+                        ..Request::of(unit, depth_word)
                     };
-                    parameters.request(unit).latency() as u32
+                    request.latency() as u32
                 };
-                let rows = rows as u32;
                 let pairs = [
                     (
                         Unit::QuadricProcessor,
@@ -202,10 +193,10 @@ fn both_sides_state_the_same_latency() {
 #[test]
 fn deciders_of_every_shape_of_tree() {
     for objects in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 13, 16, 17] {
-        let parameters = Parameters {
+        let request = Request {
             objects,
-            ..Parameters::default()
+            ..Request::new(Unit::Decider)
         };
-        check("decider", parameters, 30);
+        check(&request, 30);
     }
 }

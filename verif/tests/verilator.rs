@@ -1,13 +1,13 @@
 //! The emitted Verilog of the units in Verilator against the golden models. Needs the packages 'verilator' and 'g++' and fails without
 //! them. A first run compiles each unit, some seconds each: all units under `IMOGENE_FULL=1`, one of each group otherwise.
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{DesignError, Simulator, Source, with_verilog};
 use imogene_verif::engine::verilator::Model;
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::{NAMES, Parameters, subject};
+use imogene_verif::unit::{subject, units};
 
 const REPRESENTATIVES: [&str; 4] = ["pe2", "square_root", "cut_plane", "quadric_processor"];
 const CLOCKS: usize = 5_000;
@@ -17,7 +17,7 @@ fn is_full() -> bool {
 }
 
 fn verilog(name: &str) -> String {
-    let request = EmitRequest::new(Unit::from_name(name).expect("a unit of the catalogue"));
+    let request = Request::new(Unit::from_name(name).expect("a unit of the catalogue"));
     let emitted = emit(&request).expect("a legal request");
     emitted.bundle()
 }
@@ -27,13 +27,14 @@ fn compile(unit: &Subject, text: &str) -> Result<Model, DesignError> {
 }
 
 fn base(name: &str) -> Subject {
-    subject(name, Parameters::default()).expect("a legal subject")
+    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
+    subject(&request).expect("its defaults are legal")
 }
 
 #[test]
 fn emitted_units_agree_with_their_golden_models() {
     let names = if is_full() {
-        NAMES.to_vec()
+        units().map(Unit::name).collect()
     } else {
         REPRESENTATIVES.to_vec()
     };

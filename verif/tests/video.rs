@@ -2,13 +2,14 @@
 
 use imogene_circuits::video::{Queue, pixel_fifo, video_timing};
 use imogene_contract::video::{Span, VideoMode};
+use imogene_contract::{Request, Unit};
 use imogene_hdl::{Bits, Value};
 use imogene_models::machine::post_filter::Kernel;
 use imogene_models::machine::video_timing::{self as golden, MODES};
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
 use imogene_verif::subject::{Hardware, Subject};
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 /// A reproducible source of numbers.
 struct Numbers(u64);
@@ -27,7 +28,8 @@ impl Numbers {
 }
 
 fn unit(name: &str) -> Subject {
-    subject(name, Parameters::default()).expect("a unit of the catalogue")
+    let request = Request::given(name, 24, &[]).expect("a unit of the catalogue");
+    subject(&request).expect("its defaults are legal")
 }
 
 /// The values after a clock, by port; all are defined in rust-hdl.
@@ -60,11 +62,11 @@ fn every_video_unit_is_its_golden_model() {
 #[test]
 fn whole_frames_of_video() {
     for (mode, frames) in [(0, 2), (1, 1)] {
-        let parameters = Parameters {
-            mode: Some(mode),
-            ..Parameters::default()
+        let request = Request {
+            mode: mode as u32,
+            ..Request::new(Unit::VideoTiming)
         };
-        let subject = subject("video_timing", parameters).expect("a mode of the catalogue");
+        let subject = subject(&request).expect("a mode of the catalogue");
         let mut numbers = Numbers(mode as u64);
         let clocks = MODES[mode].clocks() * frames * 16 / 15 + 1000;
         let enabled = (0..clocks).map(|_| vec![i64::from(numbers.below(16) > 0)]);
@@ -257,11 +259,11 @@ fn frames_are_shown_whole() {
         let place = sent % HEIGHT * WIDTH + sent / HEIGHT;
         let last = sent + 1 == PIXELS;
         let inputs = [
-            WIDTH as i64,
             arrives.into(),
             colour(frame, place),
             ((place / WIDTH) << 12 | (place % WIDTH)) as i64,
             last.into(),
+            WIDTH as i64,
             at.frame_start.into(),
             at.ahead.active.into(),
             at.ahead.x.into(),

@@ -1,11 +1,11 @@
 //! Arguments of the commands about units: what they are, their Verilog, contracts and packages.
 
 use super::{Widths, depth_word};
-use clap::Args;
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
+use imogene_contract::parameters::{PARAMETERS, Parameter};
+use imogene_contract::{Request, RequestError};
 use imogene_models::machine::fitted::FittedSlot;
 use imogene_models::slots::{self, SlotsError};
-use imogene_rtl::catalogue::Unit;
-use imogene_verif::unit::Parameters;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -33,78 +33,68 @@ pub struct Demo {
     pub out: PathBuf,
 }
 
-/// Parameters of a unit or machine.
-#[derive(Clone, Copy, Debug, Args)]
+/// Format and parameters of a unit or machine.
+#[derive(Clone, Debug)]
 pub struct Shape {
-    /// Depth word in bits: 16, 20, 24, 28 or 32.
-    #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
+    /// Depth word in bits.
     pub format: u32,
-    /// Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra].
-    #[arg(long, value_name = "N")]
-    pub planes: Option<usize>,
-    /// Rows of the root network per register stage, 1 to W.
-    #[arg(long, default_value_t = 1, value_name = "R")]
-    pub rows_per_stage: usize,
-    /// Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider.
-    #[arg(long, default_value_t = 4, value_name = "M")]
-    pub objects: usize,
-    /// Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2].
-    #[arg(long, value_name = "D")]
-    pub digits: Option<usize>,
-    /// Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2.
-    #[arg(long, value_name = "C")]
-    pub corrections: Option<usize>,
-    /// Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3].
-    #[arg(long, value_name = "E")]
-    pub sides: Option<usize>,
-    /// Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0].
-    #[arg(long, value_name = "MODE")]
-    pub mode: Option<usize>,
-    /// Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2].
-    #[arg(long, value_name = "K")]
-    pub cards: Option<usize>,
-    /// Layers of transparency_pipeline, 1 to 8 [default: 2].
-    #[arg(long, value_name = "T")]
-    pub layers: Option<usize>,
-    /// Products of csg_decider, 1 to 16 [default: 2].
-    #[arg(long, value_name = "G")]
-    pub products: Option<usize>,
-    /// Objects intersected in each product of csg_decider, 1 to 8 [default: 2].
-    #[arg(long, value_name = "I")]
-    pub intersected: Option<usize>,
-    /// Objects taken away in each product of csg_decider, 0 to 8 [default: 2].
-    #[arg(long, value_name = "J")]
-    pub subtracted: Option<usize>,
-    /// Lights of the shading processor, 1 to 4 [default: 1].
-    #[arg(long, value_name = "L")]
-    pub lights: Option<usize>,
+    /// The values that were given, by option.
+    values: Vec<(&'static str, Option<u32>)>,
 }
 
 impl Shape {
-    /// The planes asked for, or the default of the unit of this name.
-    pub fn planes_of(&self, unit: &str) -> usize {
-        let default = Unit::from_name(unit).map_or(3, Unit::default_planes);
-        self.planes.unwrap_or(default)
+    /// The unit of this name with these parameters.
+    pub fn request(&self, unit: &str) -> Result<Request, RequestError> {
+        Request::given(unit, self.format, &self.values)
     }
 
-    /// The same for a co-simulation of the unit of this name.
-    pub fn parameters(&self, unit: &str) -> Parameters {
-        Parameters {
-            depth_word: self.format,
-            planes: self.planes_of(unit),
-            rows_per_stage: self.rows_per_stage,
-            objects: self.objects,
-            digits: self.digits,
-            corrections: self.corrections,
-            sides: self.sides,
-            mode: self.mode,
-            cards: self.cards,
-            layers: self.layers,
-            products: self.products,
-            intersected: self.intersected,
-            subtracted: self.subtracted,
-            lights: self.lights,
-        }
+    /// Rows of the root networks of a machine between registers.
+    pub fn rows_per_stage(&self) -> usize {
+        let mut values = self.values.iter();
+        let given = values.find(|(option, _)| *option == "rows-per-stage");
+        given.and_then(|(_, value)| *value).unwrap_or(1) as usize
+    }
+}
+
+impl FromArgMatches for Shape {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Shape, clap::Error> {
+        let value = |parameter: &Parameter| {
+            let value = matches.get_one(parameter.option).copied();
+            (parameter.option, value)
+        };
+        Ok(Shape {
+            format: *matches.get_one("format").expect("it has a default"),
+            values: PARAMETERS.iter().map(value).collect(),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Shape::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The options are those of the parameters that units have.
+impl Args for Shape {
+    fn augment_args(command: Command) -> Command {
+        let format = Arg::new("format")
+            .long("format")
+            .help("Depth word in bits: 16, 20, 24, 28 or 32")
+            .default_value("24")
+            .value_name("W")
+            .value_parser(depth_word);
+        let option = |parameter: &Parameter| {
+            Arg::new(parameter.option)
+                .long(parameter.option)
+                .help(parameter.meaning)
+                .value_name(parameter.symbol)
+                .value_parser(value_parser!(u32))
+        };
+        command.arg(format).args(PARAMETERS.iter().map(option))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Shape::augment_args(command)
     }
 }
 

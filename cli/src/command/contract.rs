@@ -1,6 +1,5 @@
 //! `imogene contract`.
 
-use super::emit_request;
 use crate::arguments::Contract;
 use crate::failure::Failure;
 use crate::output;
@@ -8,7 +7,10 @@ use imogene_package::contract::contract;
 
 /// Prints the contract of a unit, or writes it to a file.
 pub fn run(options: &Contract, json: bool) -> Result<(), Failure> {
-    let request = emit_request(&options.unit, options.shape)?;
+    let request = options
+        .shape
+        .request(&options.unit)
+        .map_err(Failure::input)?;
     let contract = contract(&request).map_err(Failure::input)?;
     let text = if json {
         contract.json()

@@ -1,12 +1,13 @@
 //! `imogene cosim`.
 
 use super::render::golden_frame;
-use super::{describe, emit_request, extremes, frame_scene, read_scene, threads, verdict};
+use super::{describe, extremes, frame_scene, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::{Request, Unit};
 use imogene_models::prepare::PreparedScene;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::engine::built_in::BuiltIn;
@@ -26,7 +27,7 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
     if extremes::is_meant(&options.subject) {
         return extremes::run(&options.subject, json);
     }
-    let mut report = if unit::is_unit(&options.subject) {
+    let mut report = if Unit::from_name(&options.subject).is_ok() {
         run_unit(options)?
     } else {
         run_scene(options)?
@@ -45,8 +46,11 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
 }
 
 fn run_unit(options: &Cosim) -> Result<Report, Failure> {
-    let parameters = options.shape.parameters(&options.subject);
-    let subject = unit::subject(&options.subject, parameters).map_err(Failure::input)?;
+    let request = options
+        .shape
+        .request(&options.subject)
+        .map_err(Failure::input)?;
+    let subject = unit::subject(&request).map_err(Failure::input)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
@@ -65,7 +69,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         }
         None => subject,
         Some(simulator) => {
-            let (top, text) = verilog(options)?;
+            let (top, text) = verilog(options, &request)?;
             with_verilog(subject, simulator, &top, &text).map_err(Failure::input)?
         }
     };
@@ -85,14 +89,13 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
 }
 
 /// Name of the top module and text of the unit's Verilog, or of its netlist.
-fn verilog(options: &Cosim) -> Result<(String, String), Failure> {
-    let request = emit_request(&options.subject, options.shape)?;
+fn verilog(options: &Cosim, request: &Request) -> Result<(String, String), Failure> {
     if let Some(target) = &options.netlist {
         let target = Target::from_name(target).map_err(Failure::input)?;
-        let netlist = netlist(&request, target).map_err(Failure::input)?;
+        let netlist = netlist(request, target).map_err(Failure::input)?;
         return Ok((netlist.top, netlist.text));
     }
-    let emitted = emit(&request).map_err(Failure::input)?;
+    let emitted = emit(request).map_err(Failure::input)?;
     let text = emitted.bundle();
     Ok((emitted.top, text))
 }
@@ -105,10 +108,10 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     }
     let path = Path::new(&options.subject);
     if path.extension().is_none() && !path.exists() {
+        let names = Unit::ALL.map(Unit::name).join(", ");
         return Err(Failure::Input(format!(
-            "'{}' is neither a scene file nor a unit; units: {}",
-            options.subject,
-            unit::list()
+            "'{}' is neither a scene file nor a unit; units: {names}",
+            options.subject
         )));
     }
     let file = read_scene(path, &options.view)?;
@@ -132,7 +135,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         prepared.width,
         prepared.height,
         options.shape.format,
-        options.shape.rows_per_stage
+        options.shape.rows_per_stage()
     );
     report.reproduce += &options.view.options();
     if let Some(f) = options.inject_fault.map(|f| f.0) {
@@ -144,7 +147,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
 /// A scene of quadric processors: the beam machine.
 fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     let run_options = scene::Options {
-        rows_per_stage: options.shape.rows_per_stage,
+        rows_per_stage: options.shape.rows_per_stage(),
         bands: threads(),
         trace: options.vcd.as_ref().map(|_| TraceRequest {
             object: options.trace_object,
@@ -183,7 +186,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             )));
         }
     }
-    let rows = options.shape.rows_per_stage;
+    let rows = options.shape.rows_per_stage();
     let bar = output::progress(slots::pixels(prepared), "processors in simulation");
     let outcome = slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {
         bar.inc(n)
@@ -202,7 +205,7 @@ fn run_volumes(
         return Ok(());
     }
     let frame = golden_frame(prepared);
-    let rows = options.shape.rows_per_stage;
+    let rows = options.shape.rows_per_stage();
     let bar = output::progress(volumes::pixels(prepared), "volumes in simulation");
     let asked = |n| bar.inc(n);
     let part = volumes::run(prepared, &frame, rows, &|s, r| engine(options, s, r), asked);
@@ -215,11 +218,7 @@ fn run_volumes(
 }
 
 /// Puts the engine asked for under a unit.
-fn engine(
-    options: &Cosim,
-    subject: Subject,
-    request: &EmitRequest,
-) -> Result<Subject, DesignError> {
+fn engine(options: &Cosim, subject: Subject, request: &Request) -> Result<Subject, DesignError> {
     match options.engine.simulator() {
         None => Ok(subject),
         Some(simulator) => {

@@ -3,7 +3,7 @@
 use super::emit::{add_verilog, emitted};
 use super::render::{golden_frame, golden_lighting};
 use super::{describe, frame_scene, threads, verdict};
-use crate::arguments::{Demo, Shape, Size};
+use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::machine::shading;
@@ -53,25 +53,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         fault: None,
     };
     let shape = scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
-    let request = super::emit_request(
-        "beam",
-        Shape {
-            format: shape.depth_word,
-            planes: Some(shape.planes),
-            rows_per_stage: shape.rows_per_stage,
-            objects: shape.objects,
-            digits: None,
-            corrections: None,
-            sides: None,
-            mode: None,
-            cards: None,
-            layers: None,
-            products: None,
-            intersected: None,
-            subtracted: None,
-            lights: None,
-        },
-    )?;
+    let request = shape.request();
     // Written first: an unwritable folder is found before the long work.
     let emitted = emitted(&request, None)?;
     let mut files = output::files();

@@ -1,14 +1,14 @@
 //! `imogene emit`.
 
-use super::{emit_request, fitted};
+use super::fitted;
 use crate::arguments::{Emit, Widths};
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::{Request, Unit};
 use imogene_files::Outputs;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::text::counted;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit, emit_with_prefix};
+use imogene_rtl::emit::{Direction, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,10 @@ struct PortEntry {
 
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
-    let request = emit_request(&options.unit, options.shape)?;
+    let request = options
+        .shape
+        .request(&options.unit)
+        .map_err(Failure::input)?;
     let emitted = match &options.widths {
         Some(widths) => fitted_machine(options, widths, request.unit)?,
         None => emitted(&request, options.prefix.as_deref())?,
@@ -67,7 +70,7 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
 }
 
 /// The Verilog of a unit of the catalogue.
-pub fn emitted(request: &EmitRequest, prefix: Option<&str>) -> Result<Emitted, Failure> {
+pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted, Failure> {
     let emitted = match prefix {
         Some(prefix) => emit_with_prefix(request, prefix),
         None => emit(request),
@@ -85,7 +88,7 @@ fn fitted_machine(options: &Emit, widths: &Widths, unit: Unit) -> Result<Emitted
     }
     let machine = FittedMachine {
         widths: widths.0,
-        rows_per_stage: options.shape.rows_per_stage as u32,
+        rows_per_stage: options.shape.rows_per_stage() as u32,
         slots: options
             .slots
             .as_ref()
@@ -119,8 +122,8 @@ fn port(port: &imogene_rtl::emit::Port) -> PortEntry {
     PortEntry {
         name: port.name.clone(),
         direction: match port.direction {
-            Direction::Input => "input",
-            Direction::Output => "output",
+            Direction::In => "input",
+            Direction::Out => "output",
         },
         width: port.width,
         signed: port.signed,

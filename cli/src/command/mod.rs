@@ -34,7 +34,7 @@ pub mod terrain;
 pub mod trade;
 pub mod units;
 
-use crate::arguments::{Guards, Scene, Shape, Size, View, Widths};
+use crate::arguments::{Guards, Scene, Size, View, Widths};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
 use imogene_files::{free_memory, memory_limit};
@@ -43,8 +43,6 @@ use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedScene, Seen, memory, prepare_reporting, steps};
 use imogene_models::scene::{FramedScene, Look, SceneFile};
 use imogene_models::text::counted;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
 use imogene_verif::report::Report;
 use std::path::Path;
 
@@ -177,26 +175,6 @@ fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, Prepare
     let prepared = prepared.map_err(Failure::input)?;
     missing::tell("", &framed, &prepared)?;
     Ok((framed, prepared))
-}
-
-fn emit_request(name: &str, shape: Shape) -> Result<EmitRequest, Failure> {
-    Ok(EmitRequest {
-        unit: Unit::from_name(name).map_err(Failure::input)?,
-        depth_word: shape.format as usize,
-        planes: shape.planes_of(name),
-        rows_per_stage: shape.rows_per_stage,
-        objects: shape.objects,
-        digits: shape.digits,
-        corrections: shape.corrections,
-        sides: shape.sides,
-        mode: shape.mode,
-        cards: shape.cards,
-        layers: shape.layers,
-        products: shape.products,
-        intersected: shape.intersected,
-        subtracted: shape.subtracted,
-        lights: shape.lights,
-    })
 }
 
 /// Threads for independent work.

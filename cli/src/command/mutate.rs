@@ -3,11 +3,11 @@
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::Request;
 use imogene_models::text::counted;
-use imogene_rtl::catalogue::Unit;
 use imogene_rtl::emit::emit;
 use imogene_verif::mutation::{self, Design, MutationReport, table};
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 
 /// Scores one unit or all of the published table.
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
@@ -44,14 +44,9 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 }
 
 fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
-    let kind = Unit::from_name(unit).map_err(Failure::input)?;
-    let parameters = Parameters {
-        depth_word: options.format,
-        planes: kind.default_planes(),
-        ..Parameters::default()
-    };
-    let subject = subject(unit, parameters).map_err(Failure::input)?;
-    let emitted = emit(&parameters.request(kind)).map_err(Failure::input)?;
+    let request = Request::given(unit, options.format, &[]).map_err(Failure::input)?;
+    let subject = subject(&request).map_err(Failure::input)?;
+    let emitted = emit(&request).map_err(Failure::input)?;
     let text = emitted.bundle();
     let design = Design {
         top: &emitted.top,

@@ -3,9 +3,9 @@
 use crate::arguments::Package;
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::Unit;
 use imogene_models::text::counted;
 use imogene_package::core::package;
-use imogene_rtl::catalogue::Unit;
 use serde::Serialize;
 use std::path::PathBuf;
 

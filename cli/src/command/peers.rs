@@ -1,6 +1,5 @@
 //! `imogene peers`.
 
-use super::emit_request;
 use crate::arguments::{Parameter, Peers};
 use crate::failure::Failure;
 use crate::output;
@@ -10,7 +9,10 @@ use imogene_synth::{Options, Target};
 
 /// Measures a design of another project beside a unit.
 pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
-    let request = emit_request(&options.against, options.shape)?;
+    let request = options
+        .shape
+        .request(&options.against)
+        .map_err(Failure::input)?;
     request.check().map_err(Failure::input)?;
     let target = Target::from_name(&options.target).map_err(Failure::input)?;
     let parameters = options.parameter.iter();

@@ -1,6 +1,5 @@
 //! `imogene speed`.
 
-use super::emit_request;
 use crate::arguments::{EngineName, Speed};
 use crate::failure::Failure;
 use crate::output;
@@ -34,9 +33,11 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
 }
 
 fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
-    let request = emit_request(&options.unit, options.shape)?;
-    let subject = unit::subject(&options.unit, options.shape.parameters(&options.unit))
+    let request = options
+        .shape
+        .request(&options.unit)
         .map_err(Failure::input)?;
+    let subject = unit::subject(&request).map_err(Failure::input)?;
     let Some(simulator) = engine.simulator() else {
         return Ok(subject);
     };

@@ -2,7 +2,6 @@
 
 mod check;
 
-use super::emit_request;
 use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
@@ -31,7 +30,7 @@ fn cache(options: &Synth) -> Cache {
 }
 
 fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
-    let request = emit_request(unit, options.shape)?;
+    let request = options.shape.request(unit).map_err(Failure::input)?;
     let target = Target::from_name(target).map_err(Failure::input)?;
     let seeds = options.seeds;
     let report = synthesise_with(&request, target, &Options { seeds }, cache(options))

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output;
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::Unit;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -50,22 +50,20 @@ pub fn run(json: bool) -> Result<(), Failure> {
 }
 
 fn entry(unit: Unit) -> UnitEntry {
+    let record = unit.record();
     let mut parameters = vec![ParameterEntry {
         option: "format".into(),
         range: "16|20|24|28|32".into(),
     }];
-    parameters.extend(unit.parameters().iter().map(|p| ParameterEntry {
-        option: p.option.into(),
-        range: match p.most {
-            Some(most) => format!("{}..{most}", p.least),
-            None => format!("{}..W", p.least),
-        },
+    parameters.extend(record.parameters.iter().map(|parameter| ParameterEntry {
+        option: parameter.option.into(),
+        range: parameter.range().replace(" to ", ".."),
     }));
     UnitEntry {
-        name: unit.name(),
-        contract: unit.contract(),
+        name: record.name,
+        contract: record.computes,
         parameters,
-        latency: unit.latency_formula(),
-        source: unit.source(),
+        latency: record.latency,
+        source: record.source,
     }
 }

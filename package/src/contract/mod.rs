@@ -1,56 +1,17 @@
 //! What a unit promises: ports, widths, timing, ties, error.
 //!
-//! Names, directions, widths and number formats of ports come from the emitted Verilog; their formulas and meanings from [`ports`]; the
-//! rest of a promise from [`statement`] and the catalogue.
+//! Ports are those of the circuit, each with its meaning; the formula of a width follows from the circuit at another
+//! depth word. The rest of a promise is the record of the unit.
 
 mod markdown;
-pub mod ports;
-mod processors;
-mod shared;
-pub mod statement;
-mod video;
-pub mod width;
 
-use imogene_rtl::catalogue::Parameter;
-use imogene_rtl::emit::{Direction, EmitError, EmitRequest, Emitted, Port, emit};
+use imogene_contract::parameters::Parameter;
+use imogene_contract::{Request, RequestError};
+use imogene_rtl::emit::{Direction, Emitted, Port, design, emit};
 use serde::Serialize;
-use thiserror::Error;
 
 /// What every unit does about reset.
 pub const RESET: &str = "none: registers start from their initial values at configuration; outputs mean something under valid only, or where there is none after the latency has passed";
-
-/// Symbols of the parameters in formulas.
-const SYMBOLS: [(&str, &str); 13] = [
-    ("planes", "N"),
-    ("rows-per-stage", "R"),
-    ("objects", "M"),
-    ("digits", "D"),
-    ("corrections", "C"),
-    ("sides", "E"),
-    ("cards", "K"),
-    ("layers", "T"),
-    ("products", "G"),
-    ("intersected", "I"),
-    ("subtracted", "J"),
-    ("mode", "V"),
-    ("lights", "Q"),
-];
-
-/// Why a unit has no contract.
-#[derive(Debug, Error)]
-pub enum ContractError {
-    /// A parameter is out of its range.
-    #[error("{0}")]
-    Request(EmitError),
-    /// A port of the Verilog without a meaning, or a meaning without a port; a defect of this crate.
-    #[error("the contract of `{unit}` and its Verilog differ at port `{port}`")]
-    Port {
-        /// The unit.
-        unit: &'static str,
-        /// The port.
-        port: String,
-    },
-}
 
 /// The contract of a unit with its parameters; the keys are stable.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -89,7 +50,7 @@ pub struct ParameterEntry {
     /// Legal values.
     pub range: String,
     /// The value of this Verilog.
-    pub value: usize,
+    pub value: u32,
 }
 
 /// A port of a unit.
@@ -123,32 +84,31 @@ pub struct Latency {
 /// # Errors
 ///
 /// When a parameter is out of its range.
-pub fn contract(request: &EmitRequest) -> Result<Contract, ContractError> {
-    of_emitted(request, &emit(request).map_err(ContractError::Request)?)
+pub fn contract(request: &Request) -> Result<Contract, RequestError> {
+    of_emitted(request, &emit(request)?)
 }
 
 /// The contract of a unit that was already emitted.
 ///
 /// # Errors
 ///
-/// When its ports are not those that this crate describes.
-pub fn of_emitted(request: &EmitRequest, emitted: &Emitted) -> Result<Contract, ContractError> {
-    let unit = request.unit;
-    let statement = statement::of(unit);
+/// As for [`contract`].
+pub fn of_emitted(request: &Request, emitted: &Emitted) -> Result<Contract, RequestError> {
+    let record = request.unit.record();
     Ok(Contract {
-        unit: unit.name(),
-        computes: unit.contract(),
-        source: unit.source(),
+        unit: record.name,
+        computes: record.computes,
+        source: record.source,
         parameters: parameters(request),
-        ports: port_entries(request, &emitted.ports)?,
+        ports: ports(request, &emitted.ports)?,
         latency: Latency {
-            formula: unit.latency_formula(),
+            formula: record.latency,
             clocks: emitted.latency,
         },
-        throughput: statement.throughput,
+        throughput: record.throughput,
         reset: RESET,
-        ties: statement.ties,
-        error: unit.error(request),
+        ties: record.ties,
+        error: request.error(),
         command: request.command(),
     })
 }
@@ -166,71 +126,70 @@ impl Contract {
     }
 }
 
-fn parameters(request: &EmitRequest) -> Vec<ParameterEntry> {
+fn parameters(request: &Request) -> Vec<ParameterEntry> {
     let formats = imogene_rtl::format::DEPTH_WORDS.map(|word| word.to_string());
-    let mut list = vec![ParameterEntry {
+    let format = ParameterEntry {
         option: "format",
         symbol: "W",
         range: formats.join(", "),
         value: request.depth_word,
-    }];
-    let given = request.unit.parameters().iter().zip(request.options());
-    list.extend(given.map(|(parameter, (option, value))| ParameterEntry {
-        option,
-        symbol: symbol(option),
-        range: range(parameter),
-        value,
-    }));
-    list
-}
-
-fn symbol(option: &str) -> &'static str {
-    let found = SYMBOLS.iter().find(|(name, _)| *name == option);
-    found.map_or("?", |(_, symbol)| symbol)
-}
-
-fn range(parameter: &Parameter) -> String {
-    match parameter.most {
-        Some(most) => format!("{} to {most}", parameter.least),
-        None => format!("{} to W", parameter.least),
-    }
-}
-
-fn port_entries(request: &EmitRequest, emitted: &[Port]) -> Result<Vec<PortEntry>, ContractError> {
-    let differs = |port: &str| ContractError::Port {
-        unit: request.unit.name(),
-        port: port.to_owned(),
     };
-    let mut described = ports::described(request);
-    let mut list = Vec::new();
-    for port in emitted {
-        let at = described.iter().position(|known| known.name == port.name);
-        let known = described.swap_remove(at.ok_or_else(|| differs(&port.name))?);
-        if known.width.bits(request.depth_word) != port.width {
-            return Err(differs(&port.name));
-        }
-        list.push(entry(port, known));
-    }
-    match described.first() {
-        Some(left) => Err(differs(&left.name)),
-        None => Ok(list),
-    }
+    let entry = |parameter: &Parameter| ParameterEntry {
+        option: parameter.option,
+        symbol: parameter.symbol,
+        range: parameter.range(),
+        value: parameter.of(request),
+    };
+    let own = request.unit.record().parameters.iter().map(entry);
+    std::iter::once(format).chain(own).collect()
 }
 
-fn entry(port: &Port, known: ports::Described) -> PortEntry {
-    PortEntry {
+/// The ports of a unit, and the formulas of their widths.
+fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestError> {
+    let here = i64::from(request.depth_word);
+    let other = if here < 24 { here + 8 } else { here - 8 };
+    // The parameters that are at most the depth word change no port.
+    let elsewhere = design(&Request {
+        depth_word: other as u32,
+        rows_per_stage: 1,
+        digits: 1,
+        ..*request
+    })?;
+    let width_elsewhere = |port: &Port| {
+        let mut others = elsewhere.top.ports.iter();
+        let found = others.find(|other| other.name == port.name);
+        found.map_or(1, |other| i64::from(other.width))
+    };
+    let formula = |port: &Port| {
+        let width = port.width as i64;
+        let times = (width - width_elsewhere(port)) / (here - other);
+        formula(times, width - times * here)
+    };
+    let entry = |port: &Port| PortEntry {
         name: port.name.clone(),
         direction: match port.direction {
-            Direction::Input => "input",
-            Direction::Output => "output",
+            Direction::In => "input",
+            Direction::Out => "output",
         },
         width: port.width,
-        formula: known.width.to_string(),
+        formula: formula(port),
         format: match (port.signed, port.width) {
             (true, _) => "two's complement",
             (false, 1) => "flag",
             (false, _) => "unsigned",
         },
-        meaning: known.meaning,
+        meaning: port.meaning.clone(),
+    };
+    Ok(ports.iter().map(entry).collect())
+}
+
+/// `times W + plus`.
+fn formula(times: i64, plus: i64) -> String {
+    match (times, plus) {
+        (0, plus) => plus.to_string(),
+        (1, 0) => "W".to_owned(),
+        (1, plus) => format!("W + {plus}"),
+        (times, 0) => format!("{times}W"),
+        (times, plus) => format!("{times}W + {plus}"),
     }
 }

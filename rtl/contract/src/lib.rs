@@ -1,8 +1,15 @@
-//! What hardware and golden models share: names, widths and addresses, and no behaviour.
+//! What hardware and golden models share: names, widths, addresses and the record of every unit, and no behaviour.
 
 pub mod command_stream;
+mod formula;
 pub mod parameters;
+mod records;
+pub mod request;
 pub mod shading;
+pub mod unit;
 pub mod video;
 pub mod volume;
 pub mod words;
+
+pub use request::{Request, RequestError};
+pub use unit::{Record, Unit};

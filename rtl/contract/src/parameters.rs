@@ -1,56 +1,107 @@
-//! What a unit is built for.
+//! Parameters of units besides the format: option, symbol, range, default.
 
-/// Every parameter that a unit may have; a circuit reads those that it has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Parameters {
-    /// Depth word `W` of the format.
-    pub depth_word: u32,
-    /// Cut planes of an object.
-    pub planes: u32,
-    /// Rows of the root network between registers.
-    pub rows_per_stage: u32,
-    /// Objects of a machine, or inputs of a decider.
-    pub objects: u32,
-    /// Digits that a shortened square root keeps.
-    pub digits: u32,
-    /// Corrections behind an approximate square root.
-    pub corrections: u32,
-    /// Sides of a facet.
-    pub sides: u32,
-    /// Number of a video mode.
-    pub mode: u32,
-    /// Cards of processors.
-    pub cards: u32,
-    /// Transparent objects of a pipeline.
-    pub layers: u32,
-    /// Products of a solid.
-    pub products: u32,
-    /// Objects intersected in a product.
-    pub intersected: u32,
-    /// Objects taken away in a product.
-    pub subtracted: u32,
-    /// Lights of a shading processor.
-    pub lights: u32,
+use crate::request::Request;
+use crate::words::{
+    MOST_CARDS, MOST_CORRECTIONS, MOST_LAYERS, MOST_LIGHTS, MOST_LITERALS, MOST_MODE, MOST_OBJECTS,
+    MOST_PLANES, MOST_PRODUCTS, MOST_SIDES,
+};
+
+/// A parameter of a unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// Option of the command line.
+    pub option: &'static str,
+    /// Symbol in formulas.
+    pub symbol: &'static str,
+    /// What it counts, for which units, and its legal values.
+    pub meaning: &'static str,
+    /// Least legal value.
+    pub least: u32,
+    /// Greatest legal value; none where it is the depth word.
+    pub most: Option<u32>,
+    /// What it is if nobody asks for another value; none where it is half the depth word.
+    pub default: Option<u32>,
+    /// Where a request keeps it.
+    pub field: fn(&mut Request) -> &mut u32,
 }
 
-impl Parameters {
-    /// A format with the parameters that are most often the default.
-    pub const fn of(depth_word: u32) -> Parameters {
-        Parameters {
-            depth_word,
-            planes: 3,
-            rows_per_stage: 1,
-            objects: 4,
-            digits: depth_word / 2,
-            corrections: 1,
-            sides: 3,
-            mode: 0,
-            cards: 2,
-            layers: 2,
-            products: 2,
-            intersected: 2,
-            subtracted: 2,
-            lights: 1,
+impl Parameter {
+    /// Its value in a request.
+    pub fn of(&self, request: &Request) -> u32 {
+        *(self.field)(&mut request.clone())
+    }
+
+    /// Its legal values: `1 to W`.
+    pub fn range(&self) -> String {
+        match self.most {
+            Some(most) => format!("{} to {most}", self.least),
+            None => format!("{} to W", self.least),
         }
     }
 }
+
+macro_rules! parameters {
+    ($($name:ident: $option:literal $symbol:literal $field:ident, $least:literal to $most:expr, $default:expr, $meaning:literal;)*) => {
+        $(pub(crate) const $name: Parameter = Parameter {
+            option: $option,
+            symbol: $symbol,
+            meaning: $meaning,
+            least: $least,
+            most: $most,
+            default: $default,
+            field: |request| &mut request.$field,
+        };)*
+
+        /// Every parameter, each once.
+        pub const PARAMETERS: &[Parameter] = &[$($name),*];
+    };
+}
+
+parameters! {
+    PLANES: "planes" "N" planes, 0 to Some(MOST_PLANES as u32), Some(3),
+        "Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra]";
+    ROWS: "rows-per-stage" "R" rows_per_stage, 1 to None, Some(1),
+        "Rows of the root network per register stage, 1 to W [default: 1]";
+    OBJECTS: "objects" "M" objects, 1 to Some(MOST_OBJECTS as u32), Some(4),
+        "Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider [default: 4]";
+    // Half of them, as in the experiment of section B.10.
+    DIGITS: "digits" "D" digits, 1 to None, None,
+        "Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2]";
+    CORRECTIONS: "corrections" "C" corrections, 0 to Some(MOST_CORRECTIONS as u32), Some(1),
+        "Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2";
+    SIDES: "sides" "E" sides, 3 to Some(MOST_SIDES as u32), Some(3),
+        "Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3]";
+    MODE: "mode" "V" mode, 0 to Some(MOST_MODE as u32), Some(0),
+        "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
+    CARDS: "cards" "K" cards, 1 to Some(MOST_CARDS as u32), Some(2),
+        "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
+    LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS as u32), Some(2),
+        "Layers of transparency_pipeline, 1 to 8 [default: 2]";
+    PRODUCTS: "products" "G" products, 1 to Some(MOST_PRODUCTS as u32), Some(2),
+        "Products of csg_decider, 1 to 16 [default: 2]";
+    INTERSECTED: "intersected" "I" intersected, 1 to Some(MOST_LITERALS as u32), Some(2),
+        "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
+    SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(MOST_LITERALS as u32), Some(2),
+        "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
+    LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS as u32), Some(1),
+        "Lights of the shading processor, 1 to 4 [default: 1]";
+}
+
+/// Planes of a patch or volume; the source has four.
+pub(crate) const FOUR_PLANES: Parameter = Parameter {
+    default: Some(4),
+    ..PLANES
+};
+/// Faces of a polyhedron; a cube has six.
+pub(crate) const FACES: Parameter = Parameter {
+    least: 1,
+    default: Some(6),
+    ..PLANES
+};
+/// Sides of a facet that is not flat.
+pub(crate) const CURVED_SIDES: Parameter = Parameter { least: 1, ..SIDES };
+/// The fewest corrections of straight lines that stay under 1 % (section 4.1.2).
+pub(crate) const TWO_CORRECTIONS: Parameter = Parameter {
+    default: Some(2),
+    ..CORRECTIONS
+};

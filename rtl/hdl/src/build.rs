@@ -1,6 +1,6 @@
 //! What is being built: one scope for each module that is open.
 
-use crate::bundle::Bundle;
+use crate::bundle::{Bundle, Label};
 use crate::tree::{Direction, Instance, Module, Net, Node, Op, PortRecord};
 use crate::value::Handle;
 use std::cell::RefCell;
@@ -87,19 +87,21 @@ pub fn module<I: Bundle, O: Bundle>(
     body: impl FnOnce(I) -> O,
 ) -> O {
     let mut outside = vec![];
-    inputs.each("", &mut |_, member| outside.push(member.handle.net));
+    let own = Label::default();
+    inputs.each(&own, &mut |_, member| outside.push(member.handle.net));
     let place = Location::caller();
     open(name);
-    let mut names = vec![];
-    inputs.each("", &mut |name, _| names.push(name));
-    let mut names = names.into_iter();
+    let mut labels = vec![];
+    inputs.each(&own, &mut |label, _| labels.push(label));
+    let mut labels = labels.into_iter();
     let inside = inputs.rebuilt(&mut |member| {
-        let port = names.next().expect("as many names as members");
+        let port = labels.next().expect("as many labels as members");
         let (net, scope) = add(Op::Input, member.handle.width, member.signed, place);
         with_scope(|open| {
-            open.module.nodes[net.0 as usize].name = Some(port.clone());
+            open.module.nodes[net.0 as usize].name = Some(port.name.clone());
             open.module.ports.push(PortRecord {
-                name: port,
+                name: port.name,
+                meaning: port.meaning,
                 direction: Direction::In,
                 net,
                 width: member.handle.width,
@@ -113,10 +115,11 @@ pub fn module<I: Bundle, O: Bundle>(
         }
     });
     let outputs = body(inside);
-    outputs.each("", &mut |name, member| {
+    outputs.each(&own, &mut |label, member| {
         with_scope(|open| {
             open.module.ports.push(PortRecord {
-                name,
+                name: label.name,
+                meaning: label.meaning,
                 direction: Direction::Out,
                 net: member.handle.net,
                 width: member.handle.width,

@@ -10,10 +10,44 @@ pub struct Member {
     pub signed: bool,
 }
 
+/// What stands before the names and meanings of the members of a bundle, or of one member.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Label {
+    /// Name.
+    pub name: String,
+    /// What it carries.
+    pub meaning: String,
+}
+
+impl Label {
+    /// The label of a member, behind this one. A name that begins with an underscore stands behind that of a member.
+    pub fn member(&self, name: &str, meaning: &str) -> Label {
+        let name = match (self.name.as_str(), name) {
+            ("", name) => name.to_owned(),
+            (group, "") => group.to_owned(),
+            (group, name) if group.starts_with('_') => format!("{name}{group}"),
+            (group, name) => format!("{group}_{name}"),
+        };
+        let meaning = match (self.meaning.as_str(), meaning) {
+            ("", meaning) => meaning.to_owned(),
+            (group, "") => group.to_owned(),
+            (group, meaning) => format!("{group}: {meaning}"),
+        };
+        Label { name, meaning }
+    }
+
+    /// The label of a member with a number, which stands for `#` in the meaning.
+    fn numbered(&self, index: usize) -> Label {
+        let mut label = self.member(&index.to_string(), "");
+        label.meaning = label.meaning.replace('#', &index.to_string());
+        label
+    }
+}
+
 /// Values with names, in an order.
 pub trait Bundle {
-    /// Calls back with each name, behind that of the group, and value.
-    fn each(&self, group: &str, found: &mut dyn FnMut(String, Member));
+    /// Calls back with each label, behind that of the group, and value.
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member));
 
     /// The same bundle of other values, of the same widths.
     #[doc(hidden)]
@@ -24,8 +58,9 @@ pub trait Bundle {
     where
         Self: Sized,
     {
-        self.each(group, &mut |name, member| {
-            Bits(member.handle).named(&name);
+        let group = Label::default().member(group, "");
+        self.each(&group, &mut |label, member| {
+            Bits(member.handle).named(&label.name);
         });
         self
     }
@@ -81,7 +116,8 @@ fn later<B: Bundle>(bundle: &B, name: fn(String) -> Option<String>, clocks: u32)
 /// All members with their names.
 pub(crate) fn members(bundle: &impl Bundle) -> Vec<(String, Member)> {
     let mut found = vec![];
-    bundle.each("", &mut |name, member| found.push((name, member)));
+    let mut add = |label: Label, member| found.push((label.name, member));
+    bundle.each(&Label::default(), &mut add);
     found
 }
 
@@ -89,30 +125,6 @@ pub(crate) fn members(bundle: &impl Bundle) -> Vec<(String, Member)> {
 pub(crate) fn replaced<B: Bundle>(bundle: &B, values: Vec<Handle>) -> B {
     let mut values = values.into_iter();
     bundle.rebuilt(&mut |_| values.next().expect("as many values as members"))
-}
-
-/// What a bundle says of a port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Meaning {
-    /// Name within its group.
-    pub name: &'static str,
-    /// Bits.
-    pub width: u32,
-    /// A two's complement number.
-    pub signed: bool,
-    /// What it carries.
-    pub meaning: &'static str,
-}
-
-/// The name of a member of a group; one that begins with an underscore stands behind the name.
-#[doc(hidden)]
-pub fn member_name(group: &str, name: &str) -> String {
-    match (group, name) {
-        ("", name) => name.to_owned(),
-        (group, "") => group.to_owned(),
-        (group, name) if group.starts_with('_') => format!("{name}{group}"),
-        _ => format!("{group}_{name}"),
-    }
 }
 
 fn member<V: Value>(value: &V) -> Member {
@@ -125,8 +137,8 @@ fn member<V: Value>(value: &V) -> Member {
 macro_rules! bundle_of_one {
     ($($value:ident)*) => {$(
         impl Bundle for $value {
-            fn each(&self, group: &str, found: &mut dyn FnMut(String, Member)) {
-                found(group.to_owned(), member(self));
+            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+                found(group.clone(), member(self));
             }
 
             fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
@@ -139,15 +151,15 @@ macro_rules! bundle_of_one {
 bundle_of_one! { Bits Int }
 
 impl Bundle for () {
-    fn each(&self, _: &str, _: &mut dyn FnMut(String, Member)) {}
+    fn each(&self, _: &Label, _: &mut dyn FnMut(Label, Member)) {}
 
     fn rebuilt(&self, _: &mut dyn FnMut(Member) -> Handle) -> Self {}
 }
 
 /// A bundle under a name.
 impl<B: Bundle> Bundle for (&'static str, B) {
-    fn each(&self, group: &str, found: &mut dyn FnMut(String, Member)) {
-        self.1.each(&member_name(group, self.0), found);
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+        self.1.each(&group.member(self.0, ""), found);
     }
 
     fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
@@ -155,11 +167,22 @@ impl<B: Bundle> Bundle for (&'static str, B) {
     }
 }
 
+/// A bundle under a name, with its meaning.
+impl<B: Bundle> Bundle for (&'static str, B, &'static str) {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+        self.1.each(&group.member(self.0, self.2), found);
+    }
+
+    fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
+        (self.0, self.1.rebuilt(other), self.2)
+    }
+}
+
 /// Members with numbers.
 impl<B: Bundle> Bundle for Vec<B> {
-    fn each(&self, group: &str, found: &mut dyn FnMut(String, Member)) {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
         for (index, one) in self.iter().enumerate() {
-            one.each(&member_name(group, &index.to_string()), found);
+            one.each(&group.numbered(index), found);
         }
     }
 
@@ -171,7 +194,7 @@ impl<B: Bundle> Bundle for Vec<B> {
 macro_rules! tuples {
     ($(($($letter:ident $index:tt),*))*) => {$(
         impl<$($letter: Bundle),*> Bundle for ($($letter,)*) {
-            fn each(&self, group: &str, found: &mut dyn FnMut(String, Member)) {
+            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
                 $(self.$index.each(group, found);)*
             }
 
@@ -193,7 +216,7 @@ tuples! {
 /// parameters, and its meaning.
 ///
 /// ```
-/// use imogene_hdl::{Value, bundle};
+/// use imogene_hdl::{Bundle, Design, Value, bundle, module};
 ///
 /// bundle! {
 ///     /// Words of `a x + b y + c`.
@@ -204,8 +227,9 @@ tuples! {
 ///     }
 /// }
 ///
-/// let ports = Linear::ports(26);
-/// assert_eq!((ports[1].name, ports[1].width, ports[1].meaning), ("b", 26, "increment from line to line"));
+/// let design = Design::of(|| module("hold", "top", Linear::input(26), |words| ("held", words.registered())));
+/// let port = &design.top.ports[1];
+/// assert_eq!((&*port.name, port.width, &*port.meaning), ("b", 26, "increment from line to line"));
 /// ```
 #[macro_export]
 macro_rules! bundle {
@@ -219,17 +243,6 @@ macro_rules! bundle {
         }
 
         impl $group {
-            /// Its members in order.
-            #[allow(unused_variables)]
-            pub fn ports($($width: u32),*) -> Vec<$crate::Meaning> {
-                vec![$($crate::Meaning {
-                    name: stringify!($name),
-                    width: $bits,
-                    signed: <$crate::$kind as $crate::Value>::SIGNED,
-                    meaning: $meaning,
-                }),*]
-            }
-
             /// Values from outside of the design.
             #[allow(unused_variables)]
             pub fn input($($width: u32),*) -> $group {
@@ -240,10 +253,10 @@ macro_rules! bundle {
         }
 
         impl $crate::Bundle for $group {
-            fn each(&self, group: &str, found: &mut dyn FnMut(String, $crate::Member)) {
+            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Member)) {
                 $($crate::Bundle::each(
                     &self.$name,
-                    &$crate::member_name(group, stringify!($name)),
+                    &group.member(stringify!($name), $meaning),
                     found,
                 );)*
             }
@@ -257,8 +270,8 @@ macro_rules! bundle {
     )*};
 }
 
-/// Declares a structure of bundles, each with the name that stands before those of its members; an empty one stands
-/// before none.
+/// Declares a structure of bundles, each with the name and the meaning that stand before those of its members. An empty
+/// name stands before none; without a meaning the members have their own alone, and a comment documents the field.
 ///
 /// ```
 /// use imogene_hdl::{bundle, bundles};
@@ -280,17 +293,21 @@ macro_rules! bundle {
 #[macro_export]
 macro_rules! bundles {
     ($($(#[$about:meta])* $group:ident {
-        $($name:ident: $kind:ty as $prefix:literal, $meaning:literal;)*
+        $($(#[$silent:meta])* $name:ident: $kind:ty as $prefix:literal $(, $meaning:literal)?;)*
     })*) => {$(
         $(#[$about])*
         #[derive(Clone, Debug)]
         pub struct $group {
-            $(#[doc = $meaning] pub $name: $kind,)*
+            $($(#[$silent])* $(#[doc = $meaning])? pub $name: $kind,)*
         }
 
         impl $crate::Bundle for $group {
-            fn each(&self, group: &str, found: &mut dyn FnMut(String, $crate::Member)) {
-                $($crate::Bundle::each(&self.$name, &$crate::member_name(group, $prefix), found);)*
+            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Member)) {
+                $($crate::Bundle::each(
+                    &self.$name,
+                    &group.member($prefix, concat!($($meaning)?)),
+                    found,
+                );)*
             }
 
             fn rebuilt(&self, other: &mut dyn FnMut($crate::Member) -> $crate::Handle) -> Self {

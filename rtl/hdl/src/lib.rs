@@ -42,8 +42,7 @@ pub mod verilog;
 
 pub use build::{Design, module};
 #[doc(hidden)]
-pub use bundle::member_name;
-pub use bundle::{Bundle, Meaning, Member};
+pub use bundle::{Bundle, Label, Member};
 pub use simulate::{Port, Simulator};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
 #[doc(hidden)]

@@ -122,10 +122,12 @@ pub enum Direction {
 }
 
 /// A port of a module.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct PortRecord {
     /// Name.
     pub name: String,
+    /// What it carries; empty if nobody says so.
+    pub meaning: String,
     /// Way.
     pub direction: Direction,
     /// Of an input the port itself, of an output what drives it.
@@ -134,6 +136,24 @@ pub struct PortRecord {
     pub width: u32,
     /// A two's complement number.
     pub signed: bool,
+}
+
+impl PartialEq for PortRecord {
+    fn eq(&self, other: &PortRecord) -> bool {
+        (
+            &self.name,
+            self.direction,
+            self.net,
+            self.width,
+            self.signed,
+        ) == (
+            &other.name,
+            other.direction,
+            other.net,
+            other.width,
+            other.signed,
+        )
+    }
 }
 
 /// A register.

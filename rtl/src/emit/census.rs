@@ -1,6 +1,7 @@
 //! What a unit is made of, counted in its hierarchy.
 
-use super::{EmitError, EmitRequest, design};
+use super::{EmitError, design};
+use imogene_contract::Request;
 use imogene_hdl::{Binary, Module, Op};
 
 /// Parts of a unit.
@@ -21,7 +22,7 @@ pub struct Census {
 /// # Errors
 ///
 /// When a parameter is out of its legal range.
-pub fn census(request: &EmitRequest) -> Result<Census, EmitError> {
+pub fn census(request: &Request) -> Result<Census, EmitError> {
     let mut parts = Census::default();
     count(&design(request)?.top, &mut parts);
     Ok(parts)
@@ -47,11 +48,11 @@ fn count(module: &Module, parts: &mut Census) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Unit;
+    use imogene_contract::Unit;
 
     #[test]
     fn parts_of_the_quadric_processor() {
-        let parts = census(&EmitRequest::new(Unit::QuadricProcessor)).unwrap();
+        let parts = census(&Request::new(Unit::QuadricProcessor)).unwrap();
         let expected = Census {
             pe1: 1 + 3 + 3,
             pe2: 1,
@@ -59,7 +60,7 @@ mod tests {
             multipliers: 3,
         };
         assert_eq!(parts, expected);
-        let machine = census(&EmitRequest::new(Unit::Beam)).unwrap();
+        let machine = census(&Request::new(Unit::Beam)).unwrap();
         assert_eq!((machine.pe1, machine.roots), (28, 4));
     }
 }

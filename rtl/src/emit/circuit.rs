@@ -1,7 +1,7 @@
 //! What is emitted of a circuit of functions.
 
-use super::{Direction, Port};
-use imogene_hdl::{Design, verilog};
+use super::Port;
+use imogene_hdl::{Design, Direction, verilog};
 
 /// Names and texts of the modules, leaves first.
 pub(super) fn modules(design: &Design, prefix: &str) -> Vec<(String, String)> {
@@ -17,16 +17,15 @@ pub(super) fn modules(design: &Design, prefix: &str) -> Vec<(String, String)> {
 pub(super) fn ports(design: &Design) -> Vec<Port> {
     let clock = Port {
         name: "clock".to_owned(),
-        direction: Direction::Input,
+        meaning: "rising edge".to_owned(),
+        direction: Direction::In,
         width: 1,
         signed: false,
     };
     let others = design.top.ports.iter().map(|port| Port {
         name: port.name.clone(),
-        direction: match port.direction {
-            imogene_hdl::Direction::In => Direction::Input,
-            imogene_hdl::Direction::Out => Direction::Output,
-        },
+        meaning: port.meaning.clone(),
+        direction: port.direction,
         width: port.width as usize,
         signed: port.signed,
     });

@@ -186,8 +186,8 @@ fn parameters(request: &MachineRequest) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::Unit;
-    use crate::emit::{EmitRequest, emit};
+    use crate::emit::emit;
+    use imogene_contract::{Request, Unit};
 
     const BASE: MachineWords = MachineWords {
         depth: 16,
@@ -219,11 +219,10 @@ mod tests {
     #[test]
     fn equal_slots_are_the_machine_of_the_catalogue() {
         let fitted = emit_machine(&request(&[(2, true); 3])).unwrap();
-        let catalogue = emit(&EmitRequest {
-            depth_word: 16,
+        let catalogue = emit(&Request {
             planes: 2,
             objects: 3,
-            ..EmitRequest::new(Unit::Beam)
+            ..Request::of(Unit::Beam, 16)
         })
         .unwrap();
         assert_eq!(fitted.modules, catalogue.modules);

@@ -5,34 +5,26 @@
 mod census;
 mod circuit;
 pub mod display;
-mod error;
 pub mod machine;
 mod names;
 mod raw;
-mod request;
 
 pub use census::{Census, census};
-pub use error::EmitError;
 use imogene_circuits::units;
+use imogene_contract::Request;
+pub use imogene_contract::request::RequestError as EmitError;
 use imogene_hdl::Design;
+pub use imogene_hdl::Direction;
 pub use raw::raw;
-pub use request::EmitRequest;
 use std::fmt::Write;
-
-/// Direction of a port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Into the unit.
-    Input,
-    /// Out of the unit.
-    Output,
-}
 
 /// A port of the emitted module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Port {
     /// Name in the Verilog.
     pub name: String,
+    /// What it carries.
+    pub meaning: String,
     /// Direction.
     pub direction: Direction,
     /// Bits.
@@ -93,10 +85,9 @@ const LICENCE: &str = "MIT OR Apache-2.0";
 /// # Errors
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
-pub fn design(request: &EmitRequest) -> Result<Design, EmitError> {
+pub fn design(request: &Request) -> Result<Design, EmitError> {
     request.check()?;
-    let design = units::design(request.unit.name(), &request.parameters());
-    Ok(design.expect("every unit of the catalogue has a circuit"))
+    Ok(units::design(request))
 }
 
 /// Emits the Verilog of a unit.
@@ -104,7 +95,7 @@ pub fn design(request: &EmitRequest) -> Result<Design, EmitError> {
 /// # Errors
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
-pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
+pub fn emit(request: &Request) -> Result<Emitted, EmitError> {
     emitted(request, "")
 }
 
@@ -113,12 +104,12 @@ pub fn emit(request: &EmitRequest) -> Result<Emitted, EmitError> {
 /// # Errors
 ///
 /// As for [`emit`], and when a name with the prefix is no identifier.
-pub fn emit_with_prefix(request: &EmitRequest, prefix: &str) -> Result<Emitted, EmitError> {
+pub fn emit_with_prefix(request: &Request, prefix: &str) -> Result<Emitted, EmitError> {
     names::check_prefix(prefix)?;
     emitted(request, prefix)
 }
 
-fn emitted(request: &EmitRequest, prefix: &str) -> Result<Emitted, EmitError> {
+fn emitted(request: &Request, prefix: &str) -> Result<Emitted, EmitError> {
     let design = design(request)?;
     let ports = circuit::ports(&design);
     let latency = request.latency();
@@ -136,18 +127,18 @@ pub use imogene_contract::video::LEAD;
 /// Columns of the statements of a header at most.
 const COLUMNS: usize = 120;
 
-fn header(request: &EmitRequest, ports: &[Port], latency: usize, prefix: &str) -> String {
+fn header(request: &Request, ports: &[Port], latency: usize, prefix: &str) -> String {
     let unit = request.unit;
     let format = format!("format {}", request.depth_word);
     let options = request.options().into_iter();
     let options = options.map(|(option, value)| format!("{} {value}", option.replace('-', " ")));
     Heading {
         top: &format!("{prefix}{}", unit.name()),
-        contract: unit.contract(),
+        contract: unit.record().computes,
         parameters: std::iter::once(format).chain(options).collect(),
         latency,
-        error: &unit.error(request),
-        source: unit.source(),
+        error: &request.error(),
+        source: unit.record().source,
         ports,
         command: &request.command_with_prefix(prefix),
     }
@@ -178,7 +169,7 @@ impl Heading<'_> {
         let _ = writeln!(text, "// source:     {}", self.source);
         let _ = writeln!(text, "// ports:");
         for port in self.ports {
-            let direction = if port.direction == Direction::Input {
+            let direction = if port.direction == Direction::In {
                 "in "
             } else {
                 "out"

@@ -1,6 +1,7 @@
 //! rust-hdl's own text of a unit. It is compared with ours and used for nothing else.
 
-use super::{EmitError, EmitRequest, design};
+use super::{EmitError, design};
+use imogene_contract::Request;
 use imogene_hdl::block::Block;
 use rust_hdl::core::prelude::generate_verilog;
 
@@ -10,6 +11,6 @@ use rust_hdl::core::prelude::generate_verilog;
 /// # Errors
 ///
 /// When a parameter is out of its legal range.
-pub fn raw(request: &EmitRequest) -> Result<String, EmitError> {
+pub fn raw(request: &Request) -> Result<String, EmitError> {
     Ok(generate_verilog(&Block::of(&design(request)?.top)))
 }

@@ -1,8 +1,8 @@
 //! What the tests share: shapes, a random source, the Verilog tools and a generated test bench.
 #![allow(dead_code)]
 
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{Direction, EmitRequest, Emitted, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::{Direction, Emitted, emit};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -40,7 +40,7 @@ impl Random {
 }
 
 /// Every unit in shapes that reach the ends of the ranges.
-pub fn requests() -> Vec<EmitRequest> {
+pub fn requests() -> Vec<Request> {
     let shapes = [
         (24, 3, 1, 4),
         (16, 0, 16, 1),
@@ -48,13 +48,12 @@ pub fn requests() -> Vec<EmitRequest> {
         (28, 2, 5, 3),
         (32, 12, 4, 5),
     ];
-    let request = |unit, (depth_word, planes, rows_per_stage, objects)| EmitRequest {
-        depth_word,
+    let request = |unit, (depth_word, planes, rows_per_stage, objects)| Request {
         // A polyhedron has a plane at least.
-        planes: usize::max(planes, usize::from(unit == Unit::PolyhedronProcessor)),
+        planes: u32::max(planes, u32::from(unit == Unit::PolyhedronProcessor)),
         rows_per_stage,
         objects,
-        ..EmitRequest::new(unit)
+        ..Request::of(unit, depth_word)
     };
     Unit::ALL
         .into_iter()
@@ -97,7 +96,7 @@ pub fn write_split(name: &str, emitted: &Emitted) -> PathBuf {
 }
 
 /// Output words, in the order of the ports, after each clock of the emitted Verilog in Icarus Verilog.
-pub fn icarus(name: &str, request: &EmitRequest, stimulus: &[Vec<u64>]) -> Vec<Vec<u64>> {
+pub fn icarus(name: &str, request: &Request, stimulus: &[Vec<u64>]) -> Vec<Vec<u64>> {
     let emitted = emit(request).unwrap();
     let file = write(name, &emitted);
     let directory = file.parent().expect("a file lies in a directory");
@@ -150,12 +149,12 @@ fn bench(emitted: &Emitted, stimulus: &[Vec<u64>], file: &str) -> String {
     let inputs: Vec<_> = emitted
         .ports
         .iter()
-        .filter(|port| port.direction == Direction::Input && port.name != "clock")
+        .filter(|port| port.direction == Direction::In && port.name != "clock")
         .collect();
     let outputs: Vec<_> = emitted
         .ports
         .iter()
-        .filter(|port| port.direction == Direction::Output)
+        .filter(|port| port.direction == Direction::Out)
         .collect();
     assert!(
         stimulus.iter().all(|words| words.len() == inputs.len()),

@@ -131,14 +131,15 @@ fn port(line: &str) -> Option<Port> {
         .split_whitespace()
         .collect();
     let direction = match *words.first()? {
-        "input" => Direction::Input,
-        "output" => Direction::Output,
+        "input" => Direction::In,
+        "output" => Direction::Out,
         _ => return None,
     };
     let high = words.iter().find_map(|word| word.strip_prefix('['));
     let high = high.and_then(|range| range.split(':').next()?.parse::<usize>().ok());
     Some(Port {
         name: (*words.last()?).to_owned(),
+        meaning: String::new(),
         direction,
         width: high.map_or(1, |high| high + 1),
         signed: words.contains(&"signed"),
@@ -148,16 +149,15 @@ fn port(line: &str) -> Option<Port> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_rtl::catalogue::Unit;
-    use imogene_rtl::emit::{EmitRequest, emit};
+    use imogene_contract::{Request, Unit};
+    use imogene_rtl::emit::emit;
 
     #[test]
     fn instances_are_counted_through_the_hierarchy() {
-        let beam = emit(&EmitRequest {
-            depth_word: 16,
+        let beam = emit(&Request {
             planes: 2,
             objects: 3,
-            ..EmitRequest::new(Unit::Beam)
+            ..Request::of(Unit::Beam, 16)
         })
         .expect("a machine");
         let all = modules(&beam);
@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn ports_are_those_of_the_emitter() {
-        let unit = emit(&EmitRequest::new(Unit::CutPlane)).expect("a unit");
+        let unit = emit(&Request::new(Unit::CutPlane)).expect("a unit");
         let (_, text) = unit.modules.last().expect("the unit itself");
         assert_eq!(ports(text), unit.ports);
     }

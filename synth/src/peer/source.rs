@@ -284,7 +284,7 @@ fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), Pe
         .collect::<Result<_, _>>()?;
     let clock = find_clock(peer, &ports)?;
     let data: Vec<&Port> = ports.iter().filter(|port| port.name != clock).collect();
-    for (direction, name) in [(Direction::Input, "input"), (Direction::Output, "output")] {
+    for (direction, name) in [(Direction::In, "input"), (Direction::Out, "output")] {
         if bits(&data, direction) == 0 {
             return Err(PeerError::NoData {
                 top,
@@ -297,8 +297,8 @@ fn ports_and_clock(peer: &Peer, netlist: &str) -> Result<(Vec<Port>, String), Pe
 
 fn parse_port(top: &str, name: &str, port: &Value) -> Result<Port, PeerError> {
     let direction = match port["direction"].as_str() {
-        Some("input") => Direction::Input,
-        Some("output") => Direction::Output,
+        Some("input") => Direction::In,
+        Some("output") => Direction::Out,
         _ => {
             return Err(PeerError::Inout {
                 top: top.to_owned(),
@@ -307,6 +307,7 @@ fn parse_port(top: &str, name: &str, port: &Value) -> Result<Port, PeerError> {
         }
     };
     Ok(Port {
+        meaning: String::new(),
         name: name.to_owned(),
         direction,
         width: port["bits"].as_array().map_or(0, Vec::len),
@@ -320,7 +321,7 @@ fn find_clock(peer: &Peer, ports: &[Port]) -> Result<String, PeerError> {
         None => CLOCKS.to_vec(),
     };
     let is_clock = |port: &&Port| {
-        port.direction == Direction::Input && port.width == 1 && wanted.contains(&&*port.name)
+        port.direction == Direction::In && port.width == 1 && wanted.contains(&&*port.name)
     };
     let found = ports.iter().find(is_clock);
     found.map(|port| port.name.clone()).ok_or_else(|| {
@@ -335,8 +336,8 @@ fn find_clock(peer: &Peer, ports: &[Port]) -> Result<String, PeerError> {
 
 fn describe(port: &Port) -> String {
     let direction = match port.direction {
-        Direction::Input => "input",
-        Direction::Output => "output",
+        Direction::In => "input",
+        Direction::Out => "output",
     };
     match port.width {
         1 => format!("{direction} {}", port.name),

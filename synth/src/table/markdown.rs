@@ -4,7 +4,7 @@ use super::{Section, Table};
 use crate::figures::Figures;
 use crate::report::SynthReport;
 use crate::target::Target;
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::Unit;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

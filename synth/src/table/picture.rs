@@ -4,7 +4,7 @@ use super::{DEVICES, ROOTS, ROWS_PER_STAGE, Section, Table};
 use crate::error::SynthError;
 use crate::report::SynthReport;
 use crate::target::Target;
-use imogene_rtl::catalogue::Unit;
+use imogene_contract::Unit;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 

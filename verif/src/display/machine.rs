@@ -75,7 +75,7 @@ impl Machine {
                 .map(signal)
                 .collect::<Vec<_>>()
         };
-        let (inputs, outputs) = (of(Direction::Input), of(Direction::Output));
+        let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
         let running = match engine {
             DisplayEngine::RustHdl => Running::RustHdl(Box::new(Circuit::new(&request.design()?))),
             DisplayEngine::Verilog(simulator) => {

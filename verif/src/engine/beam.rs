@@ -4,8 +4,7 @@ use super::design::{Design, DesignError, Instance, Simulator, Source};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitError, EmitRequest, Emitted, emit};
+use imogene_rtl::emit::{EmitError, Emitted, emit};
 use thiserror::Error;
 
 /// Why a machine cannot be run as Verilog.
@@ -32,13 +31,7 @@ impl BeamDesign {
     ///
     /// When the shape is out of its range, a tool is missing, or a file cannot be written.
     pub fn compile(simulator: Simulator, shape: &MachineShape) -> Result<BeamDesign, BeamError> {
-        let emitted = emit(&EmitRequest {
-            depth_word: shape.depth_word as usize,
-            planes: shape.planes,
-            rows_per_stage: shape.rows_per_stage,
-            objects: shape.objects,
-            ..EmitRequest::new(Unit::Beam)
-        })?;
+        let emitted = emit(&shape.request())?;
         Self::of(
             simulator,
             &emitted,

@@ -3,8 +3,7 @@
 use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitError, EmitRequest, design};
+use imogene_rtl::emit::{EmitError, design};
 
 /// A beam machine in its own simulator.
 pub struct BuiltIn {
@@ -51,13 +50,7 @@ impl BuiltIn {
     ///
     /// When the shape is out of its range.
     pub fn new(shape: &MachineShape) -> Result<BuiltIn, EmitError> {
-        let request = EmitRequest {
-            depth_word: shape.depth_word as usize,
-            planes: shape.planes,
-            rows_per_stage: shape.rows_per_stage,
-            objects: shape.objects,
-            ..EmitRequest::new(Unit::Beam)
-        };
+        let request = shape.request();
         let inside = processor_signals(shape).into_iter().map(|probe| {
             let point = point(&probe.signal.name);
             (probe, point)

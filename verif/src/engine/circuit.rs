@@ -1,6 +1,7 @@
 //! A circuit in its own simulator, stepped by hand with plain numbers.
 
 use crate::signal::Signal;
+use crate::subject::Hardware;
 use imogene_hdl::{Design, Direction, Port, Simulator};
 
 /// A circuit with its ports in their order.
@@ -70,5 +71,13 @@ impl Circuit {
             .iter()
             .position(|(signal, _)| signal.name == name);
         self.output(found.unwrap_or_else(|| panic!("no output `{name}`")))
+    }
+}
+
+impl Hardware for Circuit {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+        Circuit::clock(self, inputs);
+        let outputs = 0..self.outputs.len();
+        outputs.map(|index| Some(self.output(index))).collect()
     }
 }

@@ -12,6 +12,7 @@ pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
+use imogene_contract::{Request, Unit};
 use imogene_models::object::load::LoadWord;
 use serde::Serialize;
 
@@ -26,6 +27,18 @@ pub struct MachineShape {
     pub planes: usize,
     /// Rows of the root network per register stage.
     pub rows_per_stage: usize,
+}
+
+impl MachineShape {
+    /// The unit that is the machine.
+    pub fn request(&self) -> Request {
+        Request {
+            objects: self.objects as u32,
+            planes: self.planes as u32,
+            rows_per_stage: self.rows_per_stage as u32,
+            ..Request::of(Unit::Beam, self.depth_word)
+        }
+    }
 }
 
 /// Inputs of a beam machine for one clock, besides the load bus.

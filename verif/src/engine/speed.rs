@@ -200,11 +200,12 @@ fn traced(subject: &Subject, stimulus: &[Inputs]) -> Result<Sample, WriteError> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::{Parameters, subject};
+    use crate::unit::subject;
+    use imogene_contract::{Request, Unit};
 
     #[test]
     fn every_kind_of_work_is_measured_and_the_first_engine_has_ratio_one() {
-        let pe1 = || subject("pe1", Parameters::default()).expect("a legal subject");
+        let pe1 = || subject(&Request::new(Unit::Pe1)).expect("a legal subject");
         for drive in [Drive::Frame, Drive::Random] {
             check(&measure(&[pe1(), pe1()], drive, Duration::from_millis(30)).expect("a trace"));
         }
@@ -224,7 +225,7 @@ mod tests {
 
     #[test]
     fn a_frame_begins_each_line_once() {
-        let pe1 = subject("pe1", Parameters::default()).expect("a legal subject");
+        let pe1 = subject(&Request::new(Unit::Pe1)).expect("a legal subject");
         let frame = frame_stimulus(&pe1);
         assert_eq!(frame.len(), 640 * 480);
         assert_eq!(frame.iter().filter(|i| i[1] == 1).count(), 1);

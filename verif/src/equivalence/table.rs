@@ -1,9 +1,9 @@
 //! The table of all units.
 
 use super::{EquivalenceError, Verdict, unit};
+use imogene_contract::{Request, Unit};
 use imogene_hdl::Module;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, design};
+use imogene_rtl::emit::design;
 
 /// A unit and what was found of it.
 pub struct Row {
@@ -21,11 +21,8 @@ impl Row {
     /// # Errors
     ///
     /// When a tool is missing or refuses a text.
-    pub fn of(unit_of_row: Unit, depth_word: usize) -> Result<Row, EquivalenceError> {
-        let request = EmitRequest {
-            depth_word,
-            ..EmitRequest::new(unit_of_row)
-        };
+    pub fn of(unit_of_row: Unit, depth_word: u32) -> Result<Row, EquivalenceError> {
+        let request = Request::of(unit_of_row, depth_word);
         let design = design(&request).map_err(EquivalenceError::Emit)?;
         let remembers = !sums(&design.top, &|module| module.memories.len() as u32).eq(&0);
         let register_bits = |module: &Module| {

@@ -13,7 +13,8 @@ use crate::engine::built_in::BuiltIn;
 use crate::report::Report;
 use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
-use crate::unit::{Parameters, subject};
+use crate::unit::subject;
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
 use imogene_models::machine::beam::render;
 use imogene_models::prepare::prepare;
@@ -171,7 +172,8 @@ fn drive(
     unit: &str,
     stimulus: fn(&Subject) -> Vec<Inputs>,
 ) -> (Option<Report>, Result<String, String>) {
-    let subject = subject(unit, Parameters::default()).expect("a unit of the catalogue");
+    let unit = Unit::from_name(unit).expect("a unit of the catalogue");
+    let subject = subject(&Request::new(unit)).expect("its defaults are legal");
     let (report, _) = subject.run(&stimulus(&subject), false);
     let result = agreement(&report).map(|()| String::new());
     (Some(report), result)

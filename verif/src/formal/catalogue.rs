@@ -1,8 +1,7 @@
 //! The list of proofs.
 
 use super::job::{Design, Job, Method, Words};
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
+use imogene_contract::{Request, Unit};
 use imogene_rtl::format::DEPTH_WORDS;
 
 /// The format whose proofs run without `--full`.
@@ -43,7 +42,7 @@ fn job(name: String, statement: &'static str, properties: &'static str, unit: Un
         method: Method::Induction { depth: 1 },
         widths: String::new(),
         full: false,
-        design: Design::Emitted(EmitRequest::new(unit)),
+        design: Design::Emitted(Request::new(unit)),
         properties,
         definitions: Vec::new(),
         words: Words::None,
@@ -53,7 +52,7 @@ fn job(name: String, statement: &'static str, properties: &'static str, unit: Un
 
 fn at_format(mut job: Job, depth_word: usize, definitions: &[(&str, usize)]) -> Job {
     if let Design::Emitted(request) = &mut job.design {
-        request.depth_word = depth_word;
+        request.depth_word = depth_word as u32;
     }
     job.full = depth_word != BASE;
     job.definitions = define(definitions);
@@ -225,10 +224,10 @@ fn raster() -> Vec<Job> {
 }
 
 fn valid_path(planes: usize, rows_per_stage: usize) -> Job {
-    let request = EmitRequest {
-        planes,
-        rows_per_stage,
-        ..EmitRequest::new(Unit::QuadricProcessor)
+    let request = Request {
+        planes: planes as u32,
+        rows_per_stage: rows_per_stage as u32,
+        ..Request::new(Unit::QuadricProcessor)
     };
     let latency = BASE.div_ceil(rows_per_stage) + planes + 7;
     let statement =
@@ -288,9 +287,9 @@ fn decider(inputs: usize) -> Job {
     );
     let definitions = [("W", BASE), ("M", inputs), ("LATENCY", latency)];
     let mut decider = at_format(decider, BASE, &definitions);
-    decider.design = Design::Emitted(EmitRequest {
-        objects: inputs,
-        ..EmitRequest::new(Unit::Decider)
+    decider.design = Design::Emitted(Request {
+        objects: inputs as u32,
+        ..Request::new(Unit::Decider)
     });
     decider.method = Method::Induction { depth: latency };
     decider.words = Words::Inputs;

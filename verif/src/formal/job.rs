@@ -2,7 +2,8 @@
 
 use super::mutants::Mutant;
 use super::{FormalError, bind, network};
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::Request;
+use imogene_rtl::emit::emit;
 use std::fmt::{self, Write};
 
 /// How a job is proved.
@@ -37,9 +38,9 @@ impl fmt::Display for Method {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Design {
     /// The Verilog emitted for a request.
-    Emitted(EmitRequest),
+    Emitted(Request),
     /// The same with every word of the first width made as wide as the second. Only for a design with one width.
-    Narrowed(EmitRequest, usize, usize),
+    Narrowed(Request, usize, usize),
     /// A text of this folder.
     Text(&'static str),
 }
@@ -118,16 +119,16 @@ impl Job {
     fn text_words(&self) -> Vec<(String, String)> {
         match (self.words, &self.design) {
             (Words::Network { remainder_bits }, Design::Emitted(request)) => {
-                let (bits, rows) = (request.depth_word, request.rows_per_stage);
+                let [bits, rows] = [request.depth_word, request.rows_per_stage].map(|n| n as usize);
                 network::stage_words(bits, rows, remainder_bits)
             }
-            (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects),
+            (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects as usize),
             _ => Vec::new(),
         }
     }
 }
 
-fn emitted(request: &EmitRequest) -> Result<String, FormalError> {
+fn emitted(request: &Request) -> Result<String, FormalError> {
     Ok(emit(request)?.bundle())
 }
 

@@ -54,7 +54,7 @@ pub fn run(
     }
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
     let loaded = jobs.iter().map(|job| &job.loaded);
-    let subjects = Subjects::new(loaded, &scene.format, rows_per_stage, engine)?;
+    let subjects = Subjects::new(loaded, rows_per_stage, engine)?;
     let width = scene.width as usize;
     let parts: Vec<(Report, Vec<Drawn>)> = jobs
         .par_iter()

@@ -38,7 +38,7 @@ pub fn run(
     let started = Instant::now();
     let jobs: Vec<Job> = jobs(scene).collect();
     let loaded = jobs.iter().map(|job| &job.loaded);
-    let subjects = Subjects::new(loaded, &scene.format, rows_per_stage, engine)?;
+    let subjects = Subjects::new(loaded, rows_per_stage, engine)?;
     let parts: Vec<(Report, Vec<usize>)> = jobs
         .par_iter()
         .map(|job| {
@@ -118,7 +118,7 @@ impl Job<'_> {
                 0
             };
             let words = self.loaded.words.iter().copied();
-            raster.into_iter().chain(words).chain([depth]).collect()
+            raster.into_iter().chain([depth]).chain(words).collect()
         })
     }
 

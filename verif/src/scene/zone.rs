@@ -2,27 +2,26 @@
 
 use crate::engine::design::DesignError;
 use crate::subject::Subject;
+use crate::unit::subject;
 use crate::unit::words::Loaded;
-use crate::unit::{UnitError, subject};
-use imogene_models::format::Format;
+use imogene_contract::{Request, RequestError};
 use imogene_models::object::quadric::ScreenBox;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use thiserror::Error;
 
 /// Pixels around the screen box that are drawn too: the object is absent there.
 const BORDER: i64 = 1;
 
 /// Puts another engine under the description of a unit that is emitted by a request.
-pub type Engine<'a> = &'a (dyn Fn(Subject, &EmitRequest) -> Result<Subject, DesignError> + Sync);
+pub type Engine<'a> = &'a (dyn Fn(Subject, &Request) -> Result<Subject, DesignError> + Sync);
 
 /// Why a scene's processors cannot be co-simulated.
 #[derive(Debug, Error)]
 pub enum SlotError {
     /// A processor has no legal parameters.
     #[error(transparent)]
-    Unit(#[from] UnitError),
+    Unit(#[from] RequestError),
     /// The engine cannot be built.
     #[error(transparent)]
     Design(#[from] DesignError),
@@ -84,40 +83,32 @@ impl Zone {
     }
 }
 
-/// A processor and its parameters: those of the same kind share one description.
-type Kind = (&'static str, Option<usize>, Option<usize>);
-
-/// The descriptions of all processors of a scene.
-pub(super) struct Subjects(BTreeMap<Kind, Subject>);
+/// The descriptions of all processors of a scene, one for all of the same parameters.
+pub(super) struct Subjects(HashMap<Request, Subject>);
 
 impl Subjects {
     /// Those that the words are for.
     pub fn new<'a>(
-        loaded: impl Iterator<Item = &'a Loaded>,
-        format: &Format,
+        all: impl Iterator<Item = &'a Loaded>,
         rows_per_stage: usize,
         engine: Engine,
     ) -> Result<Subjects, SlotError> {
-        let mut list: BTreeMap<Kind, Subject> = BTreeMap::new();
-        for loaded in loaded {
-            let kind = kind(loaded);
-            if list.contains_key(&kind) {
+        let mut list = HashMap::new();
+        for Loaded { request, .. } in all {
+            let Entry::Vacant(place) = list.entry(*request) else {
                 continue;
-            }
-            let parameters = loaded.parameters(format, rows_per_stage);
-            let unit = Unit::from_name(kind.0).expect("a unit of the catalogue");
-            let rust_hdl = subject(kind.0, parameters)?;
-            list.insert(kind, engine(rust_hdl, &parameters.request(unit))?);
+            };
+            let request = Request {
+                rows_per_stage: rows_per_stage as u32,
+                ..*request
+            };
+            place.insert(engine(subject(&request)?, &request)?);
         }
         Ok(Subjects(list))
     }
 
     /// The one of these words.
     pub fn of(&self, loaded: &Loaded) -> &Subject {
-        &self.0[&kind(loaded)]
+        &self.0[&loaded.request]
     }
-}
-
-fn kind(loaded: &Loaded) -> Kind {
-    (loaded.unit, loaded.planes, loaded.sides)
 }

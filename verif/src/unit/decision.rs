@@ -2,10 +2,8 @@
 
 use super::Description;
 use super::Late;
-use crate::signal::Signal;
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
 use imogene_models::machine::decider::{Visible, decide, latency};
 use imogene_models::machine::skew::Skewed;
 use imogene_models::machine::{card_decider as cards, visibility_chain as chain};
@@ -13,18 +11,6 @@ use proptest::prelude::*;
 
 /// Ports of one input or output.
 const FIELDS: usize = 6;
-
-fn visible_ports(prefix: &str, width: u32) -> Vec<Signal> {
-    let name = |field: &str| format!("{prefix}{field}");
-    vec![
-        Signal::signed(name("depth"), width),
-        Signal::unsigned(name("id"), 8),
-        Signal::unsigned(name("number"), 4),
-        Signal::signed(name("nx"), 16),
-        Signal::signed(name("ny"), 16),
-        Signal::signed(name("nz"), 16),
-    ]
-}
 
 fn visible_of(i: &[i64]) -> Visible {
     Visible {
@@ -68,15 +54,8 @@ fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn visibility_node(format: Format) -> Description {
+pub(super) fn visibility_node() -> Description {
     Description {
-        name: "visibility_node".into(),
-        inputs: [
-            visible_ports("a_", format.depth),
-            visible_ports("b_", format.depth),
-        ]
-        .concat(),
-        outputs: visible_ports("", format.depth),
         golden: Box::new(|| {
             Box::new(GoldenFn(|i: &[i64]| {
                 flat(&decide(&[visible_of(i), visible_of(&i[FIELDS..])]))
@@ -86,13 +65,8 @@ pub(super) fn visibility_node(format: Format) -> Description {
     }
 }
 
-pub(super) fn decider(format: Format, inputs: usize) -> Description {
+pub(super) fn decider(inputs: usize) -> Description {
     Description {
-        name: "decider".into(),
-        inputs: (0..inputs)
-            .flat_map(|m| visible_ports(&format!("input_{m}_"), format.depth))
-            .collect(),
-        outputs: visible_ports("", format.depth),
         golden: Box::new(move || {
             // With one input the decider is a wire: the result belongs to the same clock.
             let mut late = Late::new(latency(inputs).max(1) as usize);
@@ -109,13 +83,8 @@ pub(super) fn decider(format: Format, inputs: usize) -> Description {
 }
 
 /// A decider whose inputs are taken at their own clocks, `starts`, and that answers `latency` clocks after the first.
-fn skewed(name: &'static str, format: Format, starts: Vec<usize>, latency: u32) -> Description {
+fn skewed(starts: Vec<usize>, latency: u32) -> Description {
     Description {
-        name: name.into(),
-        inputs: (0..starts.len())
-            .flat_map(|m| visible_ports(&format!("input_{m}_"), format.depth))
-            .collect(),
-        outputs: visible_ports("", format.depth),
         golden: Box::new(move || {
             let mut pixels = Skewed::new(starts.clone());
             let mut late = Late::new(latency as usize - pixels.span());
@@ -132,13 +101,13 @@ fn skewed(name: &'static str, format: Format, starts: Vec<usize>, latency: u32) 
     }
 }
 
-pub(super) fn visibility_chain(format: Format, inputs: usize) -> Description {
+pub(super) fn visibility_chain(inputs: usize) -> Description {
     let latency = chain::latency(inputs);
-    skewed("visibility_chain", format, chain::starts(inputs), latency)
+    skewed(chain::starts(inputs), latency)
 }
 
-pub(super) fn card_decider(format: Format, processors: usize, count: usize) -> Description {
+pub(super) fn card_decider(processors: usize, count: usize) -> Description {
     let latency = cards::latency(processors, count);
     let starts = cards::starts(processors, count);
-    skewed("card_decider", format, starts, latency)
+    skewed(starts, latency)
 }

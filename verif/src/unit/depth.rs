@@ -1,9 +1,7 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
 use super::Description;
-use super::elementary::flag_ports;
 use super::{Late, any_raster, bit};
-use crate::signal::Signal;
 use crate::stimulus::{depth, interval};
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -13,23 +11,6 @@ use imogene_models::unit::merge::merge;
 use imogene_models::unit::pe1::{Linear, Pe1};
 use imogene_models::unit::plane_depth::saturate;
 use proptest::prelude::*;
-
-fn depth_port(name: &str, width: u32) -> Signal {
-    Signal::signed(name, width)
-}
-
-fn number_port(name: &str) -> Signal {
-    Signal::unsigned(name, 4)
-}
-
-fn half_ports(names: [&str; 4], width: u32) -> Vec<Signal> {
-    vec![
-        depth_port(names[0], width),
-        number_port(names[1]),
-        depth_port(names[2], width),
-        number_port(names[3]),
-    ]
-}
 
 fn flat(half: &Interval) -> [Option<i64>; 4] {
     [half.zf, half.nf.into(), half.zb, half.nb.into()].map(Some)
@@ -53,18 +34,7 @@ const KINDS: [PlaneKind; 4] = [
 ];
 
 pub(super) fn depth_interval(format: Format) -> Description {
-    let mut outputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], format.depth);
-    outputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], format.depth));
     Description {
-        name: "depth_interval".into(),
-        inputs: vec![
-            depth_port("near_sum", format.sum),
-            depth_port("far_sum", format.sum),
-            Signal::bit("is_inside"),
-            Signal::bit("in_box"),
-            Signal::unsigned("object_class", 2),
-        ],
-        outputs,
         golden: Box::new(move || {
             Box::new(GoldenFn(move |i: &[i64]| {
                 let absent = (Interval::absent(&format), Interval::absent(&format));
@@ -113,12 +83,7 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn plane_depth(format: Format) -> Description {
-    let mut inputs = flag_ports();
-    inputs.extend(["a", "b", "c"].map(|name| depth_port(name, format.plane)));
     Description {
-        name: "plane_depth".into(),
-        inputs,
-        outputs: vec![depth_port("depth", format.depth)],
         golden: Box::new(move || {
             let mut pe: Option<Pe1> = None;
             let mut value = None;
@@ -143,17 +108,7 @@ pub(super) fn plane_depth(format: Format) -> Description {
 }
 
 pub(super) fn cut_plane(format: Format) -> Description {
-    let mut inputs = vec![
-        Signal::unsigned("kind", 2),
-        Signal::bit("surface"),
-        number_port("number"),
-        depth_port("zp", format.depth),
-    ];
-    inputs.extend(half_ports(["zf", "nf", "zb", "nb"], format.depth));
     Description {
-        name: "cut_plane".into(),
-        inputs,
-        outputs: half_ports(["cut_zf", "cut_nf", "cut_zb", "cut_nb"], format.depth),
         golden: Box::new(move || {
             Box::new(GoldenFn(move |i: &[i64]| {
                 let kind = KINDS[i[0] as usize];
@@ -184,13 +139,8 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-pub(super) fn two_volume_merge(format: Format) -> Description {
-    let mut inputs = half_ports(["zf_a", "nf_a", "zb_a", "nb_a"], format.depth);
-    inputs.extend(half_ports(["zf_b", "nf_b", "zb_b", "nb_b"], format.depth));
+pub(super) fn two_volume_merge() -> Description {
     Description {
-        name: "two_volume_merge".into(),
-        inputs,
-        outputs: half_ports(["zf", "nf", "zb", "nb"], format.depth),
         golden: Box::new(|| {
             Box::new(GoldenFn(|i: &[i64]| {
                 flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()

@@ -2,30 +2,12 @@
 
 use super::Description;
 use super::{any_raster, bit};
-use crate::signal::Signal;
 use crate::subject::GoldenFn;
 use imogene_models::unit::pe1::{Linear, Pe1};
 use imogene_models::unit::pe2::{Pe2, Quadratic};
 
-/// The three raster flags.
-pub(super) fn flag_ports() -> Vec<Signal> {
-    ["valid", "start", "line"].map(Signal::bit).to_vec()
-}
-
-fn signed_ports(names: &[&str], width: u32) -> Vec<Signal> {
-    names
-        .iter()
-        .map(|name| Signal::signed(*name, width))
-        .collect()
-}
-
 pub(super) fn pe1(width: u32) -> Description {
-    let mut inputs = flag_ports();
-    inputs.extend(signed_ports(&["a", "b", "c"], width));
     Description {
-        name: "pe1".into(),
-        inputs,
-        outputs: signed_ports(&["value"], width),
         golden: Box::new(move || {
             let mut pe: Option<Pe1> = None;
             let mut value = None;
@@ -52,7 +34,7 @@ pub(super) fn pe1(width: u32) -> Description {
 ///
 /// `a2 = 2a` and `b2 = 2b` have no unique half modulo 2^n, but the halves may be taken in one bit more.
 fn unconditioned(words: &[i64]) -> Quadratic {
-    let [a2, b2, c, p0, i0, f] = [0, 1, 2, 3, 4, 5].map(|k| i128::from(words[k]));
+    let [a2, b2, c, i0, p0, f] = [0, 1, 2, 3, 4, 5].map(|k| i128::from(words[k]));
     let (a, b) = (a2 / 2, b2 / 2);
     Quadratic {
         a,
@@ -65,12 +47,7 @@ fn unconditioned(words: &[i64]) -> Quadratic {
 }
 
 pub(super) fn pe2(width: u32) -> Description {
-    let mut inputs = flag_ports();
-    inputs.extend(signed_ports(&["a2", "b2", "c", "p0", "i0", "f"], width));
     Description {
-        name: "pe2".into(),
-        inputs,
-        outputs: signed_ports(&["value"], width),
         golden: Box::new(move || {
             let mut pe: Option<Pe2> = None;
             let mut value = None;

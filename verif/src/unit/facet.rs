@@ -1,10 +1,7 @@
 //! The flat and the non-planar facet processor.
 
 use super::Description;
-use super::zone::{
-    Likely, Processor, Reader, Timing, box_ports, golden, held, linear_ports, object_outputs,
-    object_values, quadratic_ports, raster_ports, words,
-};
+use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use crate::subject::{Inputs, Subject};
 use imogene_models::format::Format;
 use imogene_models::object::curved_facet::{self, CurvedFacetProcessor, CurvedFacetWords};
@@ -32,19 +29,7 @@ impl Processor for CurvedFacetProcessor {
 }
 
 pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
-    let mut inputs = raster_ports();
-    inputs.extend(box_ports());
-    for i in 0..sides {
-        inputs.extend(linear_ports(&format!("side_{i}"), format.plane));
-    }
-    inputs.extend(linear_ports("depth", format.plane));
-    for name in ["nx", "ny", "nz"] {
-        inputs.extend(linear_ports(name, format.normal_linear));
-    }
     Description {
-        name: "facet_processor".into(),
-        inputs,
-        outputs: object_outputs(format.depth),
         golden: golden(Timing::of(facet::LATENCY), 6, move |i| {
             let mut reader = Reader::new(i);
             let words = FacetWords {
@@ -63,18 +48,7 @@ pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
 }
 
 pub(super) fn curved_facet_processor(format: Format, sides: usize) -> Description {
-    let mut inputs = raster_ports();
-    inputs.extend(box_ports());
-    for i in 0..sides {
-        inputs.extend(quadratic_ports(&format!("side_{i}"), format.quadratic));
-    }
-    for name in ["depth", "nx", "ny", "nz"] {
-        inputs.extend(quadratic_ports(name, format.quadratic));
-    }
     Description {
-        name: "curved_facet_processor".into(),
-        inputs,
-        outputs: object_outputs(format.depth),
         golden: golden(Timing::of(curved_facet::LATENCY), 6, move |i| {
             let mut reader = Reader::new(i);
             let words = CurvedFacetWords {

@@ -1,12 +1,8 @@
 //! The quadric processor of the first generation.
 
-use super::patch::{quadric_ports, quadric_words};
-use super::zone::{
-    Likely, Processor, Reader, Timing, golden, held, linear_ports, object_outputs, object_values,
-    quadratic_ports, words,
-};
+use super::patch::quadric_words;
+use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use super::{Description, bit};
-use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_models::format::Format;
 use imogene_models::object::first_generation::{
@@ -25,27 +21,19 @@ impl Processor for FirstGenerationProcessor {
     }
 }
 
-fn ports(format: &Format) -> Vec<Signal> {
-    let mut ports = quadric_ports(format);
-    ports.push(Signal::bit("surface"));
-    for i in 0..2 {
-        ports.extend(linear_ports(&format!("depth_{i}"), format.plane));
-        ports.extend(quadratic_ports(&format!("conic_{i}"), format.quadratic));
-        ports.extend(linear_ports(&format!("polar_{i}"), format.plane));
-        ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
-    }
-    ports
-}
-
 fn words_of(i: &[i64]) -> FirstGenerationWords {
     let mut reader = Reader::new(i);
     let quadric = quadric_words(&mut reader, Class::Side);
     let patch = bit(reader.word());
-    let mut plane = || ContourPlane {
-        depth: reader.linear(),
-        conic: reader.quadratic(),
-        polar: reader.linear(),
-        normal: reader.vector(),
+    let depths = [(); 2].map(|()| reader.linear());
+    let conics = [(); 2].map(|()| reader.quadratic());
+    let polars = [(); 2].map(|()| reader.linear());
+    let normals = [(); 2].map(|()| reader.vector());
+    let plane = |side: usize| ContourPlane {
+        depth: depths[side],
+        conic: conics[side],
+        polar: polars[side],
+        normal: normals[side],
     };
     FirstGenerationWords {
         patch,
@@ -53,17 +41,14 @@ fn words_of(i: &[i64]) -> FirstGenerationWords {
         f1: quadric.f1,
         f2: quadric.f2,
         normal: quadric.normal,
-        front: plane(),
-        back: plane(),
+        front: plane(0),
+        back: plane(1),
     }
 }
 
 pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) -> Description {
     let timing = Timing::of(latency(&format, rows_per_stage as u32));
     Description {
-        name: "first_generation_processor".into(),
-        inputs: ports(&format),
-        outputs: object_outputs(format.depth),
         golden: golden(timing, 6, move |i| {
             Box::new(FirstGenerationProcessor::zone_start(&words_of(i), &format))
         }),

@@ -1,7 +1,6 @@
 //! The flags of the light sources.
 
 use super::{Description, Late, bit};
-use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::shadow::{ShadowWords, flags, latency};
@@ -10,16 +9,6 @@ use proptest::prelude::*;
 
 /// Ports of one volume.
 const FIELDS: usize = 4;
-
-fn volume_ports(volume: usize) -> [Signal; FIELDS] {
-    let name = |field: &str| format!("volume_{volume}_{field}");
-    [
-        Signal::bit(name("inside")),
-        Signal::bit(name("kind")),
-        Signal::unsigned(name("source"), 4),
-        Signal::bit(name("enabled")),
-    ]
-}
 
 fn words_of(i: &[i64]) -> ShadowWords {
     ShadowWords {
@@ -34,12 +23,7 @@ fn words_of(i: &[i64]) -> ShadowWords {
 }
 
 pub(super) fn shadow_stage(volumes: usize) -> Description {
-    let mut inputs = vec![Signal::unsigned("flags_in", 16)];
-    inputs.extend((0..volumes).flat_map(volume_ports));
     Description {
-        name: "shadow_stage".into(),
-        inputs,
-        outputs: vec![Signal::unsigned("flags", 16)],
         golden: Box::new(move || {
             let mut late = Late::new(latency(volumes) as usize);
             Box::new(GoldenFn(move |i: &[i64]| {

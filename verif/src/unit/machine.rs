@@ -1,10 +1,11 @@
 //! The coefficient store and the beam machine, fed over the load bus.
 
-use super::processor::{even_differences, plausible, port, ports, words_of};
-use super::{Description, Late, bit};
+use super::processor::{even_differences, plausible, port, words_of};
+use super::{Description, Late, bit, inputs};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
 use imogene_models::machine::decider::{Visible, decide, latency as tree_latency};
 use imogene_models::machine::raster::RasterControl;
@@ -24,9 +25,18 @@ const NEVER_LOADED: u64 = 4095;
 fn places(planes: usize) -> Vec<(usize, u32)> {
     let mut list: Vec<(usize, u32)> = (0..BOX).map(|address| (address, 0)).collect();
     list.extend([(BOX, 0), (BOX, 12), (BOX + 1, 0), (BOX + 1, 12)]);
-    list.extend([(BOX + 2, 0), (BOX + 2, 2)]);
+    list.extend([(BOX + 2, 2), (BOX + 2, 0)]);
     list.extend((OBJECT_WORDS..OBJECT_WORDS + PLANE_WORDS * planes).map(|address| (address, 0)));
     list
+}
+
+/// The ports of a processor for its words.
+fn coefficients(depth_word: u32, planes: usize) -> Vec<Signal> {
+    let processor = Request {
+        planes: planes as u32,
+        ..Request::of(Unit::QuadricProcessor, depth_word)
+    };
+    inputs(&processor).split_off(port::F1)
 }
 
 /// The words of one slot.
@@ -66,16 +76,8 @@ fn bus_words(ports: &[Signal], planes: usize, values: &[i64]) -> Vec<u64> {
 }
 
 pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
-    let outputs = ports(&format, planes).split_off(port::F1);
-    let stated = outputs.clone();
+    let stated = coefficients(format.depth, planes);
     Description {
-        name: "coefficient_store".into(),
-        inputs: vec![
-            Signal::bit("write"),
-            Signal::unsigned("address", 8),
-            Signal::unsigned("data", format.quadratic),
-        ],
-        outputs,
         golden: Box::new(move || {
             let mut slot = Slot::new(planes);
             let (ports, places) = (stated.clone(), places(planes));
@@ -110,25 +112,6 @@ pub(super) fn beam(
     rows_per_stage: usize,
 ) -> Description {
     Description {
-        name: "beam".into(),
-        inputs: vec![
-            Signal::bit("go"),
-            Signal::unsigned("width", 12),
-            Signal::unsigned("height", 12),
-            Signal::bit("load_valid"),
-            Signal::unsigned("load_object", 8),
-            Signal::unsigned("load_address", 8),
-            Signal::unsigned("load_data", format.quadratic),
-        ],
-        outputs: vec![
-            Signal::bit("valid"),
-            Signal::signed("depth", format.depth),
-            Signal::unsigned("id", 8),
-            Signal::unsigned("number", 4),
-            Signal::signed("nx", 16),
-            Signal::signed("ny", 16),
-            Signal::signed("nz", 16),
-        ],
         golden: Box::new(move || {
             let mut machine = Machine::new(format, objects, planes);
             let clocks =
@@ -167,7 +150,7 @@ impl Machine {
         Machine {
             format,
             planes,
-            ports: ports(&format, planes).split_off(port::F1),
+            ports: coefficients(format.depth, planes),
             places: places(planes),
             slots: vec![Slot::new(planes); objects],
             raster: RasterControl::default(),
@@ -219,15 +202,14 @@ fn option(subject: &Subject, name: &str) -> usize {
 fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let [planes, objects] = OPTIONS.map(|name| option(subject, name));
     let data = subject.inputs[6].clone();
-    let format = Format::new(data.width / 2).expect("a quadratic word of the catalogue");
-    let all = ports(&format, planes);
-    let words = proptest::collection::vec(plausible(&all).prop_map(even_differences), objects);
+    let ports = coefficients(data.width / 2, planes);
+    let words = proptest::collection::vec(plausible(&ports).prop_map(even_differences), objects);
     (words, 1i64..24, any::<bool>())
         .prop_map(move |(words, width, skip_last)| {
             let mut list: Vec<Inputs> = Vec::new();
             let loaded = objects - usize::from(skip_last && objects > 1);
             for (object, values) in words[..loaded].iter().enumerate() {
-                let words = bus_words(&all[port::F1..], planes, values);
+                let words = bus_words(&ports, planes, values);
                 list.extend(words.iter().enumerate().map(|(address, &bits)| {
                     vec![0, 0, 0, 1, object as i64, address as i64, data.value(bits)]
                 }));

@@ -1,7 +1,6 @@
 //! The elementary processor with a coefficient memory.
 
 use super::{Description, bit};
-use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -27,29 +26,7 @@ const WORDS: usize = 6;
 
 pub(super) fn memory_pe2(format: Format) -> Description {
     let width = format.quadratic;
-    let mut inputs = vec![
-        Signal::bit("load_valid"),
-        Signal::unsigned("load_address", 4),
-        Signal::signed("load_data", width),
-    ];
-    inputs.extend(
-        [
-            "field_start",
-            "picture_start",
-            "odd_field",
-            "line_start",
-            "pixel",
-        ]
-        .map(Signal::bit),
-    );
     Description {
-        name: "memory_pe2".into(),
-        inputs,
-        outputs: vec![
-            Signal::bit("ready"),
-            Signal::bit("value_valid"),
-            Signal::signed("value", width),
-        ],
         golden: Box::new(move || {
             let mut golden = Clocked {
                 width,

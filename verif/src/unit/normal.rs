@@ -1,9 +1,7 @@
 //! The normal unit.
 
 use super::Description;
-use super::elementary::flag_ports;
 use super::{Late, bit};
-use crate::signal::Signal;
 use crate::stimulus::{flags, word};
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -11,19 +9,7 @@ use imogene_models::unit::normal::{NormalWords, select};
 use imogene_models::unit::pe1::{Linear, Pe1};
 use proptest::prelude::*;
 
-/// Words of the quadric's normal, in port order.
-pub(super) const NORMAL_WORDS: [&str; 12] = [
-    "gx_a", "gx_b", "gx_c", "gy_a", "gy_b", "gy_c", "gz_a", "gz_b", "gz_c", "kx", "ky", "kz",
-];
-
-pub(super) fn normal_ports() -> impl Iterator<Item = Signal> {
-    NORMAL_WORDS
-        .iter()
-        .enumerate()
-        .map(|(k, name)| Signal::signed(*name, if k < 9 { 24 } else { 16 }))
-}
-
-/// Where the ports begin, in the order of this subject.
+/// Where the ports begin, in their order.
 mod port {
     pub const NUMBER: usize = 3;
     pub const ABSENT: usize = 4;
@@ -33,24 +19,8 @@ mod port {
     pub const PLANES: usize = 19;
 }
 
-pub(super) fn normal_unit(format: Format, planes: usize) -> Description {
-    let mut inputs = flag_ports();
-    inputs.extend([
-        Signal::unsigned("number", 4),
-        Signal::bit("absent"),
-        Signal::unsigned("root", format.depth),
-        Signal::unsigned("shift", 5),
-    ]);
-    inputs.extend(normal_ports());
-    for i in 0..planes {
-        inputs.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
-    }
+pub(super) fn normal_unit(planes: usize) -> Description {
     Description {
-        name: "normal_unit".into(),
-        inputs,
-        outputs: ["nx", "ny", "nz"]
-            .map(|name| Signal::signed(name, 16))
-            .to_vec(),
         golden: Box::new(move || {
             let mut g: Option<[Pe1; 3]> = None;
             let mut late = Late::new(3);

@@ -1,13 +1,9 @@
 //! The patch processor and its decider.
 
 use super::Description;
-use super::normal::{normal_ports, normal_words};
-use super::zone::{
-    Likely, Processor, Reader, Timing, box_ports, golden, held, linear_ports, object_outputs,
-    object_values, quadratic_ports, raster_ports, words,
-};
+use super::normal::normal_words;
+use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use super::{Late, bit};
-use crate::signal::Signal;
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -24,31 +20,7 @@ pub(super) fn plane_kind(word: i64) -> PlaneKind {
     [None, Front, Back, Perpendicular][word as usize]
 }
 
-/// Kinds and words of planes; with their normals or without.
-pub(super) fn plane_ports(format: &Format, planes: usize, normals: bool) -> Vec<Signal> {
-    let mut ports = Vec::new();
-    for i in 0..planes {
-        ports.push(Signal::unsigned(format!("plane_{i}_kind"), 2));
-        ports.extend(linear_ports(&format!("plane_{i}"), format.plane));
-        if normals {
-            ports.extend(["nx", "ny", "nz"].map(|n| Signal::signed(format!("plane_{i}_{n}"), 16)));
-        }
-    }
-    ports
-}
-
-/// f1, f2, the normal and the screen box, in this order.
-pub(super) fn quadric_ports(format: &Format) -> Vec<Signal> {
-    let mut ports = raster_ports();
-    ports.extend(linear_ports("f1", format.sum));
-    ports.extend(quadratic_ports("f2", format.quadratic));
-    ports.extend(normal_ports());
-    ports.extend(box_ports());
-    ports.push(Signal::unsigned("shift", 5));
-    ports
-}
-
-/// The words of [`quadric_ports`], without planes.
+/// f1, f2, the normal and the screen box, in this order, without planes.
 pub(super) fn quadric_words(reader: &mut Reader, class: Class) -> QuadricWords {
     let (f1, f2) = (reader.linear(), reader.quadratic());
     let normal: Vec<i64> = (0..12).map(|_| reader.word()).collect();
@@ -74,13 +46,8 @@ impl Processor for PatchProcessor {
 }
 
 pub(super) fn patch_processor(format: Format, planes: usize, rows_per_stage: usize) -> Description {
-    let mut inputs = quadric_ports(&format);
-    inputs.extend(plane_ports(&format, planes, false));
     let timing = Timing::of(latency(&format, rows_per_stage as u32));
     Description {
-        name: "patch_processor".into(),
-        inputs,
-        outputs: object_outputs(format.depth),
         golden: golden(timing, 6, move |i| {
             let mut reader = Reader::new(i);
             let mut words = quadric_words(&mut reader, Class::Patch);
@@ -134,25 +101,8 @@ pub(super) fn planes_any_kind(
 /// Ports of the decider before those of the planes.
 const DECIDER_PORTS: usize = 4;
 
-pub(super) fn patch_decider(format: Format, planes: usize) -> Description {
-    let mut inputs = vec![
-        Signal::signed("near_sum", format.sum),
-        Signal::signed("far_sum", format.sum),
-        Signal::bit("is_inside"),
-        Signal::bit("in_box"),
-    ];
-    for i in 0..planes {
-        inputs.push(Signal::unsigned(format!("plane_{i}_kind"), 2));
-        inputs.push(Signal::signed(format!("plane_{i}_zp"), format.depth));
-    }
+pub(super) fn patch_decider(format: Format) -> Description {
     Description {
-        name: "patch_decider".into(),
-        inputs,
-        outputs: vec![
-            Signal::signed("zf", format.depth),
-            Signal::signed("zb", format.depth),
-            Signal::unsigned("number", 4),
-        ],
         golden: Box::new(move || {
             let mut late = Late::new(2);
             Box::new(GoldenFn(move |i: &[i64]| {

@@ -1,11 +1,8 @@
 //! The polyhedron processor.
 
 use super::Description;
-use super::patch::{plane_kind, plane_ports, planes_any_kind};
-use super::zone::{
-    Likely, Processor, Reader, Timing, box_ports, golden, held, object_outputs, raster_ports, words,
-};
-use crate::signal::Signal;
+use super::patch::{plane_kind, planes_any_kind};
+use super::zone::{Likely, Processor, Reader, Timing, golden, held, words};
 use crate::subject::{Inputs, Subject};
 use imogene_models::format::Format;
 use imogene_models::object::polyhedron::{
@@ -34,16 +31,7 @@ impl Processor for PolyhedronProcessor {
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
-    let mut inputs = raster_ports();
-    inputs.extend(box_ports());
-    inputs.extend(plane_ports(&format, planes, true));
-    let mut outputs = object_outputs(format.depth);
-    outputs.push(Signal::unsigned("back_number", 4));
-    outputs.extend(["back_nx", "back_ny", "back_nz"].map(|name| Signal::signed(name, 16)));
     Description {
-        name: "polyhedron_processor".into(),
-        inputs,
-        outputs,
         golden: golden(Timing::of(latency(planes)), 10, move |i| {
             let mut reader = Reader::new(i);
             let screen_box = reader.screen_box();

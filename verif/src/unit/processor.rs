@@ -1,12 +1,9 @@
 //! The quadric object processor.
 
 use super::Description;
-use super::normal::{normal_ports, normal_words};
-use super::patch::{plane_kind, plane_ports};
-use super::zone::{
-    Processor, Timing, box_ports, golden, held, linear_ports, object_outputs, object_values,
-    quadratic_ports, raster_ports,
-};
+use super::normal::normal_words;
+use super::patch::plane_kind;
+use super::zone::{Processor, Timing, golden, held, object_values};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};
@@ -19,29 +16,17 @@ use imogene_models::unit::pe1::Linear;
 use imogene_models::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
-/// Where the ports begin, in the order of this subject.
+/// Where the ports begin, in their order.
 pub(super) mod port {
     pub const F1: usize = 5;
     pub const F2: usize = 8;
     pub const NORMAL: usize = 14;
     pub const BOX: usize = 26;
-    pub const CLASS: usize = 30;
-    pub const SHIFT: usize = 31;
+    pub const SHIFT: usize = 30;
+    pub const CLASS: usize = 31;
     pub const PLANES: usize = 32;
     /// Ports of one plane: kind, a, b, c, nx, ny, nz.
     pub const PLANE: usize = 7;
-}
-
-pub(super) fn ports(format: &Format, planes: usize) -> Vec<Signal> {
-    let mut ports = raster_ports();
-    ports.extend(linear_ports("f1", format.sum));
-    ports.extend(quadratic_ports("f2", format.quadratic));
-    ports.extend(normal_ports());
-    ports.extend(box_ports());
-    ports.push(Signal::unsigned("object_class", 2));
-    ports.push(Signal::unsigned("shift", 5));
-    ports.extend(plane_ports(format, planes, true));
-    ports
 }
 
 pub(super) fn quadric_processor(
@@ -51,9 +36,6 @@ pub(super) fn quadric_processor(
 ) -> Description {
     let timing = Timing::of(latency(&format, planes, rows_per_stage as u32));
     Description {
-        name: "quadric_processor".into(),
-        inputs: ports(&format, planes),
-        outputs: object_outputs(format.depth),
         golden: golden(timing, 6, move |i| {
             Box::new(Golden::zone_start(&words_of(i, planes), &format))
         }),
@@ -112,7 +94,7 @@ fn zones(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let inputs = subject.inputs.clone();
     let words = prop_oneof![
         1 => any_words.prop_map(even_differences),
-        4 => plausible(&inputs).prop_map(even_differences),
+        4 => plausible(&inputs[port::F1..]).prop_map(even_differences),
     ];
     held(words.boxed(), clocks)
 }
@@ -124,9 +106,8 @@ pub(super) fn even_differences(mut words: Vec<i64>) -> Vec<i64> {
 }
 
 /// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.
-pub(super) fn plausible(inputs: &[Signal]) -> BoxedStrategy<Vec<i64>> {
-    let one = |k: usize| -> BoxedStrategy<i64> {
-        let signal = &inputs[k];
+pub(super) fn plausible(ports: &[Signal]) -> BoxedStrategy<Vec<i64>> {
+    let one = |signal: &Signal| -> BoxedStrategy<i64> {
         let spread = |range: i64| (-range..=range).boxed();
         match signal.name.as_str() {
             "f1_a" | "f1_b" => spread(300),
@@ -143,8 +124,5 @@ pub(super) fn plausible(inputs: &[Signal]) -> BoxedStrategy<Vec<i64>> {
             _ => word(signal),
         }
     };
-    (port::F1..inputs.len())
-        .map(one)
-        .collect::<Vec<_>>()
-        .boxed()
+    ports.iter().map(one).collect::<Vec<_>>().boxed()
 }

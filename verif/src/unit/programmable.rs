@@ -1,27 +1,13 @@
 //! The programmable elementary processor.
 
-use super::elementary::flag_ports;
 use super::{Description, any_raster, bit};
-use crate::signal::Signal;
 use crate::subject::GoldenFn;
 use imogene_models::format::Format;
 use imogene_models::unit::pe2::PreconditionedWords;
 use imogene_models::unit::programmable::{Programmable, ProgrammableWords};
 
 pub(super) fn programmable_pe(format: Format) -> Description {
-    let mut inputs = flag_ports();
-    inputs.push(Signal::bit("split"));
-    inputs.push(Signal::unsigned("used", 4));
-    inputs.extend(
-        ["a2", "b2", "c", "i0", "p0", "f"].map(|name| Signal::signed(name, format.quadratic)),
-    );
-    let mut outputs = vec![Signal::signed("value", format.quadratic)];
-    outputs.extend((0..4).map(|k| Signal::signed(format!("lane_{k}"), format.depth)));
-    outputs.push(Signal::bit("is_inside"));
     Description {
-        name: "programmable_pe".into(),
-        inputs,
-        outputs,
         golden: Box::new(move || {
             let mut pe: Option<Programmable> = None;
             let mut inside = None;

@@ -2,27 +2,12 @@
 
 use super::Description;
 use super::bit;
-use crate::signal::Signal;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::raster::RasterControl;
 use proptest::prelude::*;
 
 pub(super) fn raster_control() -> Description {
     Description {
-        name: "raster_control".into(),
-        inputs: vec![
-            Signal::bit("go"),
-            Signal::unsigned("width", 12),
-            Signal::unsigned("height", 12),
-        ],
-        outputs: vec![
-            Signal::bit("valid"),
-            Signal::bit("start"),
-            Signal::bit("line"),
-            Signal::unsigned("x", 12),
-            Signal::unsigned("y", 12),
-            Signal::bit("last"),
-        ],
         golden: Box::new(|| {
             let mut raster = RasterControl::default();
             Box::new(GoldenFn(move |i: &[i64]| {

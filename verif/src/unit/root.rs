@@ -1,9 +1,7 @@
 //! The square root network and the quadric elementary processor around it.
 
 use super::Description;
-use super::elementary::flag_ports;
 use super::{Late, bit};
-use crate::signal::Signal;
 use crate::stimulus::{radicand, raster};
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::{Format, wrap64};
@@ -14,12 +12,6 @@ use proptest::strategy::{BoxedStrategy, Strategy};
 
 pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description {
     Description {
-        name: "square_root".into(),
-        inputs: vec![Signal::unsigned("radicand", format.quadratic)],
-        outputs: vec![
-            Signal::unsigned("root", format.root),
-            Signal::unsigned("remainder", format.root + 1),
-        ],
         golden: Box::new(move || {
             let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage));
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -39,29 +31,8 @@ pub(super) fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<I
     proptest::collection::vec(one, clocks).boxed()
 }
 
-const COEFFICIENTS: [&str; 9] = [
-    "f1_a", "f1_b", "f1_c", "f2_a2", "f2_b2", "f2_c", "f2_i0", "f2_p0", "f2_f",
-];
-
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
-    let mut inputs = flag_ports();
-    inputs.extend(
-        COEFFICIENTS.iter().enumerate().map(|(k, name)| {
-            Signal::signed(*name, if k < 3 { format.sum } else { format.quadratic })
-        }),
-    );
     Description {
-        name: "quadric_pe".into(),
-        inputs,
-        outputs: vec![
-            Signal::signed("near_sum", format.sum),
-            Signal::signed("far_sum", format.sum),
-            Signal::unsigned("root", format.root),
-            Signal::bit("is_inside"),
-            Signal::bit("late_valid"),
-            Signal::bit("late_start"),
-            Signal::bit("late_line"),
-        ],
         golden: Box::new(move || Box::new(GoldenFn(golden_quadric_pe(format, rows_per_stage)))),
         stimulus: coefficients_held,
     }

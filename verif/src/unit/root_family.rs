@@ -2,7 +2,6 @@
 
 use super::root::radicands;
 use super::{Description, Late, bit};
-use crate::signal::Signal;
 use crate::stimulus::radicand;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -32,19 +31,8 @@ pub(super) fn quadratic(format: Format, corrections: u32) -> Description {
 
 /// A free running member: one radicand and one result each clock.
 fn network(format: Format, method: Method, rows_per_stage: usize) -> Description {
-    let is_corrected = matches!(method, Method::Linear { .. } | Method::Quadratic { .. });
-    let mut outputs = vec![Signal::unsigned(
-        "root",
-        format.root + u32::from(is_corrected),
-    )];
-    if method.is_exact() {
-        outputs.push(Signal::unsigned("remainder", format.root + 1));
-    }
     let latency = method.latency(format.root, rows_per_stage as u32) as usize;
     Description {
-        name: method.name().into(),
-        inputs: vec![Signal::unsigned("radicand", format.quadratic)],
-        outputs,
         golden: Box::new(move || {
             let mut late = Late::new(latency);
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -66,17 +54,6 @@ fn unsigned(value: i64, width: u32) -> u128 {
 
 pub(super) fn iterative(format: Format) -> Description {
     Description {
-        name: Method::Iterative.name().into(),
-        inputs: vec![
-            Signal::bit("start"),
-            Signal::unsigned("radicand", format.quadratic),
-        ],
-        outputs: vec![
-            Signal::bit("busy"),
-            Signal::bit("done"),
-            Signal::unsigned("root", format.root),
-            Signal::unsigned("remainder", format.root + 1),
-        ],
         golden: Box::new(move || {
             let mut unit = IterativeRoot::new(format.root);
             Box::new(GoldenFn(move |i: &[i64]| {

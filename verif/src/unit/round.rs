@@ -1,11 +1,7 @@
 //! The sphere and the cylinder processor of the first machine.
 
 use super::Description;
-use super::zone::{
-    Likely, Processor, Reader, Timing, box_ports, golden, held, linear_ports, object_outputs,
-    object_values, quadratic_ports, raster_ports, words,
-};
-use crate::signal::Signal;
+use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use imogene_models::format::Format;
 use imogene_models::object::cylinder::{self, CylinderProcessor, CylinderWords};
 use imogene_models::object::sphere::{self, SphereProcessor, SphereWords};
@@ -31,18 +27,7 @@ impl Processor for CylinderProcessor {
 }
 
 pub(super) fn sphere_processor(format: Format) -> Description {
-    let mut inputs = raster_ports();
-    inputs.extend(box_ports());
-    inputs.extend(quadratic_ports("outline", format.quadratic));
-    inputs.extend(quadratic_ports("front", format.quadratic));
-    inputs.push(Signal::signed("depth_sum", format.sum));
-    inputs.extend(linear_ports("nx", format.normal_linear));
-    inputs.extend(linear_ports("ny", format.normal_linear));
-    inputs.extend(quadratic_ports("nz", format.quadratic));
     Description {
-        name: "sphere_processor".into(),
-        inputs,
-        outputs: object_outputs(format.depth),
         golden: golden(Timing::of(sphere::LATENCY), 6, move |i| {
             let mut reader = Reader::new(i);
             let words = SphereWords {
@@ -68,23 +53,7 @@ pub(super) fn sphere_processor(format: Format) -> Description {
 }
 
 pub(super) fn cylinder_processor(format: Format) -> Description {
-    let mut inputs = raster_ports();
-    inputs.extend(box_ports());
-    for i in 0..4 {
-        inputs.extend(linear_ports(&format!("side_{i}"), format.plane));
-    }
-    for i in 0..2 {
-        inputs.extend(quadratic_ports(&format!("disc_{i}"), format.quadratic));
-    }
-    for name in ["body", "nx", "ny", "nz"] {
-        inputs.extend(quadratic_ports(name, format.quadratic));
-    }
-    inputs.extend(linear_ports("lid", format.plane));
-    inputs.extend(["lid_nx", "lid_ny", "lid_nz"].map(|name| Signal::signed(name, 16)));
     Description {
-        name: "cylinder_processor".into(),
-        inputs,
-        outputs: object_outputs(format.depth),
         golden: golden(Timing::of(cylinder::LATENCY), 6, move |i| {
             let mut reader = Reader::new(i);
             let words = CylinderWords {

@@ -1,14 +1,13 @@
 //! The shading processor.
 
 use super::{Description, Late, bit};
-use crate::signal::Signal;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::check::shading::sequence;
 use imogene_models::format::Format;
 use imogene_models::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
 use proptest::prelude::*;
 
-/// Where the ports stand, in the order of this subject.
+/// Where the ports stand, in their order.
 mod port {
     pub const VALID: usize = 0;
     pub const PIXEL: usize = 1;
@@ -20,26 +19,7 @@ mod port {
 }
 
 pub(super) fn shading_processor(format: Format, lights: usize) -> Description {
-    let inputs = vec![
-        Signal::bit("valid"),
-        Signal::unsigned("x", 12),
-        Signal::unsigned("y", 12),
-        Signal::signed("depth", format.depth),
-        Signal::unsigned("material", 8),
-        Signal::signed("nx", 16),
-        Signal::signed("ny", 16),
-        Signal::signed("nz", 16),
-        Signal::unsigned("flags", 16),
-        Signal::bit("load_valid"),
-        Signal::unsigned("load_address", 16),
-        Signal::unsigned("load_data", 32),
-    ];
-    let mut outputs = vec![Signal::bit("out_valid")];
-    outputs.extend(["red", "green", "blue"].map(|name| Signal::unsigned(name, 8)));
     Description {
-        name: "shading_processor".into(),
-        inputs,
-        outputs,
         golden: Box::new(move || {
             let mut words = ShaderWords::unloaded(format.depth, lights);
             let mut shader = Shader::new(&words);

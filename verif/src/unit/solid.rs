@@ -1,7 +1,6 @@
 //! The decider of solids.
 
 use super::{Description, Late};
-use crate::signal::Signal;
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::format::Format;
@@ -11,16 +10,6 @@ use proptest::prelude::*;
 
 /// Ports of one object.
 const FIELDS: usize = 4;
-
-fn object_ports(prefix: &str, width: u32) -> [Signal; FIELDS] {
-    let name = |field: &str| format!("{prefix}_{field}");
-    [
-        Signal::signed(name("zf"), width),
-        Signal::signed(name("zb"), width),
-        Signal::unsigned(name("id"), 8),
-        Signal::unsigned(name("number"), 4),
-    ]
-}
 
 fn primitive_of(i: &[i64]) -> Primitive {
     Primitive {
@@ -52,24 +41,7 @@ pub(super) fn csg_decider(
     subtracted: usize,
 ) -> Description {
     let (all_intersected, all_subtracted) = (products * intersected, products * subtracted);
-    let ports = |kind: &str, count: usize| -> Vec<Signal> {
-        (0..count)
-            .flat_map(|i| object_ports(&format!("{kind}_{i}"), format.depth))
-            .collect()
-    };
     Description {
-        name: "csg_decider".into(),
-        inputs: [
-            ports("intersected", all_intersected),
-            ports("subtracted", all_subtracted),
-        ]
-        .concat(),
-        outputs: vec![
-            Signal::signed("depth", format.depth),
-            Signal::unsigned("id", 8),
-            Signal::unsigned("number", 4),
-            Signal::bit("is_back"),
-        ],
         golden: Box::new(move || {
             let starts = [
                 vec![0; all_intersected],

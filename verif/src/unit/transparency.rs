@@ -1,10 +1,8 @@
 //! The blends of transparent objects.
 
 use super::{Description, Late};
-use crate::signal::Signal;
 use crate::stimulus::{depth, word};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
 use imogene_models::machine::skew::Skewed;
 use imogene_models::machine::transparency::{
     Layer, STAGE_LATENCY, Seen, latency, pipeline, stage, starts,
@@ -15,19 +13,6 @@ use proptest::prelude::*;
 const PIXEL: usize = 4;
 /// Ports of a layer.
 const LAYER: usize = 5;
-
-fn colour_ports(prefix: &str, width: u32) -> Vec<Signal> {
-    let mut ports = vec![Signal::signed(format!("{prefix}depth"), width)];
-    let parts = ["red", "green", "blue"].map(|part| format!("{prefix}{part}"));
-    ports.extend(parts.map(|part| Signal::unsigned(part, 8)));
-    ports
-}
-
-fn layer_ports(prefix: &str, width: u32) -> Vec<Signal> {
-    let mut ports = colour_ports(prefix, width);
-    ports.push(Signal::unsigned(format!("{prefix}weight"), 8));
-    ports
-}
 
 fn seen_of(i: &[i64]) -> Seen {
     Seen {
@@ -52,13 +37,8 @@ fn flat(seen: Option<Seen>) -> Vec<Option<i64>> {
     [seen.depth, red, green, blue].map(Some).to_vec()
 }
 
-pub(super) fn transparency_stage(format: Format) -> Description {
-    let mut inputs = colour_ports("pixel_", format.depth);
-    inputs.extend(layer_ports("layer_", format.depth));
+pub(super) fn transparency_stage() -> Description {
     Description {
-        name: "transparency_stage".into(),
-        inputs,
-        outputs: colour_ports("", format.depth),
         golden: Box::new(|| {
             let mut late = Late::new(STAGE_LATENCY as usize);
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -69,15 +49,8 @@ pub(super) fn transparency_stage(format: Format) -> Description {
     }
 }
 
-pub(super) fn transparency_pipeline(format: Format, layers: usize) -> Description {
-    let mut inputs = colour_ports("pixel_", format.depth);
-    for layer in 0..layers {
-        inputs.extend(layer_ports(&format!("layer_{layer}_"), format.depth));
-    }
+pub(super) fn transparency_pipeline(layers: usize) -> Description {
     Description {
-        name: "transparency_pipeline".into(),
-        inputs,
-        outputs: colour_ports("", format.depth),
         golden: Box::new(move || {
             // The pixel, and behind it the layers.
             let starts = [vec![0], starts(layers)].concat();

@@ -1,25 +1,13 @@
 //! The raster of a screen.
 
 use super::{Description, bit};
-use crate::signal::Signal;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::video_timing::{MODES, Shown, VideoTiming};
 use imogene_rtl::emit::LEAD;
 use proptest::prelude::*;
 
 pub(super) fn video_timing(mode: usize) -> Description {
-    let pixel = |flags: [&str; 3], x: &str, y: &str| {
-        let mut list = flags.map(Signal::bit).to_vec();
-        list.extend([Signal::unsigned(x, 12), Signal::unsigned(y, 12)]);
-        list
-    };
-    let mut outputs = pixel(["de", "start", "line"], "x", "y");
-    outputs.extend(["hsync", "vsync", "frame_start"].map(Signal::bit));
-    outputs.extend(pixel(["need", "go", "need_line"], "need_x", "need_y"));
     Description {
-        name: "video_timing".into(),
-        inputs: vec![Signal::bit("enable")],
-        outputs,
         golden: Box::new(move || {
             let mut timing = VideoTiming::new(MODES[mode], LEAD as u64);
             Box::new(GoldenFn(move |i: &[i64]| {

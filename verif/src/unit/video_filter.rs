@@ -1,17 +1,12 @@
 //! What changes the pixels of a picture: filter, overlay, accumulator.
 
 use super::{Description, Late, bit};
-use crate::signal::Signal;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::accumulator::{self, Accumulator, PassPixel};
 use imogene_models::machine::overlay::{Covered, Overlay};
 use imogene_models::machine::post_filter::{FilterPixel, Kernel, PostFilter};
 use proptest::collection::vec as list;
 use proptest::prelude::*;
-
-fn bytes(names: [&str; 3]) -> [Signal; 3] {
-    names.map(|name| Signal::unsigned(name, 8))
-}
 
 fn colour(words: &[i64]) -> [u8; 3] {
     [words[0] as u8, words[1] as u8, words[2] as u8]
@@ -30,19 +25,7 @@ fn level() -> BoxedStrategy<i64> {
 }
 
 pub(super) fn post_filter() -> Description {
-    let place = |x: &str, y: &str| [Signal::unsigned(x, 12), Signal::unsigned(y, 12)];
-    let mut inputs = vec![Signal::unsigned("kernel", 2), Signal::bit("valid")];
-    inputs.extend(place("x", "y"));
-    inputs.extend(["line_end", "last"].map(Signal::bit));
-    inputs.extend(bytes(["r", "g", "b"]));
-    let mut outputs = vec![Signal::bit("out_valid")];
-    outputs.extend(place("out_x", "out_y"));
-    outputs.extend(["out_line_end", "out_last"].map(Signal::bit));
-    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
     Description {
-        name: "post_filter".into(),
-        inputs,
-        outputs,
         golden: Box::new(|| {
             let mut filter = PostFilter::default();
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -159,24 +142,7 @@ fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 const PLANE_WORDS: usize = 1 << 10;
 
 pub(super) fn overlay() -> Description {
-    let mut inputs = vec![
-        Signal::bit("write"),
-        Signal::unsigned("write_address", 10),
-        Signal::unsigned("write_data", 32),
-        Signal::bit("enable"),
-        Signal::unsigned("colour", 24),
-        Signal::unsigned("width", 12),
-        Signal::bit("valid"),
-        Signal::unsigned("x", 12),
-        Signal::unsigned("y", 12),
-    ];
-    inputs.extend(bytes(["r", "g", "b"]));
-    let mut outputs = vec![Signal::bit("out_valid")];
-    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
     Description {
-        name: "overlay".into(),
-        inputs,
-        outputs,
         golden: Box::new(|| {
             let mut overlay = Overlay::new(PLANE_WORDS);
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -220,23 +186,7 @@ fn planes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 const SUMS: usize = 1 << 12;
 
 pub(super) fn accumulator() -> Description {
-    let mut inputs = vec![
-        Signal::bit("fine"),
-        Signal::bit("valid"),
-        Signal::unsigned("address", 12),
-        Signal::bit("first_pass"),
-        Signal::bit("last_pass"),
-    ];
-    inputs.extend(bytes(["r", "g", "b"]));
-    let mut outputs = vec![
-        Signal::bit("out_valid"),
-        Signal::unsigned("out_address", 12),
-    ];
-    outputs.extend(bytes(["out_r", "out_g", "out_b"]));
     Description {
-        name: "accumulator".into(),
-        inputs,
-        outputs,
         golden: Box::new(|| {
             let mut sums = Accumulator::new(SUMS);
             let mut late = Late::new(accumulator::LATENCY);

@@ -1,7 +1,7 @@
 //! What stands between a pipeline and a stream, and between a stream and a screen.
 
 use super::{Description, bit};
-use crate::signal::{Delay, Signal};
+use crate::signal::Delay;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_models::machine::frame_store::{Arriving, FrameStore};
 use imogene_models::machine::pixel_fifo::PixelFifo;
@@ -13,20 +13,6 @@ pub const FIFO_PLACES: usize = 64;
 
 pub(super) fn pixel_fifo() -> Description {
     Description {
-        name: "pixel_fifo".into(),
-        inputs: vec![
-            Signal::bit("started"),
-            Signal::bit("push"),
-            Signal::unsigned("data", 24),
-            Signal::bit("last"),
-            Signal::bit("m_tready"),
-        ],
-        outputs: vec![
-            Signal::bit("room"),
-            Signal::bit("m_tvalid"),
-            Signal::unsigned("m_tdata", 24),
-            Signal::bit("m_tlast"),
-        ],
         golden: Box::new(|| {
             let mut fifo = PixelFifo::new(FIFO_PLACES);
             Box::new(GoldenFn(move |i: &[i64]| {
@@ -90,34 +76,14 @@ const FRAME_PIXELS: usize = 1 << 12;
 
 pub(super) fn frame_store() -> Description {
     Description {
-        name: "frame_store".into(),
-        inputs: vec![
-            Signal::unsigned("width", 12),
-            Signal::bit("s_tvalid"),
-            Signal::unsigned("s_tdata", 24),
-            Signal::unsigned("s_tuser", 24),
-            Signal::bit("s_tlast"),
-            Signal::bit("retrace"),
-            Signal::bit("need"),
-            Signal::unsigned("x", 12),
-            Signal::unsigned("y", 12),
-        ],
-        outputs: vec![
-            Signal::bit("s_tready"),
-            Signal::bit("valid"),
-            Signal::unsigned("r", 8),
-            Signal::unsigned("g", 8),
-            Signal::unsigned("b", 8),
-            Signal::bit("swapped"),
-        ],
         golden: Box::new(|| {
             let mut store = FrameStore::new(FRAME_PIXELS);
             Box::new(GoldenFn(move |i: &[i64]| {
-                let place = |x: i64, y: i64| (y * i[0] + x) as usize;
-                let arriving = bit(i[1]).then(|| Arriving {
-                    place: place(i[3] & 0xfff, i[3] >> 12),
-                    colour: i[2] as u32,
-                    last: bit(i[4]),
+                let place = |x: i64, y: i64| (y * i[4] + x) as usize;
+                let arriving = bit(i[0]).then(|| Arriving {
+                    place: place(i[2] & 0xfff, i[2] >> 12),
+                    colour: i[1] as u32,
+                    last: bit(i[3]),
                 });
                 let asked = bit(i[6]).then(|| place(i[7], i[8]));
                 let out = store.clock(arriving, bit(i[5]), asked);
@@ -158,7 +124,7 @@ fn frames(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
             let one = (arriving, flag(6, 1), 0i64..=1, spot).prop_map(
                 move |((valid, data, from, last), retrace, need, at)| {
                     let user = from.1 << 12 | from.0;
-                    vec![width, valid, data, user, last, retrace, need, at.0, at.1]
+                    vec![valid, data, user, last, width, retrace, need, at.0, at.1]
                 },
             );
             proptest::collection::vec(one, clocks)

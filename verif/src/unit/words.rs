@@ -1,8 +1,7 @@
 //! From the words of a prepared object or volume to the ports of its processor.
 
-use super::Parameters;
+use imogene_contract::{Request, Unit};
 use imogene_models::format::{Format, wrap};
-use imogene_models::object::first_generation::ContourPlane;
 use imogene_models::object::quadric::{QuadricWords, ScreenBox};
 use imogene_models::object::slot::ProcessorWords;
 use imogene_models::object::volume::VolumeWords;
@@ -13,27 +12,22 @@ use imogene_models::unit::pe2::Quadratic;
 /// A processor with the words of a zone on its ports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Loaded {
-    /// Unit.
-    pub unit: &'static str,
-    /// Its cut planes, or none if it has no such parameter.
-    pub planes: Option<usize>,
-    /// Its sides, if it is a facet.
-    pub sides: Option<usize>,
-    /// Values of the ports behind the raster's, in the order of the unit's subject.
+    /// Unit and parameters, one row of the root network per stage.
+    pub request: Request,
+    /// Values of the ports behind the raster's, in their order.
     pub words: Vec<i64>,
 }
 
-impl Loaded {
-    /// The parameters of the unit.
-    pub fn parameters(&self, format: &Format, rows_per_stage: usize) -> Parameters {
-        Parameters {
-            depth_word: format.depth,
-            planes: self.planes.unwrap_or(0),
-            rows_per_stage,
-            sides: self.sides,
-            lights: None,
-            ..Parameters::default()
-        }
+/// A unit with so many planes or sides.
+fn loaded(unit: Unit, count: usize, writer: Writer) -> Loaded {
+    let mut request = Request::of(unit, writer.format.depth);
+    match unit.has("sides") {
+        true => request.sides = count as u32,
+        false => request.planes = count as u32,
+    }
+    Loaded {
+        request,
+        words: writer.words,
     }
 }
 
@@ -43,27 +37,22 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
         format,
         words: Vec::new(),
     };
-    let (mut planes, mut sides) = (None, None);
-    let unit = match words {
+    let (unit, count) = match words {
         ProcessorWords::Quadric(q) => {
             w.quadric(q);
-            // The class stands between the box and the shift.
-            let shift = w.words.len() - 1;
-            w.words.insert(shift, q.class as i64);
+            w.words.push(q.class as i64);
             for plane in &q.planes {
                 w.plane(plane.kind, &plane.depth);
                 w.vector(plane.normal);
             }
-            planes = Some(q.planes.len());
-            "quadric_processor"
+            (Unit::QuadricProcessor, q.planes.len())
         }
         ProcessorWords::Patch(q) => {
             w.quadric(q);
             for plane in &q.planes {
                 w.plane(plane.kind, &plane.depth);
             }
-            planes = Some(q.planes.len());
-            "patch_processor"
+            (Unit::PatchProcessor, q.planes.len())
         }
         ProcessorWords::FirstGeneration(q) => {
             w.quadric(&QuadricWords {
@@ -75,9 +64,12 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
                 planes: vec![],
             });
             w.words.push(i64::from(q.patch));
-            w.contour_plane(&q.front);
-            w.contour_plane(&q.back);
-            "first_generation_processor"
+            let planes = [&q.front, &q.back];
+            planes.iter().for_each(|p| w.linear(&p.depth, format.plane));
+            planes.iter().for_each(|p| w.quadratic(&p.conic));
+            planes.iter().for_each(|p| w.linear(&p.polar, format.plane));
+            planes.iter().for_each(|p| w.vector(p.normal));
+            (Unit::FirstGenerationProcessor, 0)
         }
         ProcessorWords::Polyhedron(p) => {
             w.screen_box(&p.screen_box);
@@ -85,8 +77,7 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
                 w.plane(plane.kind, &plane.depth);
                 w.vector(plane.normal);
             }
-            planes = Some(p.planes.len());
-            "polyhedron_processor"
+            (Unit::PolyhedronProcessor, p.planes.len())
         }
         ProcessorWords::Facet(f) => {
             w.screen_box(&f.screen_box);
@@ -94,16 +85,14 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
             w.linear(&f.depth, format.plane);
             let part = format.normal_linear;
             f.normal.iter().for_each(|n| w.linear(n, part));
-            sides = Some(f.edges.len());
-            "facet_processor"
+            (Unit::FacetProcessor, f.edges.len())
         }
         ProcessorWords::CurvedFacet(f) => {
             w.screen_box(&f.screen_box);
             f.sides.iter().for_each(|side| w.quadratic(side));
             w.quadratic(&f.depth);
             f.normal.iter().for_each(|n| w.quadratic(n));
-            sides = Some(f.sides.len());
-            "curved_facet_processor"
+            (Unit::CurvedFacetProcessor, f.sides.len())
         }
         ProcessorWords::Sphere(s) => {
             w.screen_box(&s.screen_box);
@@ -113,7 +102,7 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
             let part = format.normal_linear;
             s.normal.iter().for_each(|n| w.linear(n, part));
             w.quadratic(&s.normal_z);
-            "sphere_processor"
+            (Unit::SphereProcessor, 0)
         }
         ProcessorWords::Cylinder(c) => {
             w.screen_box(&c.screen_box);
@@ -123,45 +112,36 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
             c.normal.iter().for_each(|n| w.quadratic(n));
             w.linear(&c.disc, format.plane);
             w.vector(c.disc_normal);
-            "cylinder_processor"
+            (Unit::CylinderProcessor, 0)
         }
         ProcessorWords::Quotient(_) => return None,
     };
-    Some(Loaded {
-        unit,
-        planes,
-        sides,
-        words: w.words,
-    })
+    Some(loaded(unit, count, w))
 }
 
-/// The processor of a volume; its last port, the visible depth, is left to the caller.
+/// The processor of a volume; the visible depth, its port before the words, is left to the caller.
 pub fn volume(words: &VolumeWords, format: &Format) -> Loaded {
     let mut w = Writer {
         format,
         words: Vec::new(),
     };
-    let unit = match &words.quadric {
-        Some(q) => {
-            w.linear(&q.f1, format.sum);
-            w.quadratic(&q.f2);
-            w.words.push(q.class as i64);
-            w.words.push(q.shift.into());
-            "quadric_volume"
-        }
-        None => "polyhedral_volume",
-    };
-    w.screen_box(&words.screen_box);
     w.words.push(words.margin.into());
+    if let Some(q) = &words.quadric {
+        w.linear(&q.f1, format.sum);
+        w.quadratic(&q.f2);
+    }
+    w.screen_box(&words.screen_box);
     for plane in &words.planes {
         w.plane(plane.kind, &plane.depth);
     }
-    Loaded {
-        unit,
-        planes: Some(words.planes.len()),
-        sides: None,
-        words: w.words,
+    if let Some(q) = &words.quadric {
+        w.words.extend([q.class as i64, q.shift.into()]);
     }
+    let unit = match &words.quadric {
+        Some(_) => Unit::QuadricVolume,
+        None => Unit::PolyhedralVolume,
+    };
+    loaded(unit, words.planes.len(), w)
 }
 
 /// Writes words as their ports show them.
@@ -213,12 +193,5 @@ impl Writer<'_> {
         self.vector(q.normal.k);
         self.screen_box(&q.screen_box);
         self.words.push(q.normal.shift.into());
-    }
-
-    fn contour_plane(&mut self, p: &ContourPlane) {
-        self.linear(&p.depth, self.format.plane);
-        self.quadratic(&p.conic);
-        self.linear(&p.polar, self.format.plane);
-        self.vector(p.normal);
     }
 }

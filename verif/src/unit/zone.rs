@@ -72,43 +72,7 @@ pub(super) fn golden(
     })
 }
 
-/// Flags, column and line.
-pub(super) fn raster_ports() -> Vec<Signal> {
-    let mut ports = super::elementary::flag_ports();
-    ports.extend(["x", "y"].map(|name| Signal::unsigned(name, 12)));
-    ports
-}
-
-/// The screen box.
-pub(super) fn box_ports() -> impl Iterator<Item = Signal> {
-    let names = ["box_x0", "box_x1", "box_y0", "box_y1"];
-    names.into_iter().map(|name| Signal::unsigned(name, 12))
-}
-
-/// Words of a polynomial of first degree.
-pub(super) fn linear_ports(prefix: &str, width: u32) -> impl Iterator<Item = Signal> {
-    let prefix = prefix.to_owned();
-    let names = ["a", "b", "c"].into_iter();
-    names.map(move |name| Signal::signed(format!("{prefix}_{name}"), width))
-}
-
-/// Words of a polynomial of second degree.
-pub(super) fn quadratic_ports(prefix: &str, width: u32) -> impl Iterator<Item = Signal> {
-    let prefix = prefix.to_owned();
-    let names = ["a2", "b2", "c", "i0", "p0", "f"].into_iter();
-    names.map(move |name| Signal::signed(format!("{prefix}_{name}"), width))
-}
-
-/// Depths, face and normal of an object.
-pub(super) fn object_outputs(width: u32) -> Vec<Signal> {
-    let mut outputs = vec![Signal::bit("out_valid")];
-    outputs.extend(["zf", "zb"].map(|name| Signal::signed(name, width)));
-    outputs.push(Signal::unsigned("number", 4));
-    outputs.extend(["nx", "ny", "nz"].map(|name| Signal::signed(name, 16)));
-    outputs
-}
-
-/// The values of [`object_outputs`] behind `out_valid`.
+/// Depths, face and normal of an object, behind `out_valid`.
 pub(super) fn object_values(p: &ObjectPixel) -> Vec<i64> {
     let [nx, ny, nz] = p.normal.map(i64::from);
     vec![p.zf, p.zb, p.number.into(), nx, ny, nz]

@@ -9,14 +9,14 @@
 
 use super::account;
 use super::cut_single::KINDS;
+use imogene_contract::{Request, Unit};
 use imogene_models::format::Format;
 use imogene_models::unit::cut_plane::{PlaneKind, cut};
 use imogene_models::unit::interval::Interval;
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::Source;
 use imogene_verif::engine::verilator::{Model, VerilatedUnit};
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -149,16 +149,9 @@ fn cut_in_hardware(
 }
 
 fn compile() -> Model {
-    let request = EmitRequest {
-        depth_word: DEPTH_WORD as usize,
-        ..EmitRequest::new(Unit::CutPlane)
-    };
+    let request = Request::of(Unit::CutPlane, DEPTH_WORD);
     let emitted = emit(&request).expect("a legal request");
-    let parameters = Parameters {
-        depth_word: DEPTH_WORD,
-        ..Parameters::default()
-    };
-    let ports = subject("cut_plane", parameters).expect("a legal subject");
+    let ports = subject(&request).expect("a legal request");
     let text = &emitted.bundle();
     let model = Model::compile(&Source::of(&ports, &emitted.top, text));
     model.expect("Verilator compiles the unit")

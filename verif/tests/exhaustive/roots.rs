@@ -4,11 +4,11 @@
 //! `n^2 <= radicand < (n + 1)^2` holds by construction. Now and then num-bigint confirms it.
 
 use super::{account, is_full_run};
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, emit};
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::Source;
 use imogene_verif::engine::verilator::Model;
-use imogene_verif::unit::{Parameters, subject};
+use imogene_verif::unit::subject;
 use num_bigint::BigUint;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -24,17 +24,10 @@ const PIPELINED: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
 type Vector = [u64; 3];
 
 fn compile(unit: Unit, depth_word: usize) -> (Model, usize) {
-    let request = EmitRequest {
-        depth_word,
-        ..EmitRequest::new(unit)
-    };
+    let request = Request::of(unit, depth_word as u32);
     let emitted = emit(&request).expect("a legal request");
     let text = emitted.bundle();
-    let parameters = Parameters {
-        depth_word: depth_word as u32,
-        ..Parameters::default()
-    };
-    let ports = subject(unit.name(), parameters).expect("a legal subject");
+    let ports = subject(&request).expect("a legal request");
     let model = Model::compile(&Source::of(&ports, &emitted.top, &text));
     (model.expect("Verilator compiles the unit"), emitted.latency)
 }

@@ -147,8 +147,8 @@ fn ports(emitted: &Emitted) -> String {
     let mut text = String::from("## Ports\n\n| port | direction | bits |\n|---|---|---|\n");
     for port in &emitted.ports {
         let direction = match port.direction {
-            Direction::Input => "in",
-            Direction::Output => "out",
+            Direction::In => "in",
+            Direction::Out => "out",
         };
         let sign = if port.signed {
             ", two's complement"

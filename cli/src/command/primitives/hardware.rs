@@ -1,10 +1,10 @@
 //! What the processors of a variant are made of and what they cost on a device.
 
 use crate::failure::Failure;
+use imogene_contract::{Request, Unit};
 use imogene_models::machine::decider;
 use imogene_models::object::slot::{ProcessorWords, Slot};
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::{EmitRequest, census};
+use imogene_rtl::emit::census;
 use imogene_synth::baseline::{Baseline, BaselineRow};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -122,10 +122,10 @@ pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
     };
     let mut latency = 0;
     for (kind, (unit, number)) in &kinds {
-        let mut request = EmitRequest::new(*unit);
+        let mut request = Request::new(*unit);
         match kind.count {
-            Some(("planes", planes)) => request.planes = planes,
-            Some((_, sides)) => request.sides = Some(sides),
+            Some(("planes", planes)) => request.planes = planes as u32,
+            Some((_, sides)) => request.sides = sides as u32,
             None => (),
         }
         let parts = census(&request).map_err(Failure::input)?;

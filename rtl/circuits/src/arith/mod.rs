@@ -24,3 +24,6 @@ pub use square_root_linear::square_root_linear;
 pub use square_root_non_restoring::square_root_non_restoring;
 pub use square_root_quadratic::square_root_quadratic;
 pub use vector::{Full, Vector, scalar_product, vector_normaliser};
+
+/// What the radicand of every square root carries.
+const RADICAND: &str = "number to take the root of";

@@ -1,13 +1,14 @@
 //! Cellular square root network.
 
+use super::RADICAND;
 use super::root_rows::{Row, live};
 use imogene_hdl::{Bits, Value, bundle, join, module, net};
 
 bundle! {
     /// A root and what it leaves.
     Root(digits) {
-        root: Bits(digits), "largest integer whose square is not greater than the radicand";
-        remainder: Bits(digits + 1), "radicand less the square of the root";
+        root: Bits(digits), "floor(sqrt(radicand))";
+        remainder: Bits(digits + 1), "radicand - root^2";
     }
 }
 
@@ -22,7 +23,7 @@ pub fn square_root(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
 ///
 /// Latency `ceil(kept / rows_per_stage)`.
 pub(super) fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Root {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let first = Row::first(radicand, radicand.width() / 2 + 1);
         let last = first.behind(kept, rows_per_stage, ("square_root_stage", square_root_row));
         Root {
@@ -30,18 +31,29 @@ pub(super) fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: 
             remainder: last.remainder,
         }
     };
-    module("square_root", at, ("radicand", radicand), body)
+    module("square_root", at, ("radicand", radicand, RADICAND), body)
 }
 
 /// The first `kept` digits of the root, the lower ones zero: low by less than `2^(digits - kept)`.
 ///
 /// Latency `ceil(kept / rows_per_stage)`. Restatement 4.3.
 pub fn square_root_rows(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let network = first_digits("network", radicand, kept, rows_per_stage);
-        ("root", network.root.left(radicand.width() / 2 - kept))
+        let root = network.root.left(radicand.width() / 2 - kept);
+        (
+            "root",
+            root,
+            "root whose first D digits are kept, the lower ones zero",
+        )
     };
-    module("square_root_rows", at, ("radicand", radicand), body).1
+    module(
+        "square_root_rows",
+        at,
+        ("radicand", radicand, RADICAND),
+        body,
+    )
+    .1
 }
 
 /// The live bits of a row that leaves a remainder of any length.

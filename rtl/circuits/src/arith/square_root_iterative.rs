@@ -1,5 +1,6 @@
 //! Square root by one row, digit after digit.
 
+use super::RADICAND;
 use super::root_rows::Row;
 use super::square_root::{Root, all_live, square_root_row};
 use imogene_hdl::{Bits, Value, bundles, module, net};
@@ -18,8 +19,15 @@ bundles! {
 /// `start` is obeyed when not busy, beside `done` too, and ignored otherwise. The edge that obeys it reads the
 /// radicand and finds the first digit. Latency: the digits. Section 2.3.3.
 pub fn square_root_iterative(at: &str, start: Bits, radicand: Bits) -> Iterative {
-    let inputs = (("start", start), ("radicand", radicand));
-    let body = |((_, start), (_, radicand)): ((_, Bits), (_, Bits))| {
+    let inputs = (
+        (
+            "start",
+            start,
+            "take the radicand; obeyed when not busy, ignored otherwise",
+        ),
+        ("radicand", radicand, RADICAND),
+    );
+    let body = |((_, start, _), (_, radicand, _)): ((_, Bits, _), (_, Bits, _))| {
         let digits = radicand.width() / 2;
         let count = |value: u32| Bits::new(value.into(), 6);
         let kept = Row {

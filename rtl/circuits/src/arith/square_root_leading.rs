@@ -1,5 +1,6 @@
 //! Leading significant digits of the square root.
 
+use super::RADICAND;
 use super::root_length::{LENGTH, root_length};
 use super::square_root::first_digits;
 use imogene_hdl::{Bits, Value, join, module, net};
@@ -10,7 +11,7 @@ use imogene_hdl::{Bits, Value, join, module, net};
 /// shifted back by half the count: the rows left out would only find digits that are zeroed. The root is low by less
 /// than `2^(1 - kept)` of itself. Latency `ceil(kept / rows_per_stage) + 2`, one clock for each shift. Section B.10.
 pub fn square_root_leading(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let digits = radicand.width() / 2;
         net! {
             let places = Bits::new(digits.into(), LENGTH) - root_length("measured", radicand);
@@ -21,7 +22,18 @@ pub fn square_root_leading(at: &str, radicand: Bits, kept: u32, rows_per_stage: 
         let root = first_digits("network", normal, kept, rows_per_stage).root;
         net! { let aligned = root.left(digits - kept); }
         let places = kept_places.delayed_as("places_late", kept.div_ceil(rows_per_stage));
-        ("root", aligned.right_by(places).reg())
+        let root = aligned.right_by(places).reg();
+        (
+            "root",
+            root,
+            "root whose D leading significant digits are kept, the lower ones zero",
+        )
     };
-    module("square_root_leading", at, ("radicand", radicand), body).1
+    module(
+        "square_root_leading",
+        at,
+        ("radicand", radicand, RADICAND),
+        body,
+    )
+    .1
 }

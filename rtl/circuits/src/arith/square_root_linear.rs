@@ -1,5 +1,6 @@
 //! Piecewise linear square root with corrections.
 
+use super::RADICAND;
 use super::root_correction::Estimate;
 use super::root_length::root_length;
 use imogene_hdl::{Bits, Bundle, Value, module, net};
@@ -11,7 +12,7 @@ use imogene_hdl::{Bits, Bundle, Value, module, net};
 /// and an addition. The greatest error is 6.07, 1.65 and 0.47 % after 0, 1 and 2 corrections, besides the floors; the
 /// root is monotone in the radicand. Latency `1 + 2 corrections`. Section 2.3.3.
 pub fn square_root_linear(at: &str, radicand: Bits, corrections: u32) -> Bits {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let width = radicand.width() / 2 + 1;
         let halved = |word: Bits| word.slice(width - 1, 1).extend(width);
         let length = root_length("measured", radicand);
@@ -31,7 +32,14 @@ pub fn square_root_linear(at: &str, radicand: Bits, corrections: u32) -> Bits {
             length,
             root,
         };
-        ("root", estimate.registered().corrected(corrections))
+        let root = estimate.registered().corrected(corrections);
+        ("root", root, "approximate root, at most 2^W")
     };
-    module("square_root_linear", at, ("radicand", radicand), body).1
+    module(
+        "square_root_linear",
+        at,
+        ("radicand", radicand, RADICAND),
+        body,
+    )
+    .1
 }

@@ -1,5 +1,6 @@
 //! Non-restoring square root network.
 
+use super::RADICAND;
 use super::root_rows::{Row, grown};
 use super::square_root::Root;
 use imogene_hdl::{Bits, Value, join, module, net};
@@ -9,7 +10,7 @@ use imogene_hdl::{Bits, Value, join, module, net};
 /// No row chooses between two remainders, so a row is an addition alone; in return a negative last remainder gets `2
 /// root + 1` added behind the last register. Latency `ceil(digits / rows_per_stage)`. Section 2.3.3.
 pub fn square_root_non_restoring(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let digits = radicand.width() / 2;
         let kind = (
             "non_restoring_stage",
@@ -29,7 +30,7 @@ pub fn square_root_non_restoring(at: &str, radicand: Bits, rows_per_stage: u32) 
     module(
         "square_root_non_restoring",
         at,
-        ("radicand", radicand),
+        ("radicand", radicand, RADICAND),
         body,
     )
 }

@@ -1,5 +1,6 @@
 //! Piecewise quadratic square root with corrections.
 
+use super::RADICAND;
 use super::fifteenth::fifteenth;
 use super::root_correction::Estimate;
 use super::root_length::{LENGTH, root_length};
@@ -14,7 +15,7 @@ use imogene_hdl::{Bits, Value, module, net};
 /// 0.22 % after 0, 1 and 2 corrections, besides the floors. The root steps down by one at some radicands. Latency `3
 /// + 2 corrections`: scaling, square, fifteenth. Section 2.3.3.
 pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits {
-    let body = |(_, radicand): (_, Bits)| {
+    let body = |(_, radicand, _): (_, Bits, _)| {
         let digits = radicand.width() / 2;
         let wide = digits + 12;
         let one = Bits::new(1, digits + 1);
@@ -51,7 +52,17 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
             length: length_3,
             root,
         };
-        ("root", estimate.corrected(corrections))
+        (
+            "root",
+            estimate.corrected(corrections),
+            "approximate root, at most 2^W",
+        )
     };
-    module("square_root_quadratic", at, ("radicand", radicand), body).1
+    module(
+        "square_root_quadratic",
+        at,
+        ("radicand", radicand, RADICAND),
+        body,
+    )
+    .1
 }

@@ -1,5 +1,6 @@
 //! The beam machine: one object processor per object, one pixel per clock.
 
+use super::decider::NEAREST;
 use super::{Candidate, Load, Objects, Zone, raster_control};
 use imogene_hdl::{Bits, module};
 
@@ -19,13 +20,15 @@ impl Beam {
 /// A machine of stores, processors and a decider: the visible object of every pixel of a zone, one pixel a clock.
 /// Latency [`Beam::latency`]. Section 7 of `docs/architecture.md`.
 pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidate) {
-    let ((_, valid), front) = module("beam", at, (zone, ("load", load)), |(zone, (_, load))| {
+    let inputs = (zone, ("load", load));
+    let (valid, front) = module("beam", at, inputs, |(zone, (_, load))| {
         let raster = raster_control("raster", zone);
         let scan = (raster.flags, raster.pixel);
         let (valid, nearest) = machine.nearest(scan, load, |index, _, words| {
             (words, Bits::new(index as u64, ID))
         });
-        (("valid", valid), nearest)
+        let valid = ("valid", valid, "this clock carries a pixel");
+        (valid, ("", nearest, NEAREST))
     });
-    (valid, front)
+    (valid.1, front.1)
 }

@@ -11,7 +11,8 @@ bundles! {
         s_tready: Bits as "s_tready", "the word is taken";
         swapped: Bits as "swapped", "the words of a new frame are at work";
         refused: Bits as "refused", "a frame had more words than the loader keeps";
-        pins: Pins as "", "the pins of its screen";
+        /// Pins of its screen.
+        pins: Pins as "";
     }
 }
 

@@ -9,17 +9,21 @@ bundles! {
     /// A cut plane without its depth.
     #[derive(Copy)]
     HeldPlane {
-        kind: Bits as "kind", "kind of the plane";
-        normal: Normal as "", "its normal";
+        kind: Bits as "kind",
+            "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
+        /// Its normal.
+        normal: Normal as "";
     }
 
     /// Words that are used at every pixel.
     Held {
-        factors: Factors as "", "factors of the root";
-        screen_box: ScreenBox as "", "screen box";
-        object_class: Bits as "object_class", "class of the object";
-        shift: Bits as "shift", "places the root is shifted for the normal";
-        planes: Vec<HeldPlane> as "plane", "cut planes";
+        /// Factors of the root.
+        factors: Factors as "";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
+        object_class: Bits as "object_class", "class of the object: 0 side, 1 front, 2 patch, 3 prism";
+        shift: Bits as "shift", "places the root is shifted right for the normal";
+        planes: Vec<HeldPlane> as "plane", "plane #";
     }
 }
 

@@ -7,9 +7,9 @@ use imogene_hdl::{Bits, Int, Value, bundle, module, net};
 bundle! {
     /// The load bus.
     LoadBus(width) {
-        write: Bits(1), "write `data` to `address`";
-        address: Bits(8), "which word";
-        data: Bits(width), "the word, a narrower one in the low bits";
+        write: Bits(1), "write data to address";
+        address: Bits(8), "address of the word (table of the load bus); others are ignored";
+        data: Bits(width), "the word; a narrower one sits in the low bits";
     }
 }
 

@@ -7,18 +7,18 @@ use imogene_hdl::{Bits, Bundle, Value, bundle, join, module, net};
 bundle! {
     /// A convex object on a line of sight.
     Convex(depth) {
-        zf: Int(depth), "front, the far end where it is absent";
-        zb: Int(depth), "back";
+        zf: Int(depth), "front depth; 2^(W-1) - 1 where it is absent";
+        zb: Int(depth), "back depth";
         id: Bits(8), "number of the object";
-        number: Bits(4), "face of the front of an intersected object, of the back of one taken away";
+        number: Bits(4), "face at the front of an intersected object, at the back of one taken away";
     }
 
     /// What is seen of a solid.
     Solid(depth) {
-        depth: Int(depth), "depth, the far end where nothing is seen";
-        id: Bits(8), "number of the object, 0 where nothing is seen";
-        number: Bits(4), "its face, 0 where nothing is seen";
-        is_back: Bits(1), "it is the back of an object taken away";
+        depth: Int(depth), "depth that is seen; 2^(W-1) - 1 where nothing is";
+        id: Bits(8), "number of the object whose face is seen; 0 where nothing is";
+        number: Bits(4), "face that is seen; 0 where nothing is";
+        is_back: Bits(1), "it is the back of an object taken away: its normal is to be turned";
     }
 }
 
@@ -34,12 +34,21 @@ pub fn csg_decider(
     intersected: Vec<Convex>,
     subtracted: Vec<Convex>,
 ) -> Solid {
-    let inputs = (("intersected", intersected), ("subtracted", subtracted));
+    let taken_away =
+        "object # taken away, product by product, ceil(log2 I) clocks after the intersected";
+    let inputs = (
+        (
+            "intersected",
+            intersected,
+            "intersected object #, product by product",
+        ),
+        ("subtracted", subtracted, taken_away),
+    );
     module(
         "csg_decider",
         at,
         inputs,
-        |((_, intersected), (_, subtracted))| {
+        |((_, intersected, _), (_, subtracted, _))| {
             let own = |all: &[Convex], product: usize, is_back: u64| -> Vec<Extent> {
                 let count = all.len() / products;
                 let own = &all[product * count..][..count];

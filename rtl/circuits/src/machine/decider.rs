@@ -8,10 +8,10 @@ bundles! {
     /// What an object says of a pixel.
     #[derive(Copy)]
     Candidate {
-        depth: Int as "depth", "depth, the far end where it is absent";
+        depth: Int as "depth", "depth; 2^(W-1) - 1, the far end, where it is absent";
         id: Bits as "id", "number of the object";
-        number: Bits as "number", "number of the face";
-        normal: Normal as "", "normal of the face";
+        number: Bits as "number", "number of its visible face";
+        normal: Normal as "", "visible face";
     }
 }
 
@@ -32,12 +32,13 @@ pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
     module(
         "visibility_node",
         at,
-        (("a", a), ("b", b)),
-        |((_, a), (_, b))| {
+        (("a", a, "object a"), ("b", b, "object b")),
+        |((_, a, _), (_, b, _))| {
             net! { let b_wins = is_before((b.depth, b.id), (a.depth, a.id)); }
-            b_wins.select(b, a).registered()
+            ("", b_wins.select(b, a).registered(), NEAREST)
         },
     )
+    .1
 }
 
 /// 1 where one depth and id are nearer than another one, or as near with the smaller id.
@@ -49,12 +50,17 @@ pub(super) fn is_before((depth, id): (Int, Bits), (other, other_id): (Int, Bits)
     is_nearer | (is_as_near & id.less(other_id))
 }
 
+/// What a decider gives.
+pub(super) const NEAREST: &str = "nearest object";
+
 /// The register in the place of a node.
 pub(super) const REGISTER: &str = "visibility_register";
 
 /// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 6 of `docs/architecture.md`.
 pub fn decider(at: &str, inputs: Vec<Candidate>) -> Candidate {
-    module("decider", at, ("input", inputs), |(_, inputs)| {
-        tree(inputs, visibility_node, REGISTER)
+    let inputs = ("input", inputs, "object on input #");
+    module("decider", at, inputs, |(_, inputs, _)| {
+        ("", tree(inputs, visibility_node, REGISTER), NEAREST)
     })
+    .1
 }

@@ -12,10 +12,10 @@ pub const ID: u32 = 12;
 bundle! {
     /// The load bus of objects.
     Load(width) {
-        valid: Bits(1), "write a word";
-        object: Bits(8), "slot of the object";
-        address: Bits(8), "address of the word in its store";
-        data: Bits(width), "the word";
+        valid: Bits(1), "write a coefficient word";
+        object: Bits(8), "slot of the word";
+        address: Bits(8), "address of the word within its slot (table of the load bus)";
+        data: Bits(width), "the word; a narrower one sits in the low bits";
     }
 }
 
@@ -25,7 +25,8 @@ bundles! {
     Surface {
         depth: Int as "depth", "depth, the far end where there is none";
         id: Bits as "id", "its object";
-        normal: Normal as "", "its normal";
+        /// Its normal.
+        normal: Normal as "";
     }
 }
 
@@ -112,7 +113,7 @@ impl Objects {
         let candidate = |(visible, id): &(Visible, Bits)| Candidate {
             depth: visible.front.zf,
             id: *id,
-            number: visible.front.number,
+            number: visible.number,
             normal: visible.normal,
         };
         let candidates = visible.iter().map(candidate).collect();

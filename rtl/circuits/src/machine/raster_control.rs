@@ -7,9 +7,9 @@ use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 bundle! {
     /// What starts a zone.
     Zone() {
-        go: Bits(1), "starts a zone; obeyed while none runs and at the last pixel of one";
-        width: Bits(COORDINATE), "pixels of a line";
-        height: Bits(COORDINATE), "lines";
+        go: Bits(1), "begin a zone; obeyed when idle or with the last pixel of a zone, ignored otherwise";
+        width: Bits(COORDINATE), "pixels of a line, at least 1; read with an obeyed go";
+        height: Bits(COORDINATE), "lines of the zone, at least 1; read with an obeyed go";
     }
 }
 
@@ -17,8 +17,9 @@ bundles! {
     /// A pixel on its way.
     #[derive(Copy)]
     Raster {
-        flags: Flags as "", "what begins with it";
-        pixel: Pixel as "", "where it is in the zone";
+        /// What begins with it.
+        flags: Flags as "";
+        pixel: Pixel as "", "pixel of the zone, counted from 0";
         last: Bits as "last", "last pixel of the zone";
     }
 }

@@ -9,10 +9,10 @@ const GROUP: usize = 8;
 bundle! {
     /// A shadow or light volume at a point.
     Volume() {
-        inside: Bits(1), "the point is inside";
-        kind: Bits(1), "0 shadow, 1 light; held";
-        source: Bits(4), "its source; held";
-        enabled: Bits(1), "without it the volume takes nothing away; held";
+        inside: Bits(1), "the visible point is inside";
+        kind: Bits(1), "0 shadow, dark inside, 1 light, dark outside; held";
+        source: Bits(4), "source that it belongs to; held";
+        enabled: Bits(1), "it counts; without it it takes nothing away; held";
     }
 }
 
@@ -28,8 +28,12 @@ pub fn shadow_clocks(volumes: usize) -> u32 {
 /// Every volume gives a word of flags, and the words are joined eight to a register: latency 1 for up to 8 volumes,
 /// else `ceil(log8 n)`. Section 4.1.3; Chaillou 1991, IV.3.4.
 pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
-    let inputs = (("flags_in", flags), ("volume", volumes));
-    module("shadow_stage", at, inputs, |((_, flags), (_, volumes))| {
+    let meaning = "flags before these volumes: bit s is set where source s reaches the point; all ones in a first pass";
+    let inputs = (
+        ("flags_in", flags, meaning),
+        ("volume", volumes, "volume #"),
+    );
+    module("shadow_stage", at, inputs, |(flags, (_, volumes, _))| {
         let one = Bits::new(1, SOURCES);
         let word = |volume: &Volume| {
             net! {
@@ -39,7 +43,7 @@ pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
             takes_away.select(!mask, all_sources())
         };
         let mut level: Vec<Bits> = volumes.iter().map(word).collect();
-        level[0] = flags & level[0];
+        level[0] = flags.1 & level[0];
         loop {
             let groups = level.chunks(GROUP);
             let joined = groups.map(|group| {
@@ -50,7 +54,7 @@ pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
             });
             level = joined.collect();
             if level.len() == 1 {
-                return ("flags", level[0]);
+                return ("flags", level[0], "flags after these volumes");
             }
         }
     })

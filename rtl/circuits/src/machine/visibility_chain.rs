@@ -1,30 +1,37 @@
 //! Deciders that run past the processors.
 
-use super::decider::{Candidate, REGISTER, decider, visibility_node};
+use super::decider::{Candidate, NEAREST, REGISTER, decider, visibility_node};
 use crate::tree::register;
 use imogene_hdl::module;
 
 /// The nearest of all candidates, cell by cell: input i comes i clocks after input 0 of the same pixel, so that no
 /// wires but those to the next processor leave a cell. Latency as many clocks as inputs. Chaillou 1991, IV.3.2.
 pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
-    module("visibility_chain", at, ("input", inputs), |(_, inputs)| {
+    let inputs = ("input", inputs, "object on input #, # clocks after input 0");
+    module("visibility_chain", at, inputs, |(_, inputs, _)| {
         let first = register(REGISTER, "beginning", inputs[0]);
         let rest = inputs[1..].iter().enumerate();
-        rest.fold(first, |nearest, (index, input)| {
+        let nearest = rest.fold(first, |nearest, (index, input)| {
             visibility_node(&format!("nodes_{index}"), nearest, *input)
-        })
+        });
+        ("", nearest, NEAREST)
     })
+    .1
 }
 
 /// The nearest of the candidates of some cards: a chain on each, and a decider of what leaves them. Input `i` comes `i
 /// mod processors` clocks after input 0; the cards start together. Latency `processors + ceil(log2 cards)`. Chaillou
 /// 1991, IV.3.6.
 pub fn card_decider(at: &str, inputs: Vec<Candidate>, processors: usize) -> Candidate {
-    module("card_decider", at, ("input", inputs), |(_, inputs)| {
+    let meaning =
+        "object on input #; input M k + p, place p of card k, comes p clocks after input 0";
+    let inputs = ("input", inputs, meaning);
+    module("card_decider", at, inputs, |(_, inputs, _)| {
         let cards = inputs.chunks(processors).enumerate();
         let chain = |(card, inputs): (usize, &[Candidate])| {
             visibility_chain(&format!("chains_{card}"), inputs.to_vec())
         };
-        decider("decider", cards.map(chain).collect())
+        ("", decider("decider", cards.map(chain).collect()), NEAREST)
     })
+    .1
 }

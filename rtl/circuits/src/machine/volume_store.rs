@@ -8,7 +8,8 @@ use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
 bundles! {
     /// The words of a volume, and how it takes part.
     StoredVolume {
-        words: VolumeWords as "", "words of its processor";
+        /// Words of its processor.
+        words: VolumeWords as "";
         margin: Bits as "margin", "counts that a point has to lie behind the beginning";
         is_light: Bits as "is_light", "it is a light volume: outside is dark";
         source: Bits as "source", "the source it belongs to";

@@ -11,7 +11,8 @@ bundles! {
     ZoneScreen {
         ready: Bits as "s_tready", "the beat is taken";
         swapped: Bits as "swapped", "a new frame is shown from the next picture on";
-        pins: Pins as "", "pins of the screen";
+        /// Pins of the screen.
+        pins: Pins as "";
     }
 }
 

@@ -7,10 +7,11 @@ use imogene_hdl::{Bundle, Value, bundle, module, net};
 bundle! {
     /// A plane at a pixel.
     Cut(depth) {
-        kind: Bits(2), "kind of the plane, 0 for none";
-        surface: Bits(1), "the object is a bare surface";
+        kind: Bits(2),
+            "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
+        surface: Bits(1), "the object is a bare surface (class patch), not a solid";
         number: Bits(4), "face number of the plane";
-        zp: Int(depth), "depth of the plane; of a perpendicular one its sign alone counts";
+        zp: Int(depth), "clamped depth of the plane; of a perpendicular one its sign alone counts";
     }
 }
 
@@ -45,7 +46,7 @@ pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
         };
         let left = cuts_front.select(front, cuts_back.select(back, own));
         let absent = Interval::absent(own.zf.width());
-        ("cut", removed.select(absent, left).registered())
+        ("cut", removed.select(absent, left).registered(), "after the cut")
     })
     .1
 }

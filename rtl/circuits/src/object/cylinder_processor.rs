@@ -1,23 +1,24 @@
 //! Cylinder processor: body and front disc in one exact outline, a parabolic body.
 
 use super::clamped::Clamped;
-use super::{Front, Normal, ScreenBox, Visible, Widths, absent};
+use super::{Front, Normal, ScreenBox, Visible, Widths, absent, object_processor};
 use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
 use imogene_contract::words::{FIRST_PLANE, NEAR_ROOT, NORMAL};
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, net};
 
 bundles! {
     /// Words of a cylinder.
     Cylinder {
-        screen_box: ScreenBox as "", "screen box";
-        sides: Vec<Linear> as "side", "four, not negative in the rectangle between the discs";
-        discs: Vec<Quadratic> as "disc", "not negative in the front (0) and back (1) disc";
-        body: Quadratic as "body", "depth of the body, in units of `2^-(W-2)` depth words";
-        nx: Quadratic as "nx", "normal x of the body, in units of `2^-(2 W - 16)`";
-        ny: Quadratic as "ny", "normal y of the body, likewise";
-        nz: Quadratic as "nz", "normal z of the body, likewise";
-        lid: Linear as "lid", "depth of the front disc, in units of `2^-10` depth words";
-        lid_normal: Normal as "lid", "normal of the front disc";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
+        sides: Vec<Linear> as "side", "not negative inside side # of the rectangle between the discs";
+        discs: Vec<Quadratic> as "disc", "not negative in disc # (0 front, 1 back)";
+        body: Quadratic as "body", "depth of the body in units of 2^-(W-2) depth words";
+        nx: Quadratic as "nx", "normal x of the body in units of 2^-(2W-16)";
+        ny: Quadratic as "ny", "normal y of the body in units of 2^-(2W-16)";
+        nz: Quadratic as "nz", "normal z of the body in units of 2^-(2W-16)";
+        lid: Linear as "lid", "depth of the front disc in units of 2^-10 depth words";
+        lid_normal: Normal as "lid", "front disc";
     }
 }
 
@@ -40,6 +41,9 @@ impl Cylinder {
     }
 }
 
+/// Name of the module, and what numbers of faces it gives.
+const KIND: (&str, &str) = ("cylinder_processor", "visible part: 0 body, 2 front disc");
+
 /// For every pixel depth and normal of a cylinder whose body is approximated by a parabolic cylinder; outline and
 /// disc are exact. Orthographic views only, neither end-on nor side-on.
 ///
@@ -53,7 +57,7 @@ pub fn cylinder_processor(
     depth: u32,
 ) -> Visible {
     let inputs = (flags, pixel, words);
-    module("cylinder_processor", at, inputs, |(flags, pixel, words)| {
+    object_processor(KIND, at, inputs, |flags, pixel, words| {
         let sum = |value: Int| value.high(depth + 2);
         let component = |at: &str, words: Quadratic| pe2(at, flags, words).high(NORMAL as u32);
         let face = |number: u64| Bits::new(number, 4);
@@ -94,8 +98,11 @@ pub fn cylinder_processor(
             out_valid: flags.valid.delayed_as("valid_late", 3),
             zf: z,
             zb: z,
-            number,
         };
-        Visible { front, normal }
+        Visible {
+            front,
+            number,
+            normal,
+        }
     })
 }

@@ -17,12 +17,19 @@ bundles! {
 ///
 /// Latency 1. Section 2.4.2.
 pub fn depth_interval(at: &str, roots: Roots, object_class: Bits, width: u32) -> Halves {
-    let inputs = (roots, ("object_class", object_class));
+    let inputs = (
+        roots,
+        (
+            "object_class",
+            object_class,
+            "class of the object: 0 side, 1 front, 2 patch, 3 prism",
+        ),
+    );
     module(
         "depth_interval",
         at,
         inputs,
-        |(roots, (_, object_class))| {
+        |(roots, (_, object_class, _))| {
             let low = depth(near_end(width as usize), width);
             let face = |number: u64| Bits::new(number, 4);
             let near = Clamped::of("near", roots.near_sum, NEAR_ROOT, width);

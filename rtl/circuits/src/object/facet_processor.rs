@@ -1,10 +1,10 @@
 //! Facet processors.
 
 use super::clamped::Clamped;
-use super::{Normal, ScreenBox, Seen, Visible, absent};
+use super::{Normal, ScreenBox, Seen, Visible, absent, object_processor};
 use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
 use imogene_contract::words::{FIRST_PLANE, NEAR_ROOT, NORMAL};
-use imogene_hdl::{Bits, Bundle, Int, Value, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, net};
 
 /// Words of a facet: polynomials of first or second degree, from which the elementary processors begin.
 #[derive(Clone, Debug)]
@@ -42,8 +42,18 @@ pub fn facet_processor(
     facet: Facet<Linear>,
     depth: u32,
 ) -> Visible {
-    let part = ("facet_processor", FIRST_PLANE);
-    processor(part, at, (flags, pixel), facet, depth, pe1)
+    let kind = Kind {
+        name: "facet_processor",
+        number: FIRST_PLANE,
+        faces: "2; 0 where the facet is absent",
+        depth: "depth in units of 2^-10 depth words",
+        normal: [
+            "normal x in units of 2^-8",
+            "normal y in units of 2^-8",
+            "normal z in units of 2^-8",
+        ],
+    };
+    processor(kind, at, (flags, pixel), facet, depth, pe1)
 }
 
 /// For every pixel depth and normal of a facet with sides, depth and normal of second degree. The depth is in units of
@@ -57,13 +67,32 @@ pub fn curved_facet_processor(
     facet: Facet<Quadratic>,
     depth: u32,
 ) -> Visible {
-    let part = ("curved_facet_processor", NEAR_ROOT);
-    processor(part, at, (flags, pixel), facet, depth, pe2)
+    let kind = Kind {
+        name: "curved_facet_processor",
+        number: NEAR_ROOT,
+        faces: "0",
+        depth: "depth in units of 2^-(W-2) depth words",
+        normal: [
+            "normal x in units of 2^-(2W-16)",
+            "normal y in units of 2^-(2W-16)",
+            "normal z in units of 2^-(2W-16)",
+        ],
+    };
+    processor(kind, at, (flags, pixel), facet, depth, pe2)
 }
 
-/// A facet of polynomials that a processor adds up, with the number of its face.
+/// A kind of facets: the number of their face, and what their ports carry.
+struct Kind {
+    name: &'static str,
+    number: u64,
+    faces: &'static str,
+    depth: &'static str,
+    normal: [&'static str; 3],
+}
+
+/// A facet of polynomials that a processor adds up.
 fn processor<P: Bundle + Copy>(
-    (name, number): (&str, u64),
+    kind: Kind,
     at: &str,
     (flags, pixel): (Flags, Pixel),
     facet: Facet<P>,
@@ -71,16 +100,19 @@ fn processor<P: Bundle + Copy>(
     pe: fn(&str, Flags, P) -> Int,
 ) -> Visible {
     let [nx, ny, nz] = facet.normal;
-    let shape = (("side", facet.sides), ("depth", facet.depth));
-    let normal = (("nx", nx), ("ny", ny), ("nz", nz));
-    let inputs = (flags, pixel, facet.screen_box, shape, normal);
-    module(
-        name,
+    let sides = ("side", facet.sides, "not negative inside side #");
+    let shape = (sides, ("depth", facet.depth, kind.depth));
+    let [x, y, z] = kind.normal;
+    let normal = (("nx", nx, x), ("ny", ny, y), ("nz", nz, z));
+    let inputs = (flags, pixel, (facet.screen_box, shape, normal));
+    let number = kind.number;
+    object_processor(
+        (kind.name, kind.faces),
         at,
         inputs,
-        |(flags, pixel, screen_box, shape, normal)| {
-            let ((_, sides), (_, z)) = shape;
-            let ((_, nx), (_, ny), (_, nz)) = normal;
+        |flags, pixel, (screen_box, shape, normal)| {
+            let ((_, sides, _), (_, z, _)) = shape;
+            let ((_, nx, _), (_, ny, _), (_, nz, _)) = normal;
             let high = |value: Int, width: u32| {
                 let whole = value.width();
                 value.slice(whole - 1, whole - width).int()
@@ -113,6 +145,7 @@ fn processor<P: Bundle + Copy>(
             let no_normal = Normal::all(Int::new(0, NORMAL as u32));
             Visible {
                 front: seen.front(flags.valid.delayed_as("valid_late", 2)),
+                number: seen.number,
                 normal: is_present.select(normal, no_normal).registered(),
             }
         },

@@ -1,21 +1,23 @@
 //! Quadric object processor, first generation.
 
 use super::{
-    Contours, Network, Normal, NormalWords, Quadric, Visible, Widths, contour_choice, plane_depth,
-    roots, visible,
+    Contours, Network, Normal, NormalWords, Quadric, Visible, Widths, contour_choice,
+    object_processor, plane_depth, roots, visible,
 };
 use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
-use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundles, net};
 
 bundles! {
     /// Words of a quadric between a front plane (0) and a back plane (1).
     FirstGeneration {
-        quadric: Quadric as "", "the quadric";
-        surface: Bits as "surface", "the surface alone, not the solid";
-        depths: Vec<Linear> as "depth", "depth of each plane";
-        conics: Vec<Quadratic> as "conic", "not negative where the plane is inside the quadric";
-        polars: Vec<Linear> as "polar", "negative where the middle of the quadric is on the removed side of the plane";
-        normals: Vec<Normal> as "plane", "normal of each plane";
+        /// The quadric itself.
+        quadric: Quadric as "";
+        surface: Bits as "surface", "the object is a bare surface, not a solid";
+        depths: Vec<Linear> as "depth", "depth of plane # (0 front, 1 back)";
+        conics: Vec<Quadratic> as "conic", "not negative where plane # (0 front, 1 back) is inside the quadric";
+        polars: Vec<Linear> as "polar",
+            "negative where plane # (0 front, 1 back) has the middle of the quadric on its removed side";
+        normals: Vec<Normal> as "plane", "plane # (0 front, 1 back)";
     }
 }
 
@@ -36,6 +38,12 @@ impl FirstGeneration {
     }
 }
 
+/// Name of the module, and what numbers of faces it gives.
+const KIND: (&str, &str) = (
+    "first_generation_processor",
+    "visible face: 0 near root, 1 far root, 2 front plane, 15 near end",
+);
+
 /// For every pixel the visible face of a quadric seen from outside between two parallel planes, found by contours on
 /// the screen.
 ///
@@ -51,46 +59,41 @@ pub fn first_generation_processor(
     network: Network,
 ) -> Visible {
     let inputs = (flags, pixel, words);
-    module(
-        "first_generation_processor",
-        at,
-        inputs,
-        |(flags, pixel, words)| {
-            let quadric = words.quadric;
-            let f = (quadric.f1, quadric.f2);
-            let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
-            let zp = |index: usize| {
-                plane_depth(&format!("depths_{index}"), late, words.depths[index], depth)
-            };
-            let is_inside = |index: usize| {
-                let conic = pe2(&format!("conics_{index}"), late, words.conics[index]);
-                (!conic.is_negative()).reg()
-            };
-            let is_kept = |index: usize| {
-                let polar = pe1(&format!("polars_{index}"), late, words.polars[index]);
-                (!polar.is_negative()).reg()
-            };
-            net! {
-                let front_inside = is_inside(0);
-                let back_inside = is_inside(1);
-                let front_middle = is_kept(0);
-                let back_middle = is_kept(1);
-            }
-            let contours = Contours {
-                surface: words.surface,
-                front_zp: zp(0),
-                back_zp: zp(1),
-                front_inside,
-                back_inside,
-                middle_kept: front_middle & back_middle,
-            };
-            let seen = contour_choice("choice", roots, contours);
-            let root = (root.delayed_as("root_late", 1), quadric.shift);
-            let normals = NormalWords {
-                gradients: quadric.gradients,
-                planes: words.normals,
-            };
-            visible(late.delayed(3), seen, root, normals)
-        },
-    )
+    object_processor(KIND, at, inputs, |flags, pixel, words| {
+        let quadric = words.quadric;
+        let f = (quadric.f1, quadric.f2);
+        let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
+        let zp = |index: usize| {
+            plane_depth(&format!("depths_{index}"), late, words.depths[index], depth)
+        };
+        let is_inside = |index: usize| {
+            let conic = pe2(&format!("conics_{index}"), late, words.conics[index]);
+            (!conic.is_negative()).reg()
+        };
+        let is_kept = |index: usize| {
+            let polar = pe1(&format!("polars_{index}"), late, words.polars[index]);
+            (!polar.is_negative()).reg()
+        };
+        net! {
+            let front_inside = is_inside(0);
+            let back_inside = is_inside(1);
+            let front_middle = is_kept(0);
+            let back_middle = is_kept(1);
+        }
+        let contours = Contours {
+            surface: words.surface,
+            front_zp: zp(0),
+            back_zp: zp(1),
+            front_inside,
+            back_inside,
+            middle_kept: front_middle & back_middle,
+        };
+        let seen = contour_choice("choice", roots, contours);
+        let root = (root.delayed_as("root_late", 1), quadric.shift);
+        let normals = NormalWords {
+            gradients: quadric.gradients,
+            planes: words.normals,
+        };
+        visible(late.delayed(3), seen, root, normals)
+    })
 }

@@ -8,8 +8,8 @@ use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};
 bundle! {
     /// A plane at a pixel.
     PlaneAt(depth) {
-        kind: Bits(2), "0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
-        zp: Int(depth), "depth of the plane";
+        kind: Bits(2), "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
+        zp: Int(depth), "depth zp, clamped to the ends of its word";
     }
 }
 
@@ -17,8 +17,9 @@ bundles! {
     /// Words of a plane without a normal.
     #[derive(Copy)]
     HalfSpace {
-        kind: Bits as "kind", "kind of the plane";
-        linear: Linear as "", "its depth";
+        kind: Bits as "kind",
+            "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
+        linear: Linear as "", "depth zp";
     }
 }
 

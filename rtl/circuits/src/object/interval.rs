@@ -8,9 +8,9 @@ bundle! {
     /// A front and a back, each with the number of its face; absent where the front is at the far end.
     Interval(depth) {
         zf: Int(depth), "front depth";
-        nf: Bits(4), "front face";
+        nf: Bits(4), "face number at the front";
         zb: Int(depth), "back depth";
-        nb: Bits(4), "back face";
+        nb: Bits(4), "face number at the back";
     }
 }
 

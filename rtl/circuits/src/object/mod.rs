@@ -55,7 +55,7 @@ pub use words::{Factors, Gradients, Plane, Quadric, Widths, Words};
 
 use normal_unit::constant_normal;
 use roots::roots;
-use visible::visible;
+use visible::{IN_ZONE, object_processor, visible};
 
 use imogene_contract::words::far_end;
 use imogene_hdl::Int;

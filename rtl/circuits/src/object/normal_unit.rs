@@ -15,10 +15,11 @@ bundle! {
 
     /// The visible face of a pixel.
     Face(root) {
-        number: Bits(4), "its number";
-        absent: Bits(1), "there is none";
-        root: Bits(root), "the root of the pixel";
-        shift: Bits(5), "places the root is shifted";
+        number: Bits(4),
+            "visible face: 0 near root, 1 far root, 2 + i plane i, 15 near end; with the flags of its pixel";
+        absent: Bits(1), "nothing is seen at the pixel: the normal is zero";
+        root: Bits(root), "r = floor(sqrt(f2)) of the pixel";
+        shift: Bits(5), "places the root is shifted right for the normal";
     }
 
     /// What decides a component besides its own words.
@@ -33,8 +34,9 @@ bundle! {
 bundles! {
     /// The words of a normal.
     NormalWords {
-        gradients: Gradients as "", "of the quadric";
-        planes: Vec<Normal> as "plane", "normal of each plane";
+        /// Words of the quadric.
+        gradients: Gradients as "";
+        planes: Vec<Normal> as "plane", "plane #";
     }
 }
 
@@ -93,13 +95,15 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
                 };
                 normal_component(&format!("component_{name}"), late, (g, k), change)
             };
-            Normal {
+            let normal = Normal {
                 nx: component("x", gx, factors.kx, fixed.nx),
                 ny: component("y", gy, factors.ky, fixed.ny),
                 nz: component("z", gz, factors.kz, fixed.nz),
-            }
+            };
+            ("", normal, "visible face")
         },
     )
+    .1
 }
 
 /// The normal of a face that is none of the quadric: of a plane its own, of the cap `cap_nz` along the line of sight,

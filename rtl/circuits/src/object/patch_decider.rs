@@ -14,8 +14,8 @@ pub fn patch_decider(at: &str, roots: Roots, planes: Vec<PlaneAt>, width: u32) -
     module(
         "patch_decider",
         at,
-        (roots, ("plane", planes)),
-        |(roots, (_, planes))| {
+        (roots, ("plane", planes, "plane #, beside the sums")),
+        |(roots, (_, planes, _))| {
             net! { let is_there = roots.is_inside & roots.in_box; }
             // The two ends are planes of constant depth: asked beside the planes, not before them.
             let is_left = |name: &str, sum: Int, face: u64| {

@@ -1,17 +1,18 @@
 //! Patch object processor.
 
 use super::{
-    HalfSpace, Network, NormalWords, PlaneAt, Quadric, Visible, Widths, patch_decider, plane_depth,
-    roots, visible,
+    HalfSpace, Network, NormalWords, PlaneAt, Quadric, Visible, Widths, object_processor,
+    patch_decider, plane_depth, roots, visible,
 };
 use crate::raster::{Flags, Pixel};
-use imogene_hdl::{Bundle, Value, bundles, module};
+use imogene_hdl::{Bundle, Value, bundles};
 
 bundles! {
     /// Words of a bare surface cut by planes.
     Patch {
-        quadric: Quadric as "", "the surface";
-        planes: Vec<HalfSpace> as "plane", "cut planes";
+        /// The surface itself.
+        quadric: Quadric as "";
+        planes: Vec<HalfSpace> as "plane", "plane #";
     }
 }
 
@@ -24,6 +25,9 @@ impl Patch {
         }
     }
 }
+
+/// Name of the module, and what numbers of faces it gives.
+const KIND: (&str, &str) = ("patch_processor", "visible face: 0 near root, 1 far root");
 
 /// For every pixel the visible face of a bare quadric surface cut by planes: depth, face and normal, as the quadric
 /// processor gives them for class patch.
@@ -39,26 +43,22 @@ pub fn patch_processor(
     depth: u32,
     network: Network,
 ) -> Visible {
-    module(
-        "patch_processor",
-        at,
-        (flags, pixel, words),
-        |(flags, pixel, words)| {
-            let quadric = words.quadric;
-            let f = (quadric.f1, quadric.f2);
-            let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
-            let plane = |(index, plane): (usize, &HalfSpace)| PlaneAt {
-                kind: plane.kind,
-                zp: plane_depth(&format!("planes_{index}"), late, plane.linear, depth),
-            };
-            let planes = words.planes.iter().enumerate().map(plane).collect();
-            let seen = patch_decider("decider", roots, planes, depth);
-            let root = (root.delayed_as("root_late", 2), quadric.shift);
-            let normals = NormalWords {
-                gradients: quadric.gradients,
-                planes: vec![],
-            };
-            visible(late.delayed(4), seen, root, normals)
-        },
-    )
+    let inputs = (flags, pixel, words);
+    object_processor(KIND, at, inputs, |flags, pixel, words| {
+        let quadric = words.quadric;
+        let f = (quadric.f1, quadric.f2);
+        let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
+        let plane = |(index, plane): (usize, &HalfSpace)| PlaneAt {
+            kind: plane.kind,
+            zp: plane_depth(&format!("planes_{index}"), late, plane.linear, depth),
+        };
+        let planes = words.planes.iter().enumerate().map(plane).collect();
+        let seen = patch_decider("decider", roots, planes, depth);
+        let root = (root.delayed_as("root_late", 2), quadric.shift);
+        let normals = NormalWords {
+            gradients: quadric.gradients,
+            planes: vec![],
+        };
+        visible(late.delayed(4), seen, root, normals)
+    })
 }

@@ -9,7 +9,8 @@ use imogene_hdl::{Int, Value, module, net};
 ///
 /// Latency 2. Section 2.4.2.
 pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
-    module("plane_depth", at, (flags, words), |(flags, words)| {
+    let inputs = (flags, ("", words, "read with start"));
+    module("plane_depth", at, inputs, |(flags, (_, words, _))| {
         let plane = pe1("plane", flags, words);
         let [largest, smallest] = [far_end, saturated_near].map(|end| end(width as usize));
         net! {
@@ -18,7 +19,9 @@ pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
         }
         let nearest = depth(smallest, width);
         let clamped = above.select(absent(width), below.select(nearest, plane.low(width)));
-        ("depth", clamped.reg())
+        let meaning =
+            "a x + b y + c modulo the width of its words, clamped to [-2^(W-1), 2^(W-1) - 1]";
+        ("depth", clamped.reg(), meaning)
     })
     .1
 }

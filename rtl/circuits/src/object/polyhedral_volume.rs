@@ -1,6 +1,6 @@
 //! Shadow or light volume of planes.
 
-use super::{Answer, Bounds, VolumePoint};
+use super::{Answer, Bounds, IN_ZONE, VolumePoint};
 use crate::raster::{Flags, Pixel};
 use imogene_hdl::{Value, module};
 
@@ -17,12 +17,12 @@ pub fn polyhedral_volume(
     point: VolumePoint,
     bounds: Bounds,
 ) -> Answer {
-    let inputs = (flags, pixel, point, bounds);
+    let inputs = (flags, ("", pixel, IN_ZONE), point, bounds);
     module(
         "polyhedral_volume",
         at,
         inputs,
-        |(flags, pixel, point, bounds)| {
+        |(flags, (_, pixel, _), point, bounds)| {
             let in_box = bounds
                 .screen_box
                 .contains(pixel)

@@ -1,28 +1,34 @@
 //! Convex polyhedron processor.
 
 use super::{
-    Normal, Plane, PlaneAt, ScreenBox, Visible, Widths, constant_normal, half_spaces, plane_depth,
+    Front, IN_ZONE, Normal, Plane, PlaneAt, ScreenBox, Widths, constant_normal, half_spaces,
+    plane_depth,
 };
 use crate::raster::{Flags, Pixel};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module};
 
 bundles! {
-    /// Words of a convex solid of planes.
+    /// Words of a convex solid of planes, with their outward normals.
     Polyhedron {
-        screen_box: ScreenBox as "", "screen box";
-        planes: Vec<Plane> as "plane", "planes with their outward normals";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
+        planes: Vec<Plane> as "plane", "plane #";
     }
 
     /// A back face.
     BackFace {
-        number: Bits as "number", "its number";
-        normal: Normal as "", "its normal";
+        number: Bits as "number", "face at zb: 2 + i plane i, 15 far end";
+        normal: Normal as "", "face at zb";
     }
 
     /// Both faces of a solid at a pixel.
     BothFaces {
-        front: Visible as "", "depths and front face";
-        back: BackFace as "back", "back face";
+        /// Both depths.
+        front: Front as "";
+        number: Bits as "number", "visible face: 2 + i plane i, 15 near end";
+        normal: Normal as "", "visible face";
+        /// The back face.
+        back: BackFace as "back";
     }
 }
 
@@ -48,12 +54,12 @@ pub fn polyhedron_processor(
     words: Polyhedron,
     depth: u32,
 ) -> BothFaces {
-    let inputs = (flags, pixel, words);
+    let inputs = (flags, ("", pixel, IN_ZONE), words);
     module(
         "polyhedron_processor",
         at,
         inputs,
-        |(flags, pixel, words)| {
+        |(flags, (_, pixel, _), words)| {
             let plane = |(index, plane): (usize, &Plane)| PlaneAt {
                 kind: plane.kind,
                 zp: plane_depth(&format!("planes_{index}"), flags, plane.linear, depth),
@@ -70,11 +76,11 @@ pub fn polyhedron_processor(
                 plane_normal(at, number, end_nz, &normals)
             };
             let out_valid = flags.valid.delayed_as("valid_late", levels + 4);
+            let seen = kept.seen().delayed(1);
             BothFaces {
-                front: Visible {
-                    front: kept.seen().delayed(1).front(out_valid),
-                    normal: normal("front_normal", kept.nf, -1),
-                },
+                front: seen.front(out_valid),
+                number: seen.number,
+                normal: normal("front_normal", kept.nf, -1),
                 back: BackFace {
                     number: kept.nb.delayed_as("back_number_late", 1),
                     normal: normal("back_normal", kept.nb, 1),

@@ -7,10 +7,10 @@ use imogene_hdl::{Bundle, Value, bundle, module, net};
 bundle! {
     /// Both depths, as far as f2 is not negative.
     Depths(sum, root) {
-        near_sum: Int(sum), "f1 - r, wrapped";
-        far_sum: Int(sum), "f1 + r, wrapped";
-        root: Bits(root), "r";
-        is_inside: Bits(1), "f2 is not negative; the others mean nothing where it is";
+        near_sum: Int(sum), "f1 - r, modulo its width";
+        far_sum: Int(sum), "f1 + r, modulo its width";
+        root: Bits(root), "r = floor(sqrt(f2)), with the sums";
+        is_inside: Bits(1), "f2 >= 0; where it is low the sums and the root mean nothing";
     }
 }
 
@@ -45,8 +45,8 @@ impl Network {
 }
 
 /// `f1 - r` and `f1 + r` with `r = floor(sqrt(f2))`: a PE2, the root network behind it, and a PE1 started late enough
-/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth and f2 beyond two for each row are guard
-/// bits below the last one: they are dropped, rounding down.
+/// to meet the root. With it the flags as the PE1 has them. What f1 has beyond the bits of a depth and f2 beyond two
+/// for each row are guard bits below the last one: they are dropped, rounding down.
 ///
 /// Latency `ceil(rows / rows_per_stage) + 2`. Section 2.4.2.
 pub fn quadric_pe(
@@ -55,12 +55,16 @@ pub fn quadric_pe(
     (f1, f2): (Linear, Quadratic),
     network: Network,
 ) -> (Depths, Flags) {
-    let inputs = (flags, ("f1", f1), ("f2", f2));
-    let (depths, (_, late)) = module("quadric_pe", at, inputs, |(flags, (_, f1), (_, f2))| {
+    let inputs = (
+        flags,
+        ("f1", f1, "linear part of the depth"),
+        ("f2", f2, "quadratic under the root"),
+    );
+    let (depths, (_, late, _)) = module("quadric_pe", at, inputs, |(flags, f1, f2)| {
         let (stages, sum) = (network.latency(), network.sum);
-        let f2 = pe2("f2", flags, f2);
+        let f2 = pe2("f2", flags, f2.1);
         let late = flags.delayed(stages);
-        let f1 = pe1("f1", late, f1).high(sum);
+        let f1 = pe1("f1", late, f1.1).high(sum);
         let radicand = f2.high(2 * network.rows).bits();
         let found = square_root("square_root", radicand, network.rows_per_stage);
         let root = found.root.extend(network.digits);
@@ -78,7 +82,8 @@ pub fn quadric_pe(
             root: kept_root,
             is_inside: !is_outside,
         };
-        (depths, ("late", late))
+        let meaning = "flags ceil(W / R) clocks later, for a PE1 that is to meet the sums";
+        (depths, ("late", late, meaning))
     });
     (depths, late)
 }

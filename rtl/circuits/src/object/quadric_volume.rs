@@ -1,6 +1,6 @@
 //! Shadow or light volume of a quadric and planes.
 
-use super::{Answer, Bounds, Network, Roots, VolumePoint, Widths, roots};
+use super::{Answer, Bounds, IN_ZONE, Network, Roots, VolumePoint, Widths, roots};
 use crate::raster::{Flags, Linear, Pixel, Quadratic};
 use imogene_contract::words::{FRONT, PRISM, SIDE};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
@@ -9,9 +9,11 @@ bundles! {
     /// Words of a volume of a quadric and planes.
     VolumeWords {
         f1: Linear as "f1", "linear part of the depth";
-        f2: Quadratic as "f2", "square of the root";
-        bounds: Bounds as "", "screen box and planes";
-        object_class: Bits as "object_class", "class of the quadric; a patch has no inside";
+        f2: Quadratic as "f2", "quadratic under the root";
+        /// Screen box and planes.
+        bounds: Bounds as "";
+        object_class: Bits as "object_class",
+            "class of the quadric: 0 side, 1 front, 2 patch, 3 prism; a patch has no inside";
         depth_shift: Bits as "depth_shift", "the quadric's depths are in units of 2^depth_shift depth words";
     }
 }
@@ -43,12 +45,12 @@ pub fn quadric_volume(
     words: VolumeWords,
     network: Network,
 ) -> Answer {
-    let inputs = (flags, pixel, point, words);
+    let inputs = (flags, ("", pixel, IN_ZONE), point, words);
     module(
         "quadric_volume",
         at,
         inputs,
-        |(flags, pixel, point, words)| {
+        |(flags, (_, pixel, _), point, words)| {
             let f = (words.f1, words.f2);
             let (roots, _, late) = roots(flags, pixel, words.bounds.screen_box, f, network);
             let late = late.delayed(1);

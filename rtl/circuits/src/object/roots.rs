@@ -7,10 +7,10 @@ use imogene_hdl::{Bits, Value, bundle};
 bundle! {
     /// What the roots of a quadric say of a pixel.
     Roots(sum) {
-        near_sum: Int(sum), "depth of the near root";
-        far_sum: Int(sum), "depth of the far root";
-        is_inside: Bits(1), "the discriminant is not negative";
-        in_box: Bits(1), "the pixel lies in the screen box";
+        near_sum: Int(sum), "f1 - r, modulo its width";
+        far_sum: Int(sum), "f1 + r, modulo its width";
+        is_inside: Bits(1), "f2 >= 0; where it is low the sums mean nothing";
+        in_box: Bits(1), "the pixel lies in the screen box of the object";
     }
 }
 

@@ -6,9 +6,9 @@ use imogene_hdl::{Bits, Value, bundle, net};
 bundle! {
     /// Screen box of an object; empty where a first exceeds its last.
     ScreenBox() {
-        box_x0: Bits(12), "first column of the screen box";
+        box_x0: Bits(12), "first column of the screen box; empty if beyond the last";
         box_x1: Bits(12), "last column of the screen box";
-        box_y0: Bits(12), "first line of the screen box";
+        box_y0: Bits(12), "first line of the screen box; empty if beyond the last";
         box_y1: Bits(12), "last line of the screen box";
     }
 }

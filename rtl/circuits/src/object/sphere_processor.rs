@@ -1,21 +1,22 @@
 //! Sphere processor: an exact outline, and a paraboloid for the depth.
 
 use super::clamped::Clamped;
-use super::{Front, Normal, ScreenBox, Visible, Widths, absent};
+use super::{Front, Normal, ScreenBox, Visible, Widths, absent, object_processor};
 use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
 use imogene_contract::words::{CAP, FAR_ROOT, NEAR_ROOT, NORMAL, near_end};
-use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, net};
 
 bundles! {
     /// Words of a sphere.
     Sphere {
-        screen_box: ScreenBox as "", "screen box";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
         outline: Quadratic as "outline", "not negative inside the outline";
-        front: Quadratic as "front", "front depth, in units of `2^-(W-2)` depth words";
-        depth_sum: Int as "depth_sum", "front depth plus back depth";
-        nx: Linear as "nx", "normal x, in units of `2^-8`";
-        ny: Linear as "ny", "normal y, likewise";
-        nz: Quadratic as "nz", "normal z, in units of `2^-(2 W - 16)`";
+        front: Quadratic as "front", "front depth in units of 2^-(W-2) depth words";
+        depth_sum: Int as "depth_sum", "front depth plus back depth, the same at every pixel";
+        nx: Linear as "nx", "normal x in units of 2^-8";
+        ny: Linear as "ny", "normal y in units of 2^-8";
+        nz: Quadratic as "nz", "normal z in units of 2^-(2W-16)";
     }
 }
 
@@ -35,6 +36,9 @@ impl Sphere {
     }
 }
 
+/// Name of the module, and what numbers of faces it gives.
+const KIND: (&str, &str) = ("sphere_processor", "visible face: 0 sphere, 15 near end");
+
 /// For every pixel depth and normal of a sphere whose front is approximated by a paraboloid; its outline is exact.
 /// Orthographic views only.
 ///
@@ -43,7 +47,7 @@ impl Sphere {
 /// Chaillou 1991, IV.2.4.
 pub fn sphere_processor(at: &str, flags: Flags, pixel: Pixel, words: Sphere) -> Visible {
     let inputs = (flags, pixel, words);
-    module("sphere_processor", at, inputs, |(flags, pixel, words)| {
+    object_processor(KIND, at, inputs, |flags, pixel, words| {
         let sum = words.depth_sum.width();
         let depth = sum - 2;
         net! {
@@ -80,8 +84,8 @@ pub fn sphere_processor(at: &str, flags: Flags, pixel: Pixel, words: Sphere) -> 
                 out_valid: flags.valid.delayed_as("valid_late", 4),
                 zf,
                 zb,
-                number,
             },
+            number,
             normal: is_present.reg().select(of_face, none).registered(),
         }
     })

@@ -9,10 +9,11 @@ pub fn two_volume_merge(at: &str, a: Interval, b: Interval) -> Interval {
     module(
         "two_volume_merge",
         at,
-        (("_a", a), ("_b", b)),
-        |((_, a), (_, b))| {
+        (("_a", a, "half A"), ("_b", b, "half B")),
+        |((_, a, _), (_, b, _))| {
             net! { let b_in_front = b.zf.less(a.zf); }
-            b_in_front.select(b, a).registered()
+            ("", b_in_front.select(b, a).registered(), "half in front")
         },
     )
+    .1
 }

@@ -7,22 +7,25 @@ use imogene_hdl::{Bits, Int, Value, bundle, bundles, net};
 bundle! {
     /// The visible point of a pixel.
     VolumePoint(depth) {
-        depth: Int(depth), "visible depth, the far end in the background";
-        margin: Bits(depth), "counts that a point has to lie behind the beginning; at most half the depth word";
+        depth: Int(depth),
+            "visible depth of the pixel, ceil(W / R) + 1 clocks after its flags where the volume has a quadric, with \
+            them where not";
+        margin: Bits(depth), "counts that a point has to lie behind the beginning of the volume, at most 2^(W-1) - 1";
     }
 
     /// What a volume says of a pixel.
     Answer() {
-        out_valid: Bits(1), "this clock carries a result";
-        is_inside: Bits(1), "the point lies in the volume; the background is in none";
+        out_valid: Bits(1), "valid, with the result of its pixel";
+        is_inside: Bits(1), "the visible point lies in the volume; the background does not";
     }
 }
 
 bundles! {
     /// Where a volume may be, and what cuts it.
     Bounds {
-        screen_box: ScreenBox as "", "screen box";
-        planes: Vec<HalfSpace> as "plane", "planes";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
+        planes: Vec<HalfSpace> as "plane", "plane #";
     }
 }
 

@@ -40,35 +40,41 @@ bundles! {
     /// Words of the normal of a quadric.
     #[derive(Copy)]
     Gradients {
-        gx: Linear as "gx", "first-degree part of x";
-        gy: Linear as "gy", "first-degree part of y";
-        gz: Linear as "gz", "first-degree part of z";
-        factors: Factors as "", "factors of the root";
+        gx: Linear as "gx", "linear part of normal x";
+        gy: Linear as "gy", "linear part of normal y";
+        gz: Linear as "gz", "linear part of normal z";
+        /// Factors of the root.
+        factors: Factors as "";
     }
 
     /// Words of a quadric.
     #[derive(Copy)]
     Quadric {
         f1: Linear as "f1", "linear part of the depth";
-        f2: Quadratic as "f2", "square of the root";
-        gradients: Gradients as "", "normal";
-        screen_box: ScreenBox as "", "screen box";
-        shift: Bits as "shift", "places the root is shifted for the normal";
+        f2: Quadratic as "f2", "quadratic under the root";
+        /// Words of its normal.
+        gradients: Gradients as "";
+        /// Where it may be.
+        screen_box: ScreenBox as "";
+        shift: Bits as "shift", "places the root is shifted right for the normal";
     }
 
     /// A cut plane.
     #[derive(Copy)]
     Plane {
-        kind: Bits as "kind", "kind of the plane";
-        linear: Linear as "", "its depth";
-        normal: Normal as "", "its normal";
+        kind: Bits as "kind",
+            "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
+        linear: Linear as "", "depth zp";
+        /// Its normal.
+        normal: Normal as "";
     }
 
     /// All words of an object.
     Words {
-        quadric: Quadric as "", "the quadric";
-        object_class: Bits as "object_class", "class of the object";
-        planes: Vec<Plane> as "plane", "cut planes";
+        /// The quadric itself.
+        quadric: Quadric as "";
+        object_class: Bits as "object_class", "class of the object: 0 side, 1 front, 2 patch, 3 prism";
+        planes: Vec<Plane> as "plane", "plane #";
     }
 }
 

@@ -69,25 +69,27 @@ const PROGRAM: [([u64; 3], u64); 23] = [
 bundle! {
     /// What loads the memory.
     LoadWord(width) {
-        valid: Bits(1), "write `data` to `address`, where no command runs";
-        address: Bits(4), "which word";
+        valid: Bits(1), "write a word of the memory; obeyed when ready";
+        address: Bits(4),
+            "0 2A, 1 2B, 2 C, 3 E - B, 4 D - A, 5 F of the polynomial moved by (-1, -1); 6 to 8 the copies of 3 to 5";
         data: Int(width), "the word";
     }
 
     /// Commands, one at a time, obeyed where ready.
     Commands() {
-        field_start: Bits(1), "restore the words that lines change from their copies, and begin a field";
-        picture_start: Bits(1), "begin a progressive picture with the words as they were loaded";
-        odd_field: Bits(1), "the field has the lines 1, 3, 5, ..; read with `field_start`";
-        line_start: Bits(1), "step to the next line of the picture or field, the first one too";
-        pixel: Bits(1), "step to the next pixel of the line, the first one too";
+        field_start: Bits(1), "command: restore words 3 to 5 from their copies and begin a field, 6 clocks";
+        picture_start: Bits(1), "command: begin a progressive picture, 1 clock";
+        odd_field: Bits(1), "the field has the lines 1, 3, 5, ..; read with field_start";
+        line_start: Bits(1),
+            "command: step to the next line; 15 clocks, 27 in a field but for the first line of the even one";
+        pixel: Bits(1), "command: step to the next pixel, 1 clock";
     }
 
     /// What a processor with a memory gives.
     Stepped(width) {
-        ready: Bits(1), "a command is obeyed on this clock";
-        value_valid: Bits(1), "a pixel was stepped to on the clock before";
-        value: Int(width), "the polynomial";
+        ready: Bits(1), "a command or a word of this clock is obeyed";
+        value_valid: Bits(1), "the value is that of a pixel, stepped to one clock before";
+        value: Int(width), "the polynomial, modulo its width";
     }
 }
 

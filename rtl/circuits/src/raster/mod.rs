@@ -8,7 +8,7 @@ mod programmable_pe;
 pub use memory_pe2::{Commands, LoadWord, Stepped, memory_pe2};
 pub use pe1::pe1;
 pub use pe2::pe2;
-pub use programmable_pe::{Program, Programmed, programmable_pe};
+pub use programmable_pe::{Program, Programmed, SplitWords, programmable_pe};
 
 use imogene_contract::words::COORDINATE;
 use imogene_hdl::bundle;
@@ -16,9 +16,9 @@ use imogene_hdl::bundle;
 bundle! {
     /// Raster flags.
     Flags() {
-        valid: Bits(1), "this clock carries a pixel";
-        start: Bits(1), "first pixel of the zone";
-        line: Bits(1), "first pixel of a later line";
+        valid: Bits(1), "this clock carries a pixel; without it no state of the elementary processors changes";
+        start: Bits(1), "first pixel of the zone; counts under valid";
+        line: Bits(1), "first pixel of any other line; counts under valid";
     }
 
     /// A place on the screen or in a zone.
@@ -29,18 +29,18 @@ bundle! {
 
     /// Words of `a x + b y + c`.
     Linear(width) {
-        a: Int(width), "increment along the line";
+        a: Int(width), "increment from pixel to pixel";
         b: Int(width), "increment from line to line";
-        c: Int(width), "value of the first pixel";
+        c: Int(width), "value at the first pixel";
     }
 
     /// Preconditioned words of a polynomial of second degree (section B.2.1).
     Quadratic(width) {
-        a2: Int(width), "second difference along the line";
-        b2: Int(width), "second difference from line to line";
-        c: Int(width), "mixed difference";
-        i0: Int(width), "increment from the first line to the second";
-        p0: Int(width), "increment from the first pixel to the second";
-        f: Int(width), "value of the first pixel";
+        a2: Int(width), "2a of a x^2 + b y^2 + c xy + d x + e y + f";
+        b2: Int(width), "2b";
+        c: Int(width), "c";
+        i0: Int(width), "e + b, the first increment from line to line";
+        p0: Int(width), "d + a, the first increment from pixel to pixel";
+        f: Int(width), "f, the value at the first pixel";
     }
 }

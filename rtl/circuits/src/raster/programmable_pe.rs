@@ -1,22 +1,32 @@
 //! Programmable elementary processor: one of second degree, or four of first degree.
 
-use super::{Flags, Quadratic};
+use super::Flags;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, module, net};
 
 bundle! {
     /// What a programmable processor is to be, read with its words.
     Program() {
-        split: Bits(1), "four processors of first degree, not one of second";
-        used: Bits(4), "lanes that the decision asks";
+        split: Bits(1), "four polynomials of first degree, not one of second";
+        used: Bits(4), "bit i: the decision asks lane i";
+    }
+
+    /// Words of a polynomial of second degree, or of four of first degree.
+    SplitWords(width) {
+        a2: Int(width), "2a; split, a of lanes 2 (low half) and 3";
+        b2: Int(width), "2b; split, a of lanes 0 (low half) and 1";
+        c: Int(width), "c; split, b of lanes 2 and 3";
+        i0: Int(width), "e + b; split, b of lanes 0 and 1";
+        p0: Int(width), "d + a; split, c of lanes 2 and 3";
+        f: Int(width), "f; split, c of lanes 0 and 1";
     }
 }
 
 bundles! {
     /// What a programmable processor gives.
     Programmed {
-        value: Int as "value", "the polynomial of second degree";
-        lanes: Vec<Int> as "lane", "the polynomials of first degree";
-        is_inside: Bits as "is_inside", "no used lane, or not the value, is negative; one clock later";
+        value: Int as "value", "polynomial of second degree, modulo its width";
+        lanes: Vec<Int> as "lane", "split, the polynomial of lane #, modulo its width";
+        is_inside: Bits as "is_inside", "no used lane, or not the value, is negative; one clock after the values";
     }
 }
 
@@ -28,9 +38,9 @@ bundles! {
 /// decision.
 ///
 /// Latency 1, the decision 2. Words are read on a clock with `valid` and `start` only. Chaillou 1991, IV.1.7.
-pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: Quadratic) -> Programmed {
-    let inputs = (flags, program, words);
-    module("programmable_pe", at, inputs, |(flags, program, words)| {
+pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWords) -> Programmed {
+    let inputs = (flags, ("", (program, words), "read with start"));
+    let body = |(flags, (_, (program, words), _)): (Flags, (_, (Program, SplitWords), _))| {
         let width = words.f.width();
         let load = flags.valid & flags.start;
         let register = || Bits::register(width);
@@ -80,7 +90,8 @@ pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: Quadrati
             lanes,
             is_inside: (!is_outside).reg(),
         }
-    })
+    };
+    module("programmable_pe", at, inputs, body)
 }
 
 /// One sum, or two sums of half the bits side by side: an adder with one AND in its carry chain. Latency 0. Chaillou

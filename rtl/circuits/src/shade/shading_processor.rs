@@ -26,9 +26,9 @@ const SHARES: u32 = 31;
 bundle! {
     /// Words for a shading processor.
     ShadingLoad() {
-        valid: Bits(1), "this clock carries a word";
-        address: Bits(16), "its address";
-        data: Bits(32), "the word";
+        valid: Bits(1), "write a word; only while no pixel is inside";
+        address: Bits(16), "address of the word, section 8 of the architecture";
+        data: Bits(32), "the word, in the low bits";
     }
 }
 
@@ -37,20 +37,20 @@ bundles! {
     Point {
         valid: Bits as "valid", "this clock carries a pixel";
         pixel: Pixel as "", "pixel of the screen";
-        depth: Int as "depth", "its depth, the far end for the background";
-        material: Bits as "material", "number of its material";
-        normal: Normal as "", "its normal, of any length";
-        flags: Bits as "flags", "bit i: source i reaches it";
+        depth: Int as "depth", "depth; 2^(W-1) - 1 is the background";
+        material: Bits as "material", "number of the material";
+        normal: Normal as "", "vector of any length";
+        flags: Bits as "flags", "bit i: source i reaches the point";
     }
 }
 
 bundle! {
     /// The colour of a pixel.
     Shaded() {
-        out_valid: Bits(1), "a pixel comes out";
-        red: Bits(LEVEL), "its red";
-        green: Bits(LEVEL), "its green";
-        blue: Bits(LEVEL), "its blue";
+        out_valid: Bits(1), "valid, with the colour of its pixel";
+        red: Bits(LEVEL), "red, 0 to 255";
+        green: Bits(LEVEL), "green, 0 to 255";
+        blue: Bits(LEVEL), "blue, 0 to 255";
     }
 }
 

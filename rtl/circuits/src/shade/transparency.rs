@@ -6,18 +6,23 @@ use imogene_hdl::{Bits, Value, bundle, bundles, join, module, net};
 bundle! {
     /// A surface at a pixel, or what is seen there.
     Surface(depth) {
-        depth: Int(depth), "depth of the surface, the far end where it is absent";
-        red: Bits(LEVEL), "its red";
-        green: Bits(LEVEL), "its green";
-        blue: Bits(LEVEL), "its blue";
+        depth: Int(depth), "depth; 2^(W-1) - 1 where it is absent";
+        red: Bits(LEVEL), "red";
+        green: Bits(LEVEL), "green";
+        blue: Bits(LEVEL), "blue";
     }
 }
+
+/// What comes to a stage, and what leaves it.
+const BEFORE: &str = "opaque surface, in the colour seen so far";
+const BEHIND: &str = "opaque surface, in the colour that is seen";
 
 bundles! {
     /// A transparent object.
     Layer {
-        surface: Surface as "", "its surface";
-        weight: Bits as "weight", "its part in 255ths; 255 is opaque";
+        /// Its surface.
+        surface: Surface as "";
+        weight: Bits as "weight", "its part of what is seen, in 255ths; 255 is opaque";
     }
 }
 
@@ -37,18 +42,21 @@ impl Layer {
 /// be farther than one of a smaller index, unless it is absent or hidden there. Latency `2 T` for T layers. Chaillou
 /// 1991, IV.3.3.
 pub fn transparency_pipeline(at: &str, pixel: Surface, layers: Vec<Layer>) -> Surface {
-    let inputs = (("pixel", pixel), ("layer", layers));
+    let meaning = "layer #, 2 times # clocks after the pixel";
+    let inputs = (("pixel", pixel, BEFORE), ("layer", layers, meaning));
     module(
         "transparency_pipeline",
         at,
         inputs,
-        |((_, pixel), (_, layers))| {
+        |((_, pixel, _), (_, layers, _))| {
             let layers = layers.into_iter().enumerate();
-            layers.fold(pixel, |pixel, (index, layer)| {
+            let seen = layers.fold(pixel, |pixel, (index, layer)| {
                 transparency_stage(&format!("stages_{index}"), pixel, layer)
-            })
+            });
+            ("", seen, BEHIND)
         },
     )
+    .1
 }
 
 /// Blends the colour of a transparent object with that of the pixel, if the object is nearer than the opaque surface.
@@ -57,25 +65,30 @@ pub fn transparency_pipeline(at: &str, pixel: Surface, layers: Vec<Layer>) -> Su
 /// than the last one blended, so only the opaque surface can hide it. An object at the depth of the surface is
 /// hidden, as is an absent one. Latency 2. Chaillou 1991, IV.3.3.
 pub fn transparency_stage(at: &str, pixel: Surface, layer: Layer) -> Surface {
-    let inputs = (("pixel", pixel), ("layer", layer));
+    let inputs = (
+        ("pixel", pixel, BEFORE),
+        ("layer", layer, "transparent object"),
+    );
     module(
         "transparency_stage",
         at,
         inputs,
-        |((_, pixel), (_, layer))| {
+        |((_, pixel, _), (_, layer, _))| {
             let Layer { surface, weight } = layer;
             net! { let is_nearer = surface.depth.less(pixel.depth); }
             let blend = |name: &str, front: Bits, behind: Bits| {
                 colour_blend(&format!("blend_{name}"), front, behind, (weight, is_nearer))
             };
-            Surface {
+            let seen = Surface {
                 depth: pixel.depth.delayed_as("depth_late", 2),
                 red: blend("red", surface.red, pixel.red),
                 green: blend("green", surface.green, pixel.green),
                 blue: blend("blue", surface.blue, pixel.blue),
-            }
+            };
+            ("", seen, BEHIND)
         },
     )
+    .1
 }
 
 /// `round((t front + (255 - t) behind) / 255)` with the weight t, or `behind` where the front one is not seen.

@@ -27,7 +27,8 @@ bundle! {
 bundles! {
     /// Words that all lights share.
     View {
-        eye: Eye as "", "where the viewer is";
+        /// Where the viewer is.
+        eye: Eye as "";
         fog: Fog as "", "attenuation";
         background: Colour as "background", "colour of the background";
     }

@@ -9,11 +9,11 @@ const SUM: u32 = LEVEL + 4;
 bundle! {
     /// How a pixel is added.
     PassPixel(places) {
-        fine: Bits(1), "4 x 4 passes, not 2 x 2; read with the pixels of the last pass";
-        valid: Bits(1), "a pixel comes";
-        address: Bits(places), "which";
-        first_pass: Bits(1), "it is of the first pass";
-        last_pass: Bits(1), "it is of the last pass";
+        fine: Bits(1), "16 passes, not 4; read with the pixels of the last pass";
+        valid: Bits(1), "this clock carries a pixel";
+        address: Bits(places), "which pixel; the same one comes again after 3 clocks at the earliest";
+        first_pass: Bits(1), "the pixel is of the first pass";
+        last_pass: Bits(1), "the pixel is of the last pass";
     }
 
     /// A level of a pixel after a pass.
@@ -26,9 +26,9 @@ bundle! {
 bundles! {
     /// A pixel of the last pass.
     Mean {
-        valid: Bits as "valid", "a pixel leaves";
-        address: Bits as "address", "which";
-        colour: Colour as "", "its mean colour";
+        valid: Bits as "valid", "a pixel of the last pass leaves";
+        address: Bits as "address", "which pixel";
+        colour: Colour as "", "mean colour of the pixel";
     }
 }
 
@@ -38,7 +38,8 @@ bundles! {
 /// A pixel comes once in a pass, in any order; its address comes again after 3 clocks at the earliest. Latency 3.
 /// Chaillou 1991, III.1.5 and IV.4.7.2.
 pub fn accumulator(at: &str, pixel: PassPixel, colour: Colour, places: u32) -> Mean {
-    module("accumulator", at, (pixel, colour), |(pixel, colour)| {
+    let inputs = (pixel, ("", colour, "pixel"));
+    module("accumulator", at, inputs, |(pixel, (_, colour, _))| {
         let (late, late_colour) = (pixel.delayed(2), colour.delayed(2));
         let sum = Bits::forward(3 * SUM);
         let write = (late.valid, late.address.low(places), sum);

@@ -9,7 +9,7 @@ bundles! {
     Scanned {
         issue: Bits as "issue", "a pixel is issued on this clock";
         flags: Flags as "", "raster flags, one clock later";
-        pixel: Pixel as "", "where it is";
+        pixel: Pixel as "", "pixel of the screen";
         line_ends: Bits as "line_ends", "it is the last of its line";
         retrace: Bits as "retrace", "the pipeline is empty: words may be copied";
     }

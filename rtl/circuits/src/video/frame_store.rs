@@ -10,16 +10,16 @@ pub const FRAME_LATENCY: u32 = 3;
 bundle! {
     /// A pixel over AXI4-Stream.
     PixelStream() {
-        tvalid: Bits(1), "there is one";
-        tdata: Bits(3 * LEVEL), "its colour: red in 23..16, green in 15..8, blue in 7..0";
-        tuser: Bits(2 * COORDINATE), "its place: line in 23..12, column in 11..0";
+        tvalid: Bits(1), "a pixel comes in";
+        tdata: Bits(3 * LEVEL), "its colour: red in bits 23..16, green in 15..8, blue in 7..0";
+        tuser: Bits(2 * COORDINATE), "its place: line in bits 23..12, column in 11..0";
         tlast: Bits(1), "last pixel of the frame";
     }
 
     /// What the screen asks for.
     Asked() {
         width: Bits(COORDINATE), "pixels of a line";
-        retrace: Bits(1), "first clock of the vertical blanking";
+        retrace: Bits(1), "first clock of the vertical blanking: a whole frame takes its place on the screen";
         need: Bits(1), "a pixel to show";
         x: Bits(COORDINATE), "its column";
         y: Bits(COORDINATE), "its line";
@@ -29,9 +29,10 @@ bundle! {
 bundles! {
     /// What a frame store says.
     Shown {
-        s_tready: Bits as "s_tready", "the pixel that comes in is taken";
-        valid: Bits as "valid", "a pixel is shown";
-        colour: Colour as "", "its colour";
+        s_tready: Bits as "s_tready",
+            "the pixel is taken; low from the last pixel of a frame until the frames change places";
+        valid: Bits as "valid", "need, with the colour of its pixel";
+        colour: Colour as "", "pixel to show";
         swapped: Bits as "swapped", "another frame is shown from now on";
     }
 }

@@ -15,10 +15,11 @@ bundle! {
     /// A plane of one bit per pixel.
     BitPlane(places) {
         write: Bits(1), "the host writes 32 pixels";
-        write_address: Bits(places), "which";
-        write_data: Bits(WORD), "the pixels";
-        enable: Bits(1), "the plane is shown";
-        colour: Bits(3 * LEVEL), "colour of the set pixels: red in 23..16, green in 15..8, blue in 7..0";
+        write_address: Bits(places), "which word: that of the pixels 32 times the address and on";
+        write_data: Bits(WORD), "the word, its first pixel in bit 0";
+        enable: Bits(1), "the plane is shown; read 3 clocks after the pixel";
+        colour: Bits(3 * LEVEL),
+            "colour of the set pixels: red in bits 23..16, green in 15..8, blue in 7..0; read 3 clocks after the pixel";
         width: Bits(COORDINATE), "pixels of a line";
     }
 }
@@ -35,12 +36,16 @@ pub fn overlay(
     pixel: Pixel,
     colour: Colour,
 ) -> (Bits, Colour) {
-    let inputs = (plane, ("valid", valid), pixel, colour);
-    let (_, ((_, valid), colour)) = module(
+    let inputs = (
+        plane,
+        ("valid", valid, "this clock carries a pixel"),
+        ("", (pixel, colour), "pixel"),
+    );
+    let (_, (valid, colour)) = module(
         "overlay",
         at,
         inputs,
-        |(plane, (_, valid), pixel, colour)| {
+        |(plane, (_, valid, _), (_, (pixel, colour), _))| {
             let places = plane.write_address.width();
             let place = pixel_place("read_place", pixel, plane.width);
             let write = (plane.write, plane.write_address, plane.write_data);
@@ -53,8 +58,9 @@ pub fn overlay(
             }
             let seen = covered.select(Colour::unpacked(plane.colour), colour.delayed(READ));
             let valid = valid.delayed_as("valid_late", OVERLAY_LATENCY);
-            ("out", (("valid", valid), seen.registered()))
+            let valid = ("valid", valid, "valid, with the colour of its pixel");
+            ("out", (valid, ("", seen.registered(), "result")))
         },
     );
-    (valid, colour)
+    (valid.1, colour.1)
 }

@@ -5,19 +5,19 @@ use imogene_hdl::{Bits, Value, bundle, join, memory, module, net};
 bundle! {
     /// What comes to a queue.
     Queue(width) {
-        started: Bits(1), "a pixel goes into the pipeline; only with `room`";
+        started: Bits(1), "a pixel goes into the pipeline; only with room";
         push: Bits(1), "a pixel leaves the pipeline";
-        data: Bits(width), "the pixel";
-        last: Bits(1), "last pixel of a packet";
-        m_tready: Bits(1), "the receiver takes the pixel on the output";
+        data: Bits(width), "the pixel that leaves the pipeline";
+        last: Bits(1), "the pixel that leaves the pipeline ends its packet";
+        m_tready: Bits(1), "the receiver takes the oldest pixel";
     }
 
     /// What leaves it.
     Queued(width) {
         room: Bits(1), "a pixel that is started now finds a place";
-        m_tvalid: Bits(1), "a pixel is on the output";
+        m_tvalid: Bits(1), "a pixel is there; it stays until it is taken";
         m_tdata: Bits(width), "the oldest pixel";
-        m_tlast: Bits(1), "last pixel of a packet";
+        m_tlast: Bits(1), "the oldest pixel ends its packet";
     }
 }
 

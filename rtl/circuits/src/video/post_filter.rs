@@ -6,11 +6,11 @@ use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, join, memory, module, ne
 bundle! {
     /// A pixel of a picture that goes line by line.
     Place() {
-        valid: Bits(1), "this clock carries a pixel";
-        x: Bits(COORDINATE), "its column";
-        y: Bits(COORDINATE), "its line";
-        line_end: Bits(1), "last pixel of its line";
-        last: Bits(1), "last pixel of the picture";
+        valid: Bits(1), "this clock carries one";
+        x: Bits(COORDINATE), "column, below 2048";
+        y: Bits(COORDINATE), "line";
+        line_end: Bits(1), "last of its line";
+        last: Bits(1), "last of the picture";
     }
 }
 
@@ -18,8 +18,10 @@ bundles! {
     /// A pixel with its colour.
     #[derive(Copy)]
     Picture {
-        place: Place as "", "where it is";
-        colour: Colour as "", "its colour";
+        /// Where it is.
+        place: Place as "";
+        /// Its colour.
+        colour: Colour as "";
     }
 }
 
@@ -42,11 +44,13 @@ impl Picture {
 /// more without a pixel, after a line 1 or more. With every kernel the same clocks, so it can change from picture to
 /// picture. Chaillou 1991, IV.4.3.
 pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Picture {
+    let meaning =
+        "0 pass, 1 box of 2 x 2, 2 and 3 binomial of 3 x 3; read with the first pixel of a picture";
     module(
         "post_filter",
         at,
-        (("kernel", kernel), pixel),
-        |((_, kernel), Picture { place, colour })| {
+        (("kernel", kernel, meaning), ("", pixel, "pixel")),
+        |((_, kernel, _), (_, Picture { place, colour }, _))| {
             let word = |value: u64| Bits::new(value, COORDINATE);
             let coordinate = || Bits::register(COORDINATE);
             // The pixel that comes, or the place below the last line. The line store reads the first pixel of the
@@ -137,6 +141,7 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
                     colour: Colour::of(rounded),
                 }
                 .registered(),
+                "smooth pixel",
             )
         },
     )

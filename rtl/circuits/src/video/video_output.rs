@@ -35,7 +35,7 @@ bundles! {
         need: Bits as "need", "it wants one";
         start: Bits as "start", "the first of the frame";
         line: Bits as "line", "the first of another line";
-        pixel: Pixel as "need", "where it is";
+        pixel: Pixel as "need", "pixel of the screen";
         retrace: Bits as "retrace", "first clock of the vertical blanking";
     }
 }

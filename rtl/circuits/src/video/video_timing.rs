@@ -28,13 +28,13 @@ bundle! {
         x: Bits(COORDINATE), "column of the pixel; 0 in the blanking";
         y: Bits(COORDINATE), "line of the pixel; 0 in the blanking";
         hsync: Bits(1), "synchronisation of the line, with the polarity of the mode";
-        vsync: Bits(1), "the same of the frame; it changes where `hsync` begins";
+        vsync: Bits(1), "synchronisation of the frame, with the polarity of the mode; it changes where hsync begins";
         frame_start: Bits(1), "first clock of the vertical blanking, the one after the last pixel";
-        need: Bits(1), "`de` of `lead` clocks later";
-        go: Bits(1), "`start` of then";
-        need_line: Bits(1), "`line` of then";
-        need_x: Bits(COORDINATE), "`x` of then";
-        need_y: Bits(COORDINATE), "`y` of then";
+        need: Bits(1), "de of lead clocks later";
+        go: Bits(1), "start of lead clocks later";
+        need_line: Bits(1), "line of lead clocks later";
+        need_x: Bits(COORDINATE), "x of lead clocks later";
+        need_y: Bits(COORDINATE), "y of lead clocks later";
     }
 }
 
@@ -54,7 +54,8 @@ pub fn video_timing(at: &str, enable: Bits, mode: &VideoMode, lead: u64) -> Scre
         "a lead of {lead} clocks: accepted are fewer than the {} of the vertical blanking",
         mode.retrace()
     );
-    module("video_timing", at, ("enable", enable), |(_, enable)| {
+    let inputs = ("enable", enable, "go on; all outputs hold without it");
+    module("video_timing", at, inputs, |(_, enable, _)| {
         let shown = video_scan("shown", enable, mode, 0);
         let ahead = video_scan("ahead", enable, mode, lead);
         net! {

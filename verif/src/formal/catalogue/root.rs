@@ -1,8 +1,7 @@
 //! The proofs of the root networks.
 
 use super::{BASE, Design, Job, Method, Words, at_format, integers, job};
-use imogene_rtl::catalogue::Unit;
-use imogene_rtl::emit::EmitRequest;
+use imogene_contract::{Request, Unit};
 
 const REFERENCE_ROWS: &str = concat!(
     property!("root_reference.sv"),
@@ -65,10 +64,9 @@ fn network(
     rows_per_stage: usize,
 ) -> Job {
     let mut job = job(name, statement, properties, Unit::SquareRoot);
-    job.design = Design::Emitted(EmitRequest {
-        depth_word,
-        rows_per_stage,
-        ..EmitRequest::new(Unit::SquareRoot)
+    job.design = Design::Emitted(Request {
+        rows_per_stage: rows_per_stage as u32,
+        ..Request::of(Unit::SquareRoot, depth_word as u32)
     });
     job.words = Words::Network {
         remainder_bits: depth_word + 1,
@@ -84,7 +82,7 @@ fn non_restoring() -> Job {
     let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
     let name = format!("non_restoring_rows-{BASE}-r1");
     let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
-    job.design = Design::Emitted(EmitRequest::new(Unit::SquareRootNonRestoring));
+    job.design = Design::Emitted(Request::new(Unit::SquareRootNonRestoring));
     job.words = Words::Network {
         remainder_bits: BASE + 2,
     };

@@ -1,0 +1,315 @@
+//! A unit with its parameters: legal values, latency, error, and the command line that emits it.
+
+use crate::formula::evaluate;
+use crate::parameters::{PARAMETERS, Parameter};
+use crate::unit::Unit;
+use crate::words::{DEPTH_WORDS, MOST_OBJECTS};
+use std::fmt::Write;
+use thiserror::Error;
+
+/// Why a request is refused.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum RequestError {
+    /// The format is not in the catalogue.
+    #[error(
+        "format {value} is not in the catalogue; legal formats are {}",
+        formats()
+    )]
+    Format {
+        /// The depth word asked for.
+        value: usize,
+    },
+    /// A parameter is out of its legal range.
+    #[error("{parameter} = {value} is out of range; legal values are {least} to {most}")]
+    Range {
+        /// The parameter.
+        parameter: &'static str,
+        /// The value asked for.
+        value: usize,
+        /// Least legal value.
+        least: usize,
+        /// Greatest legal value.
+        most: usize,
+    },
+    /// The unit has no such parameter.
+    #[error(
+        "the unit `{unit}` has no parameter `{parameter}`; `imogene units` lists what each has"
+    )]
+    Foreign {
+        /// The parameter.
+        parameter: &'static str,
+        /// The unit.
+        unit: &'static str,
+    },
+    /// No unit has this name.
+    #[error("there is no unit `{name}`; the units are {}", names())]
+    Unit {
+        /// The name asked for.
+        name: String,
+    },
+    /// A prefix that no identifier can begin with.
+    #[error(
+        "prefix `{prefix}` begins no portable name of a module; legal prefixes begin with a letter and go on with letters, digits and single underscores"
+    )]
+    Prefix {
+        /// The prefix asked for.
+        prefix: String,
+    },
+}
+
+fn formats() -> String {
+    DEPTH_WORDS.map(|word| word.to_string()).join(", ")
+}
+
+fn names() -> String {
+    let names: Vec<_> = Unit::ALL.iter().map(|unit| unit.name()).collect();
+    names.join(", ")
+}
+
+/// A unit with its parameters; those that the unit does not have mean nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Request {
+    /// The unit.
+    pub unit: Unit,
+    /// Depth word `W` of the format.
+    pub depth_word: u32,
+    /// Cut planes of an object.
+    pub planes: u32,
+    /// Rows of the root network between registers.
+    pub rows_per_stage: u32,
+    /// Objects of a machine, inputs of a decider, volumes of a shadow stage; processors on each card.
+    pub objects: u32,
+    /// Digits that a shortened square root keeps.
+    pub digits: u32,
+    /// Corrections behind an approximate square root.
+    pub corrections: u32,
+    /// Sides of a facet.
+    pub sides: u32,
+    /// Number of a video mode.
+    pub mode: u32,
+    /// Cards of processors.
+    pub cards: u32,
+    /// Transparent objects of a pipeline.
+    pub layers: u32,
+    /// Products of a solid.
+    pub products: u32,
+    /// Objects intersected in a product.
+    pub intersected: u32,
+    /// Objects taken away in a product.
+    pub subtracted: u32,
+    /// Lights of a shading processor.
+    pub lights: u32,
+}
+
+impl Request {
+    /// A unit at the base format 24, with its default parameters.
+    pub fn new(unit: Unit) -> Request {
+        Request::of(unit, 24)
+    }
+
+    /// A unit with its default parameters.
+    pub fn of(unit: Unit, depth_word: u32) -> Request {
+        let mut request = Request {
+            unit,
+            depth_word,
+            planes: 0,
+            rows_per_stage: 0,
+            objects: 0,
+            digits: 0,
+            corrections: 0,
+            sides: 0,
+            mode: 0,
+            cards: 0,
+            layers: 0,
+            products: 0,
+            intersected: 0,
+            subtracted: 0,
+            lights: 0,
+        };
+        for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
+            *(parameter.field)(&mut request) = parameter.default.unwrap_or(depth_word / 2);
+        }
+        request
+    }
+
+    /// A unit by its name at a depth word, with the values that somebody gave for options, the others by default.
+    ///
+    /// # Errors
+    ///
+    /// When no unit is called so, when it does not have a parameter that was given, or when a value is out of its
+    /// range.
+    pub fn given(
+        name: &str,
+        depth_word: u32,
+        values: &[(&'static str, Option<u32>)],
+    ) -> Result<Request, RequestError> {
+        let unit = Unit::from_name(name)?;
+        let mut request = Request::of(unit, depth_word);
+        for (option, value) in values {
+            let Some(value) = *value else { continue };
+            let mut parameters = unit.record().parameters.iter();
+            let parameter = parameters.find(|parameter| parameter.option == *option);
+            let parameter = parameter.ok_or(RequestError::Foreign {
+                parameter: option,
+                unit: unit.name(),
+            })?;
+            *(parameter.field)(&mut request) = value;
+        }
+        request.check()?;
+        Ok(request)
+    }
+
+    /// Checks every parameter against its legal range.
+    ///
+    /// # Errors
+    ///
+    /// When one is out of it.
+    pub fn check(&self) -> Result<(), RequestError> {
+        let word = self.depth_word as usize;
+        if !DEPTH_WORDS.contains(&word) {
+            return Err(RequestError::Format { value: word });
+        }
+        for parameter in self.unit.record().parameters {
+            let most = parameter.most.unwrap_or(self.depth_word);
+            in_range(parameter.option, parameter.of(self), parameter.least, most)?;
+        }
+        if self.unit == Unit::CardDecider {
+            let inputs = self.objects * self.cards;
+            in_range("objects times cards", inputs, 1, MOST_OBJECTS as u32)?;
+        }
+        Ok(())
+    }
+
+    /// The value of a symbol: the depth word, or a parameter of the unit.
+    fn value(&self, symbol: &str) -> i64 {
+        let mut parameters = self.unit.record().parameters.iter();
+        let found = parameters.find(|parameter| parameter.symbol == symbol);
+        match (found, symbol) {
+            (Some(parameter), _) => parameter.of(self).into(),
+            (None, "W") => self.depth_word.into(),
+            _ => panic!("{} has no parameter '{symbol}'", self.unit.name()),
+        }
+    }
+
+    /// Options of the command line and their values.
+    pub fn options(&self) -> Vec<(&'static str, u32)> {
+        let of = |parameter: &Parameter| (parameter.option, parameter.of(self));
+        self.unit.record().parameters.iter().map(of).collect()
+    }
+
+    /// Latency in clocks.
+    pub fn latency(&self) -> usize {
+        let clocks = evaluate(self.unit.record().latency, &|symbol| self.value(symbol));
+        clocks as usize
+    }
+
+    /// How far a result is from what the unit computes.
+    pub fn error(&self) -> String {
+        let mut parts = self.unit.record().error.split(['{', '}']);
+        let mut text = parts.next().unwrap_or_default().to_owned();
+        while let (Some(place), Some(rest)) = (parts.next(), parts.next()) {
+            text += &self.filled(place);
+            text += rest;
+        }
+        text
+    }
+
+    /// What stands for a place in braces.
+    fn filled(&self, place: &str) -> String {
+        let value = |formula| evaluate(formula, &|symbol| self.value(symbol));
+        match place.split_once(": ") {
+            Some((formula, list)) => {
+                let mut list = list.split(", ");
+                let found = list.nth(value(formula) as usize);
+                found.expect("one for each value").to_owned()
+            }
+            None => value(place).to_string(),
+        }
+    }
+
+    /// The command line that makes the same text.
+    pub fn command(&self) -> String {
+        self.command_with_prefix("")
+    }
+
+    /// The command line that makes the same text with a prefix before the names of modules; none if it is empty.
+    pub fn command_with_prefix(&self, prefix: &str) -> String {
+        let mut command = format!("imogene emit {} {}", self.unit.name(), self.arguments());
+        if !prefix.is_empty() {
+            let _ = write!(command, " --prefix {prefix}");
+        }
+        command + " --out DIR"
+    }
+
+    /// Format and parameters as on the command line.
+    pub fn arguments(&self) -> String {
+        let mut text = format!("--format {}", self.depth_word);
+        for (option, value) in self.options() {
+            let _ = write!(text, " --{option} {value}");
+        }
+        text
+    }
+}
+
+fn in_range(
+    parameter: &'static str,
+    value: u32,
+    least: u32,
+    most: u32,
+) -> Result<(), RequestError> {
+    match (least..=most).contains(&value) {
+        true => Ok(()),
+        false => Err(RequestError::Range {
+            parameter,
+            value: value as usize,
+            least: least as usize,
+            most: most as usize,
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_follow_the_parameters() {
+        let error = |name, option, value| {
+            let request = Request::given(name, 24, &[(option, Some(value))]);
+            request.expect("legal").error()
+        };
+        assert!(error("square_root_rows", "digits", 10).contains("below 2^14 of the last"));
+        assert!(error("square_root_leading", "digits", 10).contains("below 2^-9 of the root"));
+        assert!(error("square_root_quadratic", "corrections", 0).contains("1.345 %"));
+        let two = Request::new(Unit::SquareRootLinear).error();
+        assert!(two.contains("0.473 %"), "{two}");
+    }
+
+    /// The figures of approximate roots are those of the page where they are measured.
+    #[test]
+    fn figures_are_those_of_the_documentation() {
+        let page = include_str!("../../../docs/root-network.md");
+        for (unit, measured) in [
+            (Unit::SquareRootLinear, "6.066, 1.681, 0.507"),
+            (Unit::SquareRootQuadratic, "1.364, 0.540, 0.221"),
+        ] {
+            let lists = unit.record().error.split(['{', '}']);
+            let lists: Vec<_> = lists.filter_map(|part| part.strip_prefix("C: ")).collect();
+            assert_eq!(lists[1], measured);
+            assert!(lists.iter().all(|list| page.contains(&format!("{list} %"))));
+        }
+    }
+
+    /// A formula that cannot be read, or a symbol that the unit does not have, ends in a panic.
+    #[test]
+    fn every_record_can_be_read() {
+        for unit in Unit::ALL {
+            let request = Request::new(unit);
+            request.check().expect("defaults are legal");
+            assert!(request.latency() < 100 && !request.error().is_empty());
+            let record = unit.record();
+            assert!(!record.computes.is_empty() && !record.source.is_empty());
+            assert_eq!(Unit::from_name(record.name), Ok(unit));
+        }
+    }
+}
