@@ -7,11 +7,12 @@
 mod names;
 mod reads;
 mod rows;
+mod text;
 
 use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, Register};
-use crate::value::mask;
 use names::{Name, Names};
 use std::fmt::Write;
+use text::{filled, literal, range};
 
 /// The text of one module, without those it instantiates; `prefix` stands before the names of modules.
 pub fn write(module: &Module, prefix: &str) -> String {
@@ -29,7 +30,7 @@ pub fn write(module: &Module, prefix: &str) -> String {
         writer.clocked(),
     ];
     let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-    parts.join("\n") + "\nendmodule\n"
+    parts.join("\n") + "endmodule\n"
 }
 
 struct Writer<'a> {
@@ -40,9 +41,9 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn ports(&self) -> String {
-        let mut lines = vec![];
+        let mut all = vec![];
         if self.module.is_clocked() {
-            lines.push("    input  wire clock".to_owned());
+            all.push(("input  wire ".to_owned(), "clock".to_owned()));
         }
         for port in &self.module.ports {
             let PortRecord {
@@ -51,35 +52,42 @@ impl Writer<'_> {
                 signed,
                 ..
             } = port;
-            let node = self.module.node(port.net);
-            let initial = match &node.op {
+            let initial = match &self.module.node(port.net).op {
                 Op::Register(register) => Some(self.module.registers[*register].initial),
                 Op::Read(_) => Some(0),
                 _ => None,
             };
             let initial = initial.filter(|_| self.names.ports.contains(name));
-            let (way, initial) = match (port.direction, initial) {
-                (Direction::In, _) => ("input  wire", String::new()),
+            let range = range(*width, *signed);
+            all.push(match (port.direction, initial) {
+                (Direction::In, _) => (format!("input  wire {range}"), name.clone()),
                 (_, Some(initial)) => {
                     let initial = literal(initial, *width, *signed);
-                    ("output reg ", format!(" = {initial}"))
+                    (
+                        format!("output reg  {range}"),
+                        format!("{name} = {initial}"),
+                    )
                 }
-                _ => ("output wire", String::new()),
-            };
-            lines.push(format!(
-                "    {way} {}{name}{initial}",
-                range(*width, *signed)
-            ));
+                _ => (format!("output wire {range}"), name.clone()),
+            });
         }
-        let ports = lines.join(",\n");
+        // Icarus takes one port with an initial value to a declaration.
+        let groups = all.chunk_by(|one, next| one.0 == next.0 && !one.0.contains("reg"));
+        let groups = groups.map(|alike| {
+            let names: Vec<String> = alike.iter().map(|(_, name)| name.clone()).collect();
+            filled(&format!("    {}", alike[0].0), &names, 8)
+        });
+        let ports: Vec<String> = groups.collect();
         format!(
-            "module {}{} (\n{ports}\n);\n",
-            self.prefix, self.module.name
+            "module {}{} (\n{}\n);\n",
+            self.prefix,
+            self.module.name,
+            ports.join(",\n")
         )
     }
 
     fn declarations(&self) -> String {
-        let mut text = String::new();
+        let mut all = vec![];
         for (index, node) in self.module.nodes.iter().enumerate() {
             let net = Net(index as u32);
             let is_port = self.module.ports.iter().any(|port| {
@@ -95,26 +103,38 @@ impl Writer<'_> {
                 continue;
             };
             let range = range(node.width, node.signed);
-            match node.op {
-                Op::Register(register) => {
-                    let initial = self.module.registers[register].initial;
+            let initial = match node.op {
+                Op::Register(register) => Some(self.module.registers[register].initial),
+                Op::Read(_) => Some(0),
+                _ => None,
+            };
+            all.push(match initial {
+                Some(initial) => {
                     let initial = literal(initial, node.width, node.signed);
-                    writeln!(text, "    reg {range}{name} = {initial};").unwrap();
+                    (format!("reg {range}"), format!("{name} = {initial}"))
                 }
-                Op::Read(_) => {
-                    let zero = literal(0, node.width, node.signed);
-                    writeln!(text, "    reg {range}{name} = {zero};").unwrap();
-                }
-                _ => writeln!(text, "    wire {range}{name};").unwrap(),
+                None => (format!("wire {range}"), name.clone()),
+            });
+        }
+        let vectors = self
+            .names
+            .rows
+            .iter()
+            .flat_map(|row| row.vectors(self.module));
+        all.extend(vectors.map(|(name, width)| (format!("wire {}", range(width, false)), name)));
+        let mut kinds: Vec<(String, Vec<String>)> = vec![];
+        for (kind, name) in all {
+            match kinds.iter_mut().find(|(other, _)| *other == kind) {
+                Some((_, names)) => names.push(name),
+                None => kinds.push((kind, vec![name])),
             }
+        }
+        let mut text = String::new();
+        for (kind, names) in kinds {
+            text += &format!("{};\n", filled(&format!("    {kind}"), &names, 8));
         }
         if !self.names.rows.is_empty() {
             text += "    genvar k;\n";
-        }
-        for row in &self.names.rows {
-            for (name, width) in row.vectors(self.module) {
-                writeln!(text, "    wire {}{name};", range(width, false)).unwrap();
-            }
         }
         for (memory, name) in self.module.memories.iter().zip(&self.names.memories) {
             let (range, last) = (range(memory.width, false), memory.words - 1);
@@ -156,19 +176,21 @@ impl Writer<'_> {
             let module = &instance.module;
             let mut lines = vec![];
             if module.is_clocked() {
-                lines.push("        .clock(clock)".to_owned());
+                lines.push(".clock(clock)".to_owned());
             }
             let nets = instance.inputs.iter().chain(&instance.outputs);
             let ports = [Direction::In, Direction::Out];
             let ports = ports.into_iter().flat_map(|way| module.ports_of(way));
             for (port, net) in ports.zip(nets) {
                 let value = self.value(*net, false);
-                lines.push(format!("        .{}({value})", port.name));
+                lines.push(format!(".{}({value})", port.name));
             }
-            let lines = lines.join(",\n");
             texts.push(format!(
-                "    {}{} {} (\n{lines}\n    );\n",
-                self.prefix, module.name, instance.name
+                "    {}{} {} (\n{});\n",
+                self.prefix,
+                module.name,
+                instance.name,
+                filled("        ", &lines, 8)
             ));
         }
         texts.join("\n")
@@ -269,9 +291,19 @@ impl Writer<'_> {
                 .iter()
                 .filter(|(path, _)| path.get(depth) == Some(&condition));
             let inner: Vec<(Vec<Net>, &Register)> = inner.cloned().collect();
-            writeln!(text, "{indent}if ({}) begin", self.value(condition, false)).unwrap();
-            self.enabled(&inner, depth + 1, text);
-            writeln!(text, "{indent}end").unwrap();
+            let condition = self.value(condition, false);
+            let mut body = String::new();
+            self.enabled(&inner, depth + 1, &mut body);
+            let lines: Vec<&str> = body.lines().map(str::trim).collect();
+            let text_of = match lines.as_slice() {
+                [only] if !only.starts_with("if") => format!("{indent}if ({condition}) {only}"),
+                [one, other] if !other.starts_with("if") => {
+                    format!("{indent}if ({condition}) begin {one} {other} end")
+                }
+                _ => format!("{indent}if ({condition}) begin\n{body}{indent}end"),
+            };
+            *text += &text_of;
+            text.push('\n');
         }
     }
 
@@ -343,24 +375,5 @@ impl Writer<'_> {
             Op::Same(a) | Op::Forward(Some(a)) => self.value(*a, inner),
             op => unreachable!("{op:?} is declared"),
         }
-    }
-}
-
-fn range(width: u32, signed: bool) -> String {
-    let sign = if signed { "signed " } else { "" };
-    match width {
-        1 if !signed => String::new(),
-        _ => format!("{sign}[{}:0] ", width - 1),
-    }
-}
-
-fn literal(bits: u64, width: u32, signed: bool) -> String {
-    let sign = 1 << (width - 1);
-    match signed {
-        true if bits == sign => format!("{width}'sh{bits:x}"),
-        true if bits & sign != 0 => format!("-{width}'sd{}", (!bits & mask(width)) + 1),
-        true => format!("{width}'sd{bits}"),
-        false if bits > 0xffff => format!("{width}'h{bits:x}"),
-        false => format!("{width}'d{bits}"),
     }
 }

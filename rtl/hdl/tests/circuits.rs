@@ -302,12 +302,12 @@ fn verilog_is_written_as_people_read_it() {
         "module my_row (",
         "    wire [39:0] steps_value;\n",
         "    assign steps_value[7:0] = value;\n",
-        "        for (k = 0; k < 4; k = k + 1) begin : steps\n            my_step step (",
-        ".value(steps_value[8 * k +: 8]),\n",
-        ".late(steps_value[8 * (k + 1) +: 8])\n",
+        "    for (k = 0; k < 4; k = k + 1) begin : steps\n        my_step step (",
+        ".value(steps_value[8 * k +: 8]), .enable(enable),",
+        ".late(steps_value[8 * (k + 1) +: 8]));\n",
         "    assign sum = count + total;\n    assign high = steps_value[39];\n",
         "        if (enable) begin\n            count <= count + 8'd1;\n",
-        "            if (clear) begin\n                total <= steps_value[39:32];\n",
+        "            if (clear) total <= steps_value[39:32];\n",
     ];
     for part in parts {
         assert!(text.contains(part), "{part} is not in\n{text}");
@@ -361,8 +361,7 @@ fn what_the_text_declares_has_names_of_its_own() {
     let text = verilog::write(&crowded().top, "");
     let parts = [
         "    output reg  [1:0] one = 2'd0,\n",
-        "    reg [1:0] place_2 = 2'd0;\n",
-        "    reg [1:0] unused_2 = 2'd2;\n",
+        "    reg [1:0] place_2 = 2'd0, unused_2 = 2'd2, other_read = 2'd0;\n",
         "    reg [1:0] words [0:3];\n    reg [1:0] words_2 [0:3];\n",
         "        for (place = 0; place <= 3; place = place + 1) words_2[place] = 2'd0;\n",
     ];

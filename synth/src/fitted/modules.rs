@@ -91,7 +91,7 @@ fn children(text: &str, names: &BTreeSet<&str>) -> BTreeMap<String, u64> {
         if let Some((_, bound)) = line.split_once("for (k = 0; k < ") {
             let bound = bound.split(';').next().unwrap_or_default();
             times = bound.parse().unwrap_or(1);
-        } else if line.trim() == "endgenerate" {
+        } else if line.trim() == "end" {
             times = 1;
         }
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -117,33 +117,42 @@ pub(super) fn closure(machine: &Emitted, name: &str) -> BTreeSet<String> {
     needed
 }
 
-/// The ports that a module declares, one a line.
+/// The ports that a module declares; several of a kind stand behind one declaration.
 pub(super) fn ports(text: &str) -> Vec<Port> {
-    text.lines().filter_map(port).collect()
+    let head = text.split_once("(\n").map_or("", |(_, rest)| rest);
+    let (head, _) = head.split_once("\n);").unwrap_or((head, ""));
+    let mut list: Vec<Port> = vec![];
+    for declaration in head.split(',') {
+        // A register has its initial value behind its name.
+        let (declaration, _) = declaration.split_once(" = ").unwrap_or((declaration, ""));
+        let words: Vec<&str> = declaration.split_whitespace().collect();
+        let Some((name, kind)) = words.split_last() else {
+            continue;
+        };
+        let mut port = match (kind, list.last()) {
+            ([], Some(before)) => before.clone(),
+            _ => port(kind),
+        };
+        port.name = (*name).to_owned();
+        list.push(port);
+    }
+    list
 }
 
-fn port(line: &str) -> Option<Port> {
-    // A register has its initial value behind its name.
-    let (declaration, _) = line.split_once(" = ").unwrap_or((line, ""));
-    let words: Vec<&str> = declaration
-        .trim()
-        .trim_end_matches(',')
-        .split_whitespace()
-        .collect();
-    let direction = match *words.first()? {
-        "input" => Direction::In,
-        "output" => Direction::Out,
-        _ => return None,
-    };
-    let high = words.iter().find_map(|word| word.strip_prefix('['));
+/// A port of a kind: direction, sign, range.
+fn port(kind: &[&str]) -> Port {
+    let high = kind.iter().find_map(|word| word.strip_prefix('['));
     let high = high.and_then(|range| range.split(':').next()?.parse::<usize>().ok());
-    Some(Port {
-        name: (*words.last()?).to_owned(),
+    Port {
+        name: String::new(),
         meaning: String::new(),
-        direction,
+        direction: match kind.first() {
+            Some(&"input") => Direction::In,
+            _ => Direction::Out,
+        },
         width: high.map_or(1, |high| high + 1),
-        signed: words.contains(&"signed"),
-    })
+        signed: kind.contains(&"signed"),
+    }
 }
 
 #[cfg(test)]

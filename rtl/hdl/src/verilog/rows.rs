@@ -5,7 +5,7 @@
 //! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
 use super::names::Name;
-use super::range;
+use super::text::{filled, range};
 use crate::tree::{Direction, Instance, Module, Net, Op};
 use std::fmt::Write;
 use std::ops::Range;
@@ -200,8 +200,8 @@ impl Row {
                 }
                 Source::Each(nets) => {
                     let values: Vec<String> = nets.iter().rev().map(|net| value(*net)).collect();
-                    let values = values.join(",\n        ");
-                    writeln!(text, "    assign {name} = {{\n        {values}\n    }};").unwrap();
+                    let values = filled(&format!("    assign {name} = {{"), &values, 8);
+                    writeln!(text, "{values}}};").unwrap();
                     element(&name, width, 0)
                 }
             };
@@ -217,12 +217,11 @@ impl Row {
         }
         let one = self.base.strip_suffix('s').unwrap_or("one");
         let (base, count) = (&self.base, self.instances.len());
-        let lines = lines.join(",\n                ");
+        let lines = filled("            ", &lines, 12);
         write!(
             text,
-            "    generate\n        \
-             for (k = 0; k < {count}; k = k + 1) begin : {base}\n            \
-             {prefix}{} {one} (\n                {lines}\n            );\n        end\n    endgenerate\n",
+            "    for (k = 0; k < {count}; k = k + 1) begin : {base}\n        \
+             {prefix}{} {one} (\n{lines});\n    end\n",
             own.name
         )
         .unwrap();
