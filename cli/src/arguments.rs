@@ -185,7 +185,7 @@ pub enum Command {
 /// A depth word as written on the command line.
 fn depth_word(text: &str) -> Result<u32, String> {
     text.parse()
-        .map_err(|_| "expected a number of bits: 16, 20, 24, 28 or 32".into())
+        .map_err(|_| "expected a number of bits, 8 to 32".into())
 }
 
 #[cfg(test)]

@@ -1,7 +1,11 @@
 //! Number formats: every width of a machine as data.
 
+mod error;
+
+pub use error::{FittedError, FormatError, GuardError};
+
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
+use std::ops::RangeInclusive;
 
 /// The widths of one machine, all derived from its depth word `W` (`docs/architecture.md`, section 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -48,92 +52,24 @@ pub struct FittedWidths {
     pub dropped_rows: u32,
 }
 
-/// Widths that no machine can have.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum FittedError {
-    /// One of them is out of its range.
-    #[error("{word} of {value} bits: accepted are {least} to {most}")]
-    Range {
-        /// Which word.
-        word: &'static str,
-        /// Bits asked for.
-        value: u32,
-        /// Fewest.
-        least: u32,
-        /// Most.
-        most: u32,
-    },
-    /// The guard bits.
-    #[error(transparent)]
-    Guards(#[from] GuardError),
-}
-
-/// A depth word that is not in the catalogue.
-#[derive(Debug, Error, PartialEq, Eq)]
-#[error("depth word of {0} bits is not in the catalogue; accepted: 16, 20, 24, 28, 32")]
-pub struct FormatError(pub u32);
-
-/// Guard bits that a format cannot have.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum GuardError {
-    /// More than 16.
-    #[error("guard bits {linear}:{quadratic}: at most {max} each are accepted", max = Format::MAX_GUARD)]
-    TooMany {
-        /// Of f1.
-        linear: u32,
-        /// Of f2.
-        quadratic: u32,
-    },
-    /// The second-degree processor would be wider than 64 bits.
-    #[error(
-        "{quadratic} guard bits of f2 make its processor {width} bits wide, more than 64; \
-         a depth word of {depth} bits accepts at most {most}"
-    )]
-    TooWide {
-        /// Depth word of the format.
-        depth: u32,
-        /// Of f2.
-        quadratic: u32,
-        /// Width that the processor would have.
-        width: u32,
-        /// The most that is accepted.
-        most: u32,
-    },
-    /// A word of f1 would not fit the load bus, which is as wide as a word of f2.
-    #[error(
-        "{linear} guard bits of f1 make its words {width} bits wide, more than the load bus of {bus} bits; \
-         with {quadratic} guard bits of f2 at most {most} are accepted"
-    )]
-    BeyondBus {
-        /// Of f1.
-        linear: u32,
-        /// Of f2.
-        quadratic: u32,
-        /// Width of a word of f1.
-        width: u32,
-        /// Width of the load bus.
-        bus: u32,
-        /// The most that is accepted.
-        most: u32,
-    },
-}
-
 impl Format {
     /// Most guard bits of either part of the depth.
     pub const MAX_GUARD: u32 = 16;
 
-    /// Depth words for which the hardware is instantiated.
+    /// Depth words: below, nothing of a picture is left; above, f2 is longer than 64 bits.
+    pub const DEPTHS: RangeInclusive<u32> = 8..=32;
+
+    /// Depth words of the tables of errors, proofs and costs.
     pub const CATALOGUE: [u32; 5] = [16, 20, 24, 28, 32];
 
     /// The format of the source machine: 24-bit depth, 48-bit quadratic accumulator.
     pub const BASE: Format = Format::of_depth(24);
 
-    /// The format of a depth word, or an error that lists the catalogue.
+    /// The format of a depth word from which all others follow.
     pub fn new(depth: u32) -> Result<Format, FormatError> {
-        if Self::CATALOGUE.contains(&depth) {
-            Ok(Self::of_depth(depth))
-        } else {
-            Err(FormatError(depth))
+        match Self::DEPTHS.contains(&depth) {
+            true => Ok(Self::of_depth(depth)),
+            false => Err(FormatError(depth)),
         }
     }
 
@@ -159,31 +95,31 @@ impl Format {
             root,
             plane,
             normal,
+            dropped_rows,
             ..
         } = *widths;
-        let range = |word, value, least, most| {
-            if (least..=most).contains(&value) {
-                Ok(())
-            } else {
-                Err(FittedError::Range {
-                    word,
-                    value,
-                    least,
-                    most,
-                })
-            }
-        };
-        range("depth word", depth, 8, 32)?;
-        range("root", root, 4, depth)?;
-        range("plane word", plane, depth, depth + 12)?;
-        range("normal component", normal, 10, 16)?;
-        let most_dropped = (root - 1).min(Self::MAX_DROPPED_ROWS);
-        range(
-            "dropped digits of the root",
-            widths.dropped_rows,
-            0,
-            most_dropped,
-        )?;
+        let ranges = [
+            ("depth word", depth, Self::DEPTHS),
+            ("root", root, 4..=depth),
+            ("plane word", plane, depth..=depth.saturating_add(12)),
+            ("normal component", normal, 10..=16),
+            (
+                "dropped digits of the root",
+                dropped_rows,
+                0..=root.saturating_sub(1).min(Self::MAX_DROPPED_ROWS),
+            ),
+        ];
+        let refused = ranges
+            .into_iter()
+            .find(|(_, value, accepted)| !accepted.contains(value));
+        if let Some((word, value, accepted)) = refused {
+            return Err(FittedError::Range {
+                word,
+                value,
+                least: *accepted.start(),
+                most: *accepted.end(),
+            });
+        }
         let format = Format {
             depth,
             sum: depth + 2,
@@ -194,7 +130,7 @@ impl Format {
             normal,
             guard_linear: 0,
             guard_quadratic: 0,
-            dropped_rows: widths.dropped_rows,
+            dropped_rows,
         };
         Ok(format.with_guards(widths.guard_linear, widths.guard_quadratic)?)
     }
@@ -239,8 +175,7 @@ impl Format {
         self.normal - 10
     }
 
-    /// The same format with guard bits below the last bits of f1 and f2; 0 to 16 each, `F + g2` at most 64, and `S + g1` at most
-    /// `F + g2`, the width of the load bus.
+    /// The same format with guard bits below the last bits of f1 and f2; 0 to 16 each, and `F + g2` at most 64.
     pub const fn with_guards(self, linear: u32, quadratic: u32) -> Result<Format, GuardError> {
         if linear > Self::MAX_GUARD || quadratic > Self::MAX_GUARD {
             return Err(GuardError::TooMany { linear, quadratic });
@@ -256,15 +191,6 @@ impl Format {
                 quadratic,
                 width: format.pe2_width(),
                 most: 64 - self.quadratic,
-            });
-        }
-        if format.is_of_catalogue() && format.pe1_width() > format.bus() {
-            return Err(GuardError::BeyondBus {
-                linear,
-                quadratic,
-                width: format.pe1_width(),
-                bus: format.bus(),
-                most: format.bus() - self.sum,
             });
         }
         Ok(format)
@@ -285,36 +211,21 @@ impl Format {
         self.quadratic + self.guard_quadratic
     }
 
-    /// True if all words but the guard bits follow from the depth word as in the catalogue.
-    pub const fn is_of_catalogue(&self) -> bool {
-        self.depth >= 16
-            && self.depth.is_multiple_of(4)
-            && self.root == self.depth
-            && self.plane == self.depth + 12
-            && self.normal == 16
-            && self.dropped_rows == 0
+    /// True if all words but the guard bits follow from the depth word.
+    pub fn follows_depth_word(&self) -> bool {
+        let guards = (self.guard_linear, self.guard_quadratic);
+        Self::of_depth(self.depth).with_guards(guards.0, guards.1) == Ok(*self)
     }
 
-    /// Data bits of the load bus: the width of the widest word, in the catalogue that of f2.
-    pub const fn bus(&self) -> u32 {
-        if self.is_of_catalogue() {
-            return self.pe2_width();
-        }
-        let mut widest = Self::BOX_WORD;
+    /// Data bits of the load bus: the width of the widest word.
+    pub fn bus(&self) -> u32 {
         let words = [
             self.pe1_width(),
             self.pe2_width(),
             self.plane,
             self.normal_linear,
         ];
-        let mut word = 0;
-        while word < words.len() {
-            if words[word] > widest {
-                widest = words[word];
-            }
-            word += 1;
-        }
-        widest
+        words.into_iter().fold(Self::BOX_WORD, u32::max)
     }
 
     /// Bits of a word of the screen box: two coordinates.
@@ -377,7 +288,10 @@ mod tests {
             (24, 26, 48, 24, 36)
         );
         assert_eq!((f.z_max(), f.z_low()), (8_388_607, -8_388_607));
-        assert_eq!(Format::new(25), Err(FormatError(25)));
+        for depth in [7, 33] {
+            let refused = Format::new(depth).unwrap_err().to_string();
+            assert!(refused.contains("accepted are 8 to 32"), "{refused}");
+        }
     }
 
     #[test]
@@ -403,8 +317,8 @@ mod tests {
         assert!(refused(24, 17, 0).contains("at most 16 each"));
         assert!(refused(28, 0, 9).contains("at most 8"));
         assert!(refused(32, 0, 1).contains("at most 0"));
-        assert!(refused(16, 16, 0).contains("at most 14"));
-        assert!(Format::new(16).unwrap().with_guards(16, 2).is_ok());
+        let short = Format::new(16).unwrap().with_guards(16, 0).unwrap();
+        assert_eq!((short.bus(), short.pe1_width()), (34, 34));
         assert!(Format::BASE.with_guards(16, 16).is_ok());
     }
 

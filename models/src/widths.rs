@@ -1,6 +1,7 @@
 //! Widths of a fitted machine as text: `depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0`.
 
 use crate::format::{FittedError, FittedWidths, Format};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Text that names no machine.
@@ -22,10 +23,54 @@ pub enum WidthsError {
     Widths(#[from] FittedError),
 }
 
+/// Widths that do not follow from the depth word, by the names of the text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OwnWidths {
+    /// Root bits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub root: Option<u32>,
+    /// Plane word.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plane: Option<u32>,
+    /// Normal component.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<u32>,
+    /// Guard bits of f1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub g1: Option<u32>,
+    /// Guard bits of f2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub g2: Option<u32>,
+    /// Last digits of the root that are not computed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dropped: Option<u32>,
+}
+
+impl OwnWidths {
+    /// None: all widths follow from the depth word.
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// All widths: root = depth, plane = depth + 12, normal = 16, the others 0 where they are not given.
+    pub fn beside(&self, depth: u32) -> FittedWidths {
+        FittedWidths {
+            depth,
+            root: self.root.unwrap_or(depth),
+            plane: self.plane.unwrap_or(depth.saturating_add(12)),
+            normal: self.normal.unwrap_or(16),
+            guard_linear: self.g1.unwrap_or(0),
+            guard_quadratic: self.g2.unwrap_or(0),
+            dropped_rows: self.dropped.unwrap_or(0),
+        }
+    }
+}
+
 /// The names in their order.
 const NAMES: [&str; 7] = ["depth", "root", "plane", "normal", "g1", "g2", "dropped"];
 
-/// Reads widths; what is not given is as in the catalogue: root = depth, plane = depth + 12, normal = 16, the others 0.
+/// Reads widths; what is not given follows from the depth word, [`OwnWidths::beside`].
 pub fn parse(text: &str) -> Result<FittedWidths, WidthsError> {
     let mut given: [Option<u32>; 7] = [None; 7];
     for part in text.split(',') {
@@ -38,16 +83,15 @@ pub fn parse(text: &str) -> Result<FittedWidths, WidthsError> {
         }
     }
     let [depth, root, plane, normal, g1, g2, dropped] = given;
-    let depth = depth.ok_or(WidthsError::NoDepth)?;
-    let widths = FittedWidths {
-        depth,
-        root: root.unwrap_or(depth),
-        plane: plane.unwrap_or(depth.saturating_add(12)),
-        normal: normal.unwrap_or(16),
-        guard_linear: g1.unwrap_or(0),
-        guard_quadratic: g2.unwrap_or(0),
-        dropped_rows: dropped.unwrap_or(0),
+    let own = OwnWidths {
+        root,
+        plane,
+        normal,
+        g1,
+        g2,
+        dropped,
     };
+    let widths = own.beside(depth.ok_or(WidthsError::NoDepth)?);
     Format::fitted(&widths)?;
     Ok(widths)
 }

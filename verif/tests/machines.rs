@@ -1,6 +1,5 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
-use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, Output, Smoothing, ZoneSize};
 use imogene_models::machine::display::{Image, image};
 use imogene_models::machine::overlay::OverlayPlane;
@@ -37,7 +36,7 @@ fn drawn_text(text: &str, machine: &MachineDescription) -> Image {
     let size = machine.drawn_size().expect("a mode");
     let framed = file.frame(size.0, size.1);
     let framed = framed.expect("a valid size");
-    let format = Format::new(machine.depth_word).expect("a format");
+    let format = machine.format().expect("a format");
     let prepared = prepare(&framed, format).expect("fits the format");
     image(&framed, &prepared, machine).expect("fits the machine")
 }

@@ -8,9 +8,8 @@ use imogene_models::machine::zone::plan::ZonePlan;
 use imogene_models::machine::zone::stream::Beat;
 use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
-use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
 use imogene_verif::display::DisplayEngine;
-use imogene_verif::display::request::{shape, zone_timing};
+use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::display::zone_core::{CoreRun, run};
 use imogene_verif::engine::design::Simulator;
 use std::path::Path;
@@ -49,12 +48,7 @@ fn check(plan: &ZonePlan, engine: DisplayEngine, stalls: Option<u64>) {
     assert_eq!(report.pixels, u64::from(plan.width * plan.height));
     if stalls.is_none() {
         // Without stalls a frame takes the clocks of the formula, no more and no fewer.
-        let request = DisplayRequest {
-            kind: DisplayKind::ZoneCore(shape(&plan.machine, 4)),
-            depth_word: 24,
-            prefix: String::new(),
-            command: String::new(),
-        };
+        let request = core_request(&plan.machine, &Format::BASE, 4);
         let timing = zone_timing(&request).expect("a machine");
         assert_eq!(report.cycles, clocks(plan, &timing).total);
     }

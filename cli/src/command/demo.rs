@@ -6,6 +6,7 @@ use super::{describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::{Request, Unit};
 use imogene_models::machine::shading;
 use imogene_models::picture;
 use imogene_models::scene::SceneFile;
@@ -53,7 +54,12 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
         fault: None,
     };
     let shape = scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
-    let request = shape.request();
+    let request = Request {
+        objects: shape.objects as u32,
+        planes: shape.planes as u32,
+        rows_per_stage: shape.rows_per_stage as u32,
+        ..Request::of(Unit::Beam, shape.format.depth)
+    };
     // Written first: an unwritable folder is found before the long work.
     let emitted = emitted(&request, None)?;
     let mut files = output::files();

@@ -7,10 +7,11 @@ use imogene_models::evaluate::{
     Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
     markdown, operations_plot, page,
 };
+use imogene_models::format::Format;
+use imogene_models::machine::zone::ZoneMachine;
 use imogene_package::processors::processors;
-use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
-use imogene_rtl::emit::display::{ZONE_BITS, ZoneShape};
-use imogene_verif::display::request::zone_timing;
+use imogene_rtl::emit::display::ZONE_BITS;
+use imogene_verif::display::request::{core_request, zone_timing};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -52,21 +53,16 @@ fn hardware() -> Result<Hardware, Failure> {
         roots: p.roots,
         multipliers: p.multipliers,
     });
-    let shape = ZoneShape {
-        objects: MACHINE_PROCESSORS,
+    let machine = ZoneMachine {
+        object_processors: MACHINE_PROCESSORS,
         planes: MACHINE_PLANES,
-        volumes: 0,
+        volume_processors: 0,
         volume_planes: 0,
-        rows_per_stage: 1,
-        zone_bits: ZONE_BITS,
+        zone_width: 1 << (ZONE_BITS / 2),
+        zone_height: 1 << (ZONE_BITS / 2),
         samples: 1,
     };
-    let request = DisplayRequest {
-        kind: DisplayKind::ZoneCore(shape),
-        depth_word: 24,
-        prefix: String::new(),
-        command: String::new(),
-    };
+    let request = core_request(&machine, &Format::BASE, 1);
     Ok(Hardware {
         processors: parts.collect(),
         zone_timing: zone_timing(&request).map_err(Failure::input)?,

@@ -1,57 +1,28 @@
 //! `imogene machine`.
 
-use super::{describe, frame_scene, read_scene, verdict};
+mod files;
+mod report;
+
+use super::{frame_in, read_scene, verdict};
 use crate::arguments::{Machine, Refine, View};
 use crate::failure::Failure;
 use crate::output;
-use imogene_files::Outputs;
+use files::{add_bench, add_verilog, grow, write_pictures, zone_timing_of};
 use imogene_models::animation::Playback;
 use imogene_models::machine::description::{MachineDescription, Output};
 use imogene_models::machine::display::{DisplayError, Image, refined_image};
 use imogene_models::machine::needs;
 use imogene_models::machine::overlay::OverlayPlane;
-use imogene_models::machine::zone::clocks::{FrameClocks, ZoneTiming, clocks};
-use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
-use imogene_models::machine::zone::plot::plot;
-use imogene_models::picture::{self, read_mask};
+use imogene_models::machine::zone::clocks::clocks;
+use imogene_models::picture::read_mask;
 use imogene_models::prepare::PreparedScene;
 use imogene_models::scene::FramedScene;
-use imogene_models::text::counted;
-use imogene_rtl::emit::display::{DisplayRequest, emit_display};
 use imogene_verif::display::DisplayEngine;
-use imogene_verif::display::bench::{Bench, BenchFrame};
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
-use imogene_verif::display::request::{request, zone_timing};
+use imogene_verif::display::request::request;
 use imogene_verif::report::Report;
-use serde::Serialize;
-use std::path::{Path, PathBuf};
-
-/// What a machine was and did; the keys are stable.
-#[derive(Serialize)]
-struct MachineReport<'a> {
-    machine: &'a MachineDescription,
-    top: String,
-    scenes: Vec<String>,
-    /// Clocks of a frame on the pins, none of a stream; and pixels of it, one per clock within a line.
-    clocks_per_frame: Option<u64>,
-    pixels_per_frame: u64,
-    /// Words of each scene's frame.
-    words: Vec<usize>,
-    /// Clocks of each scene's frame in a zone machine, by the formula.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    zone_clocks: Vec<FrameClocks>,
-    /// Clocks from the first word of each scene until the machine took the last one, and until it came on the screen.
-    taking: Vec<u64>,
-    loading: Vec<u64>,
-    /// Which scene each frame on the pins showed.
-    shown: Vec<Option<usize>>,
-    /// The picture of the pins is the golden picture, byte for byte.
-    equal: Option<bool>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    growth: Vec<Growth>,
-    report: Option<Report>,
-    files: Vec<PathBuf>,
-}
+use report::{MachineReport, tell};
+use std::path::Path;
 
 /// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
@@ -188,7 +159,8 @@ fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Sc
         .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
     let size = crate::arguments::Size { width, height };
-    let (framed, prepared) = frame_scene(&file, Some(size), machine.depth_word)?;
+    let format = machine.format().map_err(Failure::input)?;
+    let (framed, prepared) = frame_in(&file, Some(size), format)?;
     Ok(Scene {
         name: format!("{}{}", path.display(), view.options()),
         framed,
@@ -278,77 +250,6 @@ fn command_of(options: &Machine) -> String {
     )
 }
 
-/// Adds the Verilog to the files; returns the name of the top module.
-fn add_verilog(
-    request: &DisplayRequest,
-    out: &Path,
-    files: &mut Outputs,
-) -> Result<String, Failure> {
-    let emitted = emit_display(request).map_err(Failure::input)?;
-    let path = out.join(format!("{}.v", emitted.top));
-    files.add_text(&path, &emitted.bundle())?;
-    Ok(emitted.top)
-}
-
-/// Adds what a bench of the user's own drives the machine with.
-fn add_bench(
-    machine: &MachineDescription,
-    top: &str,
-    scenes: &[Scene],
-    images: &[Image],
-    overlay: Option<&OverlayPlane>,
-    (out, files): (&Path, &mut Outputs),
-) -> Result<(), Failure> {
-    let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
-        scene: &scene.name,
-        image,
-    });
-    let frames: Vec<BenchFrame> = frames.collect();
-    let bench = Bench {
-        machine,
-        top,
-        frames: &frames,
-        overlay,
-    };
-    for (name, text) in bench.files().map_err(Failure::input)? {
-        files.add_text(&out.join(name), &text)?;
-    }
-    Ok(())
-}
-
-fn zone_timing_of(
-    request: &DisplayRequest,
-    machine: &MachineDescription,
-) -> Result<Option<ZoneTiming>, Failure> {
-    match machine.zone {
-        Some(_) => zone_timing(request).map(Some).map_err(Failure::input),
-        None => Ok(None),
-    }
-}
-
-fn grow(
-    scene: &PreparedScene,
-    machine: &MachineDescription,
-    timing: Option<ZoneTiming>,
-    out: &Path,
-    files: &mut Outputs,
-) -> Result<Vec<Growth>, Failure> {
-    let timing = timing.ok_or_else(|| {
-        Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
-    })?;
-    let shape = machine.zone_machine();
-    let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS);
-    let rows = rows.map_err(Failure::input)?;
-    let title = format!(
-        "clocks of a frame of {} x {} pixels",
-        scene.width / machine.supersampling,
-        scene.height / machine.supersampling
-    );
-    let text = plot(&title, &rows).map_err(Failure::input)?;
-    files.add_text(&out.join("growth.svg"), &text)?;
-    Ok(rows)
-}
-
 fn show(
     machine: &MachineDescription,
     images: &[Image],
@@ -373,73 +274,4 @@ fn show(
     let outcome = run_pins(machine, images, &run, || bar.inc(1));
     bar.finish_and_clear();
     outcome.map_err(Failure::input)
-}
-
-fn write_pictures(
-    machine: &MachineDescription,
-    golden: Option<&[u8]>,
-    outcome: Option<&PinsOutcome>,
-    out: &Path,
-    files: &mut Outputs,
-) -> Result<(), Failure> {
-    let Some((mode, golden)) = machine.video_mode().zip(golden) else {
-        return Ok(());
-    };
-    let size = (mode.line.active as usize, mode.frame.active as usize);
-    let mut write = |name: &str, picture: &[u8]| {
-        files.add(&out.join(name), |out| {
-            picture::png(out, size.0, size.1, picture)
-        })?;
-        Ok::<(), Failure>(())
-    };
-    write("golden.png", golden)?;
-    match outcome {
-        Some(outcome) if outcome.picture.len() == golden.len() => {
-            write("pins.png", &outcome.picture)
-        }
-        _ => Ok(()),
-    }
-}
-
-fn tell(summary: &MachineReport, json: bool) {
-    if json {
-        output::json(summary);
-        return;
-    }
-    let pace = match summary.clocks_per_frame {
-        Some(clocks) => format!("in {clocks} clocks of a frame on the pins"),
-        None => "of a frame over AXI4-Stream".to_owned(),
-    };
-    output::text(format!(
-        "{}: {} {pace}",
-        summary.top,
-        counted(summary.pixels_per_frame, "pixel")
-    ));
-    for (place, clocks) in summary.zone_clocks.iter().enumerate() {
-        output::text(format!(
-            "  {}: {} in {} ({} drawing, {} lighting passes), {}",
-            summary.scenes[place],
-            counted(clocks.total, "clock"),
-            counted(clocks.zones, "zone"),
-            clocks.draw_passes,
-            clocks.light_passes,
-            counted(clocks.beats, "beat")
-        ));
-    }
-    if let Some(report) = &summary.report {
-        output::text(describe(report));
-        let shown = summary.shown.iter().flatten().count();
-        output::text(format!(
-            "  {}, {shown} of a scene; the last one is {} golden picture",
-            counted(summary.shown.len(), "frame"),
-            if summary.equal == Some(true) {
-                "the"
-            } else {
-                "NOT the"
-            }
-        ));
-    }
-    for file in &summary.files {
-        output::text(format!("  wrote {}", file.display()));
-    }
 }

@@ -289,25 +289,9 @@ pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
 }
 
 fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
-    if !prepared.format.is_of_catalogue() {
-        return Err(Failure::Input(
-            "the hardware of --model rtl has the widths of the catalogue; give --format, or --model golden or exact".into(),
-        ));
-    }
-    if prepared.format.has_guards() {
-        return Err(Failure::Input(
-            "--model rtl simulates a machine of the catalogue, which has no guard bits; give --guards 0:0, or --model golden or exact; `imogene fit` makes and simulates machines with guard bits".into(),
-        ));
-    }
-    let (mut report, frame) = if slots::is_for_beam(prepared) {
-        beam_frame(options, prepared)?
-    } else {
-        let bar = output::progress(slots::pixels(prepared), "processors in simulation");
-        let drawn = slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
-            bar.inc(n)
-        });
-        bar.finish_and_clear();
-        drawn.map_err(Failure::input)?
+    let (mut report, frame) = match slots::is_for_beam(prepared) {
+        true => beam_frame(options, prepared)?,
+        false => slots_frame(options, prepared)?,
     };
     report.subject = options.scene.scene.display().to_string();
     report.reproduce = reproduce(options);
@@ -323,6 +307,24 @@ fn reproduce(options: &Render) -> String {
         None => format!("imogene cosim {scene}{view}"),
         Some(_) => format!("imogene render {scene}{view} --model rtl, with the same look"),
     }
+}
+
+/// The frame of processors that run by themselves.
+fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
+    let format = &prepared.format;
+    if !format.follows_depth_word() || format.has_guards() {
+        return Err(Failure::Input(
+            "only a beam machine of --model rtl takes --guards and --widths, and it draws 1 to 256 quadrics; \
+             give --format, or --model golden or exact; a zone machine draws facets with guard bits (imogene machine)"
+                .into(),
+        ));
+    }
+    let bar = output::progress(slots::pixels(prepared), "processors in simulation");
+    let drawn = slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
+        bar.inc(n)
+    });
+    bar.finish_and_clear();
+    drawn.map_err(Failure::input)
 }
 
 /// The frame of a beam machine.

@@ -1,19 +1,16 @@
 //! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
 
+mod check;
+
 use super::post_filter::Kernel;
 use super::video_timing::{MODES, Span, VideoMode};
-use super::zone::{MAX_PICTURE, SAMPLES, ZoneMachine};
-use crate::object::quadric::MAX_PLANES;
+use super::zone::ZoneMachine;
+use crate::format::{FittedError, Format};
 use crate::scene::{in_plain_words, line_and_column};
+use crate::widths::OwnWidths;
 use serde::{Deserialize, Serialize};
-use std::ops::RangeInclusive;
 use std::path::Path;
 use thiserror::Error;
-
-/// Pixels of a zone at most.
-pub const MAX_ZONE_PIXELS: u32 = 1 << 14;
-/// Pixels of a screen at most.
-pub const MAX_SCREEN_PIXELS: u64 = 1 << 22;
 
 /// Which machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -104,9 +101,12 @@ pub enum Mode {
 pub struct MachineDescription {
     /// Which machine.
     pub machine: MachineKind,
-    /// Depth word, of the catalogue of formats.
+    /// Depth word.
     #[serde(default = "base_depth_word")]
     pub depth_word: u32,
+    /// Widths that do not follow from it.
+    #[serde(default, skip_serializing_if = "OwnWidths::is_none")]
+    pub widths: OwnWidths,
     /// Rows of the root networks between registers.
     #[serde(default = "one")]
     pub rows_per_stage: u32,
@@ -186,6 +186,14 @@ pub enum DescriptionError {
         /// What the parser says.
         problem: String,
     },
+    /// A width out of its range.
+    #[error("{file}: {problem}")]
+    Widths {
+        /// Path as given.
+        file: String,
+        /// Which, and what would be accepted.
+        problem: FittedError,
+    },
     /// A value out of its range.
     #[error("{file}: {key} is {value}; accepted: {accepted}")]
     Value {
@@ -240,121 +248,13 @@ impl MachineDescription {
         Ok(description)
     }
 
-    /// Checks that every value is in its range; `file` is the name that messages give the description.
-    pub(super) fn check(&self, file: &str) -> Result<(), DescriptionError> {
-        let value = |key, value: String, accepted: String| DescriptionError::Value {
-            file: file.into(),
-            key,
-            value,
-            accepted,
-        };
-        let range = |key, given: usize, accepted: RangeInclusive<usize>| {
-            if accepted.contains(&given) {
-                return Ok(());
-            }
-            let accepted = format!("{} to {}", accepted.start(), accepted.end());
-            Err(value(key, given.to_string(), accepted))
-        };
-        if !crate::format::Format::CATALOGUE.contains(&self.depth_word) {
-            let accepted = crate::format::Format::CATALOGUE.map(|word| word.to_string());
-            return Err(value(
-                "depth_word",
-                self.depth_word.to_string(),
-                accepted.join(", "),
-            ));
-        }
-        range(
-            "rows_per_stage",
-            self.rows_per_stage as usize,
-            1..=self.depth_word as usize,
-        )?;
-        range("objects", self.objects, 1..=256)?;
-        range("planes", self.planes, 0..=MAX_PLANES)?;
-        range("volumes", self.volumes, 0..=256)?;
-        range("volume_planes", self.volume_planes, 0..=MAX_PLANES)?;
-        range("lights", self.lights, 1..=super::shader::MOST_LIGHTS)?;
-        let Some(mode) = self.video_mode() else {
-            let names = MODES.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
-            let accepted = format!(
-                "{}, or {{ columns = [shown, front, sync, back], lines = [..] }} with 1 to 4095 shown, a sync of 1 at least, 8192 in all",
-                names.join(", ")
-            );
-            return Err(value("mode", format!("{:?}", self.mode), accepted));
-        };
-        let pixels = mode.line.active * mode.frame.active;
-        if pixels > MAX_SCREEN_PIXELS {
-            let accepted = format!("screens of up to {MAX_SCREEN_PIXELS} pixels");
-            return Err(value("mode", format!("{pixels} pixels"), accepted));
-        }
-        self.check_samples(&mode, &value)?;
-        if mode.line.active > 2048 && self.smoothing != Smoothing::None {
-            let accepted = "lines of up to 2048 pixels".into();
-            return Err(value(
-                "smoothing",
-                format!("on lines of {} pixels", mode.line.active),
-                accepted,
-            ));
-        }
-        if self.output == Output::Stream && (self.smoothing != Smoothing::None || self.overlay) {
-            let accepted = "neither smoothing nor overlay, or output = \"pins\"".into();
-            return Err(value("output", "stream".into(), accepted));
-        }
-        match (self.machine, self.zone, self.loader_words) {
-            (MachineKind::Zone, Some(zone), None) => {
-                let fits = zone.width >= 1
-                    && zone.height >= 1
-                    && zone.width.saturating_mul(zone.height) <= MAX_ZONE_PIXELS;
-                let accepted = format!("zones of 1 to {MAX_ZONE_PIXELS} pixels");
-                fits.then_some(()).ok_or_else(|| {
-                    value(
-                        "zone",
-                        format!("{} x {}", zone.width, zone.height),
-                        accepted,
-                    )
-                })
-            }
-            (MachineKind::Zone, None, _) => Err(value(
-                "zone",
-                "missing".into(),
-                "zone = { width = 32, height = 32 }, in a zone machine".into(),
-            )),
-            (MachineKind::Zone, _, Some(_)) => Err(value(
-                "loader_words",
-                "given".into(),
-                "loader_words in a beam machine alone".into(),
-            )),
-            (MachineKind::Beam, Some(_), _) => Err(value(
-                "zone",
-                "given".into(),
-                "a zone in a zone machine alone".into(),
-            )),
-            (MachineKind::Beam, None, _) => range("loader_words", self.loader_words(), 2..=65_536),
-        }
-    }
-
-    fn check_samples(
-        &self,
-        mode: &VideoMode,
-        value: &impl Fn(&'static str, String, String) -> DescriptionError,
-    ) -> Result<(), DescriptionError> {
-        let refuse = |accepted: String| {
-            Err(value(
-                "supersampling",
-                self.supersampling.to_string(),
-                accepted,
-            ))
-        };
-        if !SAMPLES.contains(&self.supersampling) {
-            return refuse("1, 2 or 4".into());
-        }
-        if self.machine == MachineKind::Beam && self.supersampling != 1 {
-            return refuse("1 in a beam machine; a zone machine has the memory for more".into());
-        }
-        let most = u64::from(MAX_PICTURE / self.supersampling);
-        if mode.line.active.max(mode.frame.active) > most {
-            return refuse(format!("on a screen of up to {most} x {most} pixels"));
-        }
-        Ok(())
+    /// The format of its words.
+    ///
+    /// # Errors
+    ///
+    /// When a width is out of its range, which no description has that was checked.
+    pub fn format(&self) -> Result<Format, FittedError> {
+        Format::fitted(&self.widths.beside(self.depth_word))
     }
 
     /// Columns and lines of the samples that it draws; none if its mode is not one.
@@ -417,60 +317,5 @@ impl MachineDescription {
             zone_height: zone.height,
             samples: self.supersampling,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"640x480\"\n";
-
-    fn refusal(text: &str) -> String {
-        MachineDescription::parse(text, "m.toml")
-            .unwrap_err()
-            .to_string()
-    }
-
-    #[test]
-    fn a_description_needs_little() {
-        let beam = MachineDescription::parse(BEAM, "m.toml").unwrap();
-        assert_eq!(
-            (beam.depth_word, beam.rows_per_stage, beam.lights),
-            (24, 1, 1)
-        );
-        assert_eq!(beam.loader_words(), 1024);
-        assert_eq!(beam.video_mode().unwrap().clocks(), 800 * 525);
-        let own = BEAM.replace(
-            "\"640x480\"",
-            "{ columns = [160, 4, 4, 4], lines = [120, 2, 2, 12] }",
-        );
-        let own = MachineDescription::parse(&own, "m.toml").unwrap();
-        assert_eq!(own.video_mode().unwrap().clocks(), 172 * 136);
-    }
-
-    #[test]
-    fn what_is_refused_names_the_key_and_what_is_accepted() {
-        let refused = |old: &str, new: &str| refusal(&BEAM.replace(old, new));
-        assert!(refused("10", "0").contains("objects is 0; accepted: 1 to 256"));
-        assert!(refused("640x480", "640x481").contains("\"1280x720\""));
-        assert!(refused("beam", "zone").contains("zone is missing"));
-        assert!(refused("planes", "plans").starts_with("m.toml:3:1: unknown field `plans`"));
-        assert!(
-            refusal(&format!("{BEAM}output = \"stream\"\noverlay = true\n"))
-                .contains("output is stream")
-        );
-        assert!(refused("= 3", "= 13").contains("0 to 12"));
-        assert!(refusal(&format!("{BEAM}depth_word = 23\n")).contains("16, 20, 24, 28, 32"));
-        assert!(
-            refusal(&format!("{BEAM}zone = {{ width = 8, height = 8 }}\n"))
-                .contains("zone machine alone")
-        );
-        assert!(refusal(&format!("{BEAM}loader_words = 1\n")).contains("2 to 65536"));
-        assert!(refusal(&format!("{BEAM}supersampling = 2\n")).contains("1 in a beam machine"));
-        let zone = BEAM.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
-        assert!(refusal(&format!("{zone}supersampling = 3\n")).contains("1, 2 or 4"));
-        let wide = zone.replace("640x480", "1280x720");
-        assert!(refusal(&format!("{wide}supersampling = 4\n")).contains("up to 1024 x 1024"));
     }
 }

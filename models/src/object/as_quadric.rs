@@ -119,7 +119,7 @@ fn polyhedron(words: &PolyhedronWords) -> QuadricWords {
 
 /// A patch whose root is 0 and whose sides are half-planes of the screen. The root takes no part in the normal, so the linear parts are all of it.
 fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricError> {
-    if !format.is_of_catalogue() {
+    if !format.follows_depth_word() {
         return Err(AsQuadricError::Fitted);
     }
     let side = |edge: &Linear| PlaneWords {

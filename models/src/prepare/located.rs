@@ -106,7 +106,7 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
 
 /// Fitted machines have quadric and patch processors alone.
 pub(super) fn refuse_fitted(object: &str, context: &Context) -> Result<(), PrepareError> {
-    if context.format.is_of_catalogue() {
+    if context.format.follows_depth_word() {
         return Ok(());
     }
     Err(PrepareError::NotFitted {

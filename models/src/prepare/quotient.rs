@@ -34,7 +34,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Fitted machines, and those of one type of processor, have none for a quotient.
 fn is_possible(context: &Context) -> bool {
-    context.format.is_of_catalogue() && !context.options.roots_only
+    context.format.follows_depth_word() && !context.options.roots_only
 }
 
 /// The words of an object whose depth is exactly a quotient; nothing for any other.

@@ -6,39 +6,93 @@ use crate::video::{Output, OverlayBus};
 use imogene_contract::words::{NORMAL, NORMAL_PART, depth_sum, plane, quadratic};
 use imogene_hdl::{Bits, Design, Value};
 
+/// The words from which all others of a machine follow, in bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct MachineWords {
+    /// Depth word `W`.
+    pub depth: u32,
+    /// Root `K`.
+    pub root: u32,
+    /// Last digits of the root that are not computed.
+    pub dropped_rows: u32,
+    /// Plane word `P`.
+    pub plane: u32,
+    /// Normal component.
+    pub normal: u32,
+    /// Guard bits of f1.
+    pub guard_linear: u32,
+    /// Guard bits of f2.
+    pub guard_quadratic: u32,
+}
+
+impl MachineWords {
+    /// Words that all follow from the depth word.
+    pub const fn of(depth: u32) -> MachineWords {
+        MachineWords {
+            depth,
+            root: depth,
+            dropped_rows: 0,
+            plane: plane(depth as usize) as u32,
+            normal: NORMAL as u32,
+            guard_linear: 0,
+            guard_quadratic: 0,
+        }
+    }
+
+    /// Bits of a depth sum.
+    fn sum(&self) -> u32 {
+        depth_sum(self.depth as usize) as u32
+    }
+
+    /// Rows of the root network.
+    pub fn rows(&self) -> u32 {
+        self.root - self.dropped_rows
+    }
+
+    /// Widths of the words of an object.
+    pub fn widths(&self) -> Widths {
+        Widths {
+            linear: self.sum() + self.guard_linear,
+            quadratic: quadratic(self.root as usize) as u32 + self.guard_quadratic,
+            gradient: self.normal + (NORMAL_PART - NORMAL) as u32,
+            normal: self.normal,
+            plane: self.plane,
+        }
+    }
+
+    /// The root of an object.
+    pub fn network(&self, rows_per_stage: u32) -> Network {
+        Network {
+            sum: self.sum(),
+            digits: self.root,
+            rows: self.rows(),
+            rows_per_stage,
+        }
+    }
+}
+
 /// Widths of the words of an object in a format.
 pub fn widths(depth_word: u32) -> Widths {
-    let word = depth_word as usize;
-    Widths {
-        linear: depth_sum(word) as u32,
-        quadratic: quadratic(word) as u32,
-        gradient: NORMAL_PART as u32,
-        normal: NORMAL as u32,
-        plane: plane(word) as u32,
-    }
+    MachineWords::of(depth_word).widths()
 }
 
-/// Object processors of a format, all alike, for objects of all classes.
-pub fn objects(depth_word: u32, rows_per_stage: u32, count: u32, planes: u32) -> Objects {
-    let slot = Slot {
-        planes: planes as usize,
-        two_volumes: true,
-    };
+/// Object processors side by side.
+pub fn objects(words: &MachineWords, rows_per_stage: u32, slots: Vec<Slot>) -> Objects {
     Objects {
-        depth: depth_word,
-        widths: widths(depth_word),
-        root: Network::of(depth_word, rows_per_stage),
-        slots: vec![slot; count as usize],
+        depth: words.depth,
+        widths: words.widths(),
+        root: words.network(rows_per_stage),
+        slots,
     }
 }
 
-/// Volume processors of a format, all alike.
-pub fn volumes(depth_word: u32, rows_per_stage: u32, count: u32, planes: u32) -> Volumes {
+/// Volume processors, all alike.
+pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: u64) -> Volumes {
     Volumes {
-        depth: depth_word,
-        widths: widths(depth_word),
-        root: Network::of(depth_word, rows_per_stage),
-        planes: vec![u64::from(planes); count as usize],
+        depth: words.depth,
+        widths: words.widths(),
+        root: words.network(rows_per_stage),
+        planes: vec![planes; count],
     }
 }
 

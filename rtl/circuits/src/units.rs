@@ -2,8 +2,8 @@
 
 use crate::arith::*;
 use crate::machine::*;
-use crate::machines::objects;
 pub use crate::machines::widths;
+use crate::machines::{MachineWords, objects};
 use crate::object::*;
 use crate::raster::*;
 use crate::shade::*;
@@ -212,12 +212,13 @@ fn build(p: &Request) {
         }
         Unit::CoefficientStore => {
             let widths = widths(p.depth_word);
-            let bus = LoadBus::input(widths.quadratic);
+            let bus = LoadBus::input(widths.bus());
             coefficient_store("top", bus, widths, u64::from(p.planes));
         }
         Unit::Beam => {
-            let machine = objects(p.depth_word, p.rows_per_stage, p.objects, p.planes);
-            let load = Load::input(machine.widths.quadratic);
+            let slots = vec![Slot::full(p.planes as usize); p.objects as usize];
+            let machine = objects(&MachineWords::of(p.depth_word), p.rows_per_stage, slots);
+            let load = Load::input(machine.widths.bus());
             beam("top", Zone::input(), load, &machine);
         }
         Unit::TransparencyStage => {

@@ -1,7 +1,21 @@
 //! Widths and special values of a format.
 
-/// Formats of the catalogue, by depth word.
+/// Depth words of the tables of errors, proofs and costs.
 pub const DEPTH_WORDS: [usize; 5] = [16, 20, 24, 28, 32];
+/// Least depth word.
+pub const LEAST_DEPTH: usize = 8;
+/// Greatest depth word: the quadratic word has 64 bits.
+pub const MOST_DEPTH: usize = 32;
+/// Least root.
+pub const LEAST_ROOT: usize = 4;
+/// Least normal component.
+pub const LEAST_NORMAL: usize = 10;
+/// Most guard bits of either part of a depth.
+pub const MOST_GUARD: usize = 16;
+/// Most last digits of the root that are not computed.
+pub const MOST_DROPPED: usize = 8;
+/// Bits of the widest word.
+pub const MOST_BITS: usize = 64;
 
 /// Bits of a coordinate.
 pub const COORDINATE: usize = 12;

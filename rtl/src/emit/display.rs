@@ -1,9 +1,11 @@
 //! Machines with everything between the object processors and the picture.
 
+use super::words::{check_ranges, check_words, lines};
 use super::{EmitError, Emitted, Heading, circuit, names};
-use crate::format::{DEPTH_WORDS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
-use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, ZoneCore, ZoneMachine};
-use imogene_circuits::machines;
+use crate::format::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
+use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, Slot, ZoneCore, ZoneMachine};
+pub use imogene_circuits::machines::MachineWords;
+use imogene_circuits::machines::{self, objects, volumes};
 use imogene_circuits::video::Output;
 use imogene_contract::video::VideoMode;
 use imogene_hdl::Design;
@@ -13,40 +15,30 @@ pub const ZONE_BITS: usize = 14;
 /// Bits of the address of a word that waits for the next frame, at most.
 pub const LOADER_BITS: usize = 16;
 
-/// How many processors of what kind a zone machine has.
+/// The processors of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct ZoneShape {
-    /// Object processors.
+pub struct Processors {
+    /// Their words.
+    pub words: MachineWords,
+    /// Rows of the root networks between registers.
+    pub rows_per_stage: usize,
+    /// Object processors, in a beam machine one for each object.
     pub objects: usize,
     /// Cut planes of each.
     pub planes: usize,
-    /// Volume processors; may be none.
+    /// Volume processors, in a beam machine one for each volume; may be none.
     pub volumes: usize,
     /// Planes of each.
     pub volume_planes: usize,
-    /// Rows of the root networks between registers.
-    pub rows_per_stage: usize,
+}
+
+/// What a zone machine has beside its processors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ZoneShape {
     /// Bits of the address of a pixel in a zone.
     pub zone_bits: usize,
     /// Samples of a pixel along each side: 1, 2 or 4.
     pub samples: usize,
-}
-
-/// How many processors of what kind a beam machine has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct BeamShape {
-    /// Object processors, one for each object.
-    pub objects: usize,
-    /// Cut planes of each.
-    pub planes: usize,
-    /// Volume processors, one for each shadow or light volume; may be none.
-    pub volumes: usize,
-    /// Planes of each.
-    pub volume_planes: usize,
-    /// Rows of the root networks between registers.
-    pub rows_per_stage: usize,
-    /// Bits of the address of a word that waits for the vertical blanking.
-    pub loader_bits: usize,
 }
 
 /// What stands between the pixels of a machine and its pins.
@@ -80,54 +72,19 @@ impl OutputShape {
     }
 }
 
-impl ZoneShape {
-    fn core(&self, depth_word: usize) -> ZoneCore {
-        let (word, rows) = (depth_word as u32, self.rows_per_stage as u32);
-        let [objects, planes] = [self.objects, self.planes].map(|count| count as u32);
-        let [volumes, volume_planes] = [self.volumes, self.volume_planes].map(|count| count as u32);
-        ZoneCore {
-            objects: machines::objects(word, rows, objects, planes),
-            volumes: machines::volumes(word, rows, volumes, volume_planes),
-            places: self.zone_bits as u32,
-        }
-    }
-
-    fn machine(&self, depth_word: usize, lights: usize) -> ZoneMachine {
-        ZoneMachine {
-            core: self.core(depth_word),
-            samples: self.samples as u32,
-            lights: lights as u64,
-        }
-    }
-}
-
-impl BeamShape {
-    fn machine(&self, depth_word: usize, lights: usize) -> BeamMachine {
-        let (word, rows) = (depth_word as u32, self.rows_per_stage as u32);
-        let [objects, planes] = [self.objects, self.planes].map(|count| count as u32);
-        let [volumes, volume_planes] = [self.volumes, self.volume_planes].map(|count| count as u32);
-        BeamMachine {
-            objects: machines::objects(word, rows, objects, planes),
-            volumes: machines::volumes(word, rows, volumes, volume_planes),
-            lights: lights as u64,
-            loader_places: self.loader_bits as u32,
-        }
-    }
-}
-
 /// Which machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DisplayKind {
     /// The deciding part of a zone machine: visible surfaces, not shaded.
     ZoneCore(ZoneShape),
     /// A zone machine: shaded pixels over AXI4-Stream.
-    ZoneMachine(ZoneShape, usize),
-    /// A zone machine with its screen: shape, lights, screen.
-    ZoneDisplay(ZoneShape, usize, OutputShape),
-    /// A beam machine with its screen: shape, lights, screen.
-    BeamDisplay(BeamShape, usize, OutputShape),
-    /// A beam machine that streams its picture: shape, lights, pixels of a line, lines.
-    BeamStream(BeamShape, usize, usize, usize),
+    ZoneMachine(ZoneShape),
+    /// A zone machine with its screen.
+    ZoneDisplay(ZoneShape, OutputShape),
+    /// A beam machine with its screen: bits of the address of a word that waits for the vertical blanking, screen.
+    BeamDisplay(usize, OutputShape),
+    /// A beam machine that streams its picture: the same bits, pixels of a line, lines.
+    BeamStream(usize, usize, usize),
 }
 
 /// A machine.
@@ -135,82 +92,112 @@ pub enum DisplayKind {
 pub struct DisplayRequest {
     /// Which machine.
     pub kind: DisplayKind,
-    /// Depth word `W`, of the catalogue.
-    pub depth_word: usize,
+    /// Its processors.
+    pub processors: Processors,
+    /// Its lights; the deciding part has none.
+    pub lights: usize,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
     pub command: String,
 }
 
-fn range(
-    parameter: &'static str,
-    value: usize,
-    least: usize,
-    most: usize,
-) -> Result<(), EmitError> {
-    if (least..=most).contains(&value) {
-        return Ok(());
+impl DisplayKind {
+    fn zone(&self) -> Option<&ZoneShape> {
+        match self {
+            Self::ZoneCore(zone) | Self::ZoneMachine(zone) | Self::ZoneDisplay(zone, _) => {
+                Some(zone)
+            }
+            Self::BeamDisplay(..) | Self::BeamStream(..) => None,
+        }
     }
-    Err(EmitError::Range {
-        parameter,
-        value,
-        least,
-        most,
-    })
+
+    fn output(&self) -> Option<&OutputShape> {
+        match self {
+            Self::ZoneDisplay(_, output) | Self::BeamDisplay(_, output) => Some(output),
+            _ => None,
+        }
+    }
+
+    fn loader_bits(&self) -> Option<usize> {
+        match *self {
+            Self::BeamDisplay(bits, _) | Self::BeamStream(bits, ..) => Some(bits),
+            _ => None,
+        }
+    }
+
+    fn contract(&self) -> &'static str {
+        match self {
+            Self::ZoneCore(_) => {
+                "visible surfaces of a scene of any number of objects, zone by zone"
+            }
+            Self::ZoneMachine(_) => {
+                "shaded pixels of a scene of any number of objects, zone by zone"
+            }
+            Self::ZoneDisplay(..) => {
+                "the picture of a scene of any number of objects, drawn zone by zone, on the pins of a screen"
+            }
+            Self::BeamDisplay(..) => {
+                "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
+            }
+            Self::BeamStream(..) => {
+                "the picture of a scene, frame after frame over AXI4-Stream, one pixel per clock"
+            }
+        }
+    }
 }
 
 impl DisplayRequest {
     fn check(&self) -> Result<(), EmitError> {
-        if !DEPTH_WORDS.contains(&self.depth_word) {
-            return Err(EmitError::Format {
-                value: self.depth_word,
-            });
+        let own = &self.processors;
+        check_words(&own.words, own.rows_per_stage)?;
+        check_ranges(&[
+            ("objects", own.objects, 1, MOST_OBJECTS),
+            ("planes", own.planes, 0, MOST_PLANES),
+            ("volumes", own.volumes, 0, MOST_OBJECTS),
+            ("volume planes", own.volume_planes, 0, MOST_PLANES),
+            ("lights", self.lights, 1, MOST_LIGHTS),
+        ])?;
+        if let Some(bits) = self.kind.loader_bits() {
+            check_ranges(&[("loader bits", bits, 1, LOADER_BITS)])?;
         }
-        let processors = |objects, planes, volumes, volume_planes, rows| {
-            range("objects", objects, 1, MOST_OBJECTS)?;
-            range("planes", planes, 0, MOST_PLANES)?;
-            range("volumes", volumes, 0, MOST_OBJECTS)?;
-            range("volume planes", volume_planes, 0, MOST_PLANES)?;
-            range("rows per stage", rows, 1, self.depth_word)
-        };
-        let zone = |s: &ZoneShape| {
-            processors(
-                s.objects,
-                s.planes,
-                s.volumes,
-                s.volume_planes,
-                s.rows_per_stage,
-            )?;
-            range("zone bits", s.zone_bits, 1, ZONE_BITS)?;
-            if [1, 2, 4].contains(&s.samples) {
-                return Ok(());
-            }
-            range("samples", s.samples, 1, 2)
-        };
-        match &self.kind {
-            DisplayKind::ZoneCore(shape) => zone(shape),
-            DisplayKind::ZoneMachine(shape, lights)
-            | DisplayKind::ZoneDisplay(shape, lights, _) => {
-                range("lights", *lights, 1, MOST_LIGHTS)?;
-                zone(shape)
-            }
-            DisplayKind::BeamDisplay(s, lights, _) | DisplayKind::BeamStream(s, lights, ..) => {
-                range("lights", *lights, 1, MOST_LIGHTS)?;
-                range("loader bits", s.loader_bits, 1, LOADER_BITS)?;
-                processors(
-                    s.objects,
-                    s.planes,
-                    s.volumes,
-                    s.volume_planes,
-                    s.rows_per_stage,
-                )
-            }
-        }?;
-        if self.prefix.is_empty() {
-            Ok(())
-        } else {
-            names::check_prefix(&self.prefix)
+        if let Some(zone) = self.kind.zone() {
+            // 3 is the only number between the least and the greatest that is none.
+            let most = if zone.samples == 3 { 2 } else { 4 };
+            check_ranges(&[
+                ("zone bits", zone.zone_bits, 1, ZONE_BITS),
+                ("samples", zone.samples, 1, most),
+            ])?;
+        }
+        names::check_optional(&self.prefix)
+    }
+
+    fn core(&self, zone: &ZoneShape) -> ZoneCore {
+        let beam = self.beam(0);
+        ZoneCore {
+            objects: beam.objects,
+            volumes: beam.volumes,
+            places: zone.zone_bits as u32,
+        }
+    }
+
+    fn zone(&self, zone: &ZoneShape) -> ZoneMachine {
+        ZoneMachine {
+            core: self.core(zone),
+            samples: zone.samples as u32,
+            lights: self.lights as u64,
+        }
+    }
+
+    fn beam(&self, loader_bits: usize) -> BeamMachine {
+        let own = &self.processors;
+        let (words, rows) = (&own.words, own.rows_per_stage as u32);
+        let slots = vec![Slot::full(own.planes); own.objects];
+        BeamMachine {
+            objects: objects(words, rows, slots),
+            volumes: volumes(words, rows, own.volumes, own.volume_planes as u64),
+            lights: self.lights as u64,
+            loader_places: loader_bits as u32,
         }
     }
 
@@ -221,32 +208,24 @@ impl DisplayRequest {
     /// When a number is out of its range.
     pub fn clocks(&self) -> Result<MachineClocks, EmitError> {
         self.check()?;
-        let word = self.depth_word;
-        let zone = |shape: &ZoneShape| {
-            let core = shape.core(word);
-            MachineClocks {
-                draw: core.draw_clocks() as usize,
-                light: core.light_clocks() as usize,
-                show: SHOW_CLOCKS as usize,
-                settle: core.settle_clocks() as usize,
-                ..MachineClocks::default()
-            }
-        };
-        let beam = |shape: &BeamShape, lights: usize| MachineClocks {
-            pixel: shape.machine(word, lights).latency() as usize,
+        let output = self.kind.output();
+        let behind = MachineClocks {
+            output: output.map_or(0, |output| output.output().latency() as usize),
             ..MachineClocks::default()
         };
-        Ok(match &self.kind {
-            DisplayKind::ZoneCore(shape) | DisplayKind::ZoneMachine(shape, _) => zone(shape),
-            DisplayKind::ZoneDisplay(shape, _, output) => MachineClocks {
-                output: output.output().latency() as usize,
-                ..zone(shape)
-            },
-            DisplayKind::BeamStream(shape, lights, ..) => beam(shape, *lights),
-            DisplayKind::BeamDisplay(shape, lights, output) => MachineClocks {
-                output: output.output().latency() as usize,
-                ..beam(shape, *lights)
-            },
+        let Some(zone) = self.kind.zone() else {
+            return Ok(MachineClocks {
+                pixel: self.beam(0).latency() as usize,
+                ..behind
+            });
+        };
+        let core = self.core(zone);
+        Ok(MachineClocks {
+            draw: core.draw_clocks() as usize,
+            light: core.light_clocks() as usize,
+            show: SHOW_CLOCKS as usize,
+            settle: core.settle_clocks() as usize,
+            ..behind
         })
     }
 
@@ -257,23 +236,59 @@ impl DisplayRequest {
     /// When a number is out of its range.
     pub fn design(&self) -> Result<Design, EmitError> {
         self.check()?;
-        let word = self.depth_word;
         Ok(match &self.kind {
-            DisplayKind::ZoneCore(shape) => machines::zone_core(&shape.core(word)),
-            DisplayKind::ZoneMachine(shape, lights) => {
-                machines::zone_machine(&shape.machine(word, *lights))
+            DisplayKind::ZoneCore(zone) => machines::zone_core(&self.core(zone)),
+            DisplayKind::ZoneMachine(zone) => machines::zone_machine(&self.zone(zone)),
+            DisplayKind::ZoneDisplay(zone, output) => {
+                machines::zone_display(&self.zone(zone), &output.output())
             }
-            DisplayKind::ZoneDisplay(shape, lights, output) => {
-                machines::zone_display(&shape.machine(word, *lights), &output.output())
+            DisplayKind::BeamDisplay(bits, output) => {
+                machines::beam_display(&self.beam(*bits), &output.output())
             }
-            DisplayKind::BeamDisplay(shape, lights, output) => {
-                machines::beam_display(&shape.machine(word, *lights), &output.output())
-            }
-            DisplayKind::BeamStream(shape, lights, width, height) => {
-                let size = (*width as u64, *height as u64);
-                machines::beam_stream(&shape.machine(word, *lights), size)
+            DisplayKind::BeamStream(bits, width, height) => {
+                machines::beam_stream(&self.beam(*bits), (*width as u64, *height as u64))
             }
         })
+    }
+
+    fn parameters(&self) -> Vec<String> {
+        let own = &self.processors;
+        let mut lines = lines(&own.words, own.rows_per_stage);
+        lines.extend([
+            format!("{} object processors of {} planes", own.objects, own.planes),
+            format!(
+                "{} volume processors of {} planes",
+                own.volumes, own.volume_planes
+            ),
+        ]);
+        if let Some(zone) = self.kind.zone() {
+            lines.push(format!(
+                "zones of up to {} pixels",
+                1usize << zone.zone_bits
+            ));
+            if zone.samples > 1 {
+                lines.push(format!("{0} x {0} samples of a pixel", zone.samples));
+            }
+        }
+        let loader = self.kind.loader_bits();
+        lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
+        if !matches!(self.kind, DisplayKind::ZoneCore(_)) {
+            lines.push(format!("{} lights", self.lights));
+        }
+        if let Some(output) = self.kind.output() {
+            let smoothing = ["none", "2 x 2", "3 x 3"][output.kernel.min(2)];
+            let overlay = if output.has_overlay { "yes" } else { "no" };
+            lines.push(format!(
+                "screen of {} x {} pixels",
+                output.width(),
+                output.height()
+            ));
+            lines.push(format!("smoothing {smoothing}, overlay {overlay}"));
+        }
+        if let DisplayKind::BeamStream(_, width, height) = self.kind {
+            lines.push(format!("pictures of {width} x {height} pixels"));
+        }
+        lines
     }
 }
 
@@ -306,7 +321,7 @@ pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, EmitError> {
     let top = format!("{}{}", request.prefix, design.top.name);
     let heading = Heading {
         top: &top,
-        contract: request.contract(),
+        contract: request.kind.contract(),
         parameters: request.parameters(),
         latency: clocks.pixel,
         error: "exact in its integer words; imogene check SCENE bounds what the rounding of a scene to those words costs",
@@ -324,165 +339,5 @@ pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, EmitError> {
     })
 }
 
-impl DisplayRequest {
-    fn contract(&self) -> &'static str {
-        match self.kind {
-            DisplayKind::ZoneCore(_) => {
-                "visible surfaces of a scene of any number of objects, zone by zone"
-            }
-            DisplayKind::ZoneMachine(..) => {
-                "shaded pixels of a scene of any number of objects, zone by zone"
-            }
-            DisplayKind::ZoneDisplay(..) => {
-                "the picture of a scene of any number of objects, drawn zone by zone, on the pins of a screen"
-            }
-            DisplayKind::BeamDisplay(..) => {
-                "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
-            }
-            DisplayKind::BeamStream(..) => {
-                "the picture of a scene, frame after frame over AXI4-Stream, one pixel per clock"
-            }
-        }
-    }
-
-    fn parameters(&self) -> Vec<String> {
-        let mut lines = vec![format!("format {}", self.depth_word)];
-        let mut processors = |objects, planes, volumes, volume_planes, rows| {
-            lines.push(format!("{objects} object processors of {planes} planes"));
-            lines.push(format!(
-                "{volumes} volume processors of {volume_planes} planes"
-            ));
-            lines.push(format!("rows per stage {rows}"));
-        };
-        match &self.kind {
-            DisplayKind::ZoneCore(s)
-            | DisplayKind::ZoneMachine(s, _)
-            | DisplayKind::ZoneDisplay(s, ..) => {
-                processors(
-                    s.objects,
-                    s.planes,
-                    s.volumes,
-                    s.volume_planes,
-                    s.rows_per_stage,
-                );
-                lines.push(format!("zones of up to {} pixels", 1usize << s.zone_bits));
-                if s.samples > 1 {
-                    lines.push(format!("{0} x {0} samples of a pixel", s.samples));
-                }
-            }
-            DisplayKind::BeamDisplay(s, ..) | DisplayKind::BeamStream(s, ..) => {
-                processors(
-                    s.objects,
-                    s.planes,
-                    s.volumes,
-                    s.volume_planes,
-                    s.rows_per_stage,
-                );
-                lines.push(format!(
-                    "{} words of the next frame",
-                    1usize << s.loader_bits
-                ));
-            }
-        }
-        match &self.kind {
-            DisplayKind::ZoneMachine(_, lights) => lines.push(format!("{lights} lights")),
-            DisplayKind::ZoneDisplay(_, lights, o) | DisplayKind::BeamDisplay(_, lights, o) => {
-                lines.push(format!("{lights} lights"));
-                lines.push(format!("screen of {} x {} pixels", o.width(), o.height()));
-                let smoothing = ["none", "2 x 2", "3 x 3"][o.kernel.min(2)];
-                lines.push(format!(
-                    "smoothing {smoothing}, overlay {}",
-                    if o.has_overlay { "yes" } else { "no" }
-                ));
-            }
-            DisplayKind::BeamStream(_, lights, width, height) => {
-                lines.push(format!("{lights} lights"));
-                lines.push(format!("pictures of {width} x {height} pixels"));
-            }
-            DisplayKind::ZoneCore(_) => {}
-        }
-        lines
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const ZONE: ZoneShape = ZoneShape {
-        objects: 2,
-        planes: 1,
-        volumes: 1,
-        volume_planes: 4,
-        rows_per_stage: 4,
-        zone_bits: 8,
-        samples: 1,
-    };
-    const BEAM: BeamShape = BeamShape {
-        objects: 2,
-        planes: 1,
-        volumes: 1,
-        volume_planes: 4,
-        rows_per_stage: 4,
-        loader_bits: 8,
-    };
-
-    fn request(kind: DisplayKind) -> DisplayRequest {
-        DisplayRequest {
-            kind,
-            depth_word: 24,
-            prefix: String::new(),
-            command: "a command".into(),
-        }
-    }
-
-    #[test]
-    fn machines_are_emitted() {
-        let screen = |kernel, has_overlay| OutputShape {
-            mode: VideoMode::VGA,
-            kernel,
-            has_overlay,
-        };
-        let kinds = [
-            (DisplayKind::ZoneCore(ZONE), "zone_core"),
-            (DisplayKind::ZoneMachine(ZONE, 2), "zone_machine"),
-            (
-                DisplayKind::ZoneMachine(ZoneShape { samples: 4, ..ZONE }, 1),
-                "zone_machine",
-            ),
-            (
-                DisplayKind::ZoneDisplay(ZONE, 1, screen(0, false)),
-                "zone_display",
-            ),
-            (
-                DisplayKind::BeamDisplay(BEAM, 1, screen(2, true)),
-                "beam_display",
-            ),
-            (DisplayKind::BeamStream(BEAM, 1, 64, 48), "beam_stream"),
-        ];
-        for (kind, top) in kinds {
-            let emitted = emit_display(&request(kind)).unwrap();
-            assert_eq!(emitted.top, top);
-            let text = emitted.bundle();
-            assert!(text.contains(" [0:255];"), "{top}");
-            if let Ok(folder) = std::env::var("IMOGENE_EMIT") {
-                std::fs::write(format!("{folder}/{top}.v"), text).unwrap();
-            }
-        }
-    }
-
-    #[test]
-    fn numbers_out_of_range_are_refused() {
-        let zone = |change: fn(&mut ZoneShape)| {
-            let mut shape = ZONE;
-            change(&mut shape);
-            emit_display(&request(DisplayKind::ZoneMachine(shape, 1))).is_err()
-        };
-        assert!(zone(|s| s.objects = 0));
-        assert!(zone(|s| s.planes = 13));
-        assert!(zone(|s| s.zone_bits = 15));
-        assert!(zone(|s| s.rows_per_stage = 25));
-        assert!(zone(|s| s.samples = 3));
-        assert!(emit_display(&request(DisplayKind::ZoneMachine(ZONE, 5))).is_err());
-    }
-}
+mod tests;

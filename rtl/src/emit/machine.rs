@@ -1,49 +1,14 @@
 //! Beam machines of any words and slots: hardware that is fitted to a scene.
 
+use super::words::{check_ranges, check_words, lines};
 use super::{EmitError, Emitted, Heading, circuit, names};
 use crate::format::{MOST_OBJECTS, MOST_PLANES};
-use imogene_circuits::machine::{Beam, Load, Slot, Zone, beam};
-use imogene_circuits::object::{Network, Widths};
+pub use imogene_circuits::machine::Slot;
+use imogene_circuits::machine::{Beam, Load, Zone, beam};
+pub use imogene_circuits::machines::MachineWords;
+use imogene_circuits::machines::objects;
 use imogene_hdl::Design;
 use std::fmt::Write;
-
-/// The words from which all others of a machine follow, in bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct MachineWords {
-    /// Depth word `W`.
-    pub depth: usize,
-    /// Root `K`.
-    pub root: usize,
-    /// Last digits of the root that are not computed.
-    pub dropped_rows: usize,
-    /// Plane word `P`.
-    pub plane: usize,
-    /// Normal component.
-    pub normal: usize,
-    /// Guard bits of f1.
-    pub guard_linear: usize,
-    /// Guard bits of f2.
-    pub guard_quadratic: usize,
-}
-
-/// Shape of the quadric processor of a slot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct SlotShape {
-    /// Cut planes, 0 to 12.
-    pub planes: usize,
-    /// With half B, for objects of class front.
-    pub two_volumes: bool,
-}
-
-impl SlotShape {
-    /// A processor for every class of object.
-    pub const fn full(planes: usize) -> Self {
-        Self {
-            planes,
-            two_volumes: true,
-        }
-    }
-}
 
 /// A beam machine.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -53,7 +18,7 @@ pub struct MachineRequest {
     /// Rows of the root network between registers.
     pub rows_per_stage: usize,
     /// Its slots.
-    pub slots: Vec<SlotShape>,
+    pub slots: Vec<Slot>,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
@@ -61,61 +26,31 @@ pub struct MachineRequest {
 }
 
 impl MachineRequest {
-    /// Checks every count; the words are those of a format that the models accept, or the program does not compile.
     fn check(&self) -> Result<(), EmitError> {
-        let range = |parameter, value, least, most| {
-            if (least..=most).contains(&value) {
-                Ok(())
-            } else {
-                Err(EmitError::Range {
-                    parameter,
-                    value,
-                    least,
-                    most,
-                })
-            }
-        };
-        range("objects", self.slots.len(), 1, MOST_OBJECTS)?;
+        check_words(&self.words, self.rows_per_stage)?;
+        check_ranges(&[("objects", self.slots.len(), 1, MOST_OBJECTS)])?;
         for slot in &self.slots {
-            range("planes", slot.planes, 0, MOST_PLANES)?;
+            check_ranges(&[("planes", slot.planes, 0, MOST_PLANES)])?;
         }
-        let rows = self.words.root - self.words.dropped_rows;
-        range("rows per stage", self.rows_per_stage, 1, rows)?;
-        if self.prefix.is_empty() {
-            Ok(())
-        } else {
-            names::check_prefix(&self.prefix)
-        }
+        names::check_optional(&self.prefix)
     }
 
-    /// The machine.
     fn machine(&self) -> Beam {
-        let words = self.words;
-        let (sum, root) = (words.depth + 2, words.root - words.dropped_rows);
-        Beam {
-            depth: words.depth as u32,
-            widths: Widths {
-                linear: (sum + words.guard_linear) as u32,
-                quadratic: (2 * words.root + words.guard_quadratic) as u32,
-                gradient: words.normal as u32 + 8,
-                normal: words.normal as u32,
-                plane: words.plane as u32,
-            },
-            root: Network {
-                sum: sum as u32,
-                digits: words.root as u32,
-                rows: root as u32,
-                rows_per_stage: self.rows_per_stage as u32,
-            },
-            slots: self
-                .slots
-                .iter()
-                .map(|slot| Slot {
-                    planes: slot.planes,
-                    two_volumes: slot.two_volumes,
-                })
-                .collect(),
-        }
+        objects(&self.words, self.rows_per_stage as u32, self.slots.clone())
+    }
+
+    /// The circuit of the machine.
+    ///
+    /// # Errors
+    ///
+    /// When a number is out of its range, or a prefix begins no identifier.
+    pub fn design(&self) -> Result<Design, EmitError> {
+        self.check()?;
+        let machine = self.machine();
+        let load = || Load::input(machine.widths.bus());
+        Ok(Design::of(|| {
+            beam("top", Zone::input(), load(), &machine);
+        }))
     }
 }
 
@@ -125,18 +60,9 @@ impl MachineRequest {
 ///
 /// When a count is out of its range, or a prefix begins no identifier.
 pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
-    request.check()?;
-    let machine = request.machine();
-    let design = Design::of(|| {
-        beam(
-            "top",
-            Zone::input(),
-            Load::input(machine.widths.bus()),
-            &machine,
-        );
-    });
+    let design = request.design()?;
     let ports = circuit::ports(&design);
-    let latency = machine.latency() as usize;
+    let latency = request.machine().latency() as usize;
     let top = format!("{}beam", request.prefix);
     let heading = Heading {
         top: &top,
@@ -159,21 +85,7 @@ pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
 
 /// What the header says of the words and slots.
 fn parameters(request: &MachineRequest) -> Vec<String> {
-    let words = &request.words;
-    let mut lines = vec![
-        format!("depth word {}", words.depth),
-        format!(
-            "root {}, of which the last {} digits are zero",
-            words.root, words.dropped_rows
-        ),
-        format!("plane word {}", words.plane),
-        format!("normal component {}", words.normal),
-        format!(
-            "guard bits {} of f1, {} of f2",
-            words.guard_linear, words.guard_quadratic
-        ),
-        format!("rows per stage {}", request.rows_per_stage),
-    ];
+    let mut lines = lines(&request.words, request.rows_per_stage);
     let mut slots = String::from("slots, by their planes, v with half B:");
     for slot in &request.slots {
         let halves = if slot.two_volumes { "v" } else { "" };
@@ -189,15 +101,7 @@ mod tests {
     use crate::emit::emit;
     use imogene_contract::{Request, Unit};
 
-    const BASE: MachineWords = MachineWords {
-        depth: 16,
-        root: 16,
-        dropped_rows: 0,
-        plane: 28,
-        normal: 16,
-        guard_linear: 0,
-        guard_quadratic: 0,
-    };
+    const BASE: MachineWords = MachineWords::of(16);
 
     fn request(slots: &[(usize, bool)]) -> MachineRequest {
         let slots = slots.iter();
@@ -205,7 +109,7 @@ mod tests {
             words: BASE,
             rows_per_stage: 1,
             slots: slots
-                .map(|&(planes, two_volumes)| SlotShape {
+                .map(|&(planes, two_volumes)| Slot {
                     planes,
                     two_volumes,
                 })
@@ -279,5 +183,23 @@ mod tests {
             ..request(&[(0, false)])
         };
         assert!(emit_machine(&deep).is_err());
+        let refused = |words: MachineWords| {
+            let request = MachineRequest {
+                words,
+                ..request(&[(0, false)])
+            };
+            emit_machine(&request).unwrap_err().to_string()
+        };
+        for depth in [7, 33] {
+            let text = refused(MachineWords::of(depth));
+            assert!(text.contains("legal values are 8 to 32"), "{text}");
+        }
+        let guarded = |depth, guard_linear, guard_quadratic| MachineWords {
+            guard_linear,
+            guard_quadratic,
+            ..MachineWords::of(depth)
+        };
+        assert!(refused(guarded(24, 17, 0)).contains("guard bits of f1 = 17"));
+        assert!(refused(guarded(30, 0, 5)).contains("legal values are 0 to 4"));
     }
 }

@@ -8,6 +8,7 @@ pub mod display;
 pub mod machine;
 mod names;
 mod raw;
+mod words;
 
 pub use census::{Census, census};
 use imogene_circuits::units;

@@ -17,3 +17,11 @@ pub fn check_prefix(prefix: &str) -> Result<(), EmitError> {
         })
     }
 }
+
+/// The same of a prefix that may be empty.
+pub fn check_optional(prefix: &str) -> Result<(), EmitError> {
+    match prefix.is_empty() {
+        true => Ok(()),
+        false => check_prefix(prefix),
+    }
+}

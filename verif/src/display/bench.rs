@@ -1,7 +1,6 @@
 //! The files with which a test bench of a user's own drives a machine: beats, shading words, expected pixels, their
 //! description, and a bench that is ready to run.
 
-use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
 use imogene_models::machine::display::Image;
 use imogene_models::machine::overlay::OverlayPlane;
@@ -15,6 +14,8 @@ const TEMPLATE: &str = include_str!("bench/bench.v");
 
 const BEATS: &str = "beats.hex";
 const SHADING: &str = "shading.hex";
+/// Bits of a word of the shading processor.
+const SHADING_WORD: u32 = 32;
 const PIXELS: &str = "pixels.hex";
 const OVERLAY: &str = "overlay.hex";
 const BENCH: &str = "bench.v";
@@ -135,10 +136,11 @@ impl Bench<'_> {
         Ok(files)
     }
 
-    /// Bits of a beat's data: those of the widest word.
+    /// Bits of a beat's data: those of the widest word, of which that of the shading processor is one.
     fn data_bits(&self) -> usize {
-        let format = Format::new(self.machine.depth_word).expect("a description that was checked");
-        format.quadratic as usize
+        let format = self.machine.format();
+        let bus = format.expect("a description that was checked").bus();
+        bus.max(SHADING_WORD) as usize
     }
 
     fn is_beam(&self) -> bool {

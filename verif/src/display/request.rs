@@ -1,13 +1,14 @@
 //! The hardware of a machine description.
 
+use crate::engine::words_of;
 use imogene_contract::video::{Span, VideoMode};
+use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
 use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::EmitError;
-use imogene_rtl::emit::display::{BeamShape, OutputShape, ZoneShape};
-use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
+use imogene_rtl::emit::display::{DisplayKind, DisplayRequest, OutputShape, Processors, ZoneShape};
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///
@@ -24,49 +25,66 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
         },
         has_overlay: machine.overlay,
     };
-    let rows_per_stage = machine.rows_per_stage as usize;
     let kind = match machine.machine {
         MachineKind::Zone => {
-            let shape = shape(&machine.zone_machine(), rows_per_stage);
+            let shape = shape(&machine.zone_machine());
             match machine.output {
-                Output::Pins => DisplayKind::ZoneDisplay(shape, machine.lights, output),
-                Output::Stream => DisplayKind::ZoneMachine(shape, machine.lights),
+                Output::Pins => DisplayKind::ZoneDisplay(shape, output),
+                Output::Stream => DisplayKind::ZoneMachine(shape),
             }
         }
         MachineKind::Beam => {
-            let shape = BeamShape {
-                objects: machine.objects,
-                planes: machine.planes,
-                volumes: machine.volumes,
-                volume_planes: machine.volume_planes,
-                rows_per_stage,
-                loader_bits: machine.loader_words().next_power_of_two().trailing_zeros() as usize,
-            };
+            let loader_bits = machine.loader_words().next_power_of_two().trailing_zeros() as usize;
             match machine.output {
-                Output::Pins => DisplayKind::BeamDisplay(shape, machine.lights, output),
+                Output::Pins => DisplayKind::BeamDisplay(loader_bits, output),
                 Output::Stream => {
-                    DisplayKind::BeamStream(shape, machine.lights, output.width(), output.height())
+                    DisplayKind::BeamStream(loader_bits, output.width(), output.height())
                 }
             }
         }
     };
+    let format = machine.format().expect("a description that was checked");
     DisplayRequest {
         kind,
-        depth_word: machine.depth_word as usize,
+        processors: Processors {
+            words: words_of(&format.widths()),
+            rows_per_stage: machine.rows_per_stage as usize,
+            objects: machine.objects,
+            planes: machine.planes,
+            volumes: machine.volumes,
+            volume_planes: machine.volume_planes,
+        },
+        lights: machine.lights,
         prefix: String::new(),
         command: command.to_owned(),
     }
 }
 
-/// The hardware of a zone machine.
-pub fn shape(machine: &ZoneMachine, rows_per_stage: usize) -> ZoneShape {
+/// The request for the deciding part of a zone machine.
+pub fn core_request(
+    machine: &ZoneMachine,
+    format: &Format,
+    rows_per_stage: usize,
+) -> DisplayRequest {
+    DisplayRequest {
+        kind: DisplayKind::ZoneCore(shape(machine)),
+        processors: Processors {
+            words: words_of(&format.widths()),
+            rows_per_stage,
+            objects: machine.object_processors,
+            planes: machine.planes,
+            volumes: machine.volume_processors,
+            volume_planes: machine.volume_planes,
+        },
+        lights: 1,
+        prefix: String::new(),
+        command: String::new(),
+    }
+}
+
+fn shape(machine: &ZoneMachine) -> ZoneShape {
     let pixels = machine.zone_width * machine.zone_height;
     ZoneShape {
-        objects: machine.object_processors,
-        planes: machine.planes,
-        volumes: machine.volume_processors,
-        volume_planes: machine.volume_planes,
-        rows_per_stage,
         zone_bits: pixels.next_power_of_two().trailing_zeros().max(1) as usize,
         samples: machine.samples as usize,
     }

@@ -1,6 +1,6 @@
 //! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel compared.
 
-use super::request::shape;
+use super::request::core_request;
 use super::stalls::Stalls;
 use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
@@ -8,7 +8,6 @@ use imogene_models::format::Format;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
 use imogene_models::machine::zone::stream::Beat;
-use imogene_rtl::emit::display::{DisplayKind, DisplayRequest};
 use std::time::Instant;
 
 /// Puts a beat on the command stream of a machine, or none.
@@ -60,12 +59,7 @@ pub fn run(
     for beat in beats {
         golden.beat(beat, |pixel| wanted.push(pixel))?;
     }
-    let request = DisplayRequest {
-        kind: DisplayKind::ZoneCore(shape(machine, options.rows_per_stage)),
-        depth_word: format.depth as usize,
-        prefix: String::new(),
-        command: String::new(),
-    };
+    let request = core_request(machine, format, options.rows_per_stage);
     let mut hardware = Machine::start(&request, options.engine)?;
     let mut stalls = Stalls::new(options.stalls);
     let started = Instant::now();

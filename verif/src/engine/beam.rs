@@ -4,7 +4,8 @@ use super::design::{Design, DesignError, Instance, Simulator, Source};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::emit::{EmitError, Emitted, emit};
+use imogene_rtl::emit::machine::emit_machine;
+use imogene_rtl::emit::{EmitError, Emitted};
 use thiserror::Error;
 
 /// Why a machine cannot be run as Verilog.
@@ -31,11 +32,11 @@ impl BeamDesign {
     ///
     /// When the shape is out of its range, a tool is missing, or a file cannot be written.
     pub fn compile(simulator: Simulator, shape: &MachineShape) -> Result<BeamDesign, BeamError> {
-        let emitted = emit(&shape.request())?;
+        let emitted = emit_machine(&shape.request())?;
         Self::of(
             simulator,
             &emitted,
-            MachineOutputs::signals(shape.depth_word),
+            MachineOutputs::signals(&shape.format.widths()),
         )
     }
 

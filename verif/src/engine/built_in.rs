@@ -3,7 +3,7 @@
 use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::emit::{EmitError, design};
+use imogene_rtl::emit::EmitError;
 
 /// A beam machine in its own simulator.
 pub struct BuiltIn {
@@ -50,13 +50,12 @@ impl BuiltIn {
     ///
     /// When the shape is out of its range.
     pub fn new(shape: &MachineShape) -> Result<BuiltIn, EmitError> {
-        let request = shape.request();
         let inside = processor_signals(shape).into_iter().map(|probe| {
             let point = point(&probe.signal.name);
             (probe, point)
         });
         Ok(BuiltIn {
-            circuit: Circuit::new(&design(&request)?),
+            circuit: Circuit::new(&shape.request().design()?),
             inside: inside.collect(),
         })
     }

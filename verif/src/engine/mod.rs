@@ -12,15 +12,15 @@ pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
-use imogene_contract::{Request, Unit};
+use imogene_models::format::{FittedWidths, Format};
 use imogene_models::object::load::LoadWord;
-use serde::Serialize;
+use imogene_rtl::emit::machine::{MachineRequest, MachineWords, Slot};
 
 /// Shape of a beam machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MachineShape {
-    /// Depth word.
-    pub depth_word: u32,
+    /// Its words.
+    pub format: Format,
     /// Object slots.
     pub objects: usize,
     /// Cut planes of each slot.
@@ -30,14 +30,28 @@ pub struct MachineShape {
 }
 
 impl MachineShape {
-    /// The unit that is the machine.
-    pub fn request(&self) -> Request {
-        Request {
-            objects: self.objects as u32,
-            planes: self.planes as u32,
-            rows_per_stage: self.rows_per_stage as u32,
-            ..Request::of(Unit::Beam, self.depth_word)
+    /// The request for its hardware.
+    pub fn request(&self) -> MachineRequest {
+        MachineRequest {
+            words: words_of(&self.format.widths()),
+            rows_per_stage: self.rows_per_stage,
+            slots: vec![Slot::full(self.planes); self.objects],
+            prefix: String::new(),
+            command: String::new(),
         }
+    }
+}
+
+/// The widths of a golden machine, as hardware is asked for.
+pub fn words_of(widths: &FittedWidths) -> MachineWords {
+    MachineWords {
+        depth: widths.depth,
+        root: widths.root,
+        dropped_rows: widths.dropped_rows,
+        plane: widths.plane,
+        normal: widths.normal,
+        guard_linear: widths.guard_linear,
+        guard_quadratic: widths.guard_quadratic,
     }
 }
 
@@ -62,20 +76,15 @@ pub struct MachineOutputs {
 impl MachineOutputs {
     /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its
     /// visible face.
-    pub fn signals(depth_word: u32) -> Vec<Signal> {
-        Self::signals_of(depth_word, 16)
-    }
-
-    /// The same with normals of so many bits.
-    pub fn signals_of(depth_word: u32, normal: u32) -> Vec<Signal> {
+    pub fn signals(widths: &FittedWidths) -> Vec<Signal> {
         vec![
             Signal::bit("valid"),
-            Signal::signed("depth", depth_word),
+            Signal::signed("depth", widths.depth),
             Signal::unsigned("id", 8),
             Signal::unsigned("number", 4),
-            Signal::signed("nx", normal),
-            Signal::signed("ny", normal),
-            Signal::signed("nz", normal),
+            Signal::signed("nx", widths.normal),
+            Signal::signed("ny", widths.normal),
+            Signal::signed("nz", widths.normal),
         ]
     }
 
@@ -115,16 +124,17 @@ pub struct ProbeSignal {
 
 /// The traced signals of a quadric processor, in the order of the pipeline.
 pub fn processor_signals(shape: &MachineShape) -> Vec<ProbeSignal> {
-    let w = shape.depth_word;
-    let root = (w as usize).div_ceil(shape.rows_per_stage);
+    let format = &shape.format;
+    let (w, sum) = (format.depth, format.sum);
+    let root = (format.root_rows() as usize).div_ceil(shape.rows_per_stage);
     let planes = shape.planes;
     let mut list = Vec::new();
     let mut add = |signal: Signal, offset: usize| list.push(ProbeSignal { signal, offset });
-    add(Signal::signed("f2", 2 * w), 1);
-    add(Signal::signed("f1", w + 2), 1 + root);
-    add(Signal::unsigned("root", w), 1 + root);
-    add(Signal::signed("near_sum", w + 2), 2 + root);
-    add(Signal::signed("far_sum", w + 2), 2 + root);
+    add(Signal::signed("f2", format.pe2_width()), 1);
+    add(Signal::signed("f1", format.pe1_width()), 1 + root);
+    add(Signal::unsigned("root", format.root_rows()), 1 + root);
+    add(Signal::signed("near_sum", sum), 2 + root);
+    add(Signal::signed("far_sum", sum), 2 + root);
     add(Signal::signed("interval_zf_a", w), 3 + root);
     add(Signal::signed("interval_zb_a", w), 3 + root);
     add(Signal::signed("interval_zf_b", w), 3 + root);
@@ -144,7 +154,7 @@ pub fn processor_signals(shape: &MachineShape) -> Vec<ProbeSignal> {
     }
     add(Signal::unsigned("number", 4), 7 + root + planes);
     for name in ["nx", "ny", "nz"] {
-        add(Signal::signed(name, 16), 7 + root + planes);
+        add(Signal::signed(name, format.normal), 7 + root + planes);
     }
     list
 }

@@ -33,19 +33,19 @@ pub(super) struct Band<'a> {
 
 /// Width of a load word of this machine, if the address exists.
 pub(super) fn word_width(address: u8, shape: &MachineShape) -> Option<u32> {
-    let w = shape.depth_word;
+    let format = &shape.format;
     let planes = 24 + 7 * shape.planes;
     match usize::from(address) {
-        0..=2 => Some(w + 2),
-        3..=8 => Some(2 * w),
-        9..=17 => Some(24),
-        18..=20 => Some(16),
+        0..=2 => Some(format.pe1_width()),
+        3..=8 => Some(format.pe2_width()),
+        9..=17 => Some(format.normal_linear),
+        18..=20 => Some(format.normal),
         21 | 22 => Some(24),
         23 => Some(7),
         a if a < planes => Some(match (a - 24) % 7 {
             0 => 2,
-            1..=3 => w + 12,
-            _ => 16,
+            1..=3 => format.plane,
+            _ => format.normal,
         }),
         _ => None,
     }

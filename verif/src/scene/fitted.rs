@@ -3,32 +3,22 @@
 use super::{Bands, CosimError, Options, fitted_to, quadric_words};
 use crate::engine::beam::{BeamDesign, BeamError};
 use crate::engine::design::Simulator;
-use crate::engine::{Engine, MachineOutputs};
+use crate::engine::{Engine, MachineOutputs, words_of};
 use crate::report::Report;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::PreparedScene;
 use imogene_rtl::emit::Emitted;
-use imogene_rtl::emit::machine::SlotShape;
-use imogene_rtl::emit::machine::{MachineRequest, MachineWords};
+use imogene_rtl::emit::machine::{MachineRequest, Slot};
 
 /// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
 pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
-    let words = &machine.widths;
     let slots = machine.slots.iter();
     MachineRequest {
-        words: MachineWords {
-            depth: words.depth as usize,
-            root: words.root as usize,
-            dropped_rows: words.dropped_rows as usize,
-            plane: words.plane as usize,
-            normal: words.normal as usize,
-            guard_linear: words.guard_linear as usize,
-            guard_quadratic: words.guard_quadratic as usize,
-        },
+        words: words_of(&machine.widths),
         rows_per_stage: machine.rows_per_stage as usize,
         slots: slots
-            .map(|slot| SlotShape {
+            .map(|slot| Slot {
                 planes: slot.planes as usize,
                 two_volumes: slot.two_volumes,
             })
@@ -48,9 +38,7 @@ pub fn compile(
     machine: &FittedMachine,
     emitted: &Emitted,
 ) -> Result<BeamDesign, BeamError> {
-    let words = &machine.widths;
-    let outputs = MachineOutputs::signals_of(words.depth, words.normal);
-    BeamDesign::of(simulator, emitted, outputs)
+    BeamDesign::of(simulator, emitted, MachineOutputs::signals(&machine.widths))
 }
 
 /// Runs a scene through machines that `engine` makes, and compares with the golden machine; `scene` was prepared in the machine's words.
@@ -70,7 +58,7 @@ pub fn run<E: Engine>(
     let bands = Bands {
         scene,
         words: fitted_to(&words, &planes),
-        outputs: MachineOutputs::signals_of(machine.widths.depth, machine.widths.normal),
+        outputs: MachineOutputs::signals(&machine.widths),
         latency: machine.latency(&scene.format) as usize,
         options,
     };

@@ -125,7 +125,7 @@ pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineS
     if planes > MAX_PLANES {
         return Err(CosimError::Planes { count: planes });
     }
-    let limit = scene.format.root;
+    let limit = scene.format.root_rows();
     if !(1..=limit as usize).contains(&rows_per_stage) {
         return Err(CosimError::Rows {
             value: rows_per_stage,
@@ -133,7 +133,7 @@ pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineS
         });
     }
     Ok(MachineShape {
-        depth_word: scene.format.depth,
+        format: scene.format,
         objects: count,
         planes,
         rows_per_stage,
@@ -178,7 +178,7 @@ pub fn run<E: Engine>(
     let bands = Bands {
         scene,
         words: fitted_to(&all_words, &planes),
-        outputs: MachineOutputs::signals(shape.depth_word),
+        outputs: MachineOutputs::signals(&scene.format.widths()),
         latency: latency(scene, &shape) as usize,
         options,
     };

@@ -31,7 +31,7 @@ bundles! {
 }
 
 /// A place for an object.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Slot {
     /// Cut planes.
     pub planes: usize,
@@ -53,6 +53,14 @@ pub struct Objects {
 }
 
 impl Slot {
+    /// A place for objects of every class.
+    pub const fn full(planes: usize) -> Slot {
+        Slot {
+            planes,
+            two_volumes: true,
+        }
+    }
+
     /// Clocks of its processor beyond those of one without planes and half B.
     fn more(&self) -> u32 {
         self.planes as u32 + u32::from(self.two_volumes)

@@ -1,0 +1,115 @@
+//! The files of a run.
+
+use super::Scene;
+use crate::failure::Failure;
+use imogene_files::Outputs;
+use imogene_models::machine::description::MachineDescription;
+use imogene_models::machine::display::Image;
+use imogene_models::machine::overlay::OverlayPlane;
+use imogene_models::machine::zone::clocks::ZoneTiming;
+use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
+use imogene_models::machine::zone::plot::plot;
+use imogene_models::picture;
+use imogene_models::prepare::PreparedScene;
+use imogene_rtl::emit::display::{DisplayRequest, emit_display};
+use imogene_verif::display::bench::{Bench, BenchFrame};
+use imogene_verif::display::pins::PinsOutcome;
+use imogene_verif::display::request::zone_timing;
+use std::path::Path;
+
+/// Adds the Verilog to the files; returns the name of the top module.
+pub(super) fn add_verilog(
+    request: &DisplayRequest,
+    out: &Path,
+    files: &mut Outputs,
+) -> Result<String, Failure> {
+    let emitted = emit_display(request).map_err(Failure::input)?;
+    let path = out.join(format!("{}.v", emitted.top));
+    files.add_text(&path, &emitted.bundle())?;
+    Ok(emitted.top)
+}
+
+/// Adds what a bench of the user's own drives the machine with.
+pub(super) fn add_bench(
+    machine: &MachineDescription,
+    top: &str,
+    scenes: &[Scene],
+    images: &[Image],
+    overlay: Option<&OverlayPlane>,
+    (out, files): (&Path, &mut Outputs),
+) -> Result<(), Failure> {
+    let frames = scenes.iter().zip(images).map(|(scene, image)| BenchFrame {
+        scene: &scene.name,
+        image,
+    });
+    let frames: Vec<BenchFrame> = frames.collect();
+    let bench = Bench {
+        machine,
+        top,
+        frames: &frames,
+        overlay,
+    };
+    for (name, text) in bench.files().map_err(Failure::input)? {
+        files.add_text(&out.join(name), &text)?;
+    }
+    Ok(())
+}
+
+pub(super) fn zone_timing_of(
+    request: &DisplayRequest,
+    machine: &MachineDescription,
+) -> Result<Option<ZoneTiming>, Failure> {
+    match machine.zone {
+        Some(_) => zone_timing(request).map(Some).map_err(Failure::input),
+        None => Ok(None),
+    }
+}
+
+pub(super) fn grow(
+    scene: &PreparedScene,
+    machine: &MachineDescription,
+    timing: Option<ZoneTiming>,
+    out: &Path,
+    files: &mut Outputs,
+) -> Result<Vec<Growth>, Failure> {
+    let timing = timing.ok_or_else(|| {
+        Failure::Input("--growth counts the passes of a zone machine; a beam machine has one clock for each pixel whatever the scene".into())
+    })?;
+    let shape = machine.zone_machine();
+    let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS);
+    let rows = rows.map_err(Failure::input)?;
+    let title = format!(
+        "clocks of a frame of {} x {} pixels",
+        scene.width / machine.supersampling,
+        scene.height / machine.supersampling
+    );
+    let text = plot(&title, &rows).map_err(Failure::input)?;
+    files.add_text(&out.join("growth.svg"), &text)?;
+    Ok(rows)
+}
+
+pub(super) fn write_pictures(
+    machine: &MachineDescription,
+    golden: Option<&[u8]>,
+    outcome: Option<&PinsOutcome>,
+    out: &Path,
+    files: &mut Outputs,
+) -> Result<(), Failure> {
+    let Some((mode, golden)) = machine.video_mode().zip(golden) else {
+        return Ok(());
+    };
+    let size = (mode.line.active as usize, mode.frame.active as usize);
+    let mut write = |name: &str, picture: &[u8]| {
+        files.add(&out.join(name), |out| {
+            picture::png(out, size.0, size.1, picture)
+        })?;
+        Ok::<(), Failure>(())
+    };
+    write("golden.png", golden)?;
+    match outcome {
+        Some(outcome) if outcome.picture.len() == golden.len() => {
+            write("pins.png", &outcome.picture)
+        }
+        _ => Ok(()),
+    }
+}
