@@ -243,7 +243,7 @@ fn usage_and_parameters_out_of_range() {
             vec!["emit", "beam", "--objects", "257", "--out", out],
             &["257", "256"],
         ),
-        (vec!["cosim", "pe1", "--format", "7"], &["7", "24"]),
+        (vec!["cosim", "pe1", "--format", "7"], &["7", "8 to 32"]),
         (vec!["cosim", "nothing"], &["nothing", "pe1"]),
         (
             vec!["render", "x.toml", "--size", "10by10", "-o", "p.png"],
@@ -317,9 +317,10 @@ fn guard_bits_that_cannot_be_had_are_refused() {
     refused(&["--guards", "3"], &["expected G1:G2"]);
     refused(&["--guards", "17:0"], &["at most 16"]);
     refused(&["--guards", "0:4", "--format", "32"], &["64", "at most 0"]);
+    refused(&["--format", "7"], &["7 bits", "8 to 32"]);
     refused(
-        &["--guards", "2:4", "--model", "rtl"],
-        &["no guard bits", "--model golden"],
+        &["--format", "40", "--model", "rtl"],
+        &["40 bits", "8 to 32"],
     );
 }
 
@@ -335,6 +336,6 @@ fn bounds_refuse_what_they_cannot_try() {
     let cone = cone.to_str().unwrap();
     refused(&["--sizes", "64x48"], &["required"]);
     refused(&[cone, "--cases", "5"], &["cannot be used with"]);
-    refused(&[cone, "--formats", "25"], &["25", "16, 20, 24, 28, 32"]);
+    refused(&[cone, "--formats", "40"], &["40", "8 to 32"]);
     refused(&["nowhere.toml"], &["nowhere.toml"]);
 }

@@ -91,6 +91,11 @@ fn the_bench_that_is_written_finds_every_pixel() {
         (format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"), &[]),
         (format!("{BEAM}{COMMON}{STREAM}"), &[]),
         (format!("{ZONE}{COMMON}{STREAM}"), &[]),
+        // Words of f2 that are no whole number of hexadecimal digits long.
+        (
+            format!("{ZONE}{COMMON}{STREAM}depth_word = 17\nwidths = {{ g1 = 10, g2 = 3 }}\n"),
+            &[],
+        ),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let mask = folder.path().join("mask.png");

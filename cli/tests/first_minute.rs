@@ -133,13 +133,13 @@ fn a_trade_of_a_scene_that_no_machine_draws_is_refused() {
 }
 
 #[test]
-fn a_machine_of_the_catalogue_is_said_to_have_no_guard_bits() {
+fn processors_by_themselves_are_said_to_have_no_guard_bits() {
     let folder = tempfile::tempdir().unwrap();
-    let cone = scene("cone.toml");
-    let arguments = ["render", cone.to_str().unwrap(), "--size", "40x30"];
-    let more = ["--model", "rtl", "--guards", "1:2"];
+    let mesh = scene("processors/mesh.toml");
+    let arguments = ["render", mesh.to_str().unwrap(), "--size", "40x30"];
+    let more = ["--model", "rtl", "--guards", "10:0"];
     let (code, _, error) = run(folder.path(), &[&arguments[..], &more].concat());
     assert_eq!(code, Some(2));
-    assert!(error.contains("imogene fit"), "{error}");
-    assert!(!folder.path().join("cone.png").exists());
+    assert!(error.contains("imogene machine"), "{error}");
+    assert!(!folder.path().join("mesh.png").exists());
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 const SMALL: [(&str, &str); 2] = [
     (
         "machine = \"beam\"\nobjects = 10\n",
-        "loader_words = 1024\n",
+        "loader_words = 1024\ndepth_word = 18\nwidths = { g1 = 2, g2 = 3, normal = 14 }\n",
     ),
     (
         "machine = \"zone\"\nobjects = 3\n",
@@ -299,7 +299,34 @@ fn what_a_machine_cannot_show_is_refused_and_leaves_nothing() {
     let zone_machine = "machine = \"zone\" # was \"beam\"";
     refused("scenes/shadows/sphere-surface.toml", beam, zone_machine);
     let zone = "machines/zone-160x120.toml";
-    refused("scenes/processors/mesh.toml", zone, "guard bits");
+    let mesh = "scenes/processors/mesh.toml";
+    refused(
+        mesh,
+        zone,
+        "widths = { g1 = 10 } in the machine description",
+    );
+    let words = folder.path().join("words.toml");
+    for (line, says) in [
+        (
+            "depth_word = 7",
+            "depth word of 7 bits: accepted are 8 to 32",
+        ),
+        (
+            "depth_word = 40",
+            "depth word of 40 bits: accepted are 8 to 32",
+        ),
+        ("widths = { g1 = 17 }", "guard bits 17:0: at most 16 each"),
+        ("depth_word = 31\nwidths = { g2 = 3 }", "accepts at most 2"),
+        (
+            "widths = { plane = 20 }",
+            "plane word of 20 bits: accepted are 24 to 36",
+        ),
+    ] {
+        let text = format!("machine = \"beam\"\nobjects = 10\n{COMMON}{line}\n");
+        std::fs::write(&words, text).expect("a file");
+        let words = words.to_str().expect("a plain path");
+        refused("scenes/teapot.toml", words, says);
+    }
     let mask = ["--overlay", "docs/images/trace.png"];
     refused_with("scenes/teapot.toml", zone, &mask, "overlay = true");
     let description = folder.path().join("overlaid.toml");

@@ -427,12 +427,9 @@ fn usage_is_refused_in_plain_words() {
         (&["bounds", "--cases", "x"], "a whole number is expected"),
         (
             &["render", "c.toml", "-o", "x", "--format", "nan"],
-            "16, 20, 24, 28 or 32",
+            "8 to 32",
         ),
-        (
-            &["emit", "pe1", "--out", "x", "--format", ""],
-            "16, 20, 24, 28 or 32",
-        ),
+        (&["emit", "pe1", "--out", "x", "--format", ""], "8 to 32"),
         (
             &["fit", "c.toml", "--out", "x", "--max-depth-error", "-1"],
             "is no limit of a depth",

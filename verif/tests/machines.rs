@@ -81,6 +81,67 @@ fn the_beam_machine_in_the_built_in_simulator() {
     run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
 }
 
+/// A machine of these words with a small screen.
+fn of_words(name: &str, words: &str) -> MachineDescription {
+    let machine = small(name, 48, 36, 40);
+    let text = format!(
+        "machine = \"zone\"\nobjects = 1\nplanes = 0\nmode = \"160x120\"\nzone = {{ width = 1, height = 1 }}\n{words}\n"
+    );
+    let own = MachineDescription::parse(&text, "words").expect("a description");
+    MachineDescription {
+        depth_word: own.depth_word,
+        widths: own.widths,
+        rows_per_stage: 5,
+        ..machine
+    }
+}
+
+#[test]
+fn machines_of_any_words_in_the_built_in_simulator() {
+    let own = "widths = { root = 20, plane = 29, normal = 13, g1 = 3, g2 = 5, dropped = 2 }";
+    let own = format!("depth_word = 20\n{own}");
+    let (zone, beam) = ("zone-160x120.toml", "beam-160x120.toml");
+    let cases: [(&str, &str, &str); 8] = [
+        ("shadows/robot.toml", zone, "depth_word = 18"),
+        ("shadows/robot.toml", zone, &own),
+        ("teapot.toml", zone, "depth_word = 8"),
+        (
+            "teapot.toml",
+            zone,
+            "depth_word = 31\nwidths = { g1 = 16, g2 = 2 }",
+        ),
+        ("teapot.toml", beam, "depth_word = 18"),
+        ("teapot.toml", beam, &own),
+        ("teapot.toml", beam, "depth_word = 11"),
+        ("crossing-cylinders.toml", "beam-stream.toml", &own),
+    ];
+    for (scene, name, words) in cases {
+        let machine = of_words(name, words);
+        let image = drawn(scene, &machine);
+        assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
+        run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
+    }
+}
+
+#[test]
+fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
+    let machine = small("zone-guarded.toml", 64, 48, 12);
+    let stream = MachineDescription {
+        output: Output::Stream,
+        ..machine.clone()
+    };
+    for (scene, machine, engine) in [
+        ("processors/mesh.toml", &machine, VERILATOR),
+        ("processors/mesh.toml", &stream, DisplayEngine::RustHdl),
+        ("terrain/hills.toml", &machine, DisplayEngine::RustHdl),
+    ] {
+        let image = drawn(scene, machine);
+        let is_seen = |id: &i32| *id >= 0;
+        assert!(image.frame.id.iter().filter(|id| is_seen(id)).count() > 300);
+        run(machine, &[image], &quiet(engine));
+    }
+}
+
 #[test]
 fn the_beam_machine_smooths_and_never_tears() {
     for smoothing in [Smoothing::None, Smoothing::Box, Smoothing::Binomial] {

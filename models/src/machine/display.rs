@@ -14,6 +14,7 @@ use super::zone::stream::{Beat, kind};
 use crate::object::as_quadric::AsQuadricError;
 use crate::object::load::load_words;
 use crate::object::load_volume::load_volume;
+use crate::object::paraboloid::plane_guard;
 use crate::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use crate::object::slot::{ProcessorWords, Slot};
 use crate::object::unused;
@@ -48,6 +49,18 @@ pub enum DisplayError {
         object: String,
         /// Why not.
         why: AsQuadricError,
+    },
+    /// A facet whose depths are not in its words.
+    #[error(
+        "object '{object}': {why}; widths = {{ g1 = {enough} }} in the machine description is enough for every facet"
+    )]
+    Guards {
+        /// Its name.
+        object: String,
+        /// Why not.
+        why: AsQuadricError,
+        /// Guard bits of f1 with which every facet is drawn.
+        enough: u32,
     },
     /// A volume that its processors are not for.
     #[error("volume '{volume}': {why}")]
@@ -246,6 +259,11 @@ pub(super) fn parts(
             AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
                 what: format!("object '{}'", object()),
                 needed,
+            },
+            AsQuadricError::GuardBits { .. } => DisplayError::Guards {
+                object: object(),
+                why,
+                enough: plane_guard(&prepared.format),
             },
             why => DisplayError::Object {
                 object: object(),

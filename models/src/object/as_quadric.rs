@@ -41,9 +41,9 @@ pub enum AsQuadricError {
         /// Of the format.
         available: u32,
     },
-    /// Facets have words of the catalogue only.
+    /// Facets have no words of their own widths.
     #[error(
-        "the words of a facet are those of a format of the catalogue; this format is fitted to a scene"
+        "the words of a facet follow from the depth word; of other widths only g1 and g2 are accepted"
     )]
     Fitted,
 }

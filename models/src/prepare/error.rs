@@ -52,8 +52,8 @@ pub enum PrepareError {
     },
     /// A fitted machine has quadric processors alone.
     #[error(
-        "object '{object}': drawn by a processor of which there is none in fitted widths; \
-         take a format of the catalogue, or draw it by the processor \"quadric\" or \"patch\""
+        "object '{object}': drawn by a processor whose widths all follow from the depth word; \
+         give --format, or draw it by the processor \"quadric\" or \"patch\""
     )]
     NotFitted {
         /// Name of the object.

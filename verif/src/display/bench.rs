@@ -14,8 +14,6 @@ const TEMPLATE: &str = include_str!("bench/bench.v");
 
 const BEATS: &str = "beats.hex";
 const SHADING: &str = "shading.hex";
-/// Bits of a word of the shading processor.
-const SHADING_WORD: u32 = 32;
 const PIXELS: &str = "pixels.hex";
 const OVERLAY: &str = "overlay.hex";
 const BENCH: &str = "bench.v";
@@ -136,11 +134,11 @@ impl Bench<'_> {
         Ok(files)
     }
 
-    /// Bits of a beat's data: those of the widest word, of which that of the shading processor is one.
+    /// Bits of a beat's data: those of the widest word, at least the 32 of the shading processor.
     fn data_bits(&self) -> usize {
         let format = self.machine.format();
         let bus = format.expect("a description that was checked").bus();
-        bus.max(SHADING_WORD) as usize
+        bus.max(32) as usize
     }
 
     fn is_beam(&self) -> bool {
@@ -290,6 +288,7 @@ impl Bench<'_> {
             width,
             height,
             data,
+            padded => data.next_multiple_of(4),
             patience => 4 * (mode.clocks() + zone + 1000),
             beam => self.is_beam(),
             pins => self.has_pins(),
@@ -311,6 +310,7 @@ fn overlay(plane: &OverlayPlane) -> Words<'static> {
 }
 
 fn beat_fields(data: usize) -> [Field; 5] {
+    let digits = data.div_ceil(4);
     [
         field(
             "last",
@@ -331,7 +331,7 @@ fn beat_fields(data: usize) -> [Field; 5] {
             16,
             "s_tuser, bits 15..0: address of the word, object of the material, or the command",
         ),
-        field("data", data / 4, data, "s_tdata: the word, in its low bits"),
+        field("data", digits, data, "s_tdata: the word, in its low bits"),
     ]
 }
 

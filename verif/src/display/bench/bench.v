@@ -18,8 +18,8 @@ module bench;
     reg clock = 0;
     always #5 clock = !clock;
 
-    // A beat, from its high end: last beat of a frame (4 bits), kind (4), unit (8), address (16), data ({{ data }}).
-    reg [{{ data + 31 }}:0] beats [0:BEATS-1];
+    // A beat, from its high end: last beat of a frame (4 bits), kind (4), unit (8), address (16), data ({{ padded }}).
+    reg [{{ padded + 31 }}:0] beats [0:BEATS-1];
     // A pixel: red, green, blue.
     reg [23:0] pixels [0:FRAMES*PIXELS-1];
 {%- if overlay %}
@@ -43,10 +43,10 @@ module bench;
     integer sent = 0, ended = 0, compared = 0;
     wire ready;
     wire valid = sent < BEATS && ended == compared{% if overlay %} && written == {{ overlay }}{% endif %};
-    wire [{{ data + 31 }}:0] beat = beats[valid ? sent : 0];
+    wire [{{ padded + 31 }}:0] beat = beats[valid ? sent : 0];
     always @(posedge clock) if (valid && ready) begin
         sent <= sent + 1;
-        if (beat[{{ data + 28 }}]) ended <= ended + 1;
+        if (beat[{{ padded + 28 }}]) ended <= ended + 1;
     end
 {% if beam %}
     wire swapped, refused;
@@ -63,8 +63,8 @@ module bench;
 {%- endif %}
     {{ top }} machine (
         .clock(clock),
-        .s_tvalid(valid), .s_tready(ready), .s_tdest(beat[{{ data + 27 }}:{{ data + 24 }}]),
-        .s_tuser(beat[{{ data + 23 }}:{{ data }}]), .s_tdata(beat[{{ data - 1 }}:0]){% if beam %}, .s_tlast(beat[{{ data + 28 }}]){% endif %},
+        .s_tvalid(valid), .s_tready(ready), .s_tdest(beat[{{ padded + 27 }}:{{ padded + 24 }}]),
+        .s_tuser(beat[{{ padded + 23 }}:{{ padded }}]), .s_tdata(beat[{{ data - 1 }}:0]){% if beam %}, .s_tlast(beat[{{ padded + 28 }}]){% endif %},
 {%- if overlay %}
         .overlay_write(written < {{ overlay }}), .overlay_address(written[15:0]), .overlay_data(overlay[written]),
         .overlay_enable(1'b1), .overlay_colour(24'h{{ overlay_colour }}),
