@@ -135,9 +135,15 @@ fn the_lines_that_a_refusal_advises_are_accepted() {
     .map(common::scene);
     let [teapot, robot, cylinders, molecule] = [&*teapot, &*robot, &*cylinders, &*molecule];
     let few = ["objects = 10 ", "planes = ", "lights = 2 # was 1"];
-    let cases: [(&[&Path], &str, &[&str]); 7] = [
+    let slotted = beam.replace("objects = 1\nplanes = 0", "slots = \"3,0\"");
+    let cases: [(&[&Path], &str, &[&str]); 8] = [
         (&[teapot], &beam, &[few.as_slice(), &["mode = "]].concat()),
         (&[cylinders, teapot], &stream, &few),
+        (
+            &[teapot],
+            &slotted,
+            &["slots = \"3,2,", "objects = 10 # was 2", "lights = 2"],
+        ),
         (
             &[teapot],
             beam_640,

@@ -2,6 +2,7 @@
 
 use crate::machine::fitted::FittedSlot;
 use crate::object::quadric::MAX_PLANES;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Text that names no slots.
@@ -35,6 +36,25 @@ pub fn print(slots: &[FittedSlot]) -> String {
         format!("{}{half}", slot.planes)
     };
     slots.iter().map(slot).collect::<Vec<_>>().join(",")
+}
+
+/// Slots that are written as text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Slots(pub Vec<FittedSlot>);
+
+impl TryFrom<String> for Slots {
+    type Error = SlotsError;
+
+    fn try_from(text: String) -> Result<Slots, SlotsError> {
+        parse(&text).map(Slots)
+    }
+}
+
+impl From<Slots> for String {
+    fn from(slots: Slots) -> String {
+        print(&slots.0)
+    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use imogene_models::machine::display::{Image, image};
 use imogene_models::machine::overlay::OverlayPlane;
 use imogene_models::prepare::prepare;
 use imogene_models::scene::SceneFile;
+use imogene_models::slots::{Slots, parse};
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::engine::design::Simulator;
@@ -121,6 +122,17 @@ fn machines_of_any_words_in_the_built_in_simulator() {
         assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
         run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
     }
+}
+
+#[test]
+fn slots_that_are_not_alike_show_the_golden_picture() {
+    let mut machine = small("beam-160x120.toml", 48, 36, 40);
+    let alike = drawn("teapot.toml", &machine);
+    // As `imogene check` says of the scene in this size, a few with more than they need.
+    machine.slots = Some(Slots(parse("2,2,2,1v,2,0,2v,3,3,3").expect("slots")));
+    let image = drawn("teapot.toml", &machine);
+    assert!(image.beats.len() < alike.beats.len());
+    run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
 }
 
 #[test]

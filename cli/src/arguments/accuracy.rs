@@ -61,7 +61,7 @@ pub struct Bounds {
 pub struct Sweep {
     /// Sweeps by name, listed in docs/sweeps.md; all of them if none is named.
     pub names: Vec<String>,
-    /// Depth word in bits: 16, 20, 24, 28 or 32; the sweep word-length tries them all.
+    /// Depth word in bits, 8 to 32; the sweep word-length tries them all.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Folder for NAME.svg of each sweep, sweeps.json and sweeps.md; nothing is written without it.

@@ -19,7 +19,7 @@ pub struct Raytrace {
     /// Picture size in pixels; each scene's own if not given.
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
-    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    /// Depth word in bits, 8 to 32.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// How the scenes are looked at.

@@ -20,7 +20,7 @@ pub struct Processors {
 /// Arguments of `roots`.
 #[derive(Debug, Args)]
 pub struct Roots {
-    /// Depth word in bits, that is the root's: 16, 20, 24, 28 or 32.
+    /// Depth word in bits, that is the root's, 8 to 32.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
 }

@@ -2,11 +2,13 @@
 
 mod check;
 
+use super::fitted::FittedSlot;
 use super::post_filter::Kernel;
 use super::video_timing::{MODES, Span, VideoMode};
 use super::zone::ZoneMachine;
 use crate::format::{FittedError, Format};
 use crate::scene::{in_plain_words, line_and_column};
+use crate::slots::Slots;
 use crate::widths::OwnWidths;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -111,9 +113,14 @@ pub struct MachineDescription {
     #[serde(default = "one")]
     pub rows_per_stage: u32,
     /// Object processors; in a beam machine one for each part of an object.
+    #[serde(default)]
     pub objects: usize,
     /// Cut planes of each.
+    #[serde(default)]
     pub planes: usize,
+    /// Object processors of a beam machine that are not all alike, in place of `objects` and `planes`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slots: Option<Slots>,
     /// Volume processors; in a beam machine one for each volume.
     #[serde(default)]
     pub volumes: usize,
@@ -234,7 +241,7 @@ impl MachineDescription {
     ///
     /// As [`Self::read`].
     pub fn parse(text: &str, file: &str) -> Result<MachineDescription, DescriptionError> {
-        let description: Self = toml::from_str(text).map_err(|error| {
+        let mut description: Self = toml::from_str(text).map_err(|error| {
             let start = error.span().map_or(0, |span| span.start);
             let (line, column) = line_and_column(text, start);
             DescriptionError::Syntax {
@@ -244,8 +251,36 @@ impl MachineDescription {
                 problem: in_plain_words(error.message()),
             }
         })?;
+        description.count_slots();
         description.check(file)?;
         Ok(description)
+    }
+
+    /// Counts objects and planes where they are not given.
+    fn count_slots(&mut self) {
+        let slots = self.slots();
+        if self.objects == 0 {
+            self.objects = slots.len();
+        }
+        if self.planes == 0 {
+            self.planes = slots
+                .iter()
+                .map(|slot| slot.planes as usize)
+                .max()
+                .unwrap_or(0);
+        }
+    }
+
+    /// Its object processors.
+    pub fn slots(&self) -> Vec<FittedSlot> {
+        let alike = FittedSlot {
+            planes: self.planes as u32,
+            two_volumes: true,
+        };
+        match &self.slots {
+            Some(Slots(slots)) => slots.clone(),
+            None => vec![alike; self.objects],
+        }
     }
 
     /// The format of its words.

@@ -312,12 +312,16 @@ pub(super) fn beam_words(
         .iter()
         .map(|&(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
+    let slots = machine.slots();
     for (place, (object, words)) in parts.iter().enumerate() {
+        let planes = slots
+            .get(place)
+            .map_or(machine.planes, |slot| slot.planes as usize);
         let material = materials[*object].into();
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
         let mut words = words.clone();
-        words.planes.resize(machine.planes, PlaneWords::default());
-        let words = load_words(&words, format, machine.planes);
+        words.planes.resize(planes, PlaneWords::default());
+        let words = load_words(&words, format, planes);
         beats.extend(
             words
                 .iter()

@@ -40,6 +40,14 @@ impl FittedSlot {
         }
     }
 
+    /// A slot for the objects of both.
+    pub fn or(&self, other: &FittedSlot) -> FittedSlot {
+        FittedSlot {
+            planes: self.planes.max(other.planes),
+            two_volumes: self.two_volumes || other.two_volumes,
+        }
+    }
+
     /// Clocks from a slot's raster flags to its outputs.
     pub fn latency(&self, format: &Format, rows_per_stage: u32) -> u32 {
         let merge = u32::from(self.two_volumes);

@@ -2,6 +2,7 @@
 
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
 use super::display::{DisplayError, beam_words, parts, volumes};
+use super::fitted::FittedSlot;
 use super::shader::MOST_LIGHTS;
 use super::zone::ID_BITS;
 use super::zone::plan::PlanError;
@@ -9,6 +10,7 @@ use crate::object::quadric::MAX_PLANES;
 use crate::prepare::PreparedScene;
 use crate::prepare::shader::ShaderError;
 use crate::scene::FramedScene;
+use crate::slots::Slots;
 
 /// Zone of a machine that takes the place of a beam machine.
 const ZONE: ZoneSize = ZoneSize {
@@ -63,6 +65,16 @@ fn add(
         MachineKind::Beam => (parts.len(), volumes.len()),
         MachineKind::Zone => (1, volumes.len().min(1)),
     };
+    if let Some(Slots(slots)) = &mut machine.slots {
+        let none = FittedSlot {
+            planes: 0,
+            two_volumes: false,
+        };
+        slots.resize(slots.len().max(parts.len()), none);
+        for (slot, (_, words)) in slots.iter_mut().zip(&parts) {
+            *slot = slot.or(&FittedSlot::of(words));
+        }
+    }
     let planes = parts.iter().map(|(_, words)| words.planes.len()).max();
     let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
     for (given, needed) in [
@@ -119,6 +131,7 @@ fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) 
         volumes: beam.volumes.max(enough.volumes.min(1)),
         zone: Some(ZONE),
         loader_words: None,
+        slots: None,
         mode: beam.mode.clone(),
         ..enough.clone()
     };

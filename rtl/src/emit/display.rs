@@ -1,9 +1,10 @@
 //! Machines with everything between the object processors and the picture.
 
-use super::words::{check_ranges, check_words, lines};
+use super::words::{check_ranges, check_slots, check_words, lines, slots_line};
 use super::{EmitError, Emitted, Heading, circuit, names};
 use crate::format::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
-use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, Slot, ZoneCore, ZoneMachine};
+pub use imogene_circuits::machine::Slot;
+use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, ZoneCore, ZoneMachine};
 pub use imogene_circuits::machines::MachineWords;
 use imogene_circuits::machines::{self, objects, volumes};
 use imogene_circuits::video::Output;
@@ -16,16 +17,14 @@ pub const ZONE_BITS: usize = 14;
 pub const LOADER_BITS: usize = 16;
 
 /// The processors of a machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Processors {
     /// Their words.
     pub words: MachineWords,
     /// Rows of the root networks between registers.
     pub rows_per_stage: usize,
     /// Object processors, in a beam machine one for each object.
-    pub objects: usize,
-    /// Cut planes of each.
-    pub planes: usize,
+    pub slots: Vec<Slot>,
     /// Volume processors, in a beam machine one for each volume; may be none.
     pub volumes: usize,
     /// Planes of each.
@@ -151,9 +150,8 @@ impl DisplayRequest {
     fn check(&self) -> Result<(), EmitError> {
         let own = &self.processors;
         check_words(&own.words, own.rows_per_stage)?;
+        check_slots(&own.slots)?;
         check_ranges(&[
-            ("objects", own.objects, 1, MOST_OBJECTS),
-            ("planes", own.planes, 0, MOST_PLANES),
             ("volumes", own.volumes, 0, MOST_OBJECTS),
             ("volume planes", own.volume_planes, 0, MOST_PLANES),
             ("lights", self.lights, 1, MOST_LIGHTS),
@@ -192,9 +190,8 @@ impl DisplayRequest {
     fn beam(&self, loader_bits: usize) -> BeamMachine {
         let own = &self.processors;
         let (words, rows) = (&own.words, own.rows_per_stage as u32);
-        let slots = vec![Slot::full(own.planes); own.objects];
         BeamMachine {
-            objects: objects(words, rows, slots),
+            objects: objects(words, rows, own.slots.clone()),
             volumes: volumes(words, rows, own.volumes, own.volume_planes as u64),
             lights: self.lights as u64,
             loader_places: loader_bits as u32,
@@ -255,7 +252,7 @@ impl DisplayRequest {
         let own = &self.processors;
         let mut lines = lines(&own.words, own.rows_per_stage);
         lines.extend([
-            format!("{} object processors of {} planes", own.objects, own.planes),
+            slots_line(&own.slots),
             format!(
                 "{} volume processors of {} planes",
                 own.volumes, own.volume_planes

@@ -1,14 +1,12 @@
 //! Beam machines of any words and slots: hardware that is fitted to a scene.
 
-use super::words::{check_ranges, check_words, lines};
+use super::words::{check_slots, check_words, lines, slots_line};
 use super::{EmitError, Emitted, Heading, circuit, names};
-use crate::format::{MOST_OBJECTS, MOST_PLANES};
 pub use imogene_circuits::machine::Slot;
 use imogene_circuits::machine::{Beam, Load, Zone, beam};
 pub use imogene_circuits::machines::MachineWords;
 use imogene_circuits::machines::objects;
 use imogene_hdl::Design;
-use std::fmt::Write;
 
 /// A beam machine.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -28,10 +26,7 @@ pub struct MachineRequest {
 impl MachineRequest {
     fn check(&self) -> Result<(), EmitError> {
         check_words(&self.words, self.rows_per_stage)?;
-        check_ranges(&[("objects", self.slots.len(), 1, MOST_OBJECTS)])?;
-        for slot in &self.slots {
-            check_ranges(&[("planes", slot.planes, 0, MOST_PLANES)])?;
-        }
+        check_slots(&self.slots)?;
         names::check_optional(&self.prefix)
     }
 
@@ -63,11 +58,13 @@ pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
     let design = request.design()?;
     let ports = circuit::ports(&design);
     let latency = request.machine().latency() as usize;
+    let mut parameters = lines(&request.words, request.rows_per_stage);
+    parameters.push(slots_line(&request.slots));
     let top = format!("{}beam", request.prefix);
     let heading = Heading {
         top: &top,
         contract: "the visible surface of the objects of a scene, in the words and slots that the scene requires",
-        parameters: parameters(request),
+        parameters,
         latency,
         error: "exact in its integer words; the contract beside it states how far they are from the scene",
         source: "architecture, 7",
@@ -81,18 +78,6 @@ pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
         ports,
         latency,
     })
-}
-
-/// What the header says of the words and slots.
-fn parameters(request: &MachineRequest) -> Vec<String> {
-    let mut lines = lines(&request.words, request.rows_per_stage);
-    let mut slots = String::from("slots, by their planes, v with half B:");
-    for slot in &request.slots {
-        let halves = if slot.two_volumes { "v" } else { "" };
-        let _ = write!(slots, " {}{halves}", slot.planes);
-    }
-    lines.push(slots);
-    lines
 }
 
 #[cfg(test)]

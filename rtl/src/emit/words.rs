@@ -1,10 +1,11 @@
-//! Numbers that a machine may have.
+//! Words and slots that a machine may have.
 
 use super::EmitError;
 use crate::format::{
-    LEAST_DEPTH, LEAST_NORMAL, LEAST_ROOT, MOST_BITS, MOST_DEPTH, MOST_DROPPED, MOST_GUARD, NORMAL,
-    plane, quadratic,
+    LEAST_DEPTH, LEAST_NORMAL, LEAST_ROOT, MOST_BITS, MOST_DEPTH, MOST_DROPPED, MOST_GUARD,
+    MOST_OBJECTS, MOST_PLANES, NORMAL, plane, quadratic,
 };
+use imogene_circuits::machine::Slot;
 use imogene_circuits::machines::MachineWords;
 
 /// A parameter, its value, the least and the greatest that are accepted.
@@ -91,4 +92,32 @@ pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> 
         ),
         rows,
     ]
+}
+
+/// Refuses slots that are too many, or have too many planes.
+pub(super) fn check_slots(slots: &[Slot]) -> Result<(), EmitError> {
+    check_ranges(&[("objects", slots.len(), 1, MOST_OBJECTS)])?;
+    let planes = |slot: &Slot| ("planes", slot.planes, 0, MOST_PLANES);
+    check_ranges(&slots.iter().map(planes).collect::<Vec<_>>())
+}
+
+/// The slots as the header of the Verilog states them.
+pub(super) fn slots_line(slots: &[Slot]) -> String {
+    let first = slots[0];
+    if slots.iter().all(|slot| *slot == Slot::full(first.planes)) {
+        return format!(
+            "{} object processors of {} planes",
+            slots.len(),
+            first.planes
+        );
+    }
+    let slot = |slot: &Slot| {
+        format!(
+            " {}{}",
+            slot.planes,
+            if slot.two_volumes { "v" } else { "" }
+        )
+    };
+    let slots: String = slots.iter().map(slot).collect();
+    format!("slots, by their planes, v with half B:{slots}")
 }

@@ -1,6 +1,6 @@
 //! The hardware of a machine description.
 
-use crate::engine::words_of;
+use crate::engine::{slots_of, words_of};
 use imogene_contract::video::{Span, VideoMode};
 use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
@@ -8,7 +8,9 @@ use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::EmitError;
-use imogene_rtl::emit::display::{DisplayKind, DisplayRequest, OutputShape, Processors, ZoneShape};
+use imogene_rtl::emit::display::{
+    DisplayKind, DisplayRequest, OutputShape, Processors, Slot, ZoneShape,
+};
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///
@@ -49,8 +51,7 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
         processors: Processors {
             words: words_of(&format.widths()),
             rows_per_stage: machine.rows_per_stage as usize,
-            objects: machine.objects,
-            planes: machine.planes,
+            slots: slots_of(&machine.slots()),
             volumes: machine.volumes,
             volume_planes: machine.volume_planes,
         },
@@ -71,8 +72,7 @@ pub fn core_request(
         processors: Processors {
             words: words_of(&format.widths()),
             rows_per_stage,
-            objects: machine.object_processors,
-            planes: machine.planes,
+            slots: vec![Slot::full(machine.planes); machine.object_processors],
             volumes: machine.volume_processors,
             volume_planes: machine.volume_planes,
         },

@@ -13,6 +13,7 @@ pub mod verilator;
 
 use crate::signal::Signal;
 use imogene_models::format::{FittedWidths, Format};
+use imogene_models::machine::fitted::FittedSlot;
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::emit::machine::{MachineRequest, MachineWords, Slot};
 
@@ -53,6 +54,15 @@ pub fn words_of(widths: &FittedWidths) -> MachineWords {
         guard_linear: widths.guard_linear,
         guard_quadratic: widths.guard_quadratic,
     }
+}
+
+/// The slots of a golden machine, as hardware is asked for.
+pub fn slots_of(slots: &[FittedSlot]) -> Vec<Slot> {
+    let slot = |slot: &FittedSlot| Slot {
+        planes: slot.planes as usize,
+        two_volumes: slot.two_volumes,
+    };
+    slots.iter().map(slot).collect()
 }
 
 /// Inputs of a beam machine for one clock, besides the load bus.

@@ -3,26 +3,20 @@
 use super::{Bands, CosimError, Options, fitted_to, quadric_words};
 use crate::engine::beam::{BeamDesign, BeamError};
 use crate::engine::design::Simulator;
-use crate::engine::{Engine, MachineOutputs, words_of};
+use crate::engine::{Engine, MachineOutputs, slots_of, words_of};
 use crate::report::Report;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
 use imogene_models::prepare::PreparedScene;
 use imogene_rtl::emit::Emitted;
-use imogene_rtl::emit::machine::{MachineRequest, Slot};
+use imogene_rtl::emit::machine::MachineRequest;
 
 /// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
 pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
-    let slots = machine.slots.iter();
     MachineRequest {
         words: words_of(&machine.widths),
         rows_per_stage: machine.rows_per_stage as usize,
-        slots: slots
-            .map(|slot| Slot {
-                planes: slot.planes as usize,
-                two_volumes: slot.two_volumes,
-            })
-            .collect(),
+        slots: slots_of(&machine.slots),
         prefix: String::new(),
         command: command.to_owned(),
     }

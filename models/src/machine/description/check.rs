@@ -5,6 +5,7 @@ use crate::machine::shader::MOST_LIGHTS;
 use crate::machine::video_timing::{MODES, VideoMode};
 use crate::machine::zone::{MAX_PICTURE, SAMPLES};
 use crate::object::quadric::MAX_PLANES;
+use crate::slots::Slots;
 
 /// Pixels of a zone at most.
 const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -39,6 +40,7 @@ impl MachineDescription {
         let checks = || {
             self.check_counts(format.root_rows() as usize)?;
             let mode = self.check_mode()?;
+            self.check_slots()?;
             self.check_samples(&mode)?;
             self.check_output(&mode)?;
             self.check_kind()
@@ -63,6 +65,29 @@ impl MachineDescription {
         counts
             .into_iter()
             .try_for_each(|(key, value, least, most)| range(key, value, least, most))
+    }
+
+    fn check_slots(&self) -> Checked {
+        let Some(Slots(slots)) = &self.slots else {
+            return Ok(());
+        };
+        if self.machine == MachineKind::Zone {
+            return refuse("slots", "given", "slots in a beam machine alone");
+        }
+        let planes = slots.iter().map(|slot| slot.planes as usize).max();
+        let counts = [
+            ("objects", self.objects, slots.len()),
+            ("planes", self.planes, planes.unwrap_or(0)),
+        ];
+        let counted = |(key, value, counted)| match value == counted {
+            true => Ok(()),
+            false => refuse(
+                key,
+                value,
+                format!("{counted}, as slots has, or none given"),
+            ),
+        };
+        counts.into_iter().try_for_each(counted)
     }
 
     fn check_mode(&self) -> Result<VideoMode, Refusal> {
@@ -146,6 +171,7 @@ impl MachineDescription {
 mod tests {
     use super::*;
     use crate::format::Format;
+    use crate::slots::print;
 
     const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"640x480\"\n";
 
@@ -194,6 +220,13 @@ mod tests {
         assert!(widths("g1 = 17").contains("at most 16 each are accepted"));
         assert!(widths("root = 30").contains("root of 30 bits: accepted are 4 to 24"));
         assert!(widths("g3 = 1").contains("unknown field `g3`"));
+        let slotted = BEAM.replace("objects = 10\nplanes = 3", "slots = \"3,0v,2\"");
+        let beam = MachineDescription::parse(&slotted, "m.toml").unwrap();
+        assert_eq!((beam.objects, beam.planes), (3, 3));
+        assert_eq!(print(&beam.slots()), "3,0v,2");
+        assert!(refusal(&slotted.replace("0v", "13")).contains("'13' is no slot"));
+        assert!(refusal(&format!("{slotted}objects = 4\n")).contains("accepted: 3, as slots has"));
+        assert!(refusal(&slotted.replace("beam", "zone")).contains("beam machine alone"));
         let rows = "widths = { root = 16, dropped = 4 }\nrows_per_stage = 13\n";
         assert!(refusal(&format!("{BEAM}{rows}")).contains("accepted: 1 to 12"));
         let text = format!("{BEAM}depth_word = 30\nwidths = {{ g2 = 5 }}\n");

@@ -6,14 +6,15 @@ const ZONE: ZoneShape = ZoneShape {
     zone_bits: 8,
     samples: 1,
 };
-const PROCESSORS: Processors = Processors {
-    words: MachineWords::of(24),
-    rows_per_stage: 4,
-    objects: 2,
-    planes: 1,
-    volumes: 1,
-    volume_planes: 4,
-};
+fn processors() -> Processors {
+    Processors {
+        words: MachineWords::of(24),
+        rows_per_stage: 4,
+        slots: vec![Slot::full(1); 2],
+        volumes: 1,
+        volume_planes: 4,
+    }
+}
 /// Words that do not follow from a depth word.
 const OWN: MachineWords = MachineWords {
     depth: 18,
@@ -28,7 +29,7 @@ const OWN: MachineWords = MachineWords {
 fn request(kind: DisplayKind) -> DisplayRequest {
     DisplayRequest {
         kind,
-        processors: PROCESSORS,
+        processors: processors(),
         lights: 1,
         prefix: String::new(),
         command: "a command".into(),
@@ -58,7 +59,7 @@ fn machines_are_emitted() {
     ];
     for ((kind, top), words) in kinds
         .into_iter()
-        .zip([PROCESSORS.words, OWN].into_iter().cycle())
+        .zip([MachineWords::of(24), OWN].into_iter().cycle())
     {
         let mut request = request(kind);
         request.processors.words = words;
@@ -85,8 +86,8 @@ fn numbers_out_of_range_are_refused() {
         emit_display(&request).unwrap_err().to_string()
     };
     let cases: [(fn(&mut DisplayRequest), &str); 9] = [
-        (|r| r.processors.objects = 0, "objects = 0"),
-        (|r| r.processors.planes = 13, "planes = 13"),
+        (|r| r.processors.slots.clear(), "objects = 0"),
+        (|r| r.processors.slots[1].planes = 13, "planes = 13"),
         (|r| r.processors.rows_per_stage = 25, "rows per stage = 25"),
         (
             |r| r.processors.words = MachineWords::of(7),
