@@ -5,7 +5,7 @@ pub const DEPTH_WORDS: [usize; 5] = [16, 20, 24, 28, 32];
 /// Least depth word.
 pub const LEAST_DEPTH: usize = 8;
 /// Greatest depth word: the quadratic word has 64 bits.
-pub const MOST_DEPTH: usize = 32;
+pub const MOST_DEPTH: usize = MOST_BITS / 2;
 /// Least root.
 pub const LEAST_ROOT: usize = 4;
 /// Least normal component.

@@ -78,14 +78,17 @@ fn machines_are_emitted() {
     }
 }
 
+/// What makes a request a bad one.
+type Change = fn(&mut DisplayRequest);
+
 #[test]
 fn numbers_out_of_range_are_refused() {
-    let refused = |change: fn(&mut DisplayRequest)| {
+    let refused = |change: Change| {
         let mut request = request(DisplayKind::ZoneMachine(ZONE));
         change(&mut request);
         emit_display(&request).unwrap_err().to_string()
     };
-    let cases: [(fn(&mut DisplayRequest), &str); 9] = [
+    let cases: [(Change, &str); 9] = [
         (|r| r.processors.slots.clear(), "objects = 0"),
         (|r| r.processors.slots[1].planes = 13, "planes = 13"),
         (|r| r.processors.rows_per_stage = 25, "rows per stage = 25"),
