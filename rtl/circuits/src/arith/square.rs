@@ -5,8 +5,7 @@ use imogene_hdl::{Bits, Value, module};
 /// Bits of a digit: the factors of a signed multiplier of 16 bits by 16.
 const DIGIT: u32 = 15;
 
-/// `value^2 mod 2^width` of at most 45 bits in at least 32, from products of its digits of 15 bits, each pair of
-/// digits once.
+/// `value^2 mod 2^width` of at most 45 bits, from products of its digits of 15 bits, each pair of digits once.
 ///
 /// Without registers: a multiplier and three additions deep.
 pub(super) fn square(at: &str, value: Bits, width: u32) -> Bits {
@@ -24,7 +23,10 @@ pub(super) fn square(at: &str, value: Bits, width: u32) -> Bits {
         let terms: Vec<Bits> = within
             .map(|(i, j, place)| {
                 let product = (digit(i) * digit(j)).bits();
-                product.extend(width).left(place)
+                product
+                    .low(product.width().min(width))
+                    .extend(width)
+                    .left(place)
             })
             .collect();
         let sum = |terms: &[Bits]| terms.iter().copied().reduce(|a, b| a + b).expect("a term");
