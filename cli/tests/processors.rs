@@ -77,7 +77,10 @@ fn rows_out_of_range_are_refused() {
     let mesh = path.to_str().unwrap();
     let (code, _, error) = run(&["cosim", mesh, "--rows-per-stage", "99"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("rows per stage"), "{error}");
+    assert!(
+        error.contains("rows-per-stage = 99 is out of range; legal values are 1 to 24"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -120,10 +120,10 @@ fn bad_requests_name_the_value_and_the_range() {
     for (name, depth_word, option, value, says) in [
         (
             "beam",
-            23,
+            33,
             "planes",
             3,
-            "format 23 is not in the catalogue; legal formats are 16, 20, 24, 28, 32",
+            "format = 33 is out of range; legal values are 8 to 32",
         ),
         (
             "beam",

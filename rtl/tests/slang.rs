@@ -6,8 +6,9 @@ mod support;
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::display::{
-    BeamShape, DisplayKind, DisplayRequest, OutputShape, ZoneShape, emit_display,
+    DisplayKind, DisplayRequest, OutputShape, Processors, ZoneShape, emit_display,
 };
+use imogene_rtl::emit::machine::{MachineWords, Slot};
 use imogene_rtl::emit::{Emitted, emit};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -58,30 +59,24 @@ fn machines() -> [Emitted; 2] {
         has_overlay: true,
     };
     let zone = ZoneShape {
-        objects: 2,
-        planes: 1,
-        volumes: 1,
-        volume_planes: 4,
-        rows_per_stage: 4,
         zone_bits: 8,
         samples: 2,
     };
-    let beam = BeamShape {
-        objects: 2,
-        planes: 1,
-        volumes: 1,
-        volume_planes: 4,
-        rows_per_stage: 4,
-        loader_bits: 8,
-    };
     let kinds = [
-        DisplayKind::ZoneDisplay(zone, 2, screen),
-        DisplayKind::BeamDisplay(beam, 2, screen),
+        DisplayKind::ZoneDisplay(zone, screen),
+        DisplayKind::BeamDisplay(8, screen),
     ];
     kinds.map(|kind| {
         let request = DisplayRequest {
             kind,
-            depth_word: 24,
+            processors: Processors {
+                words: MachineWords::of(24),
+                rows_per_stage: 4,
+                slots: vec![Slot::full(1); 2],
+                volumes: 1,
+                volume_planes: 4,
+            },
+            lights: 2,
             prefix: String::new(),
             command: "a test".into(),
         };

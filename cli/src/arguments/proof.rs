@@ -23,7 +23,7 @@ pub struct Prove {
 pub struct Mutate {
     /// Unit, as listed by `imogene units`, or `all` for those of the published table.
     pub unit: String,
-    /// Depth word in bits: 16, 20, 24, 28 or 32.
+    /// Depth word in bits, 8 to 32.
     #[arg(long, default_value_t = 16, value_name = "W", value_parser = depth_word)]
     pub format: u32,
     /// Mutants of a unit at most, at least 1.

@@ -79,7 +79,7 @@ impl Args for Shape {
     fn augment_args(command: Command) -> Command {
         let format = Arg::new("format")
             .long("format")
-            .help("Depth word in bits: 16, 20, 24, 28 or 32")
+            .help("Depth word in bits, 8 to 32")
             .default_value("24")
             .value_name("W")
             .value_parser(depth_word);

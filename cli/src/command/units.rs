@@ -53,7 +53,7 @@ fn entry(unit: Unit) -> UnitEntry {
     let record = unit.record();
     let mut parameters = vec![ParameterEntry {
         option: "format".into(),
-        range: "16|20|24|28|32".into(),
+        range: format!("{}..32", unit.least_word()),
     }];
     parameters.extend(record.parameters.iter().map(|parameter| ParameterEntry {
         option: parameter.option.into(),

@@ -127,11 +127,10 @@ impl Contract {
 }
 
 fn parameters(request: &Request) -> Vec<ParameterEntry> {
-    let formats = imogene_rtl::format::DEPTH_WORDS.map(|word| word.to_string());
     let format = ParameterEntry {
         option: "format",
         symbol: "W",
-        range: formats.join(", "),
+        range: format!("{} to 32", request.unit.least_word()),
         value: request.depth_word,
     };
     let entry = |parameter: &Parameter| ParameterEntry {
@@ -147,7 +146,7 @@ fn parameters(request: &Request) -> Vec<ParameterEntry> {
 /// The ports of a unit, and the formulas of their widths.
 fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestError> {
     let here = i64::from(request.depth_word);
-    let other = if here < 24 { here + 8 } else { here - 8 };
+    let other = if here < 32 { here + 1 } else { here - 1 };
     // The parameters that are at most the depth word change no port.
     let elsewhere = design(&Request {
         depth_word: other as u32,

@@ -3,22 +3,13 @@
 use crate::formula::evaluate;
 use crate::parameters::{PARAMETERS, Parameter};
 use crate::unit::Unit;
-use crate::words::{DEPTH_WORDS, MOST_OBJECTS};
+use crate::words::{MOST_DEPTH, MOST_OBJECTS};
 use std::fmt::Write;
 use thiserror::Error;
 
 /// Why a request is refused.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum RequestError {
-    /// The format is not in the catalogue.
-    #[error(
-        "format {value} is not in the catalogue; legal formats are {}",
-        formats()
-    )]
-    Format {
-        /// The depth word asked for.
-        value: usize,
-    },
     /// A parameter is out of its legal range.
     #[error("{parameter} = {value} is out of range; legal values are {least} to {most}")]
     Range {
@@ -55,10 +46,6 @@ pub enum RequestError {
         /// The prefix asked for.
         prefix: String,
     },
-}
-
-fn formats() -> String {
-    DEPTH_WORDS.map(|word| word.to_string()).join(", ")
 }
 
 fn names() -> String {
@@ -165,11 +152,18 @@ impl Request {
     ///
     /// When one is out of it.
     pub fn check(&self) -> Result<(), RequestError> {
-        let word = self.depth_word as usize;
-        if !DEPTH_WORDS.contains(&word) {
-            return Err(RequestError::Format { value: word });
-        }
-        for parameter in self.unit.record().parameters {
+        in_range(
+            "format",
+            self.depth_word,
+            self.unit.least_word(),
+            MOST_DEPTH as u32,
+        )?;
+        // Of a scene, parameters reach units that do not have them.
+        let own = self.unit.record().parameters;
+        let foreign = PARAMETERS
+            .iter()
+            .filter(|other| !self.unit.has(other.option));
+        for parameter in own.iter().chain(foreign) {
             let most = parameter.most.unwrap_or(self.depth_word);
             in_range(parameter.option, parameter.of(self), parameter.least, most)?;
         }

@@ -3,6 +3,7 @@
 use crate::parameters::Parameter;
 use crate::records::{arith, machine, object, raster, shade, video};
 use crate::request::RequestError;
+use crate::words::LEAST_DEPTH;
 
 /// What is stated of a unit besides its ports, which its circuit declares.
 #[derive(Clone, Copy, Debug)]
@@ -114,6 +115,15 @@ impl Unit {
         found.ok_or_else(|| RequestError::Unit {
             name: name.to_owned(),
         })
+    }
+
+    /// The least depth word that it is built for.
+    pub const fn least_word(self) -> u32 {
+        match self {
+            // Its parabolas read a bit of the square by its place.
+            Unit::SquareRootQuadratic => 11,
+            _ => LEAST_DEPTH as u32,
+        }
     }
 
     /// Has it a parameter of this option?

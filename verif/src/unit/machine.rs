@@ -202,7 +202,7 @@ fn option(subject: &Subject, name: &str) -> usize {
 fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let [planes, objects] = OPTIONS.map(|name| option(subject, name));
     let data = subject.inputs[6].clone();
-    let ports = coefficients(data.width / 2, planes);
+    let ports = coefficients(subject.outputs[1].width, planes);
     let words = proptest::collection::vec(plausible(&ports).prop_map(even_differences), objects);
     (words, 1i64..24, any::<bool>())
         .prop_map(move |(words, width, skip_last)| {

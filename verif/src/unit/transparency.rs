@@ -79,8 +79,8 @@ fn blends(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         .inputs
         .iter()
         .enumerate()
-        .map(|(place, port)| match port.width {
-            8 => prop_oneof![1 => Just(0i64), 1 => Just(255), 6 => 0i64..256].boxed(),
+        .map(|(place, port)| match port.signed {
+            false => prop_oneof![1 => Just(0i64), 1 => Just(255), 6 => 0i64..256].boxed(),
             _ if place == 0 => prop_oneof![depth(width), Just(2), Just(far)].boxed(),
             _ => prop_oneof![2 => word(port), 2 => -3i64..4, 1 => Just(far)].boxed(),
         })

@@ -94,7 +94,8 @@ fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         ("margin", Likely::UpTo((1 << (width - 1)) - 1)),
     ];
     let words = planes_any_kind(words(&subject.inputs, width, &plan), subject);
-    let point = prop_oneof![4 => -12_000i64..12_000, 1 => depth(width)];
+    let near = 12_000i64.min((1 << (width - 1)) - 1);
+    let point = prop_oneof![4 => -near..near, 1 => depth(width)];
     (
         held(words, clocks),
         proptest::collection::vec(point, clocks),
