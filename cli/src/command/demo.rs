@@ -17,10 +17,10 @@ use serde::Serialize;
 
 /// The teapot, compiled in so that the demo needs no file.
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
-/// Small enough for a simulator that visits every register.
+/// A few seconds of a simulator that visits every register.
 const SIZE: Size = Size {
-    width: 160,
-    height: 120,
+    width: 320,
+    height: 240,
 };
 /// Clocks of waveforms kept.
 const TRACE_CLOCKS: u64 = 1_600;

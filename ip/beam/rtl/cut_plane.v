@@ -6,8 +6,7 @@ module cut_plane (
     input  wire [1:0] kind,
     input  wire surface,
     input  wire [3:0] number,
-    input  wire signed [23:0] zp,
-    input  wire signed [23:0] zf,
+    input  wire signed [23:0] zp, zf,
     input  wire [3:0] nf,
     input  wire signed [23:0] zb,
     input  wire [3:0] nb,
@@ -17,14 +16,7 @@ module cut_plane (
     output reg  [3:0] cut_nb = 4'd0
 );
 
-    wire before_front;
-    wire at_front;
-    wire before_back;
-    wire at_back;
-    wire cuts_front;
-    wire cuts_back;
-    wire leaves_nothing;
-    wire removed;
+    wire before_front, at_front, before_back, at_back, cuts_front, cuts_back, leaves_nothing, removed;
 
     assign before_front = zp < zf;
     assign at_front = zp == zf;
@@ -41,5 +33,4 @@ module cut_plane (
         cut_zb <= removed ? 24'sd8388607 : cuts_front ? zb : cuts_back ? (surface ? zf : zp) : zb;
         cut_nb <= removed ? 4'd0 : cuts_front ? nb : cuts_back ? (surface ? nf : number) : nb;
     end
-
 endmodule

@@ -3,10 +3,8 @@
 
 module depth_interval (
     input  wire clock,
-    input  wire signed [25:0] near_sum,
-    input  wire signed [25:0] far_sum,
-    input  wire is_inside,
-    input  wire in_box,
+    input  wire signed [25:0] near_sum, far_sum,
+    input  wire is_inside, in_box,
     input  wire [1:0] object_class,
     output reg  signed [23:0] zf_a = 24'sd0,
     output reg  [3:0] nf_a = 4'd0,
@@ -18,32 +16,10 @@ module depth_interval (
     output reg  [3:0] nb_b = 4'd0
 );
 
-    wire near_is_low;
-    wire near_is_far;
-    wire signed [23:0] near_depth;
-    wire [3:0] near_face;
-    wire far_is_low;
-    wire far_is_far;
-    wire signed [23:0] far_depth;
-    wire [3:0] far_face;
-    wire near_visible;
-    wire far_visible;
-    wire is_front;
-    wire is_side;
-    wire is_before;
-    wire is_surface;
-    wire is_prism;
-    wire has_b;
-    wire signed [23:0] surface_zf;
-    wire [3:0] surface_nf;
-    wire signed [23:0] surface_zb;
-    wire [3:0] surface_nb;
-    wire [3:0] choice_2;
-    wire signed [23:0] inside_zf;
-    wire [3:0] inside_nf;
-    wire signed [23:0] inside_zb;
-    wire [3:0] inside_nb;
-    wire [3:0] choice;
+    wire near_is_low, near_is_far, far_is_low, far_is_far, near_visible, far_visible, is_front, is_side, is_before,
+        is_surface, is_prism, has_b;
+    wire signed [23:0] near_depth, far_depth, surface_zf, surface_zb, inside_zf, inside_zb;
+    wire [3:0] near_face, far_face, surface_nf, surface_nb, choice_2, inside_nf, inside_nb, choice;
 
     assign near_is_low = near_sum < -26'sd8388607;
     assign near_is_far = near_sum >= 26'sd8388607;
@@ -82,5 +58,4 @@ module depth_interval (
         zb_b <= 24'sd8388607;
         nb_b <= has_b ? 4'd15 : 4'd0;
     end
-
 endmodule

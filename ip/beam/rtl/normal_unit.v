@@ -2,110 +2,40 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module normal_unit (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
+    input  wire clock, valid, start, line,
     input  wire [3:0] number,
     input  wire absent,
     input  wire [23:0] root,
     input  wire [4:0] shift,
-    input  wire signed [23:0] gx_a,
-    input  wire signed [23:0] gx_b,
-    input  wire signed [23:0] gx_c,
-    input  wire signed [23:0] gy_a,
-    input  wire signed [23:0] gy_b,
-    input  wire signed [23:0] gy_c,
-    input  wire signed [23:0] gz_a,
-    input  wire signed [23:0] gz_b,
-    input  wire signed [23:0] gz_c,
-    input  wire signed [15:0] kx,
-    input  wire signed [15:0] ky,
-    input  wire signed [15:0] kz,
-    input  wire signed [15:0] plane_0_nx,
-    input  wire signed [15:0] plane_0_ny,
-    input  wire signed [15:0] plane_0_nz,
-    input  wire signed [15:0] plane_1_nx,
-    input  wire signed [15:0] plane_1_ny,
-    input  wire signed [15:0] plane_1_nz,
-    input  wire signed [15:0] plane_2_nx,
-    input  wire signed [15:0] plane_2_ny,
-    input  wire signed [15:0] plane_2_nz,
-    output wire signed [15:0] nx,
-    output wire signed [15:0] ny,
-    output wire signed [15:0] nz
+    input  wire signed [23:0] gx_a, gx_b, gx_c, gy_a, gy_b, gy_c, gz_a, gz_b, gz_c,
+    input  wire signed [15:0] kx, ky, kz, plane_0_nx, plane_0_ny, plane_0_nz, plane_1_nx, plane_1_ny, plane_1_nz,
+        plane_2_nx, plane_2_ny, plane_2_nz,
+    output wire signed [15:0] nx, ny, nz
 );
 
-    reg valid_late_1 = 1'd0;
-    reg start_late_1 = 1'd0;
-    reg line_late_1 = 1'd0;
+    reg valid_late_1 = 1'd0, start_late_1 = 1'd0, line_late_1 = 1'd0, is_near = 1'd0, is_quadric = 1'd0,
+        component_x_is_quadric_kept = 1'd0, component_y_is_quadric_kept = 1'd0, component_z_is_quadric_kept = 1'd0;
     wire [23:0] shifted_root;
     wire [14:0] low_root;
-    reg signed [15:0] scaled_root = 16'sd0;
-    wire is_near_test;
-    reg is_near = 1'd0;
-    reg is_quadric = 1'd0;
-    wire test_4;
-    wire test_3;
-    wire test_2;
-    wire test;
-    reg signed [15:0] component_x_fixed_kept_kept = 16'sd0;
-    reg signed [15:0] component_y_fixed_kept_kept = 16'sd0;
-    reg signed [15:0] component_z_fixed_kept_kept = 16'sd0;
-    reg signed [15:0] component_x_fixed_kept = 16'sd0;
-    reg signed [15:0] component_y_fixed_kept = 16'sd0;
-    reg signed [15:0] component_z_fixed_kept = 16'sd0;
-    reg component_x_is_quadric_kept = 1'd0;
-    reg component_y_is_quadric_kept = 1'd0;
-    reg component_z_is_quadric_kept = 1'd0;
+    reg signed [15:0] scaled_root = 16'sd0, component_x_fixed_kept_kept = 16'sd0,
+        component_y_fixed_kept_kept = 16'sd0, component_z_fixed_kept_kept = 16'sd0, component_x_fixed_kept = 16'sd0,
+        component_y_fixed_kept = 16'sd0, component_z_fixed_kept = 16'sd0;
+    wire is_near_test, test_4, test_3, test_2, test;
 
     normal_component component_x (
-        .clock(clock),
-        .valid(valid_late_1),
-        .start(start_late_1),
-        .line(line_late_1),
-        .a(gx_a),
-        .b(gx_b),
-        .c(gx_c),
-        .k(kx),
-        .scaled_root(scaled_root),
-        .is_near(is_near),
-        .is_quadric(component_x_is_quadric_kept),
-        .fixed(component_x_fixed_kept),
-        .result(nx)
-    );
+        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gx_a), .b(gx_b), .c(gx_c),
+        .k(kx), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_x_is_quadric_kept),
+        .fixed(component_x_fixed_kept), .result(nx));
 
     normal_component component_y (
-        .clock(clock),
-        .valid(valid_late_1),
-        .start(start_late_1),
-        .line(line_late_1),
-        .a(gy_a),
-        .b(gy_b),
-        .c(gy_c),
-        .k(ky),
-        .scaled_root(scaled_root),
-        .is_near(is_near),
-        .is_quadric(component_y_is_quadric_kept),
-        .fixed(component_y_fixed_kept),
-        .result(ny)
-    );
+        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gy_a), .b(gy_b), .c(gy_c),
+        .k(ky), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_y_is_quadric_kept),
+        .fixed(component_y_fixed_kept), .result(ny));
 
     normal_component component_z (
-        .clock(clock),
-        .valid(valid_late_1),
-        .start(start_late_1),
-        .line(line_late_1),
-        .a(gz_a),
-        .b(gz_b),
-        .c(gz_c),
-        .k(kz),
-        .scaled_root(scaled_root),
-        .is_near(is_near),
-        .is_quadric(component_z_is_quadric_kept),
-        .fixed(component_z_fixed_kept),
-        .result(nz)
-    );
+        .clock(clock), .valid(valid_late_1), .start(start_late_1), .line(line_late_1), .a(gz_a), .b(gz_b), .c(gz_c),
+        .k(kz), .scaled_root(scaled_root), .is_near(is_near), .is_quadric(component_z_is_quadric_kept),
+        .fixed(component_z_fixed_kept), .result(nz));
 
     assign shifted_root = root >> shift;
     assign low_root = shifted_root[14:0];
@@ -133,5 +63,4 @@ module normal_unit (
         component_y_is_quadric_kept <= is_quadric;
         component_z_is_quadric_kept <= is_quadric;
     end
-
 endmodule

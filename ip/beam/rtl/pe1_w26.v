@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module pe1_w26 (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
-    input  wire signed [25:0] a,
-    input  wire signed [25:0] b,
-    input  wire signed [25:0] c,
+    input  wire clock, valid, start, line,
+    input  wire signed [25:0] a, b, c,
     output wire signed [25:0] value
 );
 
     wire first;
-    reg signed [25:0] kept_a = 26'sd0;
-    reg signed [25:0] kept_b = 26'sd0;
-    reg signed [25:0] line_value = 26'sd0;
-    reg signed [25:0] pixel_value = 26'sd0;
-    wire signed [25:0] next_line;
-    wire signed [25:0] next_pixel;
-    wire signed [25:0] line_begin;
+    reg signed [25:0] kept_a = 26'sd0, kept_b = 26'sd0, line_value = 26'sd0, pixel_value = 26'sd0;
+    wire signed [25:0] next_line, next_pixel, line_begin;
 
     assign first = start | line;
     assign next_line = line_value + kept_b;
@@ -30,14 +20,8 @@ module pe1_w26 (
     always @(posedge clock) begin
         if (valid) begin
             pixel_value <= first ? line_begin : next_pixel;
-            if (start) begin
-                kept_a <= a;
-                kept_b <= b;
-            end
-            if (first) begin
-                line_value <= line_begin;
-            end
+            if (start) begin kept_a <= a; kept_b <= b; end
+            if (first) line_value <= line_begin;
         end
     end
-
 endmodule

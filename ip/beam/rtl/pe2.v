@@ -2,33 +2,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module pe2 (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
-    input  wire signed [47:0] a2,
-    input  wire signed [47:0] b2,
-    input  wire signed [47:0] c,
-    input  wire signed [47:0] i0,
-    input  wire signed [47:0] p0,
-    input  wire signed [47:0] f,
+    input  wire clock, valid, start, line,
+    input  wire signed [47:0] a2, b2, c, i0, p0, f,
     output wire signed [47:0] value
 );
 
     wire first;
-    reg signed [47:0] kept_a2 = 48'sd0;
-    reg signed [47:0] kept_b2 = 48'sd0;
-    reg signed [47:0] kept_c = 48'sd0;
-    reg signed [47:0] line_value = 48'sd0;
-    reg signed [47:0] line_step = 48'sd0;
-    reg signed [47:0] first_step = 48'sd0;
-    reg signed [47:0] pixel_step = 48'sd0;
-    reg signed [47:0] pixel_value = 48'sd0;
-    wire signed [47:0] next_pixel;
-    wire signed [47:0] next_step;
-    wire signed [47:0] line_begin;
-    wire signed [47:0] line_begin_step;
-    wire signed [47:0] first_begin_step;
+    reg signed [47:0] kept_a2 = 48'sd0, kept_b2 = 48'sd0, kept_c = 48'sd0, line_value = 48'sd0, line_step = 48'sd0,
+        first_step = 48'sd0, pixel_step = 48'sd0, pixel_value = 48'sd0;
+    wire signed [47:0] next_pixel, next_step, line_begin, line_begin_step, first_begin_step;
 
     assign first = start | line;
     assign next_pixel = pixel_value + pixel_step;
@@ -54,5 +36,4 @@ module pe2 (
             end
         end
     end
-
 endmodule

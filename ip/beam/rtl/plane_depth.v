@@ -2,30 +2,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module plane_depth (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
-    input  wire signed [35:0] a,
-    input  wire signed [35:0] b,
-    input  wire signed [35:0] c,
+    input  wire clock, valid, start, line,
+    input  wire signed [35:0] a, b, c,
     output reg  signed [23:0] depth = 24'sd0
 );
 
     wire signed [35:0] plane_value;
-    wire above;
-    wire below;
+    wire above, below;
 
     pe1_w36 plane (
-        .clock(clock),
-        .valid(valid),
-        .start(start),
-        .line(line),
-        .a(a),
-        .b(b),
-        .c(c),
-        .value(plane_value)
-    );
+        .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(plane_value));
 
     assign above = 36'sd8388607 < plane_value;
     assign below = plane_value < -36'sd8388608;
@@ -33,5 +19,4 @@ module plane_depth (
     always @(posedge clock) begin
         depth <= above ? 24'sd8388607 : below ? 24'sh800000 : plane_value[23:0];
     end
-
 endmodule

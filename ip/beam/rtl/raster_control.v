@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module raster_control (
-    input  wire clock,
-    input  wire go,
-    input  wire [11:0] width,
-    input  wire [11:0] height,
+    input  wire clock, go,
+    input  wire [11:0] width, height,
     output reg  valid = 1'd0,
     output reg  start = 1'd0,
     output reg  line = 1'd0,
@@ -14,18 +12,9 @@ module raster_control (
     output reg  last = 1'd0
 );
 
-    reg [11:0] right_edge = 12'd0;
-    reg [11:0] bottom_edge = 12'd0;
-    wire obeyed;
-    wire line_ends;
-    wire [11:0] next_x;
-    wire [11:0] next_y;
-    wire [11:0] last_x;
-    wire [11:0] last_y;
-    wire is_single;
-    wire next_is_last;
-    wire moves;
-    wire goes_on;
+    reg [11:0] right_edge = 12'd0, bottom_edge = 12'd0;
+    wire obeyed, line_ends, is_single, next_is_last, moves, goes_on;
+    wire [11:0] next_x, next_y, last_x, last_y;
 
     assign obeyed = go & (~valid | last);
     assign line_ends = x == right_edge;
@@ -45,14 +34,7 @@ module raster_control (
             line <= obeyed ? 1'd0 : (goes_on & line_ends);
             last <= obeyed ? is_single : (goes_on & next_is_last);
         end
-        if (obeyed | (goes_on & valid)) begin
-            x <= obeyed ? 12'd0 : next_x;
-            y <= obeyed ? 12'd0 : next_y;
-        end
-        if (obeyed) begin
-            right_edge <= last_x;
-            bottom_edge <= last_y;
-        end
+        if (obeyed | (goes_on & valid)) begin x <= obeyed ? 12'd0 : next_x; y <= obeyed ? 12'd0 : next_y; end
+        if (obeyed) begin right_edge <= last_x; bottom_edge <= last_y; end
     end
-
 endmodule

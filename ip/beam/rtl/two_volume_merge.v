@@ -27,5 +27,4 @@ module two_volume_merge (
         zb <= b_in_front ? zb_b : zb_a;
         nb <= b_in_front ? nb_b : nb_a;
     end
-
 endmodule

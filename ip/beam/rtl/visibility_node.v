@@ -6,15 +6,11 @@ module visibility_node (
     input  wire signed [23:0] a_depth,
     input  wire [7:0] a_id,
     input  wire [3:0] a_number,
-    input  wire signed [15:0] a_nx,
-    input  wire signed [15:0] a_ny,
-    input  wire signed [15:0] a_nz,
+    input  wire signed [15:0] a_nx, a_ny, a_nz,
     input  wire signed [23:0] b_depth,
     input  wire [7:0] b_id,
     input  wire [3:0] b_number,
-    input  wire signed [15:0] b_nx,
-    input  wire signed [15:0] b_ny,
-    input  wire signed [15:0] b_nz,
+    input  wire signed [15:0] b_nx, b_ny, b_nz,
     output reg  signed [23:0] depth = 24'sd0,
     output reg  [7:0] id = 8'd0,
     output reg  [3:0] number = 4'd0,
@@ -23,9 +19,7 @@ module visibility_node (
     output reg  signed [15:0] nz = 16'sd0
 );
 
-    wire is_nearer;
-    wire is_as_near;
-    wire b_wins;
+    wire is_nearer, is_as_near, b_wins;
 
     assign is_nearer = b_depth < a_depth;
     assign is_as_near = b_depth == a_depth;
@@ -39,5 +33,4 @@ module visibility_node (
         ny <= b_wins ? b_ny : a_ny;
         nz <= b_wins ? b_nz : a_nz;
     end
-
 endmodule

@@ -17,19 +17,12 @@ module square_root_stage (
     wire [24:0] rows_0_next_remainder;
 
     square_root_row rows_0 (
-        .pairs(pairs),
-        .root(root),
-        .remainder(remainder),
-        .live(live),
-        .next_pairs(rows_0_next_pairs),
-        .next_root(rows_0_next_root),
-        .next_remainder(rows_0_next_remainder)
-    );
+        .pairs(pairs), .root(root), .remainder(remainder), .live(live), .next_pairs(rows_0_next_pairs),
+        .next_root(rows_0_next_root), .next_remainder(rows_0_next_remainder));
 
     always @(posedge clock) begin
         next_pairs <= rows_0_next_pairs;
         next_root <= rows_0_next_root;
         next_remainder <= rows_0_next_remainder;
     end
-
 endmodule

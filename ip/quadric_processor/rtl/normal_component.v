@@ -2,37 +2,20 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module normal_component (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
-    input  wire signed [23:0] a,
-    input  wire signed [23:0] b,
-    input  wire signed [23:0] c,
-    input  wire signed [15:0] k,
-    input  wire signed [15:0] scaled_root,
-    input  wire is_near,
-    input  wire is_quadric,
+    input  wire clock, valid, start, line,
+    input  wire signed [23:0] a, b, c,
+    input  wire signed [15:0] k, scaled_root,
+    input  wire is_near, is_quadric,
     input  wire signed [15:0] fixed,
     output reg  signed [15:0] result = 16'sd0
 );
 
-    wire signed [23:0] g_value;
-    wire signed [31:0] product;
-    wire signed [31:0] opposite;
+    wire signed [23:0] g_value, sum;
+    wire signed [31:0] product, opposite;
     reg signed [31:0] kept_change = 32'sd0;
-    wire signed [23:0] sum;
 
     pe1_w24 g (
-        .clock(clock),
-        .valid(valid),
-        .start(start),
-        .line(line),
-        .a(a),
-        .b(b),
-        .c(c),
-        .value(g_value)
-    );
+        .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(g_value));
 
     assign product = k * scaled_root;
     assign opposite = 32'sd0 - product;
@@ -43,5 +26,4 @@ module normal_component (
         kept_change <= is_near ? opposite : product;
         result <= is_quadric ? sum[23:8] : fixed;
     end
-
 endmodule

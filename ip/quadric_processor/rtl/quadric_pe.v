@@ -2,73 +2,33 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 
 module quadric_pe (
-    input  wire clock,
-    input  wire valid,
-    input  wire start,
-    input  wire line,
-    input  wire signed [25:0] f1_a,
-    input  wire signed [25:0] f1_b,
-    input  wire signed [25:0] f1_c,
-    input  wire signed [47:0] f2_a2,
-    input  wire signed [47:0] f2_b2,
-    input  wire signed [47:0] f2_c,
-    input  wire signed [47:0] f2_i0,
-    input  wire signed [47:0] f2_p0,
-    input  wire signed [47:0] f2_f,
-    output wire signed [25:0] near_sum,
-    output wire signed [25:0] far_sum,
+    input  wire clock, valid, start, line,
+    input  wire signed [25:0] f1_a, f1_b, f1_c,
+    input  wire signed [47:0] f2_a2, f2_b2, f2_c, f2_i0, f2_p0, f2_f,
+    output wire signed [25:0] near_sum, far_sum,
     output wire [23:0] root,
-    output wire is_inside,
-    output wire late_valid,
-    output wire late_start,
-    output wire late_line
+    output wire is_inside, late_valid, late_start, late_line
 );
 
     wire signed [47:0] f2_value;
-    reg [23:0] valid_late = 24'd0;
-    reg [23:0] start_late = 24'd0;
-    reg [23:0] line_late = 24'd0;
-    wire signed [25:0] f1_value;
+    reg [23:0] valid_late = 24'd0, start_late = 24'd0, line_late = 24'd0, kept_root = 24'd0;
+    wire signed [25:0] f1_value, step;
     wire [23:0] square_root_root;
     wire [24:0] unused_square_root_remainder;
-    wire signed [25:0] step;
-    reg signed [25:0] kept_near_sum = 26'sd0;
-    reg signed [25:0] kept_far_sum = 26'sd0;
-    reg [23:0] kept_root = 24'd0;
+    reg signed [25:0] kept_near_sum = 26'sd0, kept_far_sum = 26'sd0;
     reg [24:0] is_outside_kept = 25'd0;
     wire is_outside;
 
     pe2 f2 (
-        .clock(clock),
-        .valid(valid),
-        .start(start),
-        .line(line),
-        .a2(f2_a2),
-        .b2(f2_b2),
-        .c(f2_c),
-        .i0(f2_i0),
-        .p0(f2_p0),
-        .f(f2_f),
-        .value(f2_value)
-    );
+        .clock(clock), .valid(valid), .start(start), .line(line), .a2(f2_a2), .b2(f2_b2), .c(f2_c), .i0(f2_i0),
+        .p0(f2_p0), .f(f2_f), .value(f2_value));
 
     pe1_w26 f1 (
-        .clock(clock),
-        .valid(valid_late[23]),
-        .start(start_late[23]),
-        .line(line_late[23]),
-        .a(f1_a),
-        .b(f1_b),
-        .c(f1_c),
-        .value(f1_value)
-    );
+        .clock(clock), .valid(valid_late[23]), .start(start_late[23]), .line(line_late[23]), .a(f1_a), .b(f1_b),
+        .c(f1_c), .value(f1_value));
 
     square_root square_root (
-        .clock(clock),
-        .radicand(f2_value),
-        .root(square_root_root),
-        .remainder(unused_square_root_remainder)
-    );
+        .clock(clock), .radicand(f2_value), .root(square_root_root), .remainder(unused_square_root_remainder));
 
     assign step = {2'd0, square_root_root};
     assign is_outside = is_outside_kept[24];
@@ -89,5 +49,4 @@ module quadric_pe (
         kept_root <= square_root_root;
         is_outside_kept <= {is_outside_kept[23:0], f2_value[47]};
     end
-
 endmodule

@@ -11,13 +11,9 @@ module square_root_row (
     output wire [24:0] next_remainder
 );
 
-    wire [25:0] divisor;
+    wire [25:0] divisor, dividend, trial, sign, kept;
     wire [1:0] pair;
-    wire [25:0] dividend;
-    wire [25:0] trial;
-    wire [25:0] sign;
     wire negative;
-    wire [25:0] kept;
     wire [23:0] next_root_joined;
 
     assign divisor = {root, 2'd1};
@@ -32,5 +28,4 @@ module square_root_row (
     assign next_root = negative ? next_root_joined : (next_root_joined | 24'd1);
     assign next_remainder = kept[24:0];
     wire unused = &{1'b0, remainder[24], kept[25]};
-
 endmodule
