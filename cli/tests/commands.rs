@@ -362,6 +362,16 @@ fn an_injected_fault_fails_with_exit_code_1() {
 }
 
 #[test]
+fn the_built_in_engine_has_its_old_name_too() {
+    for name in ["built-in", "rust-hdl"] {
+        let report = json(&["cosim", "pe1", "--clocks", "100", "--engine", name]);
+        assert_eq!(report["engine"], "built-in");
+        let reproduce = report["reproduce"].as_str().unwrap();
+        assert!(reproduce.contains("--engine built-in"), "{reproduce}");
+    }
+}
+
+#[test]
 fn cosim_of_a_unit_in_icarus() {
     let report = json(&[
         "cosim",
@@ -418,7 +428,7 @@ fn the_engines_are_timed_side_by_side() {
             ],
         );
     }
-    assert_eq!(rows[0]["engine"], "rust-hdl");
+    assert_eq!(rows[0]["engine"], "built-in");
     assert_eq!(rows[0]["ratio"], 1.0);
 }
 

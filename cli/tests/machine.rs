@@ -40,7 +40,7 @@ fn the_pins_show_the_golden_picture() {
             "--machine",
             description.to_str().expect("a plain path"),
             "--engine",
-            "rust-hdl",
+            "built-in",
             "--out",
             out.to_str().expect("a plain path"),
             "--json",
@@ -75,7 +75,7 @@ fn many_frames_of_a_scene_are_waited_for() {
     std::fs::write(&description, text).expect("a file");
     let mut command = imogene();
     command.args([
-        "machine", "--engine", "rust-hdl", "--frames", "24", "--json",
+        "machine", "--engine", "built-in", "--frames", "24", "--json",
     ]);
     command.arg(common::scene("ellipsoid.toml"));
     command.arg("--machine").arg(&description);

@@ -129,7 +129,7 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
     assert_ne!(images[0].picture, images[1].picture);
     let options = PinsRun {
         overlay: None,
-        engine: DisplayEngine::RustHdl,
+        engine: DisplayEngine::BuiltIn,
         stalls: None,
         late: 0,
         frames: 1,

@@ -79,7 +79,7 @@ fn the_beam_machine_in_the_built_in_simulator() {
     let machine = small("beam-160x120.toml", 32, 24, 40);
     let image = drawn("teapot.toml", &machine);
     assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-    run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
+    run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
 }
 
 /// A machine of these words with a small screen.

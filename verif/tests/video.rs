@@ -32,7 +32,7 @@ fn unit(name: &str) -> Subject {
     subject(&request).expect("its defaults are legal")
 }
 
-/// The values after a clock, by port; all are defined in rust-hdl.
+/// The values after a clock, by port; all are defined in the built-in engine.
 fn clock(hardware: &mut dyn Hardware, inputs: &[i64]) -> Vec<i64> {
     let values = hardware.clock(inputs);
     values.into_iter().map(|v| v.expect("a value")).collect()

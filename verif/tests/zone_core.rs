@@ -57,8 +57,8 @@ fn check(plan: &ZonePlan, engine: DisplayEngine, stalls: Option<u64>) {
 #[test]
 fn small_scenes_in_the_built_in_simulator() {
     let plan = plan("teapot.toml", (40, 24), machine(2, 0, 16));
-    check(&plan, DisplayEngine::RustHdl, None);
-    check(&plan, DisplayEngine::RustHdl, Some(7));
+    check(&plan, DisplayEngine::BuiltIn, None);
+    check(&plan, DisplayEngine::BuiltIn, Some(7));
 }
 
 #[test]

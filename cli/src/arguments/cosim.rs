@@ -11,7 +11,9 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineName {
     /// The built-in simulator; needs no outside tool.
-    RustHdl,
+    // Its name in the scripts of those who had it before.
+    #[value(alias = "rust-hdl")]
+    BuiltIn,
     /// The emitted Verilog in Icarus Verilog.
     Icarus,
     /// The emitted Verilog in Verilator.
@@ -22,7 +24,7 @@ impl EngineName {
     /// The simulator of Verilog that it is, if it is one.
     pub fn simulator(self) -> Option<Simulator> {
         match self {
-            EngineName::RustHdl => None,
+            EngineName::BuiltIn => None,
             EngineName::Icarus => Some(Simulator::Icarus),
             EngineName::Verilator => Some(Simulator::Verilator),
         }
@@ -35,7 +37,7 @@ pub struct Cosim {
     /// Scene file, a unit as listed by `imogene units`, or a named extreme: extremes/NAME, or extremes for all.
     pub subject: String,
     /// What runs the hardware.
-    #[arg(long, value_enum, default_value_t = EngineName::RustHdl)]
+    #[arg(long, value_enum, default_value_t = EngineName::BuiltIn)]
     pub engine: EngineName,
     /// Run what synthesis makes of a unit instead of the emitted Verilog: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T")]

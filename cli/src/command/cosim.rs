@@ -9,6 +9,7 @@ use imogene_contract::{Request, Unit};
 use imogene_models::prepare::PreparedScene;
 use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
+use imogene_verif::engine::BUILT_IN;
 use imogene_verif::engine::beam::BeamDesign;
 use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
@@ -64,7 +65,8 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
     let subject = match options.engine.simulator() {
         None if options.netlist.is_some() => {
             return Err(Failure::Input(
-                "a netlist is Verilog, which the engine rust-hdl does not run; give --engine icarus or --engine verilator".into(),
+                "a netlist is Verilog, which the built-in engine does not run; give --engine icarus or --engine verilator"
+                    .into(),
             ));
         }
         None => subject,
@@ -125,7 +127,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     report.engine = options
         .engine
         .simulator()
-        .map_or("rust-hdl", Simulator::name)
+        .map_or(BUILT_IN, Simulator::name)
         .into();
     report.subject = options.subject.clone();
     report.reproduce = format!(

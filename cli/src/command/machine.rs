@@ -257,7 +257,7 @@ fn show(
     options: &Machine,
 ) -> Result<PinsOutcome, Failure> {
     let engine = match options.engine.simulator() {
-        None => DisplayEngine::RustHdl,
+        None => DisplayEngine::BuiltIn,
         Some(simulator) => DisplayEngine::Verilog(simulator),
     };
     let run = PinsRun {

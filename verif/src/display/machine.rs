@@ -1,5 +1,6 @@
 //! A machine in any engine, seen through its ports.
 
+use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
 use crate::engine::design::{Design, DesignError, Instance, Simulator, Source};
 use crate::signal::Signal;
@@ -11,8 +12,8 @@ use thiserror::Error;
 /// What runs the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DisplayEngine {
-    /// rust-hdl, in process.
-    RustHdl,
+    /// The built-in simulator, in process.
+    BuiltIn,
     /// The emitted Verilog.
     Verilog(Simulator),
 }
@@ -32,14 +33,14 @@ impl DisplayEngine {
     /// Name in reports.
     pub fn name(self) -> &'static str {
         match self {
-            DisplayEngine::RustHdl => "rust-hdl",
+            DisplayEngine::BuiltIn => BUILT_IN,
             DisplayEngine::Verilog(simulator) => simulator.name(),
         }
     }
 }
 
 enum Running {
-    RustHdl(Box<Circuit>),
+    BuiltIn(Box<Circuit>),
     Verilog(Box<dyn Instance>),
 }
 
@@ -77,7 +78,7 @@ impl Machine {
         };
         let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
         let running = match engine {
-            DisplayEngine::RustHdl => Running::RustHdl(Box::new(Circuit::new(&request.design()?))),
+            DisplayEngine::BuiltIn => Running::BuiltIn(Box::new(Circuit::new(&request.design()?))),
             DisplayEngine::Verilog(simulator) => {
                 let design: Box<dyn Design> = simulator.compile(&Source {
                     top: &emitted.top,
@@ -137,7 +138,7 @@ impl Machine {
     /// One clock.
     pub fn clock(&mut self) {
         match &mut self.running {
-            Running::RustHdl(circuit) => {
+            Running::BuiltIn(circuit) => {
                 let given: Vec<i64> = self.given.iter().map(|bits| *bits as i64).collect();
                 circuit.clock(&given);
                 for (index, signal) in self.outputs.iter().enumerate() {

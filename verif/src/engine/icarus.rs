@@ -1,6 +1,6 @@
 //! The emitted Verilog in Icarus Verilog: a process for each instance, which takes a line of inputs and gives a line of outputs every clock.
 //!
-//! It knows undefined bits, so that it shows what nothing drives or sets, where Verilator and rust-hdl read 0.
+//! It knows undefined bits, so that it shows what nothing drives or sets, where the other engines read 0.
 
 use super::design::{Design, DesignError, Instance, Source};
 use crate::signal::Signal;

@@ -1,4 +1,4 @@
-//! Engines that run the hardware: rust-hdl in process, and the emitted Verilog in Icarus Verilog or Verilator.
+//! Engines that run the hardware: the built-in simulator, and the emitted Verilog in Icarus Verilog or Verilator.
 //!
 //! A unit runs behind [`Hardware`](crate::subject::Hardware), a beam machine behind [`Engine`]; both get the same
 //! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
@@ -16,6 +16,9 @@ use imogene_models::format::{FittedWidths, Format};
 use imogene_models::machine::fitted::FittedSlot;
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::emit::machine::{MachineRequest, MachineWords, Slot};
+
+/// Name of the engine in process, the simulator of `imogene-hdl`, in options and reports.
+pub const BUILT_IN: &str = "built-in";
 
 /// Shape of a beam machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

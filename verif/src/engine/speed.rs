@@ -22,7 +22,7 @@ const MOST_TRACED: usize = 20_000;
 /// Clocks of random stimulus before it is repeated.
 const RANDOM_CLOCKS: usize = 10_000;
 
-/// What the unit is driven with. rust-hdl does not simulate what is at rest, so that a quiet picture suits it.
+/// What the unit is driven with. Little changes from clock to clock in a quiet picture, which suits some engines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
     /// A whole frame from one set of random words, for a unit with raster flags; as [`Drive::Random`] for any other.

@@ -10,7 +10,7 @@ pub mod slots;
 pub mod volumes;
 pub mod zone;
 
-use crate::engine::{Engine, MachineOutputs, MachineShape};
+use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
 use crate::trace::Trace;
@@ -250,7 +250,7 @@ impl Bands<'_> {
             handles.into_iter().map(join).collect()
         });
         let mut report = Report {
-            engine: "rust-hdl".into(),
+            engine: BUILT_IN.into(),
             ..Report::default()
         };
         let mut frame = Frame::background(width, 0, scene.format.z_max());

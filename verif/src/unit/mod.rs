@@ -27,6 +27,7 @@ mod volume;
 pub mod words;
 mod zone;
 
+use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
 use crate::signal::Signal;
 use crate::subject::{Golden, Inputs, Stimulus, Subject};
@@ -53,7 +54,7 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     let Description { golden, stimulus } = describe(&request);
     Ok(Subject {
         name: request.unit.name().to_owned(),
-        engine: "rust-hdl",
+        engine: BUILT_IN,
         inputs: signals(&top, Direction::In),
         outputs: signals(&top, Direction::Out),
         hardware: Box::new(move || {
