@@ -2,6 +2,7 @@
 
 use super::row::{Row, number};
 use super::{EvaluateError, Evaluation, duplication_plot, operations_plot};
+use crate::text::wrapped;
 use minijinja::{Environment, context};
 use serde_json::{Value, json};
 
@@ -63,14 +64,15 @@ const HEAD: [&str; 8] = [
 /// All tables as Markdown.
 pub fn markdown(evaluation: &Evaluation) -> String {
     let mut text = format!(
-        "# Evaluation: the cost tables of the sources counted again\n\n{INTRODUCTION}\n\nMade by `{COMMAND}`. Do not edit.\n"
+        "# Evaluation: the cost tables of the sources counted again\n\n{}\n\nMade by `{COMMAND}`. Do not edit.\n",
+        wrapped(INTRODUCTION, "")
     );
     text += "\n![Zones that a box touches](images/duplication.svg)\n\n![Operations to prepare an object](images/operations.svg)\n";
     for group in &evaluation.groups {
         text += &format!(
             "\n## {}\n\n{}\n\n| {} |\n|---|---:|---:|---:|---|---:|---|---|\n",
             group.title,
-            group.about,
+            wrapped(&group.about, ""),
             HEAD.join(" | ")
         );
         for row in &group.rows {

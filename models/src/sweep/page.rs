@@ -2,6 +2,7 @@
 
 use super::naive::FloatError;
 use super::{GivesOut, Notice, Record, SweepResult, runs};
+use crate::text::wrapped;
 
 const HEAD: [&str; 15] = [
     "depth bound, words",
@@ -43,7 +44,7 @@ pub fn section(result: &SweepResult, pictures: &str) -> String {
 
 /// What a sweep does, its figures series by series, and where the format gives out.
 pub fn markdown(result: &SweepResult) -> String {
-    let mut text = format!("{}\n", result.about);
+    let mut text = format!("{}\n", wrapped(result.about, ""));
     for name in result.series {
         let records: Vec<&Record> = result
             .records

@@ -1,6 +1,7 @@
 //! The scores as a page of the documentation.
 
 use super::{Fate, MutationReport};
+use imogene_models::text::wrapped;
 use std::fmt::Write as _;
 
 /// Units whose score is published, smallest first.
@@ -20,10 +21,11 @@ pub const UNITS: [&str; 10] = [
 const INTRODUCTION: &str = "\
 # Mutation scores
 
-A test suite is worth what it notices. Each unit's emitted Verilog is elaborated by Yosys, and mutants are made of the netlist: one bit of
-one cell port inverted (`inv`), held (`const0`, `const1`), or inverted when another bit of the port is 0 or 1 (`cnot0`, `cnot1`). A
-mutant is *killed* when the unit's own stimulus shows a difference from the golden model, and *equivalent* when it is proven to behave
-like the unit on every input, so that no test could kill it. The score is the share of the killed among the others.
+A test suite is worth what it notices. Each unit's emitted Verilog is elaborated by Yosys, and mutants are made of the
+netlist: one bit of one cell port inverted (`inv`), held (`const0`, `const1`), or inverted when another bit of the port
+is 0 or 1 (`cnot0`, `cnot1`). A mutant is *killed* when the unit's own stimulus shows a difference from the golden
+model, and *equivalent* when it is proven to behave like the unit on every input, so that no test could kill it. The
+score is the share of the killed among the others.
 ";
 
 /// The page; `command` made it.
@@ -46,10 +48,13 @@ pub fn markdown(reports: &[MutationReport], command: &str) -> String {
             r.longest_life
         );
     }
-    text += "\n*Candidates* are the mutants that Yosys finds possible; where they are more than the mutants, it picks them evenly over cells, \
-             ports and source lines. *Longest life* is how much stimulus the hardest of the killed mutants took.\n";
+    text += "\n*Candidates* are the mutants that Yosys finds possible; where they are more than the mutants, it picks them \
+             evenly over\ncells, ports and source lines. *Longest life* is how much stimulus the hardest of the killed \
+             mutants took.\n";
     text += "\n## Survivors\n\n";
-    text += &survivors(reports);
+    for line in survivors(reports).lines() {
+        text += &(wrapped(line, "  ") + "\n");
+    }
     text
 }
 

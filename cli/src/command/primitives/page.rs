@@ -3,6 +3,7 @@
 use super::hardware::TARGET;
 use super::{Comparison, Row};
 use imogene_models::compare::speed::Speed;
+use imogene_models::text::wrapped;
 use std::fmt::Write;
 
 /// What the source states of a sphere by a paraboloid: percent of the radius, then degrees.
@@ -15,8 +16,8 @@ pub fn markdown(comparison: &Comparison) -> String {
         .iter()
         .map(|r| format!("{r:.1}"))
         .collect();
-    let mut text = format!(
-        "{}, {} x {}, depth word {}, {:.1} depth words to the pixel; radii {} pixels.\n\n",
+    let drawn = format!(
+        "{}, {} x {}, depth word {}, {:.1} depth words to the pixel; radii {} pixels.",
         comparison.scene,
         comparison.width,
         comparison.height,
@@ -24,6 +25,7 @@ pub fn markdown(comparison: &Comparison) -> String {
         comparison.words_per_pixel,
         radii.join(", ")
     );
+    let mut text = wrapped(&drawn, "") + "\n\n";
     text += "| drawn as | sides around | presence differs | object differs | depth max px | depth rms px | depth max words | depth rms words | normal mean | normal max |\n";
     text += "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for row in &comparison.variants {
