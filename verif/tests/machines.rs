@@ -120,7 +120,7 @@ fn machines_of_any_words_in_the_built_in_simulator() {
         let machine = of_words(name, words);
         let image = drawn(scene, &machine);
         assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-        run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
+        run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
     }
 }
 
@@ -132,7 +132,7 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     machine.slots = Some(Slots(parse("2,2,2,1v,2,0,2v,3,3,3").expect("slots")));
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
-    run(&machine, &[image], &quiet(DisplayEngine::RustHdl));
+    run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
 }
 
 #[test]
@@ -144,8 +144,8 @@ fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
     };
     for (scene, machine, engine) in [
         ("processors/mesh.toml", &machine, VERILATOR),
-        ("processors/mesh.toml", &stream, DisplayEngine::RustHdl),
-        ("terrain/hills.toml", &machine, DisplayEngine::RustHdl),
+        ("processors/mesh.toml", &stream, DisplayEngine::BuiltIn),
+        ("terrain/hills.toml", &machine, DisplayEngine::BuiltIn),
     ] {
         let image = drawn(scene, machine);
         let is_seen = |id: &i32| *id >= 0;
