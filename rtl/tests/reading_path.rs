@@ -5,7 +5,7 @@ use imogene_rtl::emit::emit;
 use std::path::Path;
 
 /// The circuits on the way, from the smallest to the machine.
-const FILES: [&str; 10] = [
+const FILES: [&str; 13] = [
     "raster/mod.rs",
     "raster/pe1.rs",
     "raster/pe2.rs",
@@ -14,7 +14,10 @@ const FILES: [&str; 10] = [
     "object/quadric_pe.rs",
     "object/interval.rs",
     "object/cut_plane.rs",
+    "object/visible.rs",
+    "object/quadric_processor.rs",
     "machine/decider.rs",
+    "machine/object_array.rs",
     "machine/beam.rs",
 ];
 

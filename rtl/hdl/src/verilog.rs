@@ -97,7 +97,7 @@ impl Writer<'_> {
             });
             let Some(Name {
                 text: name,
-                offset: None,
+                element: None,
             }) = self.names.get(net).filter(|_| !is_port)
             else {
                 continue;

@@ -300,14 +300,14 @@ fn verilog_is_written_as_people_read_it() {
     let text = verilog::write(&design.top, "my_");
     let parts = [
         "module my_row (",
-        "    wire [39:0] steps_value;\n",
-        "    assign steps_value[7:0] = value;\n",
+        "    wire [7:0] steps_value [0:4];\n",
+        "    assign steps_value[0] = value;\n",
         "    for (k = 0; k < 4; k = k + 1) begin : steps\n        my_step step (",
-        ".value(steps_value[8 * k +: 8]), .enable(enable),",
-        ".late(steps_value[8 * (k + 1) +: 8]));\n",
-        "    assign sum = count + total;\n    assign high = steps_value[39];\n",
+        ".value(steps_value[k]), .enable(enable),",
+        ".late(steps_value[k + 1]));\n",
+        "    assign sum = count + total;\n    assign high = steps_value[4][7];\n",
         "        if (enable) begin\n            count <= count + 8'd1;\n",
-        "            if (clear) total <= steps_value[39:32];\n",
+        "            if (clear) total <= steps_value[4];\n",
     ];
     for part in parts {
         assert!(text.contains(part), "{part} is not in\n{text}");

@@ -50,8 +50,8 @@ pub(super) enum Design {
 pub(super) enum Words {
     /// None.
     None,
-    /// The register stages of a root network with remainders of this width.
-    Network { remainder_bits: usize },
+    /// The register stages of a root network.
+    Network,
     /// The inputs of a decider.
     Inputs,
 }
@@ -118,9 +118,9 @@ impl Job {
 
     fn text_words(&self) -> Vec<(String, String)> {
         match (self.words, &self.design) {
-            (Words::Network { remainder_bits }, Design::Emitted(request)) => {
+            (Words::Network, Design::Emitted(request)) => {
                 let [bits, rows] = [request.depth_word, request.rows_per_stage].map(|n| n as usize);
-                network::stage_words(bits, rows, remainder_bits)
+                network::stage_words(bits, rows)
             }
             (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects as usize),
             _ => Vec::new(),

@@ -21,20 +21,25 @@ pub(super) struct Names {
 #[derive(Clone, Debug)]
 pub(super) struct Name {
     pub(super) text: String,
-    pub(super) offset: Option<u32>,
+    pub(super) element: Option<u32>,
 }
 
 impl Name {
     pub(super) fn whole(text: String) -> Name {
-        Name { text, offset: None }
+        Name {
+            text,
+            element: None,
+        }
     }
 
     /// Bits of a net of this name and width.
     pub(super) fn part(&self, high: u32, low: u32, width: u32) -> String {
-        let text = &self.text;
-        let [high, low] = [high, low].map(|bit| bit + self.offset.unwrap_or(0));
+        let text = match self.element {
+            Some(element) => format!("{}[{element}]", self.text),
+            None => self.text.clone(),
+        };
         match high - low + 1 {
-            all if all == width && self.offset.is_none() => text.clone(),
+            all if all == width => text,
             1 => format!("{text}[{low}]"),
             _ => format!("{text}[{high}:{low}]"),
         }

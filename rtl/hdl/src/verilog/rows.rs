@@ -1,11 +1,11 @@
-//! Rows of equal instances as generate loops over vectors.
+//! Rows of equal instances as generate loops over arrays.
 //!
 //! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or
 //! the same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most
 //! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
 use super::names::Name;
-use super::text::{filled, range};
+use super::text::filled;
 use crate::tree::{Direction, Instance, Module, Net, Op};
 use std::fmt::Write;
 use std::ops::Range;
@@ -114,8 +114,8 @@ impl Row {
         &module.instances[self.instances.start].module
     }
 
-    /// The vector that an output is a part of, and how many elements on.
-    fn vector_of(&self, module: &Module, output: usize) -> (String, usize) {
+    /// The array that an output is an element of, and how many elements on.
+    fn array_of(&self, module: &Module, output: usize) -> (String, usize) {
         let own = self.module(module);
         let mut inputs = self.sources.iter().zip(own.ports_of(Direction::In));
         let follows =
@@ -127,40 +127,37 @@ impl Row {
         (format!("{}_{}", self.base, port.name), on)
     }
 
-    /// Calls each output a part of a vector.
+    /// Calls each output an element of an array.
     pub fn name_outputs(&self, module: &Module, names: &mut [Option<Name>]) {
         for (k, index) in self.instances.clone().enumerate() {
             for (output, net) in module.instances[index].outputs.iter().enumerate() {
-                let (text, on) = self.vector_of(module, output);
-                let offset = (k + on) as u32 * module.node(*net).width;
+                let (text, on) = self.array_of(module, output);
                 names[net.0 as usize] = Some(Name {
                     text,
-                    offset: Some(offset),
+                    element: Some((k + on) as u32),
                 });
             }
         }
     }
 
-    /// Names and widths of its vectors.
+    /// What it declares, each with its width: arrays of what goes from one to the next and of what comes out, which
+    /// simulators take apart, and vectors of what each is given.
     pub fn vectors(&self, module: &Module) -> Vec<(String, u32)> {
         let own = self.module(module);
         let count = self.instances.len() as u32;
         let inputs = self.sources.iter().zip(own.ports_of(Direction::In));
         let inputs = inputs.filter_map(|(source, port)| {
-            let elements = match source {
-                Source::Common(_) | Source::Beside(..) => return None,
-                Source::Before(..) => count + 1,
-                Source::Each(_) => count,
-            };
-            Some((
-                format!("{}_{}", self.base, port.name),
-                elements * port.width,
-            ))
+            let name = format!("{}_{}", self.base, port.name);
+            match source {
+                Source::Common(_) | Source::Beside(..) => None,
+                Source::Before(..) => Some((format!("{name} [0:{count}]"), port.width)),
+                Source::Each(_) => Some((name, count * port.width)),
+            }
         });
         let outputs = own.ports_of(Direction::Out).enumerate();
         let outputs = outputs.filter_map(|(output, port)| {
-            let (name, on) = self.vector_of(module, output);
-            (on == 0).then_some((name, count * port.width))
+            let (name, on) = self.array_of(module, output);
+            (on == 0).then(|| (format!("{name} [0:{}]", count - 1), port.width))
         });
         inputs.chain(outputs).collect()
     }
@@ -185,35 +182,25 @@ impl Row {
                 Source::Common(net) => value(*net),
                 Source::Beside(base, output) => {
                     let other = rows.iter().find(|row| row.instances.start == *base);
-                    let (name, on) = other.expect("a row").vector_of(module, *output);
-                    element(&name, width, on)
+                    let (name, on) = other.expect("a row").array_of(module, *output);
+                    element(&name, on)
                 }
                 Source::Before(_, first) => {
-                    writeln!(
-                        text,
-                        "    assign {name}{} = {};",
-                        low_part(width),
-                        value(*first)
-                    )
-                    .unwrap();
-                    element(&name, width, 0)
+                    writeln!(text, "    assign {name}[0] = {};", value(*first)).unwrap();
+                    element(&name, 0)
                 }
                 Source::Each(nets) => {
                     let values: Vec<String> = nets.iter().rev().map(|net| value(*net)).collect();
                     let values = filled(&format!("    assign {name} = {{"), &values, 8);
                     writeln!(text, "{values}}};").unwrap();
-                    element(&name, width, 0)
+                    part(&name, width)
                 }
             };
             lines.push(format!(".{}({connected})", port.name));
         }
         for (output, port) in own.ports_of(Direction::Out).enumerate() {
-            let (name, on) = self.vector_of(module, output);
-            lines.push(format!(
-                ".{}({})",
-                port.name,
-                element(&name, port.width, on)
-            ));
+            let (name, on) = self.array_of(module, output);
+            lines.push(format!(".{}({})", port.name, element(&name, on)));
         }
         let one = self.base.strip_suffix('s').unwrap_or("one");
         let (base, count) = (&self.base, self.instances.len());
@@ -229,19 +216,18 @@ impl Row {
     }
 }
 
-/// An element of a vector by the number of its instance, or the one after it.
-fn element(name: &str, width: u32, on: usize) -> String {
-    let index = if on == 0 { "k" } else { "(k + 1)" };
-    match width {
-        1 if on == 0 => format!("{name}[k]"),
-        1 => format!("{name}[k + 1]"),
-        _ => format!("{name}[{width} * {index} +: {width}]"),
+/// An element of an array by the number of its instance, or the one after it.
+fn element(name: &str, on: usize) -> String {
+    match on {
+        0 => format!("{name}[k]"),
+        _ => format!("{name}[k + 1]"),
     }
 }
 
-fn low_part(width: u32) -> String {
+/// What the instance of a number takes of a vector.
+fn part(name: &str, width: u32) -> String {
     match width {
-        1 => "[0]".to_owned(),
-        _ => range(width, false).trim_end().to_owned(),
+        1 => format!("{name}[k]"),
+        _ => format!("{name}[{width} * k +: {width}]"),
     }
 }

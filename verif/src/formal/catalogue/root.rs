@@ -68,9 +68,7 @@ fn network(
         rows_per_stage: rows_per_stage as u32,
         ..Request::of(Unit::SquareRoot, depth_word as u32)
     });
-    job.words = Words::Network {
-        remainder_bits: depth_word + 1,
-    };
+    job.words = Words::Network;
     job.widths = format!(
         "K = {depth_word}, F = {}, R = {rows_per_stage}",
         2 * depth_word
@@ -83,9 +81,7 @@ fn non_restoring() -> Job {
     let name = format!("non_restoring_rows-{BASE}-r1");
     let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
     job.design = Design::Emitted(Request::new(Unit::SquareRootNonRestoring));
-    job.words = Words::Network {
-        remainder_bits: BASE + 2,
-    };
+    job.words = Words::Network;
     job.top = Unit::SquareRootNonRestoring.name();
     job.full = true;
     job
