@@ -107,7 +107,11 @@ fn slang_finds_faults() {
         ),
         (difference, "dividend", "unused-but-set-net"),
         ("live + 26'd1", "{1'b0, live} + 27'd1", "width-trunc"),
-        ("wire [25:0] trial", "wire [24:0] trial", "width-expand"),
+        (
+            "wire [25:0] divisor, dividend, trial,",
+            "wire [24:0] trial; wire [25:0] divisor, dividend,",
+            "width-expand",
+        ),
         (test, "$signed(trial) < sign", "sign-compare"),
         (test, "trial & sign", "width-trunc"),
         ("assign divisor = {root, 2'd1};", "", "undriven-net"),
