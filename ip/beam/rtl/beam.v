@@ -40,23 +40,27 @@ module beam (
     output wire signed [15:0] nx, ny, nz
 );
 
-    wire raster_valid, raster_start, raster_line, unused_raster_last;
-    wire [11:0] raster_x, raster_y;
+    wire raster_valid, raster_start, raster_line, unused_raster_last, processors_out_valid [0:3];
+    wire [11:0] raster_x, raster_y, stores_box_x0 [0:3], stores_box_x1 [0:3], stores_box_y0 [0:3],
+        stores_box_y1 [0:3];
     reg [1:0] valid_late = 2'd0;
-    wire [3:0] stores_write, processors_out_valid;
-    wire [103:0] stores_f1_a, stores_f1_b, stores_f1_c;
-    wire [191:0] stores_f2_a2, stores_f2_b2, stores_f2_c, stores_f2_i0, stores_f2_p0, stores_f2_f;
-    wire [95:0] stores_gx_a, stores_gx_b, stores_gx_c, stores_gy_a, stores_gy_b, stores_gy_c, stores_gz_a,
-        stores_gz_b, stores_gz_c, processors_zf, processors_zb;
-    wire [63:0] stores_kx, stores_ky, stores_kz, stores_plane_0_nx, stores_plane_0_ny, stores_plane_0_nz,
-        stores_plane_1_nx, stores_plane_1_ny, stores_plane_1_nz, stores_plane_2_nx, stores_plane_2_ny,
-        stores_plane_2_nz, processors_nx, processors_ny, processors_nz;
-    wire [47:0] stores_box_x0, stores_box_x1, stores_box_y0, stores_box_y1;
-    wire [19:0] stores_shift;
-    wire [7:0] stores_object_class, stores_plane_0_kind, stores_plane_1_kind, stores_plane_2_kind;
-    wire [143:0] stores_plane_0_a, stores_plane_0_b, stores_plane_0_c, stores_plane_1_a, stores_plane_1_b,
-        stores_plane_1_c, stores_plane_2_a, stores_plane_2_b, stores_plane_2_c;
-    wire [15:0] processors_number;
+    wire [3:0] stores_write, processors_number [0:3];
+    wire [25:0] stores_f1_a [0:3], stores_f1_b [0:3], stores_f1_c [0:3];
+    wire [47:0] stores_f2_a2 [0:3], stores_f2_b2 [0:3], stores_f2_c [0:3], stores_f2_i0 [0:3], stores_f2_p0 [0:3],
+        stores_f2_f [0:3];
+    wire [23:0] stores_gx_a [0:3], stores_gx_b [0:3], stores_gx_c [0:3], stores_gy_a [0:3], stores_gy_b [0:3],
+        stores_gy_c [0:3], stores_gz_a [0:3], stores_gz_b [0:3], stores_gz_c [0:3], processors_zf [0:3],
+        processors_zb [0:3];
+    wire [15:0] stores_kx [0:3], stores_ky [0:3], stores_kz [0:3], stores_plane_0_nx [0:3], stores_plane_0_ny [0:3],
+        stores_plane_0_nz [0:3], stores_plane_1_nx [0:3], stores_plane_1_ny [0:3], stores_plane_1_nz [0:3],
+        stores_plane_2_nx [0:3], stores_plane_2_ny [0:3], stores_plane_2_nz [0:3], processors_nx [0:3],
+        processors_ny [0:3], processors_nz [0:3];
+    wire [4:0] stores_shift [0:3];
+    wire [1:0] stores_object_class [0:3], stores_plane_0_kind [0:3], stores_plane_1_kind [0:3],
+        stores_plane_2_kind [0:3];
+    wire [35:0] stores_plane_0_a [0:3], stores_plane_0_b [0:3], stores_plane_0_c [0:3], stores_plane_1_a [0:3],
+        stores_plane_1_b [0:3], stores_plane_1_c [0:3], stores_plane_2_a [0:3], stores_plane_2_b [0:3],
+        stores_plane_2_c [0:3];
     genvar k;
 
     raster_control raster (
@@ -67,73 +71,58 @@ module beam (
         load_valid & (load_object == 8'd1), load_valid & (load_object == 8'd0)};
     for (k = 0; k < 4; k = k + 1) begin : stores
         coefficient_store store (
-            .clock(clock), .write(stores_write[k]), .address(load_address), .data(load_data),
-            .f1_a(stores_f1_a[26 * k +: 26]), .f1_b(stores_f1_b[26 * k +: 26]), .f1_c(stores_f1_c[26 * k +: 26]),
-            .f2_a2(stores_f2_a2[48 * k +: 48]), .f2_b2(stores_f2_b2[48 * k +: 48]), .f2_c(stores_f2_c[48 * k +: 48]),
-            .f2_i0(stores_f2_i0[48 * k +: 48]), .f2_p0(stores_f2_p0[48 * k +: 48]), .f2_f(stores_f2_f[48 * k +: 48]),
-            .gx_a(stores_gx_a[24 * k +: 24]), .gx_b(stores_gx_b[24 * k +: 24]), .gx_c(stores_gx_c[24 * k +: 24]),
-            .gy_a(stores_gy_a[24 * k +: 24]), .gy_b(stores_gy_b[24 * k +: 24]), .gy_c(stores_gy_c[24 * k +: 24]),
-            .gz_a(stores_gz_a[24 * k +: 24]), .gz_b(stores_gz_b[24 * k +: 24]), .gz_c(stores_gz_c[24 * k +: 24]),
-            .kx(stores_kx[16 * k +: 16]), .ky(stores_ky[16 * k +: 16]), .kz(stores_kz[16 * k +: 16]),
-            .box_x0(stores_box_x0[12 * k +: 12]), .box_x1(stores_box_x1[12 * k +: 12]),
-            .box_y0(stores_box_y0[12 * k +: 12]), .box_y1(stores_box_y1[12 * k +: 12]),
-            .shift(stores_shift[5 * k +: 5]), .object_class(stores_object_class[2 * k +: 2]),
-            .plane_0_kind(stores_plane_0_kind[2 * k +: 2]), .plane_0_a(stores_plane_0_a[36 * k +: 36]),
-            .plane_0_b(stores_plane_0_b[36 * k +: 36]), .plane_0_c(stores_plane_0_c[36 * k +: 36]),
-            .plane_0_nx(stores_plane_0_nx[16 * k +: 16]), .plane_0_ny(stores_plane_0_ny[16 * k +: 16]),
-            .plane_0_nz(stores_plane_0_nz[16 * k +: 16]), .plane_1_kind(stores_plane_1_kind[2 * k +: 2]),
-            .plane_1_a(stores_plane_1_a[36 * k +: 36]), .plane_1_b(stores_plane_1_b[36 * k +: 36]),
-            .plane_1_c(stores_plane_1_c[36 * k +: 36]), .plane_1_nx(stores_plane_1_nx[16 * k +: 16]),
-            .plane_1_ny(stores_plane_1_ny[16 * k +: 16]), .plane_1_nz(stores_plane_1_nz[16 * k +: 16]),
-            .plane_2_kind(stores_plane_2_kind[2 * k +: 2]), .plane_2_a(stores_plane_2_a[36 * k +: 36]),
-            .plane_2_b(stores_plane_2_b[36 * k +: 36]), .plane_2_c(stores_plane_2_c[36 * k +: 36]),
-            .plane_2_nx(stores_plane_2_nx[16 * k +: 16]), .plane_2_ny(stores_plane_2_ny[16 * k +: 16]),
-            .plane_2_nz(stores_plane_2_nz[16 * k +: 16]));
+            .clock(clock), .write(stores_write[k]), .address(load_address), .data(load_data), .f1_a(stores_f1_a[k]),
+            .f1_b(stores_f1_b[k]), .f1_c(stores_f1_c[k]), .f2_a2(stores_f2_a2[k]), .f2_b2(stores_f2_b2[k]),
+            .f2_c(stores_f2_c[k]), .f2_i0(stores_f2_i0[k]), .f2_p0(stores_f2_p0[k]), .f2_f(stores_f2_f[k]),
+            .gx_a(stores_gx_a[k]), .gx_b(stores_gx_b[k]), .gx_c(stores_gx_c[k]), .gy_a(stores_gy_a[k]),
+            .gy_b(stores_gy_b[k]), .gy_c(stores_gy_c[k]), .gz_a(stores_gz_a[k]), .gz_b(stores_gz_b[k]),
+            .gz_c(stores_gz_c[k]), .kx(stores_kx[k]), .ky(stores_ky[k]), .kz(stores_kz[k]), .box_x0(stores_box_x0[k]),
+            .box_x1(stores_box_x1[k]), .box_y0(stores_box_y0[k]), .box_y1(stores_box_y1[k]), .shift(stores_shift[k]),
+            .object_class(stores_object_class[k]), .plane_0_kind(stores_plane_0_kind[k]),
+            .plane_0_a(stores_plane_0_a[k]), .plane_0_b(stores_plane_0_b[k]), .plane_0_c(stores_plane_0_c[k]),
+            .plane_0_nx(stores_plane_0_nx[k]), .plane_0_ny(stores_plane_0_ny[k]), .plane_0_nz(stores_plane_0_nz[k]),
+            .plane_1_kind(stores_plane_1_kind[k]), .plane_1_a(stores_plane_1_a[k]), .plane_1_b(stores_plane_1_b[k]),
+            .plane_1_c(stores_plane_1_c[k]), .plane_1_nx(stores_plane_1_nx[k]), .plane_1_ny(stores_plane_1_ny[k]),
+            .plane_1_nz(stores_plane_1_nz[k]), .plane_2_kind(stores_plane_2_kind[k]), .plane_2_a(stores_plane_2_a[k]),
+            .plane_2_b(stores_plane_2_b[k]), .plane_2_c(stores_plane_2_c[k]), .plane_2_nx(stores_plane_2_nx[k]),
+            .plane_2_ny(stores_plane_2_ny[k]), .plane_2_nz(stores_plane_2_nz[k]));
     end
 
     for (k = 0; k < 4; k = k + 1) begin : processors
         quadric_processor processor (
             .clock(clock), .valid(raster_valid), .start(raster_start), .line(raster_line), .x(raster_x), .y(raster_y),
-            .f1_a(stores_f1_a[26 * k +: 26]), .f1_b(stores_f1_b[26 * k +: 26]), .f1_c(stores_f1_c[26 * k +: 26]),
-            .f2_a2(stores_f2_a2[48 * k +: 48]), .f2_b2(stores_f2_b2[48 * k +: 48]), .f2_c(stores_f2_c[48 * k +: 48]),
-            .f2_i0(stores_f2_i0[48 * k +: 48]), .f2_p0(stores_f2_p0[48 * k +: 48]), .f2_f(stores_f2_f[48 * k +: 48]),
-            .gx_a(stores_gx_a[24 * k +: 24]), .gx_b(stores_gx_b[24 * k +: 24]), .gx_c(stores_gx_c[24 * k +: 24]),
-            .gy_a(stores_gy_a[24 * k +: 24]), .gy_b(stores_gy_b[24 * k +: 24]), .gy_c(stores_gy_c[24 * k +: 24]),
-            .gz_a(stores_gz_a[24 * k +: 24]), .gz_b(stores_gz_b[24 * k +: 24]), .gz_c(stores_gz_c[24 * k +: 24]),
-            .kx(stores_kx[16 * k +: 16]), .ky(stores_ky[16 * k +: 16]), .kz(stores_kz[16 * k +: 16]),
-            .box_x0(stores_box_x0[12 * k +: 12]), .box_x1(stores_box_x1[12 * k +: 12]),
-            .box_y0(stores_box_y0[12 * k +: 12]), .box_y1(stores_box_y1[12 * k +: 12]),
-            .shift(stores_shift[5 * k +: 5]), .object_class(stores_object_class[2 * k +: 2]),
-            .plane_0_kind(stores_plane_0_kind[2 * k +: 2]), .plane_0_a(stores_plane_0_a[36 * k +: 36]),
-            .plane_0_b(stores_plane_0_b[36 * k +: 36]), .plane_0_c(stores_plane_0_c[36 * k +: 36]),
-            .plane_0_nx(stores_plane_0_nx[16 * k +: 16]), .plane_0_ny(stores_plane_0_ny[16 * k +: 16]),
-            .plane_0_nz(stores_plane_0_nz[16 * k +: 16]), .plane_1_kind(stores_plane_1_kind[2 * k +: 2]),
-            .plane_1_a(stores_plane_1_a[36 * k +: 36]), .plane_1_b(stores_plane_1_b[36 * k +: 36]),
-            .plane_1_c(stores_plane_1_c[36 * k +: 36]), .plane_1_nx(stores_plane_1_nx[16 * k +: 16]),
-            .plane_1_ny(stores_plane_1_ny[16 * k +: 16]), .plane_1_nz(stores_plane_1_nz[16 * k +: 16]),
-            .plane_2_kind(stores_plane_2_kind[2 * k +: 2]), .plane_2_a(stores_plane_2_a[36 * k +: 36]),
-            .plane_2_b(stores_plane_2_b[36 * k +: 36]), .plane_2_c(stores_plane_2_c[36 * k +: 36]),
-            .plane_2_nx(stores_plane_2_nx[16 * k +: 16]), .plane_2_ny(stores_plane_2_ny[16 * k +: 16]),
-            .plane_2_nz(stores_plane_2_nz[16 * k +: 16]), .out_valid(processors_out_valid[k]),
-            .zf(processors_zf[24 * k +: 24]), .zb(processors_zb[24 * k +: 24]),
-            .number(processors_number[4 * k +: 4]), .nx(processors_nx[16 * k +: 16]),
-            .ny(processors_ny[16 * k +: 16]), .nz(processors_nz[16 * k +: 16]));
+            .f1_a(stores_f1_a[k]), .f1_b(stores_f1_b[k]), .f1_c(stores_f1_c[k]), .f2_a2(stores_f2_a2[k]),
+            .f2_b2(stores_f2_b2[k]), .f2_c(stores_f2_c[k]), .f2_i0(stores_f2_i0[k]), .f2_p0(stores_f2_p0[k]),
+            .f2_f(stores_f2_f[k]), .gx_a(stores_gx_a[k]), .gx_b(stores_gx_b[k]), .gx_c(stores_gx_c[k]),
+            .gy_a(stores_gy_a[k]), .gy_b(stores_gy_b[k]), .gy_c(stores_gy_c[k]), .gz_a(stores_gz_a[k]),
+            .gz_b(stores_gz_b[k]), .gz_c(stores_gz_c[k]), .kx(stores_kx[k]), .ky(stores_ky[k]), .kz(stores_kz[k]),
+            .box_x0(stores_box_x0[k]), .box_x1(stores_box_x1[k]), .box_y0(stores_box_y0[k]),
+            .box_y1(stores_box_y1[k]), .shift(stores_shift[k]), .object_class(stores_object_class[k]),
+            .plane_0_kind(stores_plane_0_kind[k]), .plane_0_a(stores_plane_0_a[k]), .plane_0_b(stores_plane_0_b[k]),
+            .plane_0_c(stores_plane_0_c[k]), .plane_0_nx(stores_plane_0_nx[k]), .plane_0_ny(stores_plane_0_ny[k]),
+            .plane_0_nz(stores_plane_0_nz[k]), .plane_1_kind(stores_plane_1_kind[k]), .plane_1_a(stores_plane_1_a[k]),
+            .plane_1_b(stores_plane_1_b[k]), .plane_1_c(stores_plane_1_c[k]), .plane_1_nx(stores_plane_1_nx[k]),
+            .plane_1_ny(stores_plane_1_ny[k]), .plane_1_nz(stores_plane_1_nz[k]),
+            .plane_2_kind(stores_plane_2_kind[k]), .plane_2_a(stores_plane_2_a[k]), .plane_2_b(stores_plane_2_b[k]),
+            .plane_2_c(stores_plane_2_c[k]), .plane_2_nx(stores_plane_2_nx[k]), .plane_2_ny(stores_plane_2_ny[k]),
+            .plane_2_nz(stores_plane_2_nz[k]), .out_valid(processors_out_valid[k]), .zf(processors_zf[k]),
+            .zb(processors_zb[k]), .number(processors_number[k]), .nx(processors_nx[k]), .ny(processors_ny[k]),
+            .nz(processors_nz[k]));
     end
 
     decider decider (
-        .clock(clock), .input_0_depth(processors_zf[23:0]), .input_0_id(8'd0),
-        .input_0_number(processors_number[3:0]), .input_0_nx(processors_nx[15:0]), .input_0_ny(processors_ny[15:0]),
-        .input_0_nz(processors_nz[15:0]), .input_1_depth(processors_zf[47:24]), .input_1_id(8'd1),
-        .input_1_number(processors_number[7:4]), .input_1_nx(processors_nx[31:16]), .input_1_ny(processors_ny[31:16]),
-        .input_1_nz(processors_nz[31:16]), .input_2_depth(processors_zf[71:48]), .input_2_id(8'd2),
-        .input_2_number(processors_number[11:8]), .input_2_nx(processors_nx[47:32]),
-        .input_2_ny(processors_ny[47:32]), .input_2_nz(processors_nz[47:32]), .input_3_depth(processors_zf[95:72]),
-        .input_3_id(8'd3), .input_3_number(processors_number[15:12]), .input_3_nx(processors_nx[63:48]),
-        .input_3_ny(processors_ny[63:48]), .input_3_nz(processors_nz[63:48]), .depth(depth), .id(id), .number(number),
-        .nx(nx), .ny(ny), .nz(nz));
+        .clock(clock), .input_0_depth(processors_zf[0]), .input_0_id(8'd0), .input_0_number(processors_number[0]),
+        .input_0_nx(processors_nx[0]), .input_0_ny(processors_ny[0]), .input_0_nz(processors_nz[0]),
+        .input_1_depth(processors_zf[1]), .input_1_id(8'd1), .input_1_number(processors_number[1]),
+        .input_1_nx(processors_nx[1]), .input_1_ny(processors_ny[1]), .input_1_nz(processors_nz[1]),
+        .input_2_depth(processors_zf[2]), .input_2_id(8'd2), .input_2_number(processors_number[2]),
+        .input_2_nx(processors_nx[2]), .input_2_ny(processors_ny[2]), .input_2_nz(processors_nz[2]),
+        .input_3_depth(processors_zf[3]), .input_3_id(8'd3), .input_3_number(processors_number[3]),
+        .input_3_nx(processors_nx[3]), .input_3_ny(processors_ny[3]), .input_3_nz(processors_nz[3]), .depth(depth),
+        .id(id), .number(number), .nx(nx), .ny(ny), .nz(nz));
 
     assign valid = valid_late[1];
-    wire unused = &{1'b0, processors_zb[23:0], processors_out_valid[1], processors_zb[47:24], processors_out_valid[2], processors_zb[71:48], processors_out_valid[3], processors_zb[95:72]};
+    wire unused = &{1'b0, processors_zb[0], processors_out_valid[1], processors_zb[1], processors_out_valid[2], processors_zb[2], processors_out_valid[3], processors_zb[3]};
 
     always @(posedge clock) begin
         valid_late <= {valid_late[0], processors_out_valid[0]};

@@ -97,12 +97,13 @@ module quadric_processor (
 );
 
     wire signed [25:0] quadric_near_sum, quadric_far_sum;
-    wire [23:0] quadric_root;
+    wire [23:0] quadric_root, cut_a_zf [0:3], cut_a_zb [0:3], cut_b_zf [0:3], cut_b_zb [0:3];
     wire quadric_is_inside, quadric_late_valid, quadric_late_start, quadric_late_line, in_box, surface;
     reg [25:0] in_box_late = 26'd0;
     wire signed [23:0] interval_zf_a, interval_zb_a, interval_zf_b, interval_zb_b, planes_0_depth, planes_1_depth,
         planes_2_depth, merge_zf, merge_zb;
-    wire [3:0] interval_nf_a, interval_nb_a, interval_nf_b, interval_nb_b, merge_nf, unused_merge_nb;
+    wire [3:0] interval_nf_a, interval_nb_a, interval_nf_b, interval_nb_b, merge_nf, unused_merge_nb, cut_a_nf [0:3],
+        cut_a_nb [0:3], cut_b_nf [0:3], cut_b_nb [0:3];
     reg valid_late_1 = 1'd0, start_late_1 = 1'd0, line_late_1 = 1'd0, valid_late_1_2 = 1'd0, start_late_1_2 = 1'd0,
         line_late_1_2 = 1'd0, valid_late_1_3 = 1'd0, start_late_1_3 = 1'd0, line_late_1_3 = 1'd0;
     reg [23:0] root_late_1 = 24'd0, root_late_2 = 24'd0, root_late_3 = 24'd0, root_late_4 = 24'd0,
@@ -115,8 +116,6 @@ module quadric_processor (
     wire [5:0] cut_a_kind, cut_b_kind;
     wire [11:0] cut_a_number, cut_b_number;
     wire [71:0] cut_a_zp, cut_b_zp;
-    wire [95:0] cut_a_zf, cut_a_zb, cut_b_zf, cut_b_zb;
-    wire [15:0] cut_a_nf, cut_a_nb, cut_b_nf, cut_b_nb;
     genvar k;
 
     quadric_pe quadric (
@@ -146,39 +145,35 @@ module quadric_processor (
     assign cut_a_kind = {plane_2_kind, plane_1_kind, plane_0_kind};
     assign cut_a_number = {4'd4, 4'd3, 4'd2};
     assign cut_a_zp = {planes_2_depth, planes_1_depth, planes_0_depth};
-    assign cut_a_zf[23:0] = interval_zf_a;
-    assign cut_a_nf[3:0] = interval_nf_a;
-    assign cut_a_zb[23:0] = interval_zb_a;
-    assign cut_a_nb[3:0] = interval_nb_a;
+    assign cut_a_zf[0] = interval_zf_a;
+    assign cut_a_nf[0] = interval_nf_a;
+    assign cut_a_zb[0] = interval_zb_a;
+    assign cut_a_nb[0] = interval_nb_a;
     for (k = 0; k < 3; k = k + 1) begin : cut_a
         cut_plane one (
             .clock(clock), .kind(cut_a_kind[2 * k +: 2]), .surface(surface), .number(cut_a_number[4 * k +: 4]),
-            .zp(cut_a_zp[24 * k +: 24]), .zf(cut_a_zf[24 * k +: 24]), .nf(cut_a_nf[4 * k +: 4]),
-            .zb(cut_a_zb[24 * k +: 24]), .nb(cut_a_nb[4 * k +: 4]), .cut_zf(cut_a_zf[24 * (k + 1) +: 24]),
-            .cut_nf(cut_a_nf[4 * (k + 1) +: 4]), .cut_zb(cut_a_zb[24 * (k + 1) +: 24]),
-            .cut_nb(cut_a_nb[4 * (k + 1) +: 4]));
+            .zp(cut_a_zp[24 * k +: 24]), .zf(cut_a_zf[k]), .nf(cut_a_nf[k]), .zb(cut_a_zb[k]), .nb(cut_a_nb[k]),
+            .cut_zf(cut_a_zf[k + 1]), .cut_nf(cut_a_nf[k + 1]), .cut_zb(cut_a_zb[k + 1]), .cut_nb(cut_a_nb[k + 1]));
     end
 
     assign cut_b_kind = {plane_2_kind, plane_1_kind, plane_0_kind};
     assign cut_b_number = {4'd4, 4'd3, 4'd2};
     assign cut_b_zp = {planes_2_depth, planes_1_depth, planes_0_depth};
-    assign cut_b_zf[23:0] = interval_zf_b;
-    assign cut_b_nf[3:0] = interval_nf_b;
-    assign cut_b_zb[23:0] = interval_zb_b;
-    assign cut_b_nb[3:0] = interval_nb_b;
+    assign cut_b_zf[0] = interval_zf_b;
+    assign cut_b_nf[0] = interval_nf_b;
+    assign cut_b_zb[0] = interval_zb_b;
+    assign cut_b_nb[0] = interval_nb_b;
     for (k = 0; k < 3; k = k + 1) begin : cut_b
         cut_plane one (
             .clock(clock), .kind(cut_b_kind[2 * k +: 2]), .surface(surface), .number(cut_b_number[4 * k +: 4]),
-            .zp(cut_b_zp[24 * k +: 24]), .zf(cut_b_zf[24 * k +: 24]), .nf(cut_b_nf[4 * k +: 4]),
-            .zb(cut_b_zb[24 * k +: 24]), .nb(cut_b_nb[4 * k +: 4]), .cut_zf(cut_b_zf[24 * (k + 1) +: 24]),
-            .cut_nf(cut_b_nf[4 * (k + 1) +: 4]), .cut_zb(cut_b_zb[24 * (k + 1) +: 24]),
-            .cut_nb(cut_b_nb[4 * (k + 1) +: 4]));
+            .zp(cut_b_zp[24 * k +: 24]), .zf(cut_b_zf[k]), .nf(cut_b_nf[k]), .zb(cut_b_zb[k]), .nb(cut_b_nb[k]),
+            .cut_zf(cut_b_zf[k + 1]), .cut_nf(cut_b_nf[k + 1]), .cut_zb(cut_b_zb[k + 1]), .cut_nb(cut_b_nb[k + 1]));
     end
 
     two_volume_merge merge (
-        .clock(clock), .zf_a(cut_a_zf[95:72]), .nf_a(cut_a_nf[15:12]), .zb_a(cut_a_zb[95:72]), .nb_a(cut_a_nb[15:12]),
-        .zf_b(cut_b_zf[95:72]), .nf_b(cut_b_nf[15:12]), .zb_b(cut_b_zb[95:72]), .nb_b(cut_b_nb[15:12]), .zf(merge_zf),
-        .nf(merge_nf), .zb(merge_zb), .nb(unused_merge_nb));
+        .clock(clock), .zf_a(cut_a_zf[3]), .nf_a(cut_a_nf[3]), .zb_a(cut_a_zb[3]), .nb_a(cut_a_nb[3]),
+        .zf_b(cut_b_zf[3]), .nf_b(cut_b_nf[3]), .zb_b(cut_b_zb[3]), .nb_b(cut_b_nb[3]), .zf(merge_zf), .nf(merge_nf),
+        .zb(merge_zb), .nb(unused_merge_nb));
 
     normal_unit normal (
         .clock(clock), .valid(valid_late[3]), .start(start_late[3]), .line(line_late[3]), .number(merge_nf),
