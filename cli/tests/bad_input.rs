@@ -220,8 +220,8 @@ fn usage_and_parameters_out_of_range() {
             &["1st-", "begin with a letter"],
         ),
         (
-            vec!["emit", "pe1", "--format", "23", "--out", out],
-            &["23", "24"],
+            vec!["emit", "pe1", "--format", "33", "--out", out],
+            &["33", "8 to 32"],
         ),
         (
             vec!["emit", "quadric_processor", "--planes", "13", "--out", out],

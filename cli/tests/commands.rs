@@ -36,7 +36,7 @@ fn demo_draws_the_teapot_with_no_difference() {
     let summary = json(&["demo", "--out", out.to_str().unwrap()]);
     assert_keys(&summary, &COSIM_KEYS);
     assert_eq!(summary["mismatches"], 0);
-    assert_eq!(summary["pixels"], 160 * 120);
+    assert_eq!(summary["pixels"], 320 * 240);
     for name in [
         "image.png",
         "golden.png",
