@@ -121,7 +121,7 @@ impl Unit {
     pub const fn least_word(self) -> u32 {
         match self {
             // Its parabolas read a bit of the square by its place.
-            Unit::SquareRootQuadratic => 11,
+            Unit::SquareRootQuadratic => 12,
             _ => LEAST_DEPTH as u32,
         }
     }
