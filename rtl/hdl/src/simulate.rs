@@ -6,10 +6,10 @@ mod flat;
 use crate::build::Design;
 use crate::tree::{Direction, PortRecord};
 use crate::value::mask;
-use code::{Code, Kind, in_runs};
+use code::{Code, Run, in_runs, run};
 use flat::Flat;
+use std::array::from_fn;
 use std::collections::HashMap;
-use std::ops::Range;
 
 /// A port of the design's top module, or a point inside, by its place in a simulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,41 +26,72 @@ struct Flop {
     enable: u32,
 }
 
-#[derive(Clone, Debug)]
+/// A memory.
+#[derive(Clone, Copy, Debug)]
 struct Store {
-    words: Vec<u64>,
+    words: usize,
+    /// Enable, address and word of a write.
     write: [u32; 3],
     address: u32,
     output: u32,
-    /// What it gives from the next clock on.
-    read: u64,
 }
 
-/// A design that runs, clock by clock.
-pub struct Simulator {
+/// A design that runs, clock by clock: as many instances as there are lanes, each with words of its own, in lock-step.
+///
+/// An operation is read once for all lanes: a clock of eight takes less than three times that of one.
+pub struct Simulator<const LANES: usize = 1> {
     ports: Vec<PortRecord>,
     places: Vec<u32>,
-    words: Vec<u64>,
+    words: Vec<[u64; LANES]>,
     code: Vec<Code>,
-    /// Operations of one kind that need nothing of each other.
-    runs: Vec<(Kind, Range<usize>)>,
+    runs: Vec<Run>,
+    /// So many of them, the first, need nothing but inputs.
+    quiet: usize,
     flops: Vec<Flop>,
-    taken: Vec<u64>,
     stores: Vec<Store>,
+    memories: Vec<Vec<[u64; LANES]>>,
+    /// What flops and stores give from the next clock on.
+    taken: Vec<[u64; LANES]>,
     is_settled: bool,
+    /// No input has changed since all was settled.
+    is_quiet: bool,
     points: HashMap<String, Port>,
 }
 
 /// The word that is always 1.
 const ONE: u32 = 0;
 
+/// The first word of a flop; those of the others and of the stores lie behind it.
+const STATE: usize = 1;
+
 impl Simulator {
-    /// Sorts the operations of a design.
+    /// One instance of a design.
     ///
     /// # Panics
     ///
     /// With the name of a value in a loop without a register.
     pub fn new(design: &Design) -> Simulator {
+        Simulator::in_lanes(design)
+    }
+
+    /// Gives an input its word; bits beyond its width count nothing.
+    pub fn set(&mut self, port: Port, value: u64) {
+        self.set_lane(0, port, value);
+    }
+
+    /// The word of a port in this clock.
+    pub fn get(&mut self, port: Port) -> u64 {
+        self.get_lane(0, port)
+    }
+}
+
+impl<const LANES: usize> Simulator<LANES> {
+    /// Sorts the operations of a design, for an instance in every lane.
+    ///
+    /// # Panics
+    ///
+    /// With the name of a value in a loop without a register.
+    pub fn in_lanes(design: &Design) -> Simulator<LANES> {
         let mut flat = Flat::default();
         flat.word(1);
         let inputs: Vec<u32> = design
@@ -71,21 +102,26 @@ impl Simulator {
         let outputs = flat.place(&design.top, "", &inputs);
         let mut places: Vec<u32> = inputs.into_iter().chain(outputs).collect();
         flat.without_copies(&mut places);
+        flat.code = flat.sorted();
+        let words = flat.without_constants();
+        let state: Vec<u32> = flat.state().collect();
+        let (runs, quiet) = in_runs(&mut flat.code, &state, words.len());
+        let words = flat.in_order(words, &mut places);
         let points = std::mem::take(&mut flat.points);
-        let code = flat.sorted();
-        let (code, mut words) = flat.without_constants(code);
-        let (code, runs) = in_runs(code, words.len());
-        words[ONE as usize] = 1;
+        let memory = |store: &Store| vec![[0; LANES]; store.words];
         Simulator {
             ports: design.top.ports.clone(),
             places,
-            taken: vec![0; flat.flops.len()],
-            words,
-            code,
+            words: words.into_iter().map(|[word]| [word; LANES]).collect(),
+            code: flat.code,
             runs,
+            quiet,
+            memories: flat.stores.iter().map(memory).collect(),
+            taken: vec![[0; LANES]; flat.flops.len() + flat.stores.len()],
             flops: flat.flops,
             stores: flat.stores,
             is_settled: false,
+            is_quiet: false,
             points: points.into_iter().collect(),
         }
     }
@@ -117,16 +153,20 @@ impl Simulator {
         &self.ports
     }
 
-    /// Gives an input its word; bits beyond its width count nothing.
-    pub fn set(&mut self, port: Port, value: u64) {
-        self.words[port.place as usize] = value & mask(port.width);
-        self.is_settled = false;
+    /// Gives an input its word in one lane; bits beyond its width count nothing.
+    pub fn set_lane(&mut self, lane: usize, port: Port, value: u64) {
+        let word = &mut self.words[port.place as usize][lane];
+        let value = value & mask(port.width);
+        if *word != value {
+            *word = value;
+            (self.is_settled, self.is_quiet) = (false, false);
+        }
     }
 
-    /// The word of a port in this clock.
-    pub fn get(&mut self, port: Port) -> u64 {
+    /// The word of a port in this clock in one lane.
+    pub fn get_lane(&mut self, lane: usize, port: Port) -> u64 {
         self.settle();
-        self.words[port.place as usize]
+        self.words[port.place as usize][lane]
     }
 
     /// Operations and registers.
@@ -138,44 +178,39 @@ impl Simulator {
         if self.is_settled {
             return;
         }
-        self.is_settled = true;
-        for (kind, range) in &self.runs {
-            kind.run(&self.code[range.clone()], &mut self.words);
-        }
+        let first = if self.is_quiet { self.quiet } else { 0 };
+        run(&self.runs[first..], &self.code, &mut self.words);
+        (self.is_settled, self.is_quiet) = (true, true);
     }
 
     /// The rising edge.
     pub fn clock(&mut self) {
         self.settle();
-        for (taken, flop) in self.taken.iter_mut().zip(&self.flops) {
-            let from = if self.words[flop.enable as usize] != 0 {
-                flop.next
-            } else {
-                flop.output
-            };
-            *taken = self.words[from as usize];
+        let words = &mut self.words;
+        let (flops, read) = self.taken.split_at_mut(self.flops.len());
+        for (taken, flop) in flops.iter_mut().zip(&self.flops) {
+            let [enable, next, output] =
+                [flop.enable, flop.next, flop.output].map(|place| words[place as usize]);
+            *taken = from_fn(|lane| match enable[lane] {
+                0 => output[lane],
+                _ => next[lane],
+            });
         }
-        for store in &mut self.stores {
-            let [enable, at, data, read] = [
-                store.write[0],
-                store.write[1],
-                store.write[2],
-                store.address,
-            ]
-            .map(|place| self.words[place as usize]);
-            store.read = store.words.get(read as usize).copied().unwrap_or(0);
-            if enable != 0
-                && let Some(word) = store.words.get_mut(at as usize)
-            {
-                *word = data;
+        for ((store, memory), read) in self.stores.iter().zip(&mut self.memories).zip(read) {
+            let [enable, at, data] = store.write.map(|place| words[place as usize]);
+            let address = words[store.address as usize];
+            for lane in 0..LANES {
+                read[lane] = memory
+                    .get(address[lane] as usize)
+                    .map_or(0, |word| word[lane]);
+                if enable[lane] != 0
+                    && let Some(word) = memory.get_mut(at[lane] as usize)
+                {
+                    word[lane] = data[lane];
+                }
             }
         }
-        for store in &self.stores {
-            self.words[store.output as usize] = store.read;
-        }
-        for (taken, flop) in self.taken.iter().zip(&self.flops) {
-            self.words[flop.output as usize] = *taken;
-        }
+        words[STATE..][..self.taken.len()].copy_from_slice(&self.taken);
         self.is_settled = false;
     }
 }

@@ -1,5 +1,6 @@
-//! Operations on words that lie one behind the other.
+//! Operations on words that lie one behind the other, each in all lanes at once.
 
+use std::array::from_fn;
 use std::ops::Range;
 
 /// The operations: how many words each reads, and its value from the words x, y and z and a constant count c.
@@ -18,13 +19,17 @@ macro_rules! operations {
             }
 
             /// Runs operations of this kind one after the other.
-            pub(super) fn run(self, code: &[Code], words: &mut [u64]) {
+            #[inline(always)]
+            pub(super) fn run<const LANES: usize>(self, code: &[Code], words: &mut [[u64; LANES]]) {
                 match self {
                     $(Kind::$kind => {
                         for Code { from, count, to, mask, .. } in code {
-                            let [$x, $y, $z] = from.map(|place| words[place as usize]);
+                            let read = from.map(|place| words[place as usize]);
                             let $c = *count;
-                            words[*to as usize] = $value & mask;
+                            words[*to as usize] = from_fn(|lane| {
+                                let [$x, $y, $z] = read.map(|word| word[lane]);
+                                mask & $value
+                            });
                         }
                     })*
                 }
@@ -68,26 +73,59 @@ pub(super) struct Code {
     pub(super) mask: u64,
 }
 
-/// Operations behind those whose results they read, those of one kind together as far as they may be.
-pub(super) fn in_runs(code: Vec<Code>, words: usize) -> (Vec<Code>, Vec<(Kind, Range<usize>)>) {
-    let mut level = vec![0u32; words];
-    let mut leveled: Vec<(u32, Code)> = vec![];
-    for code in code {
-        let reads = &code.from[..code.kind.reads()];
-        let before = reads.iter().map(|place| level[*place as usize]).max();
-        let own = before.unwrap_or(0) + 1;
+/// Operations of one kind that need nothing of each other, by their places.
+pub(super) type Run = (Kind, Range<usize>);
+
+/// Sorts operations behind those whose results they read, those of one kind together as far as they may be. The number is
+/// that of the first runs, which need nothing of `state`.
+pub(super) fn in_runs(code: &mut [Code], state: &[u32], words: usize) -> (Vec<Run>, usize) {
+    // Whether it follows from the state, and after how many operations.
+    let mut level = vec![(false, 0); words];
+    for place in state {
+        level[*place as usize].0 = true;
+    }
+    for code in code.iter() {
+        let reads = code.from[..code.kind.reads()].iter();
+        let own = reads.fold((false, 0), |(is_loud, above), place| {
+            let (loud, level) = level[*place as usize];
+            (is_loud | loud, above.max(level + 1))
+        });
         level[code.to as usize] = own;
-        leveled.push((own, code));
     }
-    leveled.sort_by_key(|(level, code)| (*level, code.kind));
-    let mut runs: Vec<(Kind, Range<usize>)> = vec![];
-    let mut before = 0;
-    for (index, (level, code)) in leveled.iter().enumerate() {
-        match runs.last_mut() {
-            Some((kind, range)) if *kind == code.kind && *level == before => range.end = index + 1,
-            _ => runs.push((code.kind, index..index + 1)),
-        }
-        before = *level;
+    let key = |code: &Code| (level[code.to as usize], code.kind);
+    code.sort_by_key(key);
+    let mut quiet = 0;
+    let mut end = 0;
+    let run = |run: &[Code]| {
+        let (((is_loud, _), kind), start) = (key(&run[0]), end);
+        quiet += usize::from(!is_loud);
+        end += run.len();
+        (kind, start..end)
+    };
+    let runs = code.chunk_by(|a, b| key(a) == key(b)).map(run).collect();
+    (runs, quiet)
+}
+
+/// Runs operations: with registers of four words, if this processor has them.
+pub(super) fn run<const LANES: usize>(runs: &[Run], code: &[Code], words: &mut [[u64; LANES]]) {
+    #[cfg(target_arch = "x86_64")]
+    if LANES > 1 && is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has what the function needs.
+        return unsafe { run_wide(runs, code, words) };
     }
-    (leveled.into_iter().map(|(_, code)| code).collect(), runs)
+    run_here(runs, code, words);
+}
+
+/// Eight lanes of a beam machine take 24 microseconds a clock in this way, 34 in the other.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn run_wide<const LANES: usize>(runs: &[Run], code: &[Code], words: &mut [[u64; LANES]]) {
+    run_here(runs, code, words);
+}
+
+#[inline(always)]
+fn run_here<const LANES: usize>(runs: &[Run], code: &[Code], words: &mut [[u64; LANES]]) {
+    for (kind, range) in runs {
+        kind.run(&code[range.clone()], words);
+    }
 }

@@ -11,7 +11,7 @@ use std::rc::Rc;
 #[derive(Default)]
 pub(super) struct Flat {
     pub(super) words: Vec<u64>,
-    code: Vec<Code>,
+    pub(super) code: Vec<Code>,
     pub(super) flops: Vec<Flop>,
     pub(super) stores: Vec<Store>,
     /// Words of constants.
@@ -92,11 +92,10 @@ impl Flat {
         }
         for memory in &module.memories {
             self.stores.push(Store {
-                words: vec![0; memory.words],
+                words: memory.words,
                 write: memory.write.map(at),
                 address: at(memory.address),
                 output: at(memory.net),
-                read: 0,
             });
         }
         module
@@ -202,19 +201,53 @@ impl Flat {
             }
             place
         };
-        for code in &mut self.code {
-            code.from = code.from.map(first);
+        self.renumber(ports, first);
+    }
+
+    /// Puts the words in the order in which a clock goes through them: state, results of operations, the others.
+    pub(super) fn in_order(&mut self, words: Vec<[u64; 1]>, ports: &mut [u32]) -> Vec<[u64; 1]> {
+        let results = self.code.iter().map(|code| code.to);
+        let first = [ONE].into_iter().chain(self.state()).chain(results);
+        let mut number = vec![u32::MAX; words.len()];
+        let mut order = vec![];
+        for place in first.chain(0..words.len() as u32) {
+            if number[place as usize] == u32::MAX {
+                number[place as usize] = order.len() as u32;
+                order.push(place);
+            }
+        }
+        self.renumber(ports, |place| number[place as usize]);
+        order
+            .into_iter()
+            .map(|place| words[place as usize])
+            .collect()
+    }
+
+    /// The words that a clock writes.
+    pub(super) fn state(&self) -> impl Iterator<Item = u32> {
+        let flops = self.flops.iter().map(|flop| flop.output);
+        flops.chain(self.stores.iter().map(|store| store.output))
+    }
+
+    fn renumber(&mut self, ports: &mut [u32], number: impl Fn(u32) -> u32) {
+        let renumber = |place: &mut u32| *place = number(*place);
+        for Code { from, to, .. } in &mut self.code {
+            from.iter_mut().chain([to]).for_each(renumber);
         }
         for flop in &mut self.flops {
-            (flop.next, flop.enable) = (first(flop.next), first(flop.enable));
+            let Flop {
+                output,
+                next,
+                enable,
+            } = flop;
+            [output, next, enable].into_iter().for_each(renumber);
         }
         for store in &mut self.stores {
-            (store.write, store.address) = (store.write.map(first), first(store.address));
+            let places = [&mut store.address, &mut store.output];
+            store.write.iter_mut().chain(places).for_each(renumber);
         }
         let points = self.points.iter_mut().map(|(_, point)| &mut point.place);
-        for place in ports.iter_mut().chain(points) {
-            *place = first(*place);
-        }
+        ports.iter_mut().chain(points).for_each(renumber);
     }
 
     /// Operations behind those whose results they read.
@@ -252,25 +285,24 @@ impl Flat {
         order
     }
 
-    /// The operations that do not follow from constants alone, and the words after the others.
-    pub(super) fn without_constants(&self, code: Vec<Code>) -> (Vec<Code>, Vec<u64>) {
-        let mut words = self.words.clone();
+    /// Leaves the operations that do not follow from constants alone; the words after the others.
+    pub(super) fn without_constants(&mut self) -> Vec<[u64; 1]> {
+        let mut words: Vec<[u64; 1]> = self.words.iter().map(|word| [*word]).collect();
         let mut is_constant = vec![false; words.len()];
         is_constant[ONE as usize] = true;
         for place in &self.literals {
             is_constant[*place as usize] = true;
         }
-        let mut left = vec![];
-        for code in code {
+        self.code.retain(|code| {
             let mut reads = code.from[..code.kind.reads()].iter();
-            if reads.all(|place| is_constant[*place as usize]) {
-                code.kind.run(&[code], &mut words);
+            let follows = reads.all(|place| is_constant[*place as usize]);
+            if follows {
+                code.kind.run(&[*code], &mut words);
                 is_constant[code.to as usize] = true;
-            } else {
-                left.push(code);
             }
-        }
-        (left, words)
+            !follows
+        });
+        words
     }
 
     fn refuse_loop(&self, place: u32) -> ! {
