@@ -212,14 +212,17 @@ mod tests {
             let linear = guards[0].min(base.quadratic + quadratic - base.sum);
             let format = base.with_guards(linear, quadratic).unwrap();
             let mut processor = QuadricProcessor::zone_start(&words, &format);
+            let mut probed = processor.clone();
             for y in 0..20 {
                 if y > 0 {
                     processor.line_step();
+                    probed.line_step();
                 }
                 let mut line = [None; 20];
                 for_each_present(&words, &format, y, |x, pixel| line[x as usize] = Some(pixel));
                 for got in line {
                     let expected = processor.pixel();
+                    prop_assert_eq!(expected, probed.probe().output);
                     prop_assert_eq!(got, (expected.zf != format.z_max()).then_some(expected));
                 }
             }

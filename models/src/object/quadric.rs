@@ -356,7 +356,20 @@ impl QuadricProcessor {
 
     /// What the processor hands on for the next pixel of the line.
     pub fn pixel(&mut self) -> ObjectPixel {
-        self.probe().output
+        if self.words.screen_box.contains(self.x, self.y) {
+            return self.probe().output;
+        }
+        // Nothing is there, and no plane changes that.
+        self.core.skip();
+        let linear = self.planes.iter_mut().chain(&mut self.g);
+        linear.for_each(|pe| _ = pe.pixel());
+        self.x += 1;
+        ObjectPixel {
+            zf: self.format.z_max(),
+            zb: self.format.z_max(),
+            number: 0,
+            normal: [0; 3],
+        }
     }
 
     fn chain(&self, start: (Interval, Interval), depths: &[i64]) -> Vec<(Interval, Interval)> {

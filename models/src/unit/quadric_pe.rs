@@ -42,6 +42,12 @@ impl QuadricPe {
         self.f2.line_step();
     }
 
+    /// Leaves the next pixel of the line out.
+    pub fn skip(&mut self) {
+        self.f1.pixel();
+        self.f2.pixel();
+    }
+
     /// The depths at the next pixel of the line.
     pub fn pixel(&mut self, format: &Format) -> QuadricDepths {
         let f1 = format.drop_linear(self.f1.pixel() as i64);
