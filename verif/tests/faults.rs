@@ -101,7 +101,7 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     let scene = teapot(48, 36);
     let mut options = Options {
         rows_per_stage: 4,
-        bands: 1,
+        threads: 1,
         trace: Some(TraceRequest {
             object: 0,
             clocks: 100,
@@ -132,12 +132,59 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     assert!(vcd.contains("processor_0") && vcd.contains("beam"));
 }
 
+/// Bands of 4 and of 5 lines run in the lanes of one engine; each counts its own latency and knows its own lines.
+#[test]
+fn every_lane_reports_the_places_of_its_band() {
+    let scene = teapot(48, 36);
+    let run = |fault| {
+        let options = Options {
+            rows_per_stage: 4,
+            threads: 1,
+            trace: None,
+            fault,
+        };
+        let engine = |shape: &_| BuiltIn::new(shape).unwrap();
+        scene::run(&scene, &options, engine, || ()).unwrap()
+    };
+    let (good, frame) = run(None);
+    assert!(good.passed(), "{:?}", good.first_mismatches);
+    let shape = scene::shape_of(&scene, 4).unwrap();
+    let latency = u64::from(scene::latency(&scene, &shape));
+    assert_eq!(
+        (good.pixels, good.cycles),
+        (48 * 36, 48 * 36 + 8 * (latency - 1))
+    );
+
+    for object in 0..scene.objects.len() as u8 {
+        let (address, bit) = (2, 18);
+        let (report, broken) = run(Some(Fault {
+            object,
+            address,
+            bit,
+        }));
+        let depths = frame.depth.iter().zip(&broken.depth);
+        let differs: Vec<bool> = depths.map(|(good, broken)| good != broken).collect();
+        let found = report
+            .first_mismatches
+            .iter()
+            .filter(|m| m.signal == "depth");
+        let places = found.map(|m| m.pixel.map(|(x, y)| (y * 48 + x) as usize).unwrap());
+        let wanted = differs
+            .iter()
+            .enumerate()
+            .filter_map(|(at, differs)| differs.then_some(at));
+        let places: Vec<usize> = places.collect();
+        assert_eq!(places, wanted.take(places.len()).collect::<Vec<_>>());
+        assert!(!places.is_empty(), "object {object}");
+    }
+}
+
 #[test]
 fn faults_that_do_not_exist_are_refused() {
     let scene = teapot(16, 12);
     let options = Options {
         rows_per_stage: 24,
-        bands: 1,
+        threads: 1,
         trace: None,
         fault: Some(Fault {
             object: 99,

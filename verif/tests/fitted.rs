@@ -74,7 +74,7 @@ fn run(index: usize, emitted: &Emitted, fault: Option<Fault>) -> Report {
     let design = fitted::compile(Simulator::Verilator, &machine, emitted).unwrap();
     let options = Options {
         rows_per_stage: machine.rows_per_stage as usize,
-        bands: 1,
+        threads: 1,
         trace: None,
         fault,
     };

@@ -150,7 +150,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
 fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure> {
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage(),
-        bands: threads(),
+        threads: threads(),
         trace: options.vcd.as_ref().map(|_| TraceRequest {
             object: options.trace_object,
             clocks: TRACE_CLOCKS,

@@ -46,7 +46,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let (framed, prepared) = frame_scene(&file, Some(SIZE), 24)?;
     let run_options = scene::Options {
         rows_per_stage: 1,
-        bands: threads(),
+        threads: threads(),
         trace: Some(TraceRequest {
             object: TRACED,
             clocks: TRACE_CLOCKS,

@@ -245,7 +245,7 @@ fn cosimulate(
     let design = scene::fitted::compile(simulator, machine, emitted).map_err(Failure::input)?;
     let options = scene::Options {
         rows_per_stage: machine.rows_per_stage as usize,
-        bands: threads(),
+        threads: threads(),
         trace: None,
         fault: None,
     };

@@ -333,7 +333,7 @@ fn beam_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Fra
     let bar = output::progress(pixels, "hardware in simulation");
     let run_options = scene::Options {
         rows_per_stage: options.rows_per_stage,
-        bands: threads(),
+        threads: threads(),
         trace: None,
         fault: None,
     };

@@ -85,20 +85,22 @@ pub struct VerilogBeam {
 }
 
 impl Engine for VerilogBeam {
-    fn load(&mut self, object: u8, word: &LoadWord) {
-        let words = [0, 0, 0, 1, object.into(), word.address.into(), word.bits];
-        self.instance.clock(&words, &mut [None; 7]);
+    fn load(&mut self, object: u8, words: &[LoadWord]) {
+        for word in words {
+            let words = [0, 0, 0, 1, object.into(), word.address.into(), word.bits];
+            self.instance.clock(&words, &mut [None; 7]);
+        }
     }
 
-    fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs {
-        let zone = [inputs.width, inputs.height].map(u64::from);
-        let words = [inputs.go.into(), zone[0], zone[1], 0, 0, 0, 0];
-        let mut found = [None; 7];
-        self.instance.clock(&words, &mut found);
-        let mut outputs = MachineOutputs::default();
-        for ((value, signal), bits) in outputs.values.iter_mut().zip(&self.outputs).zip(found) {
-            *value = bits.map(|bits| signal.value(bits));
+    fn clock(&mut self, inputs: &[MachineInputs], outputs: &mut [MachineOutputs]) {
+        for (inputs, outputs) in inputs.iter().zip(outputs) {
+            let zone = [inputs.width, inputs.height].map(u64::from);
+            let words = [inputs.go.into(), zone[0], zone[1], 0, 0, 0, 0];
+            let mut found = [None; 7];
+            self.instance.clock(&words, &mut found);
+            for ((value, signal), bits) in outputs.values.iter_mut().zip(&self.outputs).zip(found) {
+                *value = bits.map(|bits| signal.value(bits));
+            }
         }
-        outputs
     }
 }

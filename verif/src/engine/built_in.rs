@@ -4,10 +4,14 @@ use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::emit::EmitError;
+use std::array::from_fn;
 
-/// A beam machine in its own simulator.
+/// Lanes of a beam machine: more make no step cheaper, because the words of all lanes leave the cache.
+const LANES: usize = 8;
+
+/// A beam machine in its own simulator, in lanes.
 pub struct BuiltIn {
-    circuit: Circuit,
+    circuit: Circuit<LANES>,
     /// Signals inside a slot, and what each is called there.
     inside: Vec<(ProbeSignal, String)>,
 }
@@ -44,7 +48,7 @@ fn point(signal: &str) -> String {
 }
 
 impl BuiltIn {
-    /// A fresh machine: every slot is empty.
+    /// Fresh machines: every slot is empty.
     ///
     /// # Errors
     ///
@@ -55,25 +59,33 @@ impl BuiltIn {
             (probe, point)
         });
         Ok(BuiltIn {
-            circuit: Circuit::new(&shape.request().design()?),
+            circuit: Circuit::in_lanes(&shape.request().design()?),
             inside: inside.collect(),
         })
     }
 }
 
 impl Engine for BuiltIn {
-    fn load(&mut self, object: u8, word: &LoadWord) {
-        let [object, address] = [object, word.address].map(i64::from);
-        let bits = word.bits as i64;
-        self.circuit.clock(&[0, 0, 0, 1, object, address, bits]);
+    const LANES: usize = LANES;
+
+    fn load(&mut self, object: u8, words: &[LoadWord]) {
+        for (lane, word) in words.iter().enumerate() {
+            let [object, address] = [object, word.address].map(i64::from);
+            let inputs = [0, 0, 0, 1, object, address, word.bits as i64];
+            self.circuit.set(lane, &inputs);
+        }
+        self.circuit.step();
     }
 
-    fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs {
-        let [width, height] = [inputs.width, inputs.height].map(i64::from);
-        let go = inputs.go.into();
-        self.circuit.clock(&[go, width, height, 0, 0, 0, 0]);
-        MachineOutputs {
-            values: std::array::from_fn(|index| Some(self.circuit.output(index))),
+    fn clock(&mut self, inputs: &[MachineInputs], outputs: &mut [MachineOutputs]) {
+        for (lane, inputs) in inputs.iter().enumerate() {
+            let [width, height] = [inputs.width, inputs.height].map(i64::from);
+            let inputs = [inputs.go.into(), width, height, 0, 0, 0, 0];
+            self.circuit.set(lane, &inputs);
+        }
+        self.circuit.step();
+        for (lane, outputs) in outputs.iter_mut().enumerate() {
+            outputs.values = from_fn(|index| Some(self.circuit.output_of(lane, index)));
         }
     }
 
@@ -81,11 +93,11 @@ impl Engine for BuiltIn {
         self.inside.iter().map(|(probe, _)| probe.clone()).collect()
     }
 
-    fn probe(&mut self, object: usize) -> Vec<i64> {
+    fn probe(&mut self, lane: usize, object: usize) -> Vec<i64> {
         let BuiltIn { circuit, inside } = self;
         let read = |(probe, point): &(ProbeSignal, String)| {
             let path = format!("processors_{object}.{point}");
-            let bits = circuit.point(&path);
+            let bits = circuit.point(lane, &path);
             let bits = bits.unwrap_or_else(|| panic!("the machine has no point {path}"));
             probe.signal.value(bits)
         };

@@ -4,26 +4,17 @@ use crate::signal::Signal;
 use crate::subject::Hardware;
 use imogene_hdl::{Design, Direction, Port, Simulator};
 
-/// A circuit with its ports in their order.
-pub struct Circuit {
-    simulator: Simulator,
+/// A circuit with its ports in their order, in lanes.
+pub struct Circuit<const LANES: usize = 1> {
+    simulator: Simulator<LANES>,
     inputs: Vec<Port>,
     outputs: Vec<(Signal, Port)>,
 }
 
-impl Circuit {
-    /// The one module that a function builds.
-    ///
-    /// # Panics
-    ///
-    /// If the circuit is refused.
-    pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
-        Circuit::new(&Design::of(build))
-    }
-
-    /// A fresh instance of a design.
-    pub fn new(design: &Design) -> Circuit {
-        let simulator = Simulator::new(design);
+impl<const LANES: usize> Circuit<LANES> {
+    /// Fresh instances of a design.
+    pub fn in_lanes(design: &Design) -> Circuit<LANES> {
+        let simulator = Simulator::in_lanes(design);
         let inputs = design.top.ports_of(Direction::In);
         let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
         let output = design.top.ports_of(Direction::Out).map(|port| {
@@ -40,24 +31,55 @@ impl Circuit {
         }
     }
 
+    /// Gives a lane its inputs in their order, of which the low bits count.
+    pub fn set(&mut self, lane: usize, inputs: &[i64]) {
+        for (port, value) in self.inputs.iter().zip(inputs) {
+            self.simulator.set_lane(lane, *port, *value as u64);
+        }
+    }
+
+    /// Gives all lanes one clock.
+    pub fn step(&mut self) {
+        self.simulator.clock();
+    }
+
+    /// The value of an output of a lane, by its place among them.
+    pub fn output_of(&mut self, lane: usize, index: usize) -> i64 {
+        let (signal, port) = &self.outputs[index];
+        signal.value(self.simulator.get_lane(lane, *port))
+    }
+
+    /// The bits of a point inside a lane, as [`Simulator::point`] finds it.
+    pub fn point(&mut self, lane: usize, path: &str) -> Option<u64> {
+        let port = self.simulator.point(path)?;
+        Some(self.simulator.get_lane(lane, port))
+    }
+}
+
+impl Circuit {
+    /// The one module that a function builds.
+    ///
+    /// # Panics
+    ///
+    /// If the circuit is refused.
+    pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
+        Circuit::new(&Design::of(build))
+    }
+
+    /// A fresh instance of a design.
+    pub fn new(design: &Design) -> Circuit {
+        Circuit::in_lanes(design)
+    }
+
     /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
-        for (port, value) in self.inputs.iter().zip(inputs) {
-            self.simulator.set(*port, *value as u64);
-        }
-        self.simulator.clock();
+        self.set(0, inputs);
+        self.step();
     }
 
     /// The value of an output, by its place among them.
     pub fn output(&mut self, index: usize) -> i64 {
-        let (signal, port) = &self.outputs[index];
-        signal.value(self.simulator.get(*port))
-    }
-
-    /// The bits of a point inside, as [`Simulator::point`] finds it.
-    pub fn point(&mut self, path: &str) -> Option<u64> {
-        let port = self.simulator.point(path)?;
-        Some(self.simulator.get(port))
+        self.output_of(0, index)
     }
 
     /// The value of the output of this name.

@@ -107,21 +107,24 @@ impl MachineOutputs {
     }
 }
 
-/// Something that runs the hardware of a beam machine clock by clock.
+/// Something that runs the hardware of a beam machine clock by clock, in lanes: machines of their own in lock-step.
 pub trait Engine {
-    /// Writes one coefficient word; takes a clock.
-    fn load(&mut self, object: u8, word: &LoadWord);
+    /// Most lanes.
+    const LANES: usize = 1;
 
-    /// One clock without a write.
-    fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs;
+    /// Writes one coefficient word, a value for each lane in use; takes a clock.
+    fn load(&mut self, object: u8, words: &[LoadWord]);
+
+    /// One clock without a write: inputs and outputs of each lane in use.
+    fn clock(&mut self, inputs: &[MachineInputs], outputs: &mut [MachineOutputs]);
 
     /// The signals inside a slot that this engine shows; none where it shows only ports.
     fn inside(&self) -> Vec<ProbeSignal> {
         Vec::new()
     }
 
-    /// Values of the signals of [`Engine::inside`] in one slot, after the last clock.
-    fn probe(&mut self, _object: usize) -> Vec<i64> {
+    /// Values of the signals of [`Engine::inside`] in one slot of a lane, after the last clock.
+    fn probe(&mut self, _lane: usize, _object: usize) -> Vec<i64> {
         Vec::new()
     }
 }

@@ -140,7 +140,7 @@ impl Extreme {
         let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
         let options = Options {
             rows_per_stage: 1,
-            bands: 2,
+            threads: 2,
             trace: None,
             fault: None,
         };

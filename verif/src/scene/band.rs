@@ -51,52 +51,116 @@ pub(super) fn word_width(address: u8, shape: &MachineShape) -> Option<u32> {
     }
 }
 
-impl Band<'_> {
-    /// Runs the band; returns counts, the hardware's lines and the waveforms.
-    pub(super) fn run(
-        &self,
-        engine: &mut impl Engine,
-        pixel_done: &impl Fn(),
-    ) -> (Report, Frame, Option<Trace>) {
-        self.load(engine);
-        let (width, height) = (self.scene.width as usize, self.lines);
-        let pixels = width * height;
-        let first_pixel = self.latency - 1;
-        let traced = self.trace.map(|request| request.object);
-        let mut golden = GoldenMachine::new(&self.objects, &self.scene.format, width);
-        let mut expected = Delay::new(first_pixel);
-        let mut recorder = self
-            .trace
-            .map(|request| Recorder::new(request, self, engine.inside()));
-        let mut report = Report::default();
-        let mut frame = Frame::background(width, height, self.scene.format.z_max());
-        for clock in 0..pixels + first_pixel {
-            let outputs = engine.clock(MachineInputs {
-                go: clock == 0,
-                width: width as u16,
-                height: height as u16,
-            });
-            let next = (clock < pixels).then(|| golden.pixel(traced));
-            let (visible, probe) = match next {
-                Some((visible, probe)) => (Some(visible), probe),
-                None => (None, None),
-            };
-            let stated = expected.push(visible).flatten();
-            let index = clock.wrapping_sub(first_pixel);
-            self.score(&outputs, stated, index, &mut report);
-            if let Some(recorder) = &mut recorder {
-                let inside = engine.probe(recorder.object);
-                let golden = recorder.align(probe.map(|p| probe_values(&p)));
-                self.score_inside(recorder, clock, &inside, &golden, &mut report);
-                recorder.clock(&outputs, stated, inside, golden, &report);
+/// What a band gives: counts, the hardware's lines and the waveforms.
+pub(super) type Part = (Report, Frame, Option<Trace>);
+
+/// Runs bands in the lanes of one engine, in lock-step; a lane that is done is left alone.
+pub(super) fn run(bands: &[Band], engine: &mut impl Engine, pixel_done: &impl Fn()) -> Vec<Part> {
+    load(bands, engine);
+    let signals = engine.inside();
+    let mut scans: Vec<Scan> = bands.iter().map(|band| Scan::new(band, &signals)).collect();
+    let mut outputs = vec![MachineOutputs::default(); bands.len()];
+    for clock in 0..bands.iter().map(Band::clocks).max().unwrap_or(0) {
+        let inputs: Vec<MachineInputs> = bands.iter().map(|band| band.inputs(clock)).collect();
+        engine.clock(&inputs, &mut outputs);
+        for (lane, (scan, outputs)) in scans.iter_mut().zip(&outputs).enumerate() {
+            if clock < scan.band.clocks() {
+                let is_pixel = scan.clock(clock, outputs, |object| engine.probe(lane, object));
+                if is_pixel {
+                    pixel_done();
+                }
             }
-            if outputs.valid() && index < pixels {
-                store(&mut frame, index, &outputs, self.scene.format.z_max());
-                pixel_done();
-            }
-            report.cycles += 1;
         }
-        (report, frame, recorder.map(|r| r.trace))
+    }
+    scans.into_iter().map(Scan::part).collect()
+}
+
+/// Loads the coefficients of all bands, a word of each in a clock.
+fn load(bands: &[Band], engine: &mut impl Engine) {
+    let objects = bands.first().map_or(0, |band| band.objects.len());
+    for object in 0..objects {
+        let words: Vec<Vec<LoadWord>> = bands.iter().map(|band| band.load_words(object)).collect();
+        for index in 0..words[0].len() {
+            let words: Vec<LoadWord> = words.iter().map(|words| words[index]).collect();
+            engine.load(object as u8, &words);
+        }
+    }
+}
+
+/// A band on its way through a lane.
+struct Scan<'a> {
+    band: &'a Band<'a>,
+    golden: GoldenMachine,
+    expected: Delay<Option<Visible>>,
+    recorder: Option<Recorder>,
+    report: Report,
+    frame: Frame,
+}
+
+impl<'a> Scan<'a> {
+    fn new(band: &'a Band, signals: &[ProbeSignal]) -> Scan<'a> {
+        let (width, format) = (band.scene.width as usize, &band.scene.format);
+        let recorder = |request| Recorder::new(request, band, signals.to_vec());
+        Scan {
+            band,
+            golden: GoldenMachine::new(&band.objects, format, width),
+            expected: Delay::new(band.latency - 1),
+            recorder: band.trace.map(recorder),
+            report: Report::default(),
+            frame: Frame::background(width, band.lines, format.z_max()),
+        }
+    }
+
+    /// Compares one clock; true if the hardware gave a pixel.
+    fn clock(
+        &mut self,
+        clock: usize,
+        outputs: &MachineOutputs,
+        probe: impl FnOnce(usize) -> Vec<i64>,
+    ) -> bool {
+        let Scan { band, report, .. } = self;
+        let traced = band.trace.map(|request| request.object);
+        let next = (clock < band.pixels()).then(|| self.golden.pixel(traced));
+        let (visible, values) = next.map_or((None, None), |(seen, values)| (Some(seen), values));
+        let stated = self.expected.push(visible).flatten();
+        let index = clock.wrapping_sub(band.latency - 1);
+        band.score(outputs, stated, index, report);
+        if let Some(recorder) = &mut self.recorder {
+            let inside = probe(recorder.object);
+            let golden = recorder.align(values.map(|values| probe_values(&values)));
+            band.score_inside(recorder, clock, &inside, &golden, report);
+            recorder.clock(outputs, stated, inside, golden, report);
+        }
+        let is_pixel = outputs.valid() && index < band.pixels();
+        if is_pixel {
+            store(&mut self.frame, index, outputs, band.scene.format.z_max());
+        }
+        report.cycles += 1;
+        is_pixel
+    }
+
+    fn part(self) -> Part {
+        let trace = self.recorder.map(|recorder| recorder.trace);
+        (self.report, self.frame, trace)
+    }
+}
+
+impl Band<'_> {
+    fn pixels(&self) -> usize {
+        self.scene.width as usize * self.lines
+    }
+
+    /// Clocks from `go` to the last pixel.
+    fn clocks(&self) -> usize {
+        self.pixels() + self.latency - 1
+    }
+
+    fn inputs(&self, clock: usize) -> MachineInputs {
+        MachineInputs {
+            go: clock == 0,
+            width: self.scene.width as u16,
+            height: self.lines as u16,
+        }
     }
 
     /// Column and line on the screen of the pixel with this index in the band.
@@ -108,13 +172,12 @@ impl Band<'_> {
         )
     }
 
-    fn load(&self, engine: &mut impl Engine) {
-        for (object, words) in self.objects.iter().enumerate() {
-            for mut word in load_words(words, &self.scene.format, words.planes.len()) {
-                self.inject(object, &mut word);
-                engine.load(object as u8, &word);
-            }
-        }
+    /// The words of a slot, with the fault if it is there.
+    fn load_words(&self, object: usize) -> Vec<LoadWord> {
+        let words = &self.objects[object];
+        let mut words = load_words(words, &self.scene.format, words.planes.len());
+        words.iter_mut().for_each(|word| self.inject(object, word));
+        words
     }
 
     fn inject(&self, object: usize, word: &mut LoadWord) {
@@ -148,9 +211,7 @@ impl Band<'_> {
         }
         report.pixels += u64::from(stated.is_some());
     }
-}
 
-impl Band<'_> {
     /// The inside of the traced processor counts like the outputs of the machine.
     fn score_inside(
         &self,
@@ -213,6 +274,8 @@ impl Recorder {
         // The middle line of the traced object.
         let line = super::middle_line(&band.objects[request.object]) as u64;
         let from = line * u64::from(band.scene.width);
+        let last = (band.clocks() as u64).saturating_sub(request.clocks);
+        let from = from.min(last);
         let mut groups = vec![Group {
             name: "beam".into(),
             stimulus: vec![],

@@ -34,18 +34,19 @@ impl GoldenMachine {
         }
         self.column += 1;
         let mut probe = None;
+        let visible = |(id, processor): (usize, &mut QuadricProcessor)| {
+            let output = if traced == Some(id) {
+                probe.insert(processor.probe()).output
+            } else {
+                processor.pixel()
+            };
+            Visible::of(&output, id as u8)
+        };
         let inputs: Vec<Visible> = self
             .processors
             .iter_mut()
             .enumerate()
-            .map(|(id, processor)| {
-                let values = processor.probe();
-                let visible = Visible::of(&values.output, id as u8);
-                if traced == Some(id) {
-                    probe = Some(values);
-                }
-                visible
-            })
+            .map(visible)
             .collect();
         (decide(&inputs), probe)
     }

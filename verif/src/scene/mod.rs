@@ -1,7 +1,7 @@
 //! Co-simulation of a whole scene: a beam machine against the golden machine, every output on every clock.
 //!
-//! The screen is cut into bands, one per thread; each band is a zone of its own with its own coefficients, as in a machine with several
-//! graphics modules (source: 2.4.4).
+//! The screen is cut into bands, one for each lane of an engine and each thread; each band is a zone of its own with its
+//! own coefficients, as in a machine with several graphics modules (source: 2.4.4).
 
 mod band;
 pub mod fitted;
@@ -13,8 +13,7 @@ pub mod zone;
 use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
-use crate::trace::Trace;
-use band::Band;
+use band::{Band, Part};
 use imogene_models::machine::frame::Frame;
 use imogene_models::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_models::prepare::{PreparedObject, PreparedScene};
@@ -49,8 +48,8 @@ pub struct Fault {
 pub struct Options {
     /// Rows of the root network per register stage.
     pub rows_per_stage: usize,
-    /// Bands, each with a thread of its own.
-    pub bands: usize,
+    /// Threads, each with an engine of its own.
+    pub threads: usize,
     /// Waveforms of the band that holds the middle of the traced object.
     pub trace: Option<TraceRequest>,
     /// Fault put into the hardware.
@@ -162,8 +161,8 @@ pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
 
 /// Runs the scene through the hardware of `engine` and compares with the golden machine.
 ///
-/// `engine` makes a fresh machine for each band; `pixel_done` is called once a pixel, from any thread. Returns the report and the frame
-/// that the *hardware* drew.
+/// `engine` makes fresh machines for each thread; `pixel_done` is called once a pixel, from any thread. Returns the report
+/// and the frame that the *hardware* drew.
 pub fn run<E: Engine>(
     scene: &PreparedScene,
     options: &Options,
@@ -205,22 +204,55 @@ struct Bands<'a> {
 }
 
 impl Bands<'_> {
-    /// Runs every band on a machine of its own, in a thread of its own.
+    /// Runs every band on a machine of its own; the report counts the clocks of all bands, each with its latency.
     fn run<E: Engine>(
         &self,
         engine: impl Fn() -> E + Sync,
         pixel_done: impl Fn() + Sync,
     ) -> Result<(Report, Frame), CosimError> {
+        let started = Instant::now();
+        let bands = self.cut(self.options.threads * E::LANES);
+        let in_one = bands.len().div_ceil(self.options.threads.max(1));
+        let parts: Vec<Part> = std::thread::scope(|scope| {
+            let (engine, pixel_done) = (&engine, &pixel_done);
+            let run = |bands| scope.spawn(move || band::run(bands, &mut engine(), pixel_done));
+            let handles: Vec<_> = bands.chunks(in_one).map(run).collect();
+            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
+                handle
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            handles.into_iter().flat_map(join).collect()
+        });
+        let mut report = Report {
+            engine: BUILT_IN.into(),
+            ..Report::default()
+        };
+        let width = self.scene.width as usize;
+        let mut frame = Frame::background(width, 0, self.scene.format.z_max());
+        for (part, lines, trace) in parts {
+            report.absorb(part);
+            append(&mut frame, lines);
+            report.trace = report.trace.or(trace);
+        }
+        report.timed(started.elapsed().as_secs_f64());
+        Ok((report, frame))
+    }
+
+    /// The screen in so many bands, or fewer: each with a line at least, and long enough for the waveforms asked for.
+    fn cut(&self, most: usize) -> Vec<Band<'_>> {
         let Bands { scene, options, .. } = *self;
         let (width, height) = (scene.width as usize, scene.height as usize);
-        let started = Instant::now();
-        let bands = split(height, options.bands);
-        let traced_band = options.trace.as_ref().map_or(0, |request| {
-            let middle = middle_line(&self.words[request.object]);
-            let before = bands.iter().rposition(|&(first, _)| first <= middle);
-            before.unwrap_or(0)
+        let long = options.trace.as_ref().map_or(most, |request| {
+            let clocks = request.clocks.max(1) as usize;
+            (width * height / clocks).max(options.threads)
         });
-        let run_band = |index: usize, first: usize, lines: usize| {
+        let parts = split(height, most.min(long));
+        let traced = options.trace.as_ref().and_then(|request| {
+            let middle = middle_line(&self.words[request.object]);
+            parts.iter().rposition(|&(first, _)| first <= middle)
+        });
+        let band = |(index, (first, lines)): (usize, (usize, usize))| {
             let zone =
                 |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
             Band {
@@ -231,36 +263,10 @@ impl Bands<'_> {
                 first_line: first,
                 lines,
                 fault: options.fault,
-                trace: options.trace.as_ref().filter(|_| index == traced_band),
+                trace: options.trace.as_ref().filter(|_| traced == Some(index)),
             }
-            .run(&mut engine(), &pixel_done)
         };
-        let parts: Vec<(Report, Frame, Option<Trace>)> = std::thread::scope(|scope| {
-            let run_band = &run_band;
-            let handles: Vec<_> = bands
-                .iter()
-                .enumerate()
-                .map(|(index, &(first, lines))| scope.spawn(move || run_band(index, first, lines)))
-                .collect();
-            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-                handle
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            handles.into_iter().map(join).collect()
-        });
-        let mut report = Report {
-            engine: BUILT_IN.into(),
-            ..Report::default()
-        };
-        let mut frame = Frame::background(width, 0, scene.format.z_max());
-        for (part, lines, trace) in parts {
-            report.absorb(part);
-            append(&mut frame, lines);
-            report.trace = report.trace.or(trace);
-        }
-        report.timed(started.elapsed().as_secs_f64());
-        Ok((report, frame))
+        parts.into_iter().enumerate().map(band).collect()
     }
 }
 
