@@ -108,7 +108,7 @@ fn zones_and_widths_of_one_picture() {
             "cannot be used with",
         ),
         (
-            vec!["--widths", "depth=20,root=18", "--model", "rtl"],
+            vec!["--widths", "depth=20,root=18", "--model", "exact"],
             "--model golden",
         ),
         (vec!["--zone", "16", "--model", "exact"], "--model golden"),
