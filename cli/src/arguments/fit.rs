@@ -41,14 +41,16 @@ pub struct Fit {
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
     pub target: String,
-    /// Simulator that checks the emitted Verilog on every frame.
-    #[arg(long, value_enum, default_value_t = FitEngine::Verilator)]
+    /// Simulator that checks the hardware on every frame; icarus and verilator run the emitted Verilog.
+    #[arg(long, value_enum, default_value_t = FitEngine::BuiltIn)]
     pub engine: FitEngine,
 }
 
 /// Simulators of fitted machines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FitEngine {
+    /// The simulator of the circuits, in process; needs no outside tool.
+    BuiltIn,
     /// Verilator.
     Verilator,
     /// Icarus Verilog.

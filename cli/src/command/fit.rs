@@ -23,7 +23,9 @@ use imogene_models::{slots, widths};
 use imogene_rtl::emit::Emitted;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
+use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::design::Simulator;
+use imogene_verif::engine::{BUILT_IN, Engine};
 use imogene_verif::report::Report;
 use imogene_verif::scene;
 use serde::Serialize;
@@ -230,19 +232,33 @@ fn saving(cost: &MachineCost, base: &MachineCost) -> Saving {
     }
 }
 
-/// Every frame in the emitted Verilog against the golden machine.
+/// Every frame in hardware against the golden machine.
 fn cosimulate(
     choice: &Choice,
     emitted: &Emitted,
     engine: FitEngine,
 ) -> Result<Vec<Report>, Failure> {
+    let machine = &choice.machine;
     let simulator = match engine {
         FitEngine::None => return Ok(vec![]),
+        FitEngine::BuiltIn => {
+            let request = scene::fitted::request(machine, "");
+            let made = || BuiltIn::fitted(&request).expect("the machine was emitted");
+            return run_frames(choice, BUILT_IN, made);
+        }
         FitEngine::Verilator => Simulator::Verilator,
         FitEngine::Icarus => Simulator::Icarus,
     };
-    let machine = &choice.machine;
     let design = scene::fitted::compile(simulator, machine, emitted).map_err(Failure::input)?;
+    run_frames(choice, simulator.name(), || design.machine())
+}
+
+fn run_frames<E: Engine>(
+    choice: &Choice,
+    name: &str,
+    engine: impl Fn() -> E + Sync,
+) -> Result<Vec<Report>, Failure> {
+    let machine = &choice.machine;
     let options = scene::Options {
         rows_per_stage: machine.rows_per_stage as usize,
         threads: threads(),
@@ -256,10 +272,9 @@ fn cosimulate(
         .sum();
     let bar = output::progress(pixels, "hardware in simulation");
     let one = |prepared| {
-        let made = || design.machine();
-        let outcome = scene::fitted::run(prepared, machine, &options, made, || bar.inc(1));
+        let outcome = scene::fitted::run(prepared, machine, &options, &engine, || bar.inc(1));
         let (mut report, _) = outcome.map_err(Failure::input)?;
-        report.engine = simulator.name().into();
+        report.engine = name.into();
         Ok(report)
     };
     let reports = frames.iter().map(one).collect();

@@ -4,6 +4,7 @@ use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_models::object::load::LoadWord;
 use imogene_rtl::emit::EmitError;
+use imogene_rtl::emit::machine::MachineRequest;
 use std::array::from_fn;
 
 /// Lanes of a beam machine: more make no step cheaper, because the words of all lanes leave the cache.
@@ -61,6 +62,18 @@ impl BuiltIn {
         Ok(BuiltIn {
             circuit: Circuit::in_lanes(&shape.request().design()?),
             inside: inside.collect(),
+        })
+    }
+
+    /// Fresh machines that are fitted to a scene, without signals inside.
+    ///
+    /// # Errors
+    ///
+    /// When words or slots are out of their ranges.
+    pub fn fitted(request: &MachineRequest) -> Result<BuiltIn, EmitError> {
+        Ok(BuiltIn {
+            circuit: Circuit::in_lanes(&request.design()?),
+            inside: vec![],
         })
     }
 }
