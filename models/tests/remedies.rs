@@ -208,7 +208,10 @@ fn the_first_generation_and_fitted_machines() {
         ..Case::of(scene.clone())
     }
     .check();
-    assert!(message.contains("follow from the depth word; give --format"), "{message}");
+    assert!(
+        message.contains("follow from the depth word; give --format"),
+        "{message}"
+    );
     prepared(&scene, Format::BASE, Options::default()).expect("of the catalogue");
 }
 

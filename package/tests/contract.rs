@@ -4,6 +4,7 @@ use imogene_contract::{Request, Unit};
 use imogene_package::contract::{RESET, contract};
 use imogene_rtl::emit::{Direction, emit};
 use imogene_rtl::format::DEPTH_WORDS;
+use std::collections::BTreeMap;
 
 /// Shapes that change the ports: the base, none, and others.
 const SHAPES: [(u32, u32); 3] = [(3, 4), (0, 1), (1, 5)];
@@ -50,26 +51,39 @@ fn directions_and_formats_are_those_of_the_verilog_text() {
         let contract = contract(&request).expect("a legal request");
         let emitted = emit(&request).expect("a legal request");
         let (_, module) = emitted.modules.last().expect("a module");
-        let (head, _) = module.split_once(");").expect("a port list");
+        let declared = declared(module);
         assert_eq!(contract.ports.len(), emitted.ports.len());
         for (entry, port) in contract.ports.iter().zip(&emitted.ports) {
+            let place = format!("{}: {}", unit.name(), entry.name);
             let is_input = port.direction == Direction::In;
-            assert_eq!(entry.direction == "input", is_input, "{}", entry.name);
-            let line = head
-                .lines()
-                .map(|line| line.split(" = ").next().unwrap_or_default())
-                .map(|line| line.trim_end_matches(','))
-                .find(|line| line.split_whitespace().last() == Some(&entry.name))
-                .unwrap_or_else(|| panic!("{}: no line for {}", unit.name(), entry.name));
-            let place = format!("{}: {line}", unit.name());
-            assert!(line.trim_start().starts_with(entry.direction), "{place}");
-            let is_signed = line.contains(" signed ");
+            assert_eq!(entry.direction == "input", is_input, "{place}");
+            let kind = &declared[&entry.name];
+            assert!(kind.starts_with(entry.direction), "{place}: {kind}");
+            let is_signed = kind.contains(" signed");
             assert_eq!(entry.format == "two's complement", is_signed, "{place}");
-            let is_wide = line.contains(&format!("[{}:0]", entry.width - 1));
-            assert_eq!(entry.width > 1, is_wide, "{place}");
+            let is_wide = kind.contains(&format!("[{}:0]", entry.width - 1));
+            assert_eq!(entry.width > 1, is_wide, "{place}: {kind}");
             assert_eq!(entry.format == "flag", entry.width == 1, "{place}");
         }
     }
+}
+
+/// What stands before the name of each port; several of a kind stand behind one declaration.
+fn declared(module: &str) -> BTreeMap<String, String> {
+    let (_, head) = module.split_once("(\n").expect("a port list");
+    let (head, _) = head.split_once("\n);").expect("its end");
+    let mut kind = String::new();
+    let mut ports = BTreeMap::new();
+    for port in head.split(',') {
+        let (port, _) = port.split_once(" = ").unwrap_or((port, ""));
+        let words: Vec<&str> = port.split_whitespace().collect();
+        let (name, before) = words.split_last().expect("a name");
+        if !before.is_empty() {
+            kind = before.join(" ");
+        }
+        ports.insert((*name).to_owned(), kind.clone());
+    }
+    ports
 }
 
 #[test]
