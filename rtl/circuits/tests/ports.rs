@@ -27,3 +27,14 @@ fn every_port_has_a_meaning_and_a_name_of_its_own() {
         }
     }
 }
+
+#[test]
+fn every_unit_is_built_at_every_depth_word() {
+    for unit in Unit::ALL {
+        for depth_word in unit.least_word()..=32 {
+            let request = Request::of(unit, depth_word);
+            request.check().expect("defaults are legal");
+            assert_eq!(design(&request).top.name, unit.name());
+        }
+    }
+}
