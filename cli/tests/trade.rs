@@ -100,16 +100,18 @@ fn zones_and_widths_of_one_picture() {
     assert!(picture() == by_widths);
     assert_eq!(render(&["--widths", "depth=12", "--zone", "16"]).0, Some(0));
     assert!(picture() != by_widths);
+    let own = ["--widths", "depth=20,root=18"];
+    assert_eq!(render(&own).0, Some(0));
+    let golden = picture();
+    let (code, error) = render(&[&own[..], &["--model", "rtl"]].concat());
+    assert_eq!(code, Some(0), "{error}");
+    assert!(picture() == golden);
     for (more, wanted) in [
         (vec!["--widths", "depth=40"], "accepted are 8 to 32"),
         (vec!["--widths", "root=12"], "depth=W"),
         (
             vec!["--widths", "depth=16", "--format", "16"],
             "cannot be used with",
-        ),
-        (
-            vec!["--widths", "depth=20,root=18", "--model", "exact"],
-            "--model golden",
         ),
         (vec!["--zone", "16", "--model", "exact"], "--model golden"),
         (vec!["--zone", "1"], "8..=4096"),

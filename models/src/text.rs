@@ -1,5 +1,7 @@
 //! Numbers in sentences, and sentences in lines.
 
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, fill};
+
 /// A number and what is counted: `1 pixel`, `2 pixels`, `0 mismatches`.
 pub fn counted(count: impl TryInto<u64>, one: &str) -> String {
     // Counts are never negative, and none is longer than 64 bits.
@@ -17,29 +19,23 @@ const COLUMNS: usize = 120;
 
 /// Markdown prose on as many lines as it needs, the later ones behind `indent`.
 pub fn wrapped(prose: &str, indent: &str) -> String {
-    let mut words: Vec<String> = Vec::new();
-    for word in prose.split(' ') {
-        match words.last_mut() {
-            Some(before) if is_mark(word) => *before += &format!(" {word}"),
-            _ => words.push(word.to_owned()),
-        }
-    }
-    let mut text = String::new();
-    let mut column = 0;
-    for word in words {
-        let length = word.chars().count();
-        if column > 0 && column + 1 + length > COLUMNS {
-            text += &format!("\n{indent}");
-            column = indent.len();
-        } else if column > 0 {
-            text.push(' ');
-            column += 1;
-        }
-        text += &word;
-        column += length;
-    }
-    text
+    // A mark stays behind the word before it.
+    let glued = prose.split(' ').map(|word| match is_mark(word) {
+        true => format!("{GLUE}{word}"),
+        false => format!(" {word}"),
+    });
+    let options = Options::new(COLUMNS)
+        .subsequent_indent(indent)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit)
+        .break_words(false);
+    let text = glued.collect::<String>();
+    fill(text.trim_start_matches([' ', GLUE]), options).replace(GLUE, " ")
 }
+
+/// Stands for a space at which no line ends; no text has it.
+const GLUE: char = '\u{1}';
 
 /// Whether Markdown reads a word at the beginning of a line as a mark.
 fn is_mark(word: &str) -> bool {

@@ -136,12 +136,14 @@ fn readme(units: &[Unit], clocks: usize) -> String {
         false => format!("{} ", names.join(" ")),
     };
     let mut text = String::from(
-        "# The units of imogene as IP cores\n\nBase format 24, the planes that `imogene units` gives as default, 1 row of the root network per register stage, 4 objects. \
-         Each folder holds the Verilog of a unit (`rtl/`, one file\nfor each module), its contract (`CONTRACT.md`, `contract.json`) and a FuseSoC core file.\n",
+        "# The units of imogene as IP cores\n\n\
+         Base format 24, the planes that `imogene units` gives as default, 1 row of the root network per\n\
+         register stage, 4 objects. Each folder holds the Verilog of a unit (`rtl/`, one file for each module),\n\
+         its contract (`CONTRACT.md`, `contract.json`) and a FuseSoC core file.\n",
     );
     let _ = writeln!(
         text,
-        "\nMade by: `imogene package {names}--clocks {clocks} --out DIR`. Do not edit.\n\n| unit | computes |\n|---|---|"
+        "\nDo not edit; made by:\n\n    imogene package {names}--clocks {clocks} --out DIR\n\n| unit | computes |\n|---|---|"
     );
     for unit in units {
         let name = unit.name();

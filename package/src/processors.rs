@@ -1,7 +1,7 @@
 //! The object processors of the two source machines side by side: what each is made of here, and what the sources count.
 
-use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::{Census, EmitError, census};
+use imogene_contract::{Request, RequestError, Unit};
+use imogene_rtl::emit::{Census, census};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -118,11 +118,11 @@ const ROWS: [Row; 16] = [
 /// # Errors
 ///
 /// A defect of this workspace, if any.
-pub fn processors() -> Result<Vec<Processor>, EmitError> {
+pub fn processors() -> Result<Vec<Processor>, RequestError> {
     ROWS.iter().map(processor).collect()
 }
 
-fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, EmitError> {
+fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, RequestError> {
     let mut request = Request::new(*unit);
     let mut parameters = String::new();
     if unit.has("planes") {

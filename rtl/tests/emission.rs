@@ -2,8 +2,8 @@
 
 mod support;
 
-use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::{EmitError, emit, raw};
+use imogene_contract::{Request, RequestError, Unit};
+use imogene_rtl::emit::{emit, raw};
 use support::{requests, run, write, write_split};
 
 #[test]
@@ -192,10 +192,10 @@ fn bad_requests_name_the_value_and_the_range() {
     };
     assert!(matches!(
         emit(&unchecked),
-        Err(EmitError::Range { value: 13, .. })
+        Err(RequestError::Range { value: 13, .. })
     ));
     let unit = Unit::from_name("pe3").unwrap_err();
-    assert!(matches!(&unit, EmitError::Unit { name } if name == "pe3"));
+    assert!(matches!(&unit, RequestError::Unit { name } if name == "pe3"));
     assert!(unit.to_string().contains("quadric_processor"));
 }
 

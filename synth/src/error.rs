@@ -2,7 +2,7 @@
 
 use crate::peer::PeerError;
 use crate::target::Target;
-use imogene_rtl::emit::EmitError;
+use imogene_contract::RequestError;
 use std::path::Path;
 use thiserror::Error;
 
@@ -11,7 +11,7 @@ use thiserror::Error;
 pub enum SynthError {
     /// The unit cannot be emitted.
     #[error("{0}")]
-    Emit(#[from] EmitError),
+    Emit(#[from] RequestError),
     /// No target has this name.
     #[error("there is no target `{name}`; the targets are {}", Target::names().join(", "))]
     Target {

@@ -9,8 +9,8 @@ pub mod table;
 
 use crate::tool::{ToolError, YOSYS_ABC, write};
 use crate::yosys::yosys;
-use imogene_contract::Request;
-use imogene_rtl::emit::{EmitError, emit, raw};
+use imogene_contract::{Request, RequestError};
+use imogene_rtl::emit::{emit, raw};
 use thiserror::Error;
 
 /// Why nothing can be said.
@@ -21,7 +21,7 @@ pub enum EquivalenceError {
     Tool(#[from] ToolError),
     /// A text cannot be made.
     #[error("{0}")]
-    Emit(EmitError),
+    Emit(RequestError),
 }
 
 /// What was found.

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Unit;
+use imogene_contract::parameters::PARAMETERS;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -43,9 +44,11 @@ pub fn run(json: bool) -> Result<(), Failure> {
             unit.source
         ));
     }
-    output::text(
-        "W depth word (--format), R rows per stage, N planes, M objects, D digits, C corrections, E sides, K cards, T layers, G products, I intersected, J taken away",
-    );
+    let symbols = PARAMETERS
+        .iter()
+        .map(|p| format!("{} --{}", p.symbol, p.option));
+    let symbols: Vec<String> = symbols.collect();
+    output::text(format!("W --format, {}", symbols.join(", ")));
     Ok(())
 }
 

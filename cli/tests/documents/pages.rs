@@ -65,7 +65,13 @@ fn every_link_leads_somewhere() {
 #[test]
 fn prose_ends_at_column_120() {
     let mut problems = vec![];
-    let others = ["CHANGELOG.md", "CONTRIBUTING.md"].map(|name| (name.to_owned(), read(name)));
+    let others = [
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        "import/tests/data/README.md",
+        "ip/README.md",
+    ];
+    let others = others.map(|name| (name.to_owned(), read(name)));
     for (page, text) in documents().into_iter().chain(others) {
         let mut is_fenced = false;
         for (index, line) in text.lines().enumerate() {

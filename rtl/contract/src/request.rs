@@ -152,12 +152,8 @@ impl Request {
     ///
     /// When one is out of it.
     pub fn check(&self) -> Result<(), RequestError> {
-        in_range(
-            "format",
-            self.depth_word,
-            self.unit.least_word(),
-            MOST_DEPTH as u32,
-        )?;
+        let (word, least) = (self.depth_word as usize, self.unit.least_word() as usize);
+        in_range("format", word, least, MOST_DEPTH)?;
         // Of a scene, parameters reach units that do not have them.
         let own = self.unit.record().parameters;
         let foreign = PARAMETERS
@@ -165,11 +161,13 @@ impl Request {
             .filter(|other| !self.unit.has(other.option));
         for parameter in own.iter().chain(foreign) {
             let most = parameter.most.unwrap_or(self.depth_word);
-            in_range(parameter.option, parameter.of(self), parameter.least, most)?;
+            let [value, least, most] =
+                [parameter.of(self), parameter.least, most].map(|n| n as usize);
+            in_range(parameter.option, value, least, most)?;
         }
         if self.unit == Unit::CardDecider {
-            let inputs = self.objects * self.cards;
-            in_range("objects times cards", inputs, 1, MOST_OBJECTS as u32)?;
+            let inputs = (self.objects * self.cards) as usize;
+            in_range("objects times cards", inputs, 1, MOST_OBJECTS)?;
         }
         Ok(())
     }
@@ -245,19 +243,24 @@ impl Request {
     }
 }
 
-fn in_range(
+/// Refuses a value that is out of its range.
+///
+/// # Errors
+///
+/// With the parameter, the value and the range.
+pub fn in_range(
     parameter: &'static str,
-    value: u32,
-    least: u32,
-    most: u32,
+    value: usize,
+    least: usize,
+    most: usize,
 ) -> Result<(), RequestError> {
     match (least..=most).contains(&value) {
         true => Ok(()),
         false => Err(RequestError::Range {
             parameter,
-            value: value as usize,
-            least: least as usize,
-            most: most as usize,
+            value,
+            least,
+            most,
         }),
     }
 }

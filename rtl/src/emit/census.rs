@@ -1,7 +1,7 @@
 //! What a unit is made of, counted in its hierarchy.
 
-use super::{EmitError, design};
-use imogene_contract::Request;
+use super::design;
+use imogene_contract::{Request, RequestError};
 use imogene_hdl::{Binary, Module, Op};
 
 /// Parts of a unit.
@@ -22,7 +22,7 @@ pub struct Census {
 /// # Errors
 ///
 /// When a parameter is out of its legal range.
-pub fn census(request: &Request) -> Result<Census, EmitError> {
+pub fn census(request: &Request) -> Result<Census, RequestError> {
     let mut parts = Census::default();
     count(&design(request)?.top, &mut parts);
     Ok(parts)

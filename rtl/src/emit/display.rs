@@ -1,13 +1,14 @@
 //! Machines with everything between the object processors and the picture.
 
 use super::words::{check_ranges, check_slots, check_words, lines, slots_line};
-use super::{EmitError, Emitted, Heading, circuit, names};
+use super::{Emitted, Heading, circuit, names};
 use crate::format::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
 pub use imogene_circuits::machine::Slot;
 use imogene_circuits::machine::{BeamMachine, SHOW_CLOCKS, ZoneCore, ZoneMachine};
 pub use imogene_circuits::machines::MachineWords;
 use imogene_circuits::machines::{self, objects, volumes};
 use imogene_circuits::video::Output;
+use imogene_contract::RequestError;
 use imogene_contract::video::VideoMode;
 use imogene_hdl::Design;
 
@@ -147,7 +148,7 @@ impl DisplayKind {
 }
 
 impl DisplayRequest {
-    fn check(&self) -> Result<(), EmitError> {
+    fn check(&self) -> Result<(), RequestError> {
         let own = &self.processors;
         check_words(&own.words, own.rows_per_stage)?;
         check_slots(&own.slots)?;
@@ -203,7 +204,7 @@ impl DisplayRequest {
     /// # Errors
     ///
     /// When a number is out of its range.
-    pub fn clocks(&self) -> Result<MachineClocks, EmitError> {
+    pub fn clocks(&self) -> Result<MachineClocks, RequestError> {
         self.check()?;
         let output = self.kind.output();
         let behind = MachineClocks {
@@ -231,7 +232,7 @@ impl DisplayRequest {
     /// # Errors
     ///
     /// When a number is out of its range.
-    pub fn design(&self) -> Result<Design, EmitError> {
+    pub fn design(&self) -> Result<Design, RequestError> {
         self.check()?;
         Ok(match &self.kind {
             DisplayKind::ZoneCore(zone) => machines::zone_core(&self.core(zone)),
@@ -311,7 +312,7 @@ pub struct MachineClocks {
 /// # Errors
 ///
 /// When a number is out of its range, or a prefix begins no identifier.
-pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, EmitError> {
+pub fn emit_display(request: &DisplayRequest) -> Result<Emitted, RequestError> {
     let design = request.design()?;
     let clocks = request.clocks()?;
     let ports = circuit::ports(&design);

@@ -1,11 +1,12 @@
 //! Beam machines of any words and slots: hardware that is fitted to a scene.
 
 use super::words::{check_slots, check_words, lines, slots_line};
-use super::{EmitError, Emitted, Heading, circuit, names};
+use super::{Emitted, Heading, circuit, names};
 pub use imogene_circuits::machine::Slot;
 use imogene_circuits::machine::{Beam, Load, Zone, beam};
 pub use imogene_circuits::machines::MachineWords;
 use imogene_circuits::machines::objects;
+use imogene_contract::RequestError;
 use imogene_hdl::Design;
 
 /// A beam machine.
@@ -24,7 +25,7 @@ pub struct MachineRequest {
 }
 
 impl MachineRequest {
-    fn check(&self) -> Result<(), EmitError> {
+    fn check(&self) -> Result<(), RequestError> {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots)?;
         names::check_optional(&self.prefix)
@@ -39,7 +40,7 @@ impl MachineRequest {
     /// # Errors
     ///
     /// When a number is out of its range, or a prefix begins no identifier.
-    pub fn design(&self) -> Result<Design, EmitError> {
+    pub fn design(&self) -> Result<Design, RequestError> {
         self.check()?;
         let machine = self.machine();
         let load = || Load::input(machine.widths.bus());
@@ -54,7 +55,7 @@ impl MachineRequest {
 /// # Errors
 ///
 /// When a count is out of its range, or a prefix begins no identifier.
-pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, EmitError> {
+pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, RequestError> {
     let design = request.design()?;
     let ports = circuit::ports(&design);
     let latency = request.machine().latency() as usize;

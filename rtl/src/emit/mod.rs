@@ -12,12 +12,12 @@ mod words;
 
 pub use census::{Census, census};
 use imogene_circuits::units;
-use imogene_contract::Request;
-pub use imogene_contract::request::RequestError as EmitError;
+use imogene_contract::{Request, RequestError};
 use imogene_hdl::Design;
 pub use imogene_hdl::Direction;
 pub use raw::raw;
 use std::fmt::Write;
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, fill};
 
 /// A port of the emitted module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -86,7 +86,7 @@ const LICENCE: &str = "MIT OR Apache-2.0";
 /// # Errors
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
-pub fn design(request: &Request) -> Result<Design, EmitError> {
+pub fn design(request: &Request) -> Result<Design, RequestError> {
     request.check()?;
     Ok(units::design(request))
 }
@@ -96,7 +96,7 @@ pub fn design(request: &Request) -> Result<Design, EmitError> {
 /// # Errors
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
-pub fn emit(request: &Request) -> Result<Emitted, EmitError> {
+pub fn emit(request: &Request) -> Result<Emitted, RequestError> {
     emitted(request, "")
 }
 
@@ -105,12 +105,12 @@ pub fn emit(request: &Request) -> Result<Emitted, EmitError> {
 /// # Errors
 ///
 /// As for [`emit`], and when a name with the prefix is no identifier.
-pub fn emit_with_prefix(request: &Request, prefix: &str) -> Result<Emitted, EmitError> {
+pub fn emit_with_prefix(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
     names::check_prefix(prefix)?;
     emitted(request, prefix)
 }
 
-fn emitted(request: &Request, prefix: &str) -> Result<Emitted, EmitError> {
+fn emitted(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
     let design = design(request)?;
     let ports = circuit::ports(&design);
     let latency = request.latency();
@@ -162,7 +162,7 @@ struct Heading<'a> {
 impl Heading<'_> {
     fn text(&self) -> String {
         let mut text = format!("// {}: {}\n//\n", self.top, self.contract);
-        let parameters = self.parameters.join("\n//             ");
+        let parameters = self.parameters.join(&format!("\n{INDENT}"));
         let _ = writeln!(text, "// parameters: {parameters}");
         let clocks = if self.latency == 1 { "clock" } else { "clocks" };
         let _ = writeln!(text, "// latency:    {} {clocks}", self.latency);
@@ -192,20 +192,17 @@ impl Heading<'_> {
     }
 }
 
+/// What stands before the later lines of a statement.
+const INDENT: &str = "//             ";
+
 /// A statement on as many lines as it needs, the later ones indented like the first.
 fn wrapped(statement: &str) -> String {
-    let mut text = String::new();
-    let mut column = "//             ".len();
-    for (place, word) in statement.split(' ').enumerate() {
-        if place > 0 && column + 1 + word.len() > COLUMNS {
-            text += "\n//             ";
-            column = "//             ".len();
-        } else if place > 0 {
-            text.push(' ');
-            column += 1;
-        }
-        text += word;
-        column += word.len();
-    }
-    text
+    let options = Options::new(COLUMNS)
+        .initial_indent(INDENT)
+        .subsequent_indent(INDENT)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit)
+        .break_words(false);
+    fill(statement, options)[INDENT.len()..].to_owned()
 }

@@ -1,7 +1,7 @@
 //! rust-hdl's own text of a unit. It is compared with ours and used for nothing else.
 
-use super::{EmitError, design};
-use imogene_contract::Request;
+use super::design;
+use imogene_contract::{Request, RequestError};
 use imogene_hdl::block::Block;
 use rust_hdl::core::prelude::generate_verilog;
 
@@ -11,6 +11,6 @@ use rust_hdl::core::prelude::generate_verilog;
 /// # Errors
 ///
 /// When a parameter is out of its legal range.
-pub fn raw(request: &Request) -> Result<String, EmitError> {
+pub fn raw(request: &Request) -> Result<String, RequestError> {
     Ok(generate_verilog(&Block::of(&design(request)?.top)))
 }

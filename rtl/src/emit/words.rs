@@ -1,34 +1,25 @@
 //! Words and slots that a machine may have.
 
-use super::EmitError;
 use crate::format::{
     LEAST_DEPTH, LEAST_NORMAL, LEAST_ROOT, MOST_BITS, MOST_DEPTH, MOST_DROPPED, MOST_GUARD,
     MOST_OBJECTS, MOST_PLANES, NORMAL, plane, quadratic,
 };
 use imogene_circuits::machine::Slot;
 use imogene_circuits::machines::MachineWords;
+use imogene_contract::RequestError;
+use imogene_contract::request::in_range;
 
 /// A parameter, its value, the least and the greatest that are accepted.
 pub(super) type Row = (&'static str, usize, usize, usize);
 
 /// Refuses the first parameter that is out of its range.
-pub(super) fn check_ranges(rows: &[Row]) -> Result<(), EmitError> {
-    let refused = rows
-        .iter()
-        .find(|(_, value, least, most)| !(least..=most).contains(&value));
-    match refused {
-        None => Ok(()),
-        Some(&(parameter, value, least, most)) => Err(EmitError::Range {
-            parameter,
-            value,
-            least,
-            most,
-        }),
-    }
+pub(super) fn check_ranges(rows: &[Row]) -> Result<(), RequestError> {
+    let mut rows = rows.iter();
+    rows.try_for_each(|&(parameter, value, least, most)| in_range(parameter, value, least, most))
 }
 
 /// Refuses words that are out of their ranges: no word has more than 64 bits.
-pub(super) fn check_words(words: &MachineWords, rows_per_stage: usize) -> Result<(), EmitError> {
+pub(super) fn check_words(words: &MachineWords, rows_per_stage: usize) -> Result<(), RequestError> {
     let [
         depth,
         root,
@@ -95,7 +86,7 @@ pub(super) fn lines(words: &MachineWords, rows_per_stage: usize) -> Vec<String> 
 }
 
 /// Refuses slots that are too many, or have too many planes.
-pub(super) fn check_slots(slots: &[Slot]) -> Result<(), EmitError> {
+pub(super) fn check_slots(slots: &[Slot]) -> Result<(), RequestError> {
     check_ranges(&[("objects", slots.len(), 1, MOST_OBJECTS)])?;
     let planes = |slot: &Slot| ("planes", slot.planes, 0, MOST_PLANES);
     check_ranges(&slots.iter().map(planes).collect::<Vec<_>>())

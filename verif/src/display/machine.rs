@@ -4,8 +4,9 @@ use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
 use crate::engine::design::{Design, DesignError, Instance, Simulator, Source};
 use crate::signal::Signal;
+use imogene_contract::RequestError;
 use imogene_rtl::emit::display::{DisplayRequest, emit_display};
-use imogene_rtl::emit::{Direction, EmitError, Port};
+use imogene_rtl::emit::{Direction, Port};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -23,7 +24,7 @@ pub enum DisplayEngine {
 pub enum DisplayError {
     /// It cannot be emitted.
     #[error(transparent)]
-    Emit(#[from] EmitError),
+    Emit(#[from] RequestError),
     /// It cannot be compiled or loaded.
     #[error(transparent)]
     Design(#[from] DesignError),

@@ -1,13 +1,13 @@
 //! The hardware of a machine description.
 
 use crate::engine::{slots_of, words_of};
+use imogene_contract::RequestError;
 use imogene_contract::video::{Span, VideoMode};
 use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
 use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
-use imogene_rtl::emit::EmitError;
 use imogene_rtl::emit::display::{
     DisplayKind, DisplayRequest, OutputShape, Processors, Slot, ZoneShape,
 };
@@ -95,7 +95,7 @@ fn shape(machine: &ZoneMachine) -> ZoneShape {
 /// # Errors
 ///
 /// When a number of the request is out of its range.
-pub fn zone_timing(request: &DisplayRequest) -> Result<ZoneTiming, EmitError> {
+pub fn zone_timing(request: &DisplayRequest) -> Result<ZoneTiming, RequestError> {
     let clocks = request.clocks()?;
     Ok(ZoneTiming {
         draw_drain: clocks.draw as u32 - 1,

@@ -3,9 +3,10 @@
 use super::design::{Design, DesignError, Instance, Simulator, Source};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
+use imogene_contract::RequestError;
 use imogene_models::object::load::LoadWord;
+use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
-use imogene_rtl::emit::{EmitError, Emitted};
 use thiserror::Error;
 
 /// Why a machine cannot be run as Verilog.
@@ -13,7 +14,7 @@ use thiserror::Error;
 pub enum BeamError {
     /// The machine cannot be emitted.
     #[error(transparent)]
-    Emit(#[from] EmitError),
+    Emit(#[from] RequestError),
     /// It cannot be compiled or loaded.
     #[error(transparent)]
     Design(#[from] DesignError),

@@ -2,8 +2,8 @@
 
 use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
+use imogene_contract::RequestError;
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::emit::EmitError;
 use imogene_rtl::emit::machine::MachineRequest;
 use std::array::from_fn;
 
@@ -54,7 +54,7 @@ impl BuiltIn {
     /// # Errors
     ///
     /// When the shape is out of its range.
-    pub fn new(shape: &MachineShape) -> Result<BuiltIn, EmitError> {
+    pub fn new(shape: &MachineShape) -> Result<BuiltIn, RequestError> {
         let inside = processor_signals(shape).into_iter().map(|probe| {
             let point = point(&probe.signal.name);
             (probe, point)
@@ -70,7 +70,7 @@ impl BuiltIn {
     /// # Errors
     ///
     /// When words or slots are out of their ranges.
-    pub fn fitted(request: &MachineRequest) -> Result<BuiltIn, EmitError> {
+    pub fn fitted(request: &MachineRequest) -> Result<BuiltIn, RequestError> {
         Ok(BuiltIn {
             circuit: Circuit::in_lanes(&request.design()?),
             inside: vec![],

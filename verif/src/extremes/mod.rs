@@ -38,7 +38,7 @@ enum Case {
     Flagged { text: &'static str },
     /// A stimulus of a unit.
     Unit {
-        unit: &'static str,
+        unit: Unit,
         stimulus: fn(&Subject) -> Vec<Inputs>,
     },
 }
@@ -87,7 +87,7 @@ impl Extreme {
             Case::Drawn { text, claim } => self.draw(text, *claim),
             Case::Modelled { text, claim } => (None, self.model(text, *claim)),
             Case::Flagged { text } => self.flag(text),
-            Case::Unit { unit, stimulus } => drive(unit, *stimulus),
+            Case::Unit { unit, stimulus } => drive(*unit, *stimulus),
         };
         let (held, detail) = match result {
             Ok(detail) => (true, detail),
@@ -169,10 +169,9 @@ impl Extreme {
 
 /// Runs a unit over its stimulus.
 fn drive(
-    unit: &str,
+    unit: Unit,
     stimulus: fn(&Subject) -> Vec<Inputs>,
 ) -> (Option<Report>, Result<String, String>) {
-    let unit = Unit::from_name(unit).expect("a unit of the catalogue");
     let subject = subject(&Request::new(unit)).expect("its defaults are legal");
     let (report, _) = subject.run(&stimulus(&subject), false);
     let result = agreement(&report).map(|()| String::new());

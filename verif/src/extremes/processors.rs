@@ -4,6 +4,7 @@
 use super::units::{ends, inputs};
 use super::{Case, Extreme};
 use crate::subject::{Inputs, Subject};
+use imogene_contract::Unit;
 
 pub const CASES: &[Extreme] = &[
     Extreme {
@@ -11,7 +12,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.6",
         outcome: "Both roots and all planes at the same depth, one word beside it, and at both ends of the word: a face in a plane stays, a face past an end is none, the near face goes before the far one.",
         case: Case::Unit {
-            unit: "patch_decider",
+            unit: Unit::PatchDecider,
             stimulus: patch_ties,
         },
     },
@@ -20,7 +21,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.6",
         outcome: "Conics and polar lines at 0, -1 and both ends of their words: zero is inside the quadric and on the kept side, so that a plane exactly at a root is the face of a solid and has removed that root of a surface.",
         case: Case::Unit {
-            unit: "first_generation_processor",
+            unit: Unit::FirstGenerationProcessor,
             stimulus: contours_at_zero,
         },
     },
@@ -29,7 +30,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.5",
         outcome: "Two planes of opposite sense at the same depth, one word apart either way, at both ends and beyond them, and perpendicular planes of 0 and -1: no thickness is there, less is absent.",
         case: Case::Unit {
-            unit: "polyhedron_processor",
+            unit: Unit::PolyhedronProcessor,
             stimulus: without_thickness,
         },
     },
@@ -38,7 +39,7 @@ pub const CASES: &[Extreme] = &[
         item: "13.8",
         outcome: "Sides of 0, -1 and both ends of their words, depths at and beside both ends of the depth word: zero is inside, and a facet past an end is absent.",
         case: Case::Unit {
-            unit: "facet_processor",
+            unit: Unit::FacetProcessor,
             stimulus: facet_sides,
         },
     },
@@ -47,7 +48,7 @@ pub const CASES: &[Extreme] = &[
         item: "13.8",
         outcome: "The same with sides and depth of second degree.",
         case: Case::Unit {
-            unit: "curved_facet_processor",
+            unit: Unit::CurvedFacetProcessor,
             stimulus: curved_sides,
         },
     },
@@ -56,7 +57,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.4",
         outcome: "Front and back depth at and beside both ends of the depth word, the outline at 0 and -1: one pixel is drawn on the outline itself, a cap where the front is past the near end, nothing where all of it is beyond.",
         case: Case::Unit {
-            unit: "sphere_processor",
+            unit: Unit::SphereProcessor,
             stimulus: sphere_depths,
         },
     },
@@ -65,7 +66,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.6",
         outcome: "Sides and discs at 0 and -1 in every combination: the front disc goes before the body, and a pixel in none of the parts is absent.",
         case: Case::Unit {
-            unit: "cylinder_processor",
+            unit: Unit::CylinderProcessor,
             stimulus: cylinder_parts,
         },
     },
@@ -74,7 +75,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.14",
         outcome: "The visible point at the beginning and the end of a volume and one word beside them, with margins from 0 to half the depth word and units of depth from 1 to 256 words, in all four classes: the margin opens the beginning, the end stays closed, the background is in no volume.",
         case: Case::Unit {
-            unit: "quadric_volume",
+            unit: Unit::QuadricVolume,
             stimulus: volume_ties,
         },
     },
@@ -83,7 +84,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.5",
         outcome: "Planes of a volume at the ends of their 36 bits and beside the point, of every kind: they are compared in full, without a clamp.",
         case: Case::Unit {
-            unit: "polyhedral_volume",
+            unit: Unit::PolyhedralVolume,
             stimulus: volume_planes,
         },
     },
@@ -92,7 +93,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.12",
         outcome: "Low halves of all ones in every word: split, no carry reaches the high half, and the four lanes wrap by themselves; whole, it does.",
         case: Case::Unit {
-            unit: "programmable_pe",
+            unit: Unit::ProgrammablePe,
             stimulus: carries,
         },
     },
@@ -101,7 +102,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.12",
         outcome: "The odd field twice, then the even one, then the odd one again, on the greatest and least words: every field begins with the words as they were loaded.",
         case: Case::Unit {
-            unit: "memory_pe2",
+            unit: Unit::MemoryPe2,
             stimulus: fields,
         },
     },

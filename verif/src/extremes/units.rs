@@ -3,6 +3,7 @@
 use super::{Case, Extreme};
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
+use imogene_contract::Unit;
 
 pub const CASES: &[Extreme] = &[
     Extreme {
@@ -10,7 +11,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.3",
         outcome: "f2 = 0, 1, 2^47 - 1: inside, with the roots 0, 1 and 11863283; f2 = -1, -2^47: outside. Presence is the sign bit, so that zero is inside.",
         case: Case::Unit {
-            unit: "quadric_pe",
+            unit: Unit::QuadricPe,
             stimulus: f2_ends,
         },
     },
@@ -19,7 +20,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.10",
         outcome: "Radicands 0 to 15 in the piecewise linear root: the floors of short words take over from the percentages; hardware and golden model floor at the same places.",
         case: Case::Unit {
-            unit: "square_root_linear",
+            unit: Unit::SquareRootLinear,
             stimulus: smallest_radicands,
         },
     },
@@ -28,7 +29,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.10",
         outcome: "4^m - 1, 4^m, 4^m + 1 and the same of 2 * 4^m, up to the top bit: the places where the pair of octaves of an approximation changes.",
         case: Case::Unit {
-            unit: "square_root_quadratic",
+            unit: Unit::SquareRootQuadratic,
             stimulus: powers_of_four,
         },
     },
@@ -37,7 +38,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.10",
         outcome: "n^2 - 1, n^2, n^2 + 2n at both ends of the root and at every power of two: the only places where floor(sqrt) can step wrongly.",
         case: Case::Unit {
-            unit: "square_root",
+            unit: Unit::SquareRoot,
             stimulus: squares,
         },
     },
@@ -46,7 +47,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.6",
         outcome: "zp = zf, zp = zb, zf = zb, all three equal, at both ends of the word, for every kind of plane: the tests are closed, so a face in the plane stays.",
         case: Case::Unit {
-            unit: "cut_plane",
+            unit: Unit::CutPlane,
             stimulus: plane_ties,
         },
     },
@@ -55,7 +56,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.5",
         outcome: "A plane of slope 0, +1 and -1 of the last place: depth steps by exactly one word a pixel through zero.",
         case: Case::Unit {
-            unit: "plane_depth",
+            unit: Unit::PlaneDepth,
             stimulus: plane_slopes,
         },
     },
@@ -64,7 +65,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.5",
         outcome: "A plane whose depth runs over both ends of the depth word: it is clamped one below the near end and at the far end, its sign kept, so that it removes all or nothing instead of wrapping.",
         case: Case::Unit {
-            unit: "plane_depth",
+            unit: Unit::PlaneDepth,
             stimulus: plane_past_its_word,
         },
     },
@@ -73,7 +74,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.12",
         outcome: "Line steps after the last line of a zone go on with the polynomial modulo 2^48: nothing but a start loads anew.",
         case: Case::Unit {
-            unit: "pe2",
+            unit: Unit::Pe2,
             stimulus: lines_after_the_last,
         },
     },
@@ -82,7 +83,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.15",
         outcome: "K = 0 and g = 0 on every component, at every root: the normal is (0, 0, 0), an apex; with the greatest negative words the sum wraps as stated and nothing else happens.",
         case: Case::Unit {
-            unit: "normal_unit",
+            unit: Unit::NormalUnit,
             stimulus: normal_words,
         },
     },
@@ -91,7 +92,7 @@ pub const CASES: &[Extreme] = &[
         item: "17.4",
         outcome: "f1 - r and f1 + r at and beside both ends of the depth word in all four classes: clamped where a solid reaches past an end, absent where all of it lies beyond.",
         case: Case::Unit {
-            unit: "depth_interval",
+            unit: Unit::DepthInterval,
             stimulus: past_the_depth_word,
         },
     },

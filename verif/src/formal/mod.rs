@@ -13,7 +13,7 @@ mod network;
 pub mod runner;
 pub mod toolchain;
 
-use imogene_rtl::emit::EmitError;
+use imogene_contract::RequestError;
 use thiserror::Error;
 
 /// A proof that did not run. A property that does not hold is not an error but a result.
@@ -36,7 +36,7 @@ pub enum FormalError {
     },
     /// The design cannot be emitted.
     #[error(transparent)]
-    Emit(#[from] EmitError),
+    Emit(#[from] RequestError),
     /// The emitted text is not as a property or a mutant needs it.
     #[error("{job}: {problem}")]
     Text {
