@@ -33,13 +33,13 @@ pub use machine::{Machine, Refine};
 pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
 pub use scene::{
-    Check, Guards, Model, New, Prepare, Primitives, Render, Scene, Size, View, Widths,
+    Check, Guards, Model, New, OwnWords, Prepare, Primitives, Render, Scene, Size, View, Widths,
 };
 pub use split::Split;
 pub use synth::{Parameter, Peers, Synth};
 pub use terrain::Terrain;
 pub use trade::{Points, Trade, TradeEngine};
-pub use unit::{Contract, Demo, Emit, Package, Processors, Roots, Shape};
+pub use unit::{Contract, Demo, Emit, Fitted, Package, Processors, Roots, Shape};
 
 /// Hardware that draws quadrics, proven against a golden model.
 ///

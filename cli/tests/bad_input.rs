@@ -246,6 +246,20 @@ fn usage_and_parameters_out_of_range() {
         (vec!["cosim", "pe1", "--format", "7"], &["7", "8 to 32"]),
         (vec!["cosim", "nothing"], &["nothing", "pe1"]),
         (
+            vec!["cosim", "pe1", "--widths", "depth=20"],
+            &["--widths", "scene"],
+        ),
+        (
+            vec![
+                "synth", "pe1", "--target", "ecp5-45k", "--widths", "depth=20", "--slots", "1",
+            ],
+            &["--widths", "beam", "pe1"],
+        ),
+        (
+            vec!["synth", "--check", "--rows-per-stage", "3"],
+            &["--check", "--rows-per-stage"],
+        ),
+        (
             vec!["render", "x.toml", "--size", "10by10", "-o", "p.png"],
             &["10by10", "320x240"],
         ),
@@ -267,7 +281,7 @@ fn scenes_of_other_processors_are_refused_where_the_quadric_processor_is_meant()
     let trace = folder.path().join("trace.vcd");
     let mesh = scene("processors/mesh.toml");
     let [mesh, trace] = [&mesh, &trace].map(|path| path.to_str().unwrap());
-    let runs: [(Vec<&str>, [&str; 3]); 3] = [
+    let runs: [(Vec<&str>, [&str; 3]); 4] = [
         (
             vec!["bounds", mesh],
             ["mesh.toml", "no object", "quadric or patch processor"],
@@ -279,6 +293,10 @@ fn scenes_of_other_processors_are_refused_where_the_quadric_processor_is_meant()
         (
             vec!["cosim", mesh, "--inject-fault", "0:1:2"],
             ["--inject-fault", "beam machine", "quadric processors"],
+        ),
+        (
+            vec!["cosim", mesh, "--guards", "2:2"],
+            ["--guards", "beam machine", "quadrics"],
         ),
     ];
     for (arguments, parts) in runs {

@@ -336,6 +336,27 @@ fn cosim_replays_its_seed_and_writes_waveforms() {
 }
 
 #[test]
+fn cosim_of_a_scene_takes_any_widths() {
+    let cone = scene("cone.toml");
+    let cosim = |more: &[&str]| {
+        let scene = ["cosim", cone.to_str().unwrap(), "--size", "48x36"];
+        json(&[&scene, more].concat())
+    };
+    for words in [
+        [
+            "--widths",
+            "depth=19,root=17,plane=29,normal=14,g1=3,g2=4,dropped=1",
+        ],
+        ["--guards", "2:3"],
+    ] {
+        let report = cosim(&words);
+        assert_eq!(report["mismatches"], 0);
+        let again = report["reproduce"].as_str().unwrap();
+        assert!(again.contains(&words.join(" ")), "{again}");
+    }
+}
+
+#[test]
 fn an_injected_fault_fails_with_exit_code_1() {
     let folder = tempfile::tempdir().unwrap();
     let vcd = folder.path().join("fault.vcd");

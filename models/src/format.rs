@@ -4,6 +4,7 @@ mod error;
 
 pub use error::{FittedError, FormatError, GuardError};
 
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -54,10 +55,10 @@ pub struct FittedWidths {
 
 impl Format {
     /// Most guard bits of either part of the depth.
-    pub const MAX_GUARD: u32 = 16;
+    pub const MAX_GUARD: u32 = words::MOST_GUARD as u32;
 
     /// Depth words: below, nothing of a picture is left; above, f2 is longer than 64 bits.
-    pub const DEPTHS: RangeInclusive<u32> = 8..=32;
+    pub const DEPTHS: RangeInclusive<u32> = words::LEAST_DEPTH as u32..=words::MOST_DEPTH as u32;
 
     /// Depth words of the tables of errors, proofs and costs.
     pub const CATALOGUE: [u32; 5] = [16, 20, 24, 28, 32];
@@ -76,12 +77,12 @@ impl Format {
     const fn of_depth(depth: u32) -> Format {
         Format {
             depth,
-            sum: depth + 2,
-            quadratic: 2 * depth,
+            sum: words::depth_sum(depth as usize) as u32,
+            quadratic: words::quadratic(depth as usize) as u32,
             root: depth,
-            plane: depth + 12,
-            normal_linear: 24,
-            normal: 16,
+            plane: words::plane(depth as usize) as u32,
+            normal_linear: words::NORMAL_PART as u32,
+            normal: words::NORMAL as u32,
             guard_linear: 0,
             guard_quadratic: 0,
             dropped_rows: 0,
@@ -100,7 +101,7 @@ impl Format {
         } = *widths;
         let ranges = [
             ("depth word", depth, Self::DEPTHS),
-            ("root", root, 4..=depth),
+            ("root", root, words::LEAST_ROOT as u32..=depth),
             ("plane word", plane, depth..=depth.saturating_add(12)),
             ("normal component", normal, 10..=16),
             (
@@ -149,7 +150,7 @@ impl Format {
     }
 
     /// Most digits of the root that are not computed.
-    pub const MAX_DROPPED_ROWS: u32 = 8;
+    pub const MAX_DROPPED_ROWS: u32 = words::MOST_DROPPED as u32;
 
     /// Rows of the root network: the digits of the root that are computed.
     pub const fn root_rows(&self) -> u32 {

@@ -5,7 +5,7 @@ use imogene_contract::video::{Span, VideoMode};
 use imogene_contract::{Request, Unit};
 use imogene_hdl::{Bits, Value};
 use imogene_models::machine::post_filter::Kernel;
-use imogene_models::machine::video_timing::{self as golden, MODES};
+use imogene_models::machine::video_timing as golden;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
 use imogene_verif::subject::{Hardware, Subject};
@@ -68,27 +68,10 @@ fn whole_frames_of_video() {
         };
         let subject = subject(&request).expect("a mode of the catalogue");
         let mut numbers = Numbers(mode as u64);
-        let clocks = MODES[mode].clocks() * frames * 16 / 15 + 1000;
+        let clocks = VideoMode::ALL[mode].clocks() * frames * 16 / 15 + 1000;
         let enabled = (0..clocks).map(|_| vec![i64::from(numbers.below(16) > 0)]);
         let report = subject.run_each(enabled, |_| ());
         assert_eq!(report.mismatches, 0, "{:?}", report.first_mismatches);
-    }
-}
-
-/// The modes of both sides are the same numbers, stated twice.
-#[test]
-fn modes_have_the_same_numbers() {
-    for (hardware, model) in VideoMode::ALL.iter().zip(&MODES) {
-        for (span, other) in [(hardware.line, model.line), (hardware.frame, model.frame)] {
-            assert_eq!(
-                span,
-                Span::new(other.active, other.front, other.sync, other.back)
-            );
-        }
-        assert_eq!(
-            (hardware.hsync_high, hardware.vsync_high),
-            (model.hsync_high, model.vsync_high)
-        );
     }
 }
 
@@ -101,21 +84,9 @@ fn leads_of_any_length() {
         hsync_high: true,
         vsync_high: false,
     };
-    let span = |s: Span| golden::Span {
-        active: s.active,
-        front: s.front,
-        sync: s.sync,
-        back: s.back,
-    };
-    let model = golden::VideoMode {
-        line: span(mode.line),
-        frame: span(mode.frame),
-        hsync_high: true,
-        vsync_high: false,
-    };
     for lead in 0..mode.retrace() as usize {
         let mut unit = Circuit::of(|| video_timing("top", Bits::input(1), &mode, lead as u64));
-        let mut timing = golden::VideoTiming::new(model, lead as u64);
+        let mut timing = golden::VideoTiming::new(mode, lead as u64);
         for at in 0..150 {
             unit.clock(&[1]);
             let expected = timing.clock(true);
@@ -236,15 +207,9 @@ fn frames_are_shown_whole() {
         |frame: usize, place: usize| (frame * 0x40_1003 + place * 0x1_0107) as i64 & 0xff_ffff;
     let mut numbers = Numbers(3);
     let mut hardware = (unit("frame_store").hardware)();
-    let span = |active, front, sync, back| golden::Span {
-        active,
-        front,
-        sync,
-        back,
-    };
-    let mode = golden::VideoMode {
-        line: span(WIDTH as u64, 1, 1, 1),
-        frame: span(HEIGHT as u64, 0, 1, 0),
+    let mode = VideoMode {
+        line: Span::new(WIDTH as u64, 1, 1, 1),
+        frame: Span::new(HEIGHT as u64, 0, 1, 0),
         hsync_high: true,
         vsync_high: true,
     };

@@ -1,6 +1,6 @@
 //! Arguments of the commands that simulate.
 
-use super::{Shape, Size, View};
+use super::{OwnWords, Shape, Size, View};
 use clap::{Args, ValueEnum};
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
@@ -57,6 +57,9 @@ pub struct Cosim {
     /// Picture size of a scene; the scene's own if not given.
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
+    /// Words of the machine of a scene.
+    #[command(flatten)]
+    pub words: OwnWords,
     /// How a scene is looked at.
     #[command(flatten)]
     pub view: View,

@@ -2,8 +2,8 @@
 
 use super::{FrameRange, LookOptions, Split, depth_word};
 use clap::{Args, ValueEnum};
-use imogene_models::format::FittedWidths;
-use imogene_models::widths::{self, WidthsError};
+use imogene_models::format::{FittedError, FittedWidths, Format};
+use imogene_models::widths::{self, OwnWidths, WidthsError};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -29,6 +29,24 @@ pub struct Scene {
     /// Depth word in bits, 8 to 32.
     #[arg(long, default_value_t = 24, value_name = "W", value_parser = depth_word)]
     pub format: u32,
+    /// Words that do not follow from it.
+    #[command(flatten)]
+    pub words: OwnWords,
+    /// How it is looked at.
+    #[command(flatten)]
+    pub view: View,
+}
+
+impl Scene {
+    /// The format that is asked for.
+    pub fn format(&self) -> Result<Format, FittedError> {
+        self.words.format(self.format)
+    }
+}
+
+/// Words of a scene's machine that do not follow from its depth word.
+#[derive(Clone, Debug, Args)]
+pub struct OwnWords {
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
     #[arg(long, default_value = "0:0", value_name = "G1:G2")]
     pub guards: Guards,
@@ -36,9 +54,39 @@ pub struct Scene {
     /// depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0; what is left out follows from the depth.
     #[arg(long, value_name = "LIST", conflicts_with_all = ["format", "guards"])]
     pub widths: Option<Widths>,
-    /// How it is looked at.
-    #[command(flatten)]
-    pub view: View,
+}
+
+impl OwnWords {
+    /// True if all words follow from the depth word.
+    pub fn is_none(&self) -> bool {
+        self.guards == Guards::default() && self.widths.is_none()
+    }
+
+    /// The format with a depth word that holds where no widths are given.
+    pub fn format(&self, depth: u32) -> Result<Format, FittedError> {
+        if let Some(Widths(widths)) = self.widths {
+            return Format::fitted(&widths);
+        }
+        let Guards { linear, quadratic } = self.guards;
+        let depth = OwnWidths::default().beside(depth);
+        Format::fitted(&FittedWidths {
+            guard_linear: linear,
+            guard_quadratic: quadratic,
+            ..depth
+        })
+    }
+
+    /// As on the command line, with a blank before each option.
+    pub fn options(&self, depth: u32) -> String {
+        if let Some(Widths(widths)) = self.widths {
+            return format!(" --widths {}", widths::print(&widths));
+        }
+        let guards = match self.is_none() {
+            true => String::new(),
+            false => format!(" --guards {}:{}", self.guards.linear, self.guards.quadratic),
+        };
+        format!(" --format {depth}{guards}")
+    }
 }
 
 /// What of a scene is looked at, and from where.

@@ -1,6 +1,6 @@
 //! Arguments of the commands that synthesise.
 
-use super::Shape;
+use super::{Fitted, Shape};
 use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -20,11 +20,14 @@ pub struct Synth {
     /// Parameters.
     #[command(flatten)]
     pub shape: Shape,
+    /// Widths and slots instead.
+    #[command(flatten)]
+    pub fitted: Fitted,
     /// Synthesise even what is kept of the same Verilog and tools.
     #[arg(long, conflicts_with = "table")]
     pub fresh: bool,
     /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units, targets and seeds.
-    #[arg(long, conflicts_with_all = ["unit", "target", "seeds"])]
+    #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths"])]
     pub table: bool,
     /// File of the table; its figures go beside it as .json, its picture into images/.
     #[arg(
@@ -37,7 +40,7 @@ pub struct Synth {
     /// Synthesise the rows of the table again, or those of UNIT or --target; exit code 1 if one got worse than the baseline.
     #[arg(
         long,
-        conflicts_with_all = ["table", "seeds", "format", "planes", "rows_per_stage", "objects", "digits", "corrections"]
+        conflicts_with_all = ["table", "seeds", "format", "planes", "rows-per-stage", "objects", "digits", "corrections", "widths"]
     )]
     pub check: bool,
     /// File to check against.

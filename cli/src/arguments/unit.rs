@@ -115,6 +115,14 @@ pub struct Emit {
     /// Put NAME before the names of all modules and files, so that several configurations of a unit fit in one design.
     #[arg(long, value_name = "NAME")]
     pub prefix: Option<String>,
+    /// Widths and slots instead.
+    #[command(flatten)]
+    pub fitted: Fitted,
+}
+
+/// A beam machine that is fitted to a scene.
+#[derive(Debug, Args)]
+pub struct Fitted {
     /// Widths of a machine that is fitted to a scene, instead of --format; with --slots, for the unit beam alone.
     #[arg(long, value_name = "LIST", requires = "slots", conflicts_with_all = ["format", "planes", "objects"])]
     pub widths: Option<Widths>,

@@ -1,7 +1,7 @@
 //! `imogene cosim`.
 
-use super::render::golden_frame;
-use super::{describe, extremes, frame_scene, read_scene, threads, verdict};
+use super::render::{follows_depth_word, golden_frame};
+use super::{describe, extremes, frame_in, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
@@ -62,6 +62,11 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             "--camera and --frame choose a view of a scene; give a scene file".into(),
         ));
     }
+    if !options.words.is_none() {
+        return Err(Failure::Input(
+            "--guards and --widths are those of a scene's machine; give a scene file".into(),
+        ));
+    }
     let subject = match options.engine.simulator() {
         None if options.netlist.is_some() => {
             return Err(Failure::Input(
@@ -117,7 +122,8 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         )));
     }
     let file = read_scene(path, &options.view)?;
-    let (_, prepared) = frame_scene(&file, options.size, options.shape.format)?;
+    let format = options.words.format(options.shape.format);
+    let (_, prepared) = frame_in(&file, options.size, format.map_err(Failure::input)?)?;
     let mut report = if slots::is_for_beam(&prepared) {
         run_beam(options, &prepared)?
     } else {
@@ -131,12 +137,12 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         .into();
     report.subject = options.subject.clone();
     report.reproduce = format!(
-        "imogene cosim {} --engine {} --size {}x{} --format {} --rows-per-stage {}",
+        "imogene cosim {} --engine {} --size {}x{}{} --rows-per-stage {}",
         options.subject,
         report.engine,
         prepared.width,
         prepared.height,
-        options.shape.format,
+        options.words.options(options.shape.format),
         options.shape.rows_per_stage()
     );
     report.reproduce += &options.view.options();
@@ -188,6 +194,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             )));
         }
     }
+    follows_depth_word(prepared)?;
     let rows = options.shape.rows_per_stage();
     let bar = output::progress(slots::pixels(prepared), "processors in simulation");
     let outcome = slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {

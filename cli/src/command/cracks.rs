@@ -1,6 +1,6 @@
 //! `imogene cracks`.
 
-use super::{format_of, frame_in, read_scene, render::golden_frame};
+use super::{frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
 use crate::failure::Failure;
 use crate::output;
@@ -44,7 +44,11 @@ struct ScoreRow {
 /// Searches the golden picture for cracks.
 pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
-    let (framed, prepared) = frame_in(&file, options.scene.size, format_of(&options.scene)?)?;
+    let (framed, prepared) = frame_in(
+        &file,
+        options.scene.size,
+        options.scene.format().map_err(Failure::input)?,
+    )?;
     let least = options.min_distance;
     let rule = Rule {
         min_distance: least.unwrap_or_else(|| two_pixels(file.active(), prepared.height as usize)),

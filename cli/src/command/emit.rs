@@ -1,12 +1,11 @@
 //! `imogene emit`.
 
 use super::fitted;
-use crate::arguments::{Emit, Widths};
+use crate::arguments::Emit;
 use crate::failure::Failure;
 use crate::output;
-use imogene_contract::{Request, Unit};
+use imogene_contract::Request;
 use imogene_files::Outputs;
-use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::text::counted;
 use imogene_rtl::emit::{Direction, Emitted, emit, emit_with_prefix};
 use serde::Serialize;
@@ -37,9 +36,10 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
         .shape
         .request(&options.unit)
         .map_err(Failure::input)?;
-    let emitted = match &options.widths {
-        Some(widths) => fitted_machine(options, widths, request.unit)?,
-        None => emitted(&request, options.prefix.as_deref())?,
+    let prefix = options.prefix.as_deref();
+    let emitted = match fitted::asked(&options.fitted, &request)? {
+        Some(machine) => fitted::emit(&machine, prefix)?,
+        None => emitted(&request, prefix)?,
     };
     let mut files = output::files();
     add_verilog(&mut files, &emitted, &options.out, options.split)?;
@@ -76,25 +76,6 @@ pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted, Failu
         None => emit(request),
     };
     emitted.map_err(Failure::input)
-}
-
-/// The Verilog of a machine of the widths and slots asked for.
-fn fitted_machine(options: &Emit, widths: &Widths, unit: Unit) -> Result<Emitted, Failure> {
-    if unit != Unit::Beam {
-        return Err(Failure::Input(format!(
-            "--widths takes the unit beam, not {}: only whole machines are fitted to scenes",
-            unit.name()
-        )));
-    }
-    let machine = FittedMachine {
-        widths: widths.0,
-        rows_per_stage: options.shape.rows_per_stage() as u32,
-        slots: options
-            .slots
-            .as_ref()
-            .map_or_else(Vec::new, |s| s.0.clone()),
-    };
-    fitted::emit(&machine, options.prefix.as_deref())
 }
 
 /// Adds one file, or one for each module and a list of them.

@@ -1,13 +1,33 @@
 //! Hardware of any widths, for the commands that need it.
 
+use crate::arguments::{Fitted, Widths};
 use crate::failure::Failure;
 use crate::output;
+use imogene_contract::{Request, Unit};
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;
 use imogene_synth::fitted::{MachineCost, machine_costs};
 use imogene_verif::scene::fitted::request;
+
+/// The machine of the widths and slots asked for, if any are.
+pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine>, Failure> {
+    let (Some(Widths(widths)), Some(slots)) = (options.widths, &options.slots) else {
+        return Ok(None);
+    };
+    if request.unit != Unit::Beam {
+        return Err(Failure::Input(format!(
+            "--widths takes the unit beam, not {}: only whole machines are fitted to scenes",
+            request.unit.name()
+        )));
+    }
+    Ok(Some(FittedMachine {
+        widths,
+        rows_per_stage: request.rows_per_stage,
+        slots: slots.0.clone(),
+    }))
+}
 
 /// The Verilog of a machine.
 pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {

@@ -34,7 +34,7 @@ pub mod terrain;
 pub mod trade;
 pub mod units;
 
-use crate::arguments::{Guards, Scene, Size, View, Widths};
+use crate::arguments::{Scene, Size, View};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
 use imogene_files::{free_memory, memory_limit};
@@ -51,13 +51,16 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     frame_in(
         &read_scene(&scene.scene, &scene.view)?,
         scene.size,
-        format_of(scene)?,
+        scene.format().map_err(Failure::input)?,
     )
 }
 
 /// A scene of which only the picture counts, framed and prepared: without the objects that nobody sees.
 fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    let ((width, height), format) = (size_of(&file, scene.size), format_of(scene)?);
+    let ((width, height), format) = (
+        size_of(&file, scene.size),
+        scene.format().map_err(Failure::input)?,
+    );
     let bar = output::progress(file.frame_steps(), "framing");
     let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1)).map_err(Failure::input)?;
     has_room(seen.memory(), file.objects.len())?;
@@ -105,18 +108,6 @@ fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<Sce
         ));
     }
     Ok(file)
-}
-
-/// The format that is asked for.
-fn format_of(scene: &Scene) -> Result<Format, Failure> {
-    if let Some(Widths(widths)) = scene.widths {
-        return Format::fitted(&widths).map_err(Failure::input);
-    }
-    let format = Format::new(scene.format).map_err(Failure::input)?;
-    let Guards { linear, quadratic } = scene.guards;
-    format
-        .with_guards(linear, quadratic)
-        .map_err(Failure::input)
 }
 
 fn frame_scene(

@@ -4,7 +4,7 @@ mod frames;
 mod samples;
 mod split;
 
-use super::{format_of, frame_in, load_seen, looked, read_scene, threads, verdict};
+use super::{frame_in, load_seen, looked, read_scene, threads, verdict};
 use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
@@ -63,7 +63,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     let again = options.samples.map(|count| (count, file.clone()));
     let (framed, prepared) = match is_picture {
         true => load_seen(file, scene)?,
-        false => frame_in(&file, scene.size, format_of(scene)?)?,
+        false => frame_in(&file, scene.size, scene.format().map_err(Failure::input)?)?,
     };
     let prepare_seconds = started.elapsed().as_secs_f64();
     if let Some(zone) = options.zone {
@@ -301,24 +301,34 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
 
 /// The command that shows the difference again.
 fn reproduce(options: &Render) -> String {
-    let Scene { scene, view, .. } = &options.scene;
+    let Scene {
+        scene, view, words, ..
+    } = &options.scene;
+    let words = words.options(options.scene.format);
     let (scene, view) = (scene.display(), view.options());
     match options.look.look(false) {
-        None => format!("imogene cosim {scene}{view}"),
-        Some(_) => format!("imogene render {scene}{view} --model rtl, with the same look"),
+        None => format!("imogene cosim {scene}{words}{view}"),
+        Some(_) => format!("imogene render {scene}{words}{view} --model rtl, with the same look"),
     }
+}
+
+/// Refuses widths that processors have in a machine alone.
+pub fn follows_depth_word(prepared: &PreparedScene) -> Result<(), Failure> {
+    let format = &prepared.format;
+    if format.follows_depth_word() && !format.has_guards() {
+        return Ok(());
+    }
+    Err(Failure::Input(
+        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
+         give --format, or render with --model golden or exact; \
+         a zone machine draws facets with guard bits (imogene machine)"
+            .into(),
+    ))
 }
 
 /// The frame of processors that run by themselves.
 fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
-    let format = &prepared.format;
-    if !format.follows_depth_word() || format.has_guards() {
-        return Err(Failure::Input(
-            "only a beam machine of --model rtl takes --guards and --widths, and it draws 1 to 256 quadrics; \
-             give --format, or --model golden or exact; a zone machine draws facets with guard bits (imogene machine)"
-                .into(),
-        ));
-    }
+    follows_depth_word(prepared)?;
     let bar = output::progress(slots::pixels(prepared), "processors in simulation");
     let drawn = slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
         bar.inc(n)

@@ -2,11 +2,14 @@
 
 mod check;
 
+use super::fitted;
 use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
+use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::text::counted;
 use imogene_synth::baseline::Baseline;
+use imogene_synth::fitted::MachineCost;
 use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
 use std::path::{Path, PathBuf};
 
@@ -33,12 +36,56 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     let request = options.shape.request(unit).map_err(Failure::input)?;
     let target = Target::from_name(target).map_err(Failure::input)?;
     let seeds = options.seeds;
+    if let Some(machine) = fitted::asked(&options.fitted, &request)? {
+        return run_machine(machine, target, seeds > 0, json);
+    }
     let report = synthesise_with(&request, target, &Options { seeds }, cache(options))
         .map_err(Failure::input)?;
     if json {
         output::json(&report);
     } else {
         output::text(describe(&report));
+    }
+    Ok(())
+}
+
+/// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
+fn run_machine(
+    machine: FittedMachine,
+    target: Target,
+    with_clock: bool,
+    json: bool,
+) -> Result<(), Failure> {
+    let cost = fitted::costs(&[machine], target, with_clock)?[0];
+    if json {
+        output::json(&cost);
+        return Ok(());
+    }
+    let MachineCost {
+        lut,
+        ff,
+        carry,
+        dsp,
+        bram,
+        cells,
+        fmax_mhz,
+    } = cost;
+    output::text(format!("beam for {}, the sum of its units", target.name()));
+    for (name, count) in [
+        ("LUT", lut),
+        ("FF", ff),
+        ("carry", carry),
+        ("DSP", dsp),
+        ("BRAM", bram),
+        ("logic cells", cells),
+    ] {
+        output::text(format!("  {name:<12} {count}"));
+    }
+    if let Some(fmax) = fmax_mhz {
+        output::text(format!(
+            "  {:<12} {fmax:.1} MHz, of its slowest unit",
+            "Fmax"
+        ));
     }
     Ok(())
 }

@@ -4,12 +4,12 @@ mod check;
 
 use super::fitted::FittedSlot;
 use super::post_filter::Kernel;
-use super::video_timing::{MODES, Span, VideoMode};
 use super::zone::ZoneMachine;
 use crate::format::{FittedError, Format};
 use crate::scene::{in_plain_words, line_and_column};
 use crate::slots::Slots;
 use crate::widths::OwnWidths;
+use imogene_contract::video::{Span, VideoMode};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use thiserror::Error;
@@ -302,7 +302,7 @@ impl MachineDescription {
     /// The numbers of the video mode; none if it is not a mode.
     pub fn video_mode(&self) -> Option<VideoMode> {
         match &self.mode {
-            Mode::Named(name) => MODES
+            Mode::Named(name) => VideoMode::ALL
                 .into_iter()
                 .find(|m| *name == format!("{}x{}", m.line.active, m.frame.active)),
             Mode::Own(own) => {

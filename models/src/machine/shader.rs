@@ -9,6 +9,7 @@ mod words;
 use super::frame::Frame;
 use super::lighting::Lighting;
 use curve::Curve;
+use imogene_contract::shading;
 use light::Light;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -20,10 +21,10 @@ pub use words::{
 };
 
 /// Clocks from a pixel to its colour.
-pub const LATENCY: u32 = 38;
+pub const LATENCY: u32 = shading::LATENCY as u32;
 
 /// Bits after the point of a level before it is rounded.
-pub const LEVEL_FRACTION: u32 = 21;
+pub const LEVEL_FRACTION: u32 = shading::LEVEL_FRACTION as u32;
 
 /// What is asked of the shading processor at one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

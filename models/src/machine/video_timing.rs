@@ -1,105 +1,27 @@
 //! The raster of a screen with its blanking, from the numbers of its mode.
 
-/// The parts of a line in clocks, or of a frame in lines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
-    /// Shown.
-    pub active: u64,
-    /// From the end of the shown part to the synchronisation.
-    pub front: u64,
-    /// Synchronisation.
-    pub sync: u64,
-    /// From the synchronisation to the shown part.
-    pub back: u64,
+use imogene_contract::video::VideoMode;
+
+/// The pixel that is shown at a clock, counted from the beginning of a vertical blanking.
+fn pixel(mode: &VideoMode, clock: u64) -> Option<(u16, u16)> {
+    let clock = clock % mode.clocks();
+    let x = (clock % mode.line.total()).checked_sub(mode.line.blank())?;
+    let y = (clock / mode.line.total()).checked_sub(mode.frame.blank())?;
+    Some((x as u16, y as u16))
 }
 
-impl Span {
-    fn blank(&self) -> u64 {
-        self.front + self.sync + self.back
-    }
-
-    fn total(&self) -> u64 {
-        self.blank() + self.active
-    }
-}
-
-/// A video mode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VideoMode {
-    /// A line, in clocks.
-    pub line: Span,
-    /// A frame, in lines.
-    pub frame: Span,
-    /// Level of the horizontal synchronisation.
-    pub hsync_high: bool,
-    /// Level of the vertical synchronisation.
-    pub vsync_high: bool,
-}
-
-const fn span(active: u64, front: u64, sync: u64, back: u64) -> Span {
-    Span {
-        active,
-        front,
-        sync,
-        back,
-    }
-}
-
-/// The modes by their number: 160 x 120 for simulation, then 640 x 480, 1280 x 720 and 1920 x 1080 at 60 Hz.
-pub const MODES: [VideoMode; 4] = [
-    VideoMode {
-        line: span(160, 2, 3, 3),
-        frame: span(120, 1, 1, 0),
-        hsync_high: false,
-        vsync_high: true,
-    },
-    VideoMode {
-        line: span(640, 16, 96, 48),
-        frame: span(480, 10, 2, 33),
-        hsync_high: false,
-        vsync_high: false,
-    },
-    VideoMode {
-        line: span(1280, 110, 40, 220),
-        frame: span(720, 5, 5, 20),
-        hsync_high: true,
-        vsync_high: true,
-    },
-    VideoMode {
-        line: span(1920, 88, 44, 148),
-        frame: span(1080, 4, 5, 36),
-        hsync_high: true,
-        vsync_high: true,
-    },
-];
-
-impl VideoMode {
-    /// Clocks of a frame.
-    pub fn clocks(&self) -> u64 {
-        self.line.total() * self.frame.total()
-    }
-
-    /// The pixel that is shown at a clock, counted from the beginning of a vertical blanking.
-    pub fn pixel(&self, clock: u64) -> Option<(u16, u16)> {
-        let clock = clock % self.clocks();
-        let x = (clock % self.line.total()).checked_sub(self.line.blank())?;
-        let y = (clock / self.line.total()).checked_sub(self.frame.blank())?;
-        Some((x as u16, y as u16))
-    }
-
-    /// Levels of `hsync` and `vsync` at a clock. The vertical synchronisation begins and ends where a horizontal one begins.
-    pub fn sync(&self, clock: u64) -> (bool, bool) {
-        let clock = clock % self.clocks();
-        let line = self.line.total();
-        let within = |at: u64, from: u64, length: u64| (from..from + length).contains(&at);
-        let horizontal = within(clock % line, self.line.front, self.line.sync);
-        let vertical = within(
-            clock,
-            self.frame.front * line + self.line.front,
-            self.frame.sync * line,
-        );
-        (horizontal == self.hsync_high, vertical == self.vsync_high)
-    }
+/// Levels of `hsync` and `vsync` at a clock. The vertical synchronisation begins and ends where a horizontal one begins.
+fn sync(mode: &VideoMode, clock: u64) -> (bool, bool) {
+    let clock = clock % mode.clocks();
+    let line = mode.line.total();
+    let within = |at: u64, from: u64, length: u64| (from..from + length).contains(&at);
+    let horizontal = within(clock % line, mode.line.front, mode.line.sync);
+    let vertical = within(
+        clock,
+        mode.frame.front * line + mode.line.front,
+        mode.frame.sync * line,
+    );
+    (horizontal == mode.hsync_high, vertical == mode.vsync_high)
 }
 
 /// A pixel and its flags.
@@ -162,7 +84,7 @@ impl VideoTiming {
                 frame_start: false,
             };
         };
-        let (hsync, vsync) = self.mode.sync(at);
+        let (hsync, vsync) = sync(&self.mode, at);
         Timing {
             now: self.shown(at),
             ahead: self.shown(at + self.lead),
@@ -173,7 +95,7 @@ impl VideoTiming {
     }
 
     fn shown(&self, at: u64) -> Shown {
-        match self.mode.pixel(at) {
+        match pixel(&self.mode, at) {
             Some((x, y)) => Shown {
                 active: true,
                 start: x == 0 && y == 0,
@@ -197,29 +119,37 @@ mod tests {
 
     #[test]
     fn every_pixel_once_and_the_published_sync_widths() {
-        let [small, vga, ..] = MODES;
+        let [small, vga, hd, full_hd] = VideoMode::ALL;
         for (mode, pixels, hsync, vsync) in [
             (small, 160 * 120, 3 * 122, 168),
             (vga, 640 * 480, 96 * 525, 2 * 800),
+            (hd, 1280 * 720, 40 * 750, 5 * 1650),
+            (full_hd, 1920 * 1080, 44 * 1125, 5 * 2200),
         ] {
-            assert_eq!(count(mode, |at| mode.pixel(at).is_some()), pixels);
-            assert_eq!(count(mode, |at| mode.sync(at).0 == mode.hsync_high), hsync);
-            assert_eq!(count(mode, |at| mode.sync(at).1 == mode.vsync_high), vsync);
+            assert_eq!(count(mode, |at| pixel(&mode, at).is_some()), pixels);
+            assert_eq!(
+                count(mode, |at| sync(&mode, at).0 == mode.hsync_high),
+                hsync
+            );
+            assert_eq!(
+                count(mode, |at| sync(&mode, at).1 == mode.vsync_high),
+                vsync
+            );
         }
     }
 
     #[test]
     fn a_frame_begins_after_its_last_pixel() {
-        for mode in MODES {
+        for mode in VideoMode::ALL {
             let last = (mode.line.active as u16 - 1, mode.frame.active as u16 - 1);
-            assert_eq!(mode.pixel(mode.clocks() - 1), Some(last));
-            assert_eq!(mode.pixel(0), None);
+            assert_eq!(pixel(&mode, mode.clocks() - 1), Some(last));
+            assert_eq!(pixel(&mode, 0), None);
         }
     }
 
     #[test]
     fn a_delayed_request_is_the_picture() {
-        let mut timing = VideoTiming::new(MODES[0], 21);
+        let mut timing = VideoTiming::new(VideoMode::SMALL, 21);
         let shown: Vec<_> = (0..30_000).map(|_| timing.clock(true)).collect();
         for (later, now) in shown.iter().skip(21).zip(&shown) {
             assert_eq!(later.now, now.ahead);

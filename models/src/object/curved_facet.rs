@@ -5,10 +5,11 @@ use super::quadric::{ObjectPixel, ScreenBox};
 use crate::format::Format;
 use crate::unit::interval::FACE_NEAR;
 use crate::unit::pe2::{Pe2, Quadratic};
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// Most sides of a facet.
-pub const MAX_SIDES: usize = 4;
+pub const MAX_SIDES: usize = words::MOST_SIDES;
 
 /// The word of a side: its sign is that of the exact expression, not negative on the facet.
 pub fn side(exact: &Exact) -> Quadratic {

@@ -4,6 +4,7 @@ use super::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use crate::format::{Format, wrap};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
+use imogene_contract::object;
 use serde::Serialize;
 
 /// One word of the load bus.
@@ -18,13 +19,13 @@ pub struct LoadWord {
 }
 
 /// Address of the first word of plane 0.
-pub const FIRST_PLANE: u8 = 24;
+pub const FIRST_PLANE: u8 = object::PLANES as u8;
 /// Address of the columns of the screen box.
-pub const BOX_COLUMNS: u8 = 21;
+pub const BOX_COLUMNS: u8 = object::BOX_COLUMNS as u8;
 /// Address of the control word.
-pub const CONTROL: u8 = 23;
+pub const CONTROL: u8 = object::CONTROL as u8;
 /// Words of one plane.
-pub const PLANE_WORDS: u8 = 7;
+pub const PLANE_WORDS: u8 = object::PLANE_WORDS as u8;
 /// Width of the kind of a plane.
 pub const KIND_WIDTH: u32 = 2;
 

@@ -9,10 +9,11 @@ use crate::unit::pe1::{Linear, Pe1};
 use crate::unit::pe2::Quadratic;
 use crate::unit::plane_depth::saturate;
 use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of cut planes of one object.
-pub const MAX_PLANES: usize = 12;
+pub const MAX_PLANES: usize = words::MOST_PLANES;
 
 /// The screen box of an object in pixels of the zone, inclusive; empty if `x0 > x1` or `y0 > y1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,6 +3,7 @@
 
 use super::interval::Interval;
 use crate::format::Format;
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// How a plane lies to the viewer; decided once in the preparation.
@@ -14,11 +15,11 @@ pub enum PlaneKind {
     #[default]
     None = 0,
     /// Normal towards the viewer: keeps depths at and behind the plane.
-    Front = 1,
+    Front = words::FRONT_PLANE as u8,
     /// Normal away from the viewer: keeps depths at and before the plane.
-    Back = 2,
+    Back = words::BACK_PLANE as u8,
     /// Plane along the line of sight: keeps the pixel where the plane's value is not negative.
-    Perpendicular = 3,
+    Perpendicular = words::PERPENDICULAR as u8,
 }
 
 /// The interval that is left after one plane of depth (or value) `zp`, already saturated.

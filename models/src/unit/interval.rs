@@ -2,6 +2,7 @@
 //! (source: 2.3.1, 2.4.2; the case f2 < 0 seen from inside is corrected).
 
 use crate::format::Format;
+use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// How an object lies to the viewer; decided once in the preparation.
@@ -11,23 +12,23 @@ use serde::{Deserialize, Serialize};
 pub enum Class {
     /// Solid between its two roots; the eye is outside the unbounded quadric.
     #[default]
-    Side = 0,
+    Side = words::SIDE as u8,
     /// Solid outside its two roots; the eye is inside the unbounded quadric.
-    Front = 1,
+    Front = words::FRONT as u8,
     /// The surface itself; both roots are candidate faces.
-    Patch = 2,
+    Patch = words::PATCH as u8,
     /// A quadric that does not depend on the depth: present where f2 >= 0.
-    Prism = 3,
+    Prism = words::PRISM as u8,
 }
 
 /// Number of the quadric's near root among the faces of an object.
-pub const FACE_NEAR: u8 = 0;
+pub const FACE_NEAR: u8 = words::NEAR_ROOT as u8;
 /// Number of the quadric's far root.
-pub const FACE_FAR: u8 = 1;
+pub const FACE_FAR: u8 = words::FAR_ROOT as u8;
 /// Number of the first cut plane; plane i has `FACE_PLANE + i`.
-pub const FACE_PLANE: u8 = 2;
+pub const FACE_PLANE: u8 = words::FIRST_PLANE as u8;
 /// Number of the cap drawn where a solid reaches nearer than the near end.
-pub const FACE_NEAR_END: u8 = 15;
+pub const FACE_NEAR_END: u8 = words::CAP as u8;
 
 /// A depth interval with the numbers of the faces that bound it; absent is `zf = zb = z_max`, numbers 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -2,6 +2,7 @@
 
 pub mod command_stream;
 mod formula;
+pub mod object;
 pub mod parameters;
 mod records;
 pub mod request;

@@ -85,6 +85,11 @@ impl VideoMode {
     /// The modes by their number.
     pub const ALL: [VideoMode; 4] = [Self::SMALL, Self::VGA, Self::HD, Self::FULL_HD];
 
+    /// Clocks of a frame.
+    pub const fn clocks(&self) -> u64 {
+        self.line.total() * self.frame.total()
+    }
+
     /// Clocks of the vertical blanking: from the end of the last pixel of a frame to the beginning of the first line
     /// that is shown.
     pub const fn retrace(&self) -> u64 {

@@ -2,10 +2,9 @@
 
 use crate::engine::{slots_of, words_of};
 use imogene_contract::RequestError;
-use imogene_contract::video::{Span, VideoMode};
+use imogene_contract::video::VideoMode;
 use imogene_models::format::Format;
 use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
-use imogene_models::machine::video_timing;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::display::{
@@ -107,14 +106,7 @@ pub fn zone_timing(request: &DisplayRequest) -> Result<ZoneTiming, RequestError>
 }
 
 fn mode(machine: &MachineDescription) -> VideoMode {
-    let mode = machine
+    machine
         .video_mode()
-        .expect("a description that was checked");
-    let span = |s: &video_timing::Span| Span::new(s.active, s.front, s.sync, s.back);
-    VideoMode {
-        line: span(&mode.line),
-        frame: span(&mode.frame),
-        hsync_high: mode.hsync_high,
-        vsync_high: mode.vsync_high,
-    }
+        .expect("a description that was checked")
 }

@@ -2,14 +2,15 @@
 
 use super::{Description, bit};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::video_timing::{MODES, Shown, VideoTiming};
+use imogene_contract::video::VideoMode;
+use imogene_models::machine::video_timing::{Shown, VideoTiming};
 use imogene_rtl::emit::LEAD;
 use proptest::prelude::*;
 
 pub(super) fn video_timing(mode: usize) -> Description {
     Description {
         golden: Box::new(move || {
-            let mut timing = VideoTiming::new(MODES[mode], LEAD as u64);
+            let mut timing = VideoTiming::new(VideoMode::ALL[mode], LEAD as u64);
             Box::new(GoldenFn(move |i: &[i64]| {
                 let at = timing.clock(bit(i[0]));
                 let mut values = shown(&at.now);

@@ -2,7 +2,7 @@
 
 use super::{exact_frame, exact_lighting};
 use crate::arguments::{FrameRange, Model, Render};
-use crate::command::{format_of, read_scene, size_of};
+use crate::command::{read_scene, size_of};
 use crate::failure::Failure;
 use crate::{missing, output};
 use imogene_files::{Outputs, WriteError};
@@ -63,7 +63,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let named = |error: String| Failure::Input(format!("{path}: {error}"));
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
-    let format = format_of(&options.scene)?;
+    let format = options.scene.format().map_err(Failure::input)?;
     let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
     let animator = animator.with_options(missing::options());
     let range = range

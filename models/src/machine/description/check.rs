@@ -2,10 +2,10 @@
 
 use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
 use crate::machine::shader::MOST_LIGHTS;
-use crate::machine::video_timing::{MODES, VideoMode};
 use crate::machine::zone::{MAX_PICTURE, SAMPLES};
 use crate::object::quadric::MAX_PLANES;
 use crate::slots::Slots;
+use imogene_contract::video::VideoMode;
 
 /// Pixels of a zone at most.
 const MAX_ZONE_PIXELS: u32 = 1 << 14;
@@ -92,7 +92,7 @@ impl MachineDescription {
 
     fn check_mode(&self) -> Result<VideoMode, Refusal> {
         let Some(mode) = self.video_mode() else {
-            let names = MODES.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
+            let names = VideoMode::ALL.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
             let accepted = format!(
                 "{}, or {{ columns = [shown, front, sync, back], lines = [..] }} with 1 to 4095 shown, a sync of 1 at least, 8192 in all",
                 names.join(", ")

@@ -1,13 +1,15 @@
 //! Words of the shading processor and their addresses.
 
+use imogene_contract::shading;
+
 /// Lights at most.
-pub const MOST_LIGHTS: usize = 4;
+pub const MOST_LIGHTS: usize = imogene_contract::words::MOST_LIGHTS;
 /// Materials at most.
-pub const MOST_MATERIALS: usize = 256;
+pub const MOST_MATERIALS: usize = shading::MOST_MATERIALS as usize;
 /// Address of the first word of light 0; the next light begins 16 further on.
-pub const LIGHT_ADDRESS: u16 = 0x10;
+pub const LIGHT_ADDRESS: u16 = shading::LIGHT as u16;
 /// Address of the first word of material 0; the next material begins 4 further on.
-pub const MATERIAL_ADDRESS: u16 = 0x1000;
+pub const MATERIAL_ADDRESS: u16 = shading::MATERIAL as u16;
 
 /// All that a shading processor is loaded with.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use super::plan::{Pass, Zone, ZonePlan};
 use crate::object::load::{self, LoadWord, load_words};
 use crate::object::load_volume::{self, load_volume};
 use crate::object::unused;
+use imogene_contract::command_stream;
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a beat: 64 bits of data, 16 of address, 8 of unit, 4 of kind, and padding.
@@ -11,30 +12,34 @@ pub const BEAT_BYTES: u64 = 12;
 
 /// Kinds of beats.
 pub mod kind {
+    use imogene_contract::command_stream;
+
     /// Coefficient word of an object processor.
-    pub const OBJECT: u8 = 0;
+    pub const OBJECT: u8 = command_stream::OBJECT_WORD as u8;
     /// Coefficient word of a volume processor.
-    pub const VOLUME: u8 = 1;
+    pub const VOLUME: u8 = command_stream::VOLUME_WORD as u8;
     /// Word of the shading processor.
-    pub const SHADING: u8 = 2;
+    pub const SHADING: u8 = command_stream::SHADING_WORD as u8;
     /// Material of an object.
-    pub const MATERIAL: u8 = 3;
+    pub const MATERIAL: u8 = command_stream::MATERIAL_WORD as u8;
     /// Command.
-    pub const COMMAND: u8 = 4;
+    pub const COMMAND: u8 = command_stream::COMMAND as u8;
 }
 
 /// Addresses of commands.
 pub mod command {
+    use imogene_contract::command_stream;
+
     /// First column and line of the zone.
-    pub const ORIGIN: u16 = 0;
+    pub const ORIGIN: u16 = command_stream::ORIGIN as u16;
     /// Columns and lines of the zone.
-    pub const SIZE: u16 = 1;
+    pub const SIZE: u16 = command_stream::SIZE as u16;
     /// Draw pass.
-    pub const DRAW: u16 = 2;
+    pub const DRAW: u16 = command_stream::DRAW as u16;
     /// Light pass.
-    pub const LIGHT: u16 = 3;
+    pub const LIGHT: u16 = command_stream::LIGHT as u16;
     /// Show pass.
-    pub const SHOW: u16 = 4;
+    pub const SHOW: u16 = command_stream::SHOW as u16;
 
     /// Bit of draw and light: the first one of the zone.
     pub const FIRST: u64 = 1;
@@ -52,7 +57,7 @@ pub(super) const OBJECT_PLANES: [u8; 2] = [load::FIRST_PLANE, load::PLANE_WORDS]
 pub(super) const VOLUME_PLANES: [u8; 2] = [load_volume::FIRST_PLANE, load_volume::PLANE_WORDS];
 
 /// Address of an object processor's id.
-pub const ID_ADDRESS: u16 = 255;
+pub const ID_ADDRESS: u16 = command_stream::OBJECT_ID as u16;
 
 /// One beat of the stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
