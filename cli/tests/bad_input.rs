@@ -213,7 +213,7 @@ fn unwritable_output_folder() {
 fn usage_and_parameters_out_of_range() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let runs: [(Vec<&str>, &[&str]); 11] = [
+    let runs: [(Vec<&str>, &[&str]); 14] = [
         (vec!["emit", "pe3", "--out", out], &["pe3", "pe2"]),
         (
             vec!["emit", "pe1", "--prefix", "1st-", "--out", out],
