@@ -7,7 +7,7 @@ use crate::output;
 use imogene_contract::Request;
 use imogene_files::Outputs;
 use imogene_models::text::counted;
-use imogene_rtl::emit::{Direction, Emitted, emit, emit_with_prefix};
+use imogene_rtl::emit::{Emitted, emit, emit_with_prefix};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -102,10 +102,7 @@ pub fn add_verilog(
 fn port(port: &imogene_rtl::emit::Port) -> PortEntry {
     PortEntry {
         name: port.name.clone(),
-        direction: match port.direction {
-            Direction::In => "input",
-            Direction::Out => "output",
-        },
+        direction: port.direction.keyword(),
         width: port.width,
         signed: port.signed,
     }

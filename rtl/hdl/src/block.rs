@@ -6,8 +6,8 @@
 
 mod kernel;
 
-use crate::tree::{Direction, Memory, Module, Net};
-use kernel::{kernel, literal, net_name, register_name};
+use crate::tree::{Direction, Module, Node};
+use kernel::{kernel, memory_pins, net_name, register_name};
 use rust_hdl::core::ast::{Verilog, VerilogLiteral};
 use rust_hdl::core::prelude::{
     Atom, AtomKind, Logic, PinConstraint, Probe, TypeDescriptor, TypeKind, VCDValue,
@@ -27,18 +27,6 @@ struct Pin {
     signed: bool,
     kind: AtomKind,
     id: usize,
-}
-
-impl Pin {
-    fn new(width: u32, signed: bool, kind: AtomKind) -> Pin {
-        static PINS: AtomicUsize = AtomicUsize::new(0);
-        Pin {
-            width,
-            signed,
-            kind,
-            id: PINS.fetch_add(1, Ordering::Relaxed),
-        }
-    }
 }
 
 impl Atom for Pin {
@@ -77,7 +65,7 @@ impl Atom for Pin {
     }
 
     fn verilog(&self) -> VerilogLiteral {
-        literal(0)
+        0u64.into()
     }
 
     fn constraints(&self) -> Vec<PinConstraint> {
@@ -121,14 +109,7 @@ impl Block {
     ///
     /// With the name of a net that depends on itself within one clock.
     pub fn of(module: &Module) -> Block {
-        let mut block = Block {
-            atoms: vec![],
-            parts: vec![],
-            kernel: Verilog::Empty,
-        };
-        if module.is_clocked() {
-            block.pin("clock", 1, false, AtomKind::InputParameter);
-        }
+        let mut block = Block::with(Verilog::Combinatorial(kernel(module)), module.is_clocked());
         for port in &module.ports {
             let kind = match port.direction {
                 Direction::In => AtomKind::InputParameter,
@@ -136,71 +117,71 @@ impl Block {
             };
             block.pin(&port.name, port.width, port.signed, kind);
         }
-        for (index, node) in module.nodes.iter().enumerate() {
-            let name = net_name(Net(index as u32));
-            block.pin(&name, node.width, node.signed, AtomKind::LocalSignal);
+        for (net, node) in module.nets() {
+            block.pin(
+                &net_name(net),
+                node.width,
+                node.signed,
+                AtomKind::LocalSignal,
+            );
         }
         for (index, register) in module.registers.iter().enumerate() {
-            let node = module.node(register.net);
-            let part = Block::register(node.width, node.signed, register.initial);
+            let (own, initial) = (module.node(register.net), register.initial);
+            let text = format!(
+                "initial q = {}'h{initial:x};\nalways @(posedge clock) q <= d;\n",
+                own.width
+            );
+            let part = Block::leaf(text, &[("d", own)], own);
             block.parts.push((register_name(index), part));
         }
         for memory in &module.memories {
-            block
-                .parts
-                .push((memory.name.clone(), Block::memory(module, memory)));
+            let (last, top) = (memory.words - 1, memory.width - 1);
+            let text = format!(
+                "reg [{top}:0] words [0:{last}];\ninteger place;\n\
+                 initial begin\nq = 0;\nfor (place = 0; place <= {last}; place = place + 1) words[place] = 0;\nend\n\
+                 always @(posedge clock) begin\nq <= words[read];\nif (write) words[at] <= data;\nend\n"
+            );
+            let inputs = memory_pins(memory).map(|(pin, net)| (pin, module.node(net)));
+            let part = Block::leaf(text, &inputs, module.node(memory.net));
+            block.parts.push((memory.name.clone(), part));
         }
         for instance in &module.instances {
-            block
-                .parts
-                .push((instance.name.clone(), Block::of(&instance.module)));
+            let part = Block::of(&instance.module);
+            block.parts.push((instance.name.clone(), part));
         }
-        block.kernel = Verilog::Combinatorial(kernel(module));
         block
     }
 
-    fn register(width: u32, signed: bool, initial: u64) -> Block {
-        let text = format!("initial q = {width}'h{initial:x};\nalways @(posedge clock) q <= d;\n");
+    fn with(kernel: Verilog, is_clocked: bool) -> Block {
         let mut block = Block {
             atoms: vec![],
             parts: vec![],
-            kernel: Verilog::Custom(text),
+            kernel,
         };
-        block.pin("clock", 1, false, AtomKind::InputParameter);
-        block.pin("d", width, signed, AtomKind::InputParameter);
-        block.pin("q", width, signed, AtomKind::OutputParameter);
+        if is_clocked {
+            block.pin("clock", 1, false, AtomKind::InputParameter);
+        }
         block
     }
 
-    fn memory(module: &Module, memory: &Memory) -> Block {
-        let last = memory.words - 1;
-        let text = format!(
-            "reg [{}:0] words [0:{last}];\ninteger place;\n\
-             initial begin\nq = 0;\nfor (place = 0; place <= {last}; place = place + 1) words[place] = 0;\nend\n\
-             always @(posedge clock) begin\nq <= words[read];\nif (write) words[at] <= data;\nend\n",
-            memory.width - 1
-        );
-        let mut block = Block {
-            atoms: vec![],
-            parts: vec![],
-            kernel: Verilog::Custom(text),
-        };
-        block.pin("clock", 1, false, AtomKind::InputParameter);
-        let inputs = ["write", "at", "data"].into_iter().zip(memory.write);
-        for (name, net) in inputs.chain([("read", memory.address)]) {
-            block.pin(
-                name,
-                module.node(net).width,
-                false,
-                AtomKind::InputParameter,
-            );
+    /// A register or a memory: its text, its inputs, its output `q`.
+    fn leaf(text: String, inputs: &[(&str, &Node)], output: &Node) -> Block {
+        let mut block = Block::with(Verilog::Custom(text), true);
+        for (name, input) in inputs {
+            block.pin(name, input.width, input.signed, AtomKind::InputParameter);
         }
-        block.pin("q", memory.width, false, AtomKind::OutputParameter);
+        block.pin("q", output.width, output.signed, AtomKind::OutputParameter);
         block
     }
 
     fn pin(&mut self, name: &str, width: u32, signed: bool, kind: AtomKind) {
-        self.atoms
-            .push((name.to_owned(), Pin::new(width, signed, kind)));
+        static PINS: AtomicUsize = AtomicUsize::new(0);
+        let pin = Pin {
+            width,
+            signed,
+            kind,
+            id: PINS.fetch_add(1, Ordering::Relaxed),
+        };
+        self.atoms.push((name.to_owned(), pin));
     }
 }

@@ -1,10 +1,11 @@
 //! What is being built: one scope for each module that is open.
 
-use crate::bundle::{Bundle, Label};
+use crate::bundle::{Bundle, Label, members};
 use crate::tree::{Direction, Instance, Module, Net, Node, Op, PortRecord};
 use crate::value::Handle;
 use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
+use std::fmt::{Display, Formatter, Result};
 use std::panic::Location;
 use std::rc::Rc;
 
@@ -15,6 +16,15 @@ const RESERVED: &str = include_str!("reserved_words.txt");
 pub(crate) fn is_reserved(name: &str) -> bool {
     RESERVED.split_whitespace().any(|word| word == name)
 }
+
+/// Ends the building: the circuit is none.
+macro_rules! refuse {
+    ($($problem:tt)*) => {{
+        let problem = format!($($problem)*);
+        panic!("circuit refused: {problem}")
+    }};
+}
+pub(crate) use refuse;
 
 /// A module that is being built.
 #[derive(Default)]
@@ -30,12 +40,12 @@ struct Builder {
     open: Vec<Scope>,
     /// Every scope has another number, so that a value of one is known in another.
     scopes: u64,
-    /// Each with the name that was asked for.
+    /// Each with the name that was asked for, those inside before those around them.
     closed: Vec<(String, Rc<Module>)>,
 }
 
 thread_local! {
-    static BUILDER: RefCell<Option<Builder>> = const { RefCell::new(None) };
+    static BUILDER: RefCell<Builder> = RefCell::default();
 }
 
 /// A module with all modules in it.
@@ -53,15 +63,14 @@ impl Design {
     /// With the names of the values and the line, where the circuit is none.
     #[track_caller]
     pub fn of<T>(build: impl FnOnce() -> T) -> Design {
-        let before = BUILDER.with(|builder| builder.borrow_mut().replace(Builder::default()));
-        if before.is_some() {
-            refuse("a design is being built already".to_owned());
+        if BUILDER.with_borrow(|builder| !builder.open.is_empty()) {
+            refuse!("a design is being built already");
         }
         // What was open is dropped if building it ends in a panic.
         struct Closing;
         impl Drop for Closing {
             fn drop(&mut self) {
-                BUILDER.with(|builder| *builder.borrow_mut() = None);
+                BUILDER.take();
             }
         }
         let _closing = Closing;
@@ -72,7 +81,7 @@ impl Design {
             [only] => Design {
                 top: told_apart(&only.module),
             },
-            others => refuse(format!("a design is one module, not {}", others.len())),
+            others => refuse!("a design is one module, not {}", others.len()),
         }
     }
 }
@@ -86,85 +95,61 @@ pub fn module<I: Bundle, O: Bundle>(
     inputs: I,
     body: impl FnOnce(I) -> O,
 ) -> O {
-    let mut outside = vec![];
-    let own = Label::default();
-    inputs.each(&own, &mut |_, member| outside.push(member.handle.net));
     let place = Location::caller();
+    let index = with_scope(|around| around.module.instances.len());
     open(name);
-    let mut labels = vec![];
-    inputs.each(&own, &mut |label, _| labels.push(label));
+    let (labels, outside): (Vec<Label>, Vec<Handle>) = members(&inputs).into_iter().unzip();
     let mut labels = labels.into_iter();
-    let inside = inputs.rebuilt(&mut |member| {
-        let port = labels.next().expect("as many labels as members");
-        let (net, scope) = add(Op::Input, member.handle.width, member.signed, place);
-        with_scope(|open| {
-            open.module.nodes[net.0 as usize].name = Some(port.name.clone());
-            open.module.ports.push(PortRecord {
-                name: port.name,
-                meaning: port.meaning,
-                direction: Direction::In,
-                net,
-                width: member.handle.width,
-                signed: member.signed,
-            });
-        });
-        Handle {
-            net,
-            scope,
-            width: member.handle.width,
-        }
+    let inside = inputs.rebuilt(&mut |outside| {
+        let label = labels.next().expect("as many labels as members");
+        let inside = add(Op::Input, outside.width, outside.signed, place);
+        inside.edit(|node| node.name = Some(label.name.clone()));
+        declare(label, Direction::In, inside);
+        inside
     });
     let outputs = body(inside);
-    outputs.each(&own, &mut |label, member| {
-        with_scope(|open| {
-            open.module.ports.push(PortRecord {
-                name: label.name,
-                meaning: label.meaning,
-                direction: Direction::Out,
-                net: member.handle.net,
-                width: member.handle.width,
-                signed: member.signed,
-            });
-        });
-    });
+    for (label, driver) in members(&outputs) {
+        declare(label, Direction::Out, driver);
+    }
     let module = share(close());
-    let index = with_scope(|scope| scope.module.instances.len());
     let mut nets = vec![];
-    let result = outputs.rebuilt(&mut |member| {
+    let result = outputs.rebuilt(&mut |inside| {
         let op = Op::Output(index, nets.len());
-        let (net, scope) = add(op, member.handle.width, member.signed, place);
-        nets.push(net);
-        Handle {
-            net,
-            scope,
-            width: member.handle.width,
-        }
+        let output = add(op, inside.width, inside.signed, place);
+        nets.push(output.net);
+        output
     });
-    with_scope(|scope| {
-        scope.module.instances.push(Instance {
+    with_scope(|around| {
+        around.module.instances.push(Instance {
             name: at.to_owned(),
             module,
-            inputs: outside,
+            inputs: outside.iter().map(|value| value.net).collect(),
             outputs: nets,
         });
     });
     result
 }
 
+fn declare(label: Label, direction: Direction, value: Handle) {
+    let port = PortRecord {
+        name: label.name,
+        meaning: label.meaning,
+        direction,
+        net: value.net,
+        width: value.width,
+        signed: value.signed,
+    };
+    with_scope(|scope| scope.module.ports.push(port));
+}
+
 /// The module that is equal to this one, or this one; another of the same name makes it take a number.
 fn share(mut module: Module) -> Rc<Module> {
-    BUILDER.with(|builder| {
-        let mut builder = builder.borrow_mut();
-        let closed = &mut builder.as_mut().expect("a design is open").closed;
+    BUILDER.with_borrow_mut(|Builder { closed, .. }| {
         let wanted = module.name.clone();
-        let mut number = 1;
-        loop {
+        for number in 2.. {
             match closed.iter().find(|(_, other)| other.name == module.name) {
                 Some((_, other)) if **other == module => return other.clone(),
-                Some(_) => {
-                    number += 1;
-                    module.name = format!("{wanted}_{number}");
-                }
+                Some(_) => module.name = format!("{wanted}_{number}"),
                 None => break,
             }
         }
@@ -174,169 +159,145 @@ fn share(mut module: Module) -> Rc<Module> {
     })
 }
 
-/// Modules that were to be called alike are called after the width of the first port in which all of them differ, as
-/// `pe1_w24` and `pe1_w36`; where there is none, they keep their numbers.
+/// The same tree, in which modules that were to be called alike are called after the width of the first port in which
+/// all of them differ, as `pe1_w24` and `pe1_w36`; where there is none, they keep their numbers.
 fn told_apart(top: &Rc<Module>) -> Rc<Module> {
-    let mut groups: BTreeMap<String, Vec<Rc<Module>>> = BTreeMap::new();
-    BUILDER.with(|builder| {
-        let builder = builder.borrow();
-        for (wanted, module) in builder.iter().flat_map(|builder| &builder.closed) {
-            groups
-                .entry(wanted.clone())
-                .or_default()
-                .push(module.clone());
+    let closed = BUILDER.take().closed;
+    let mut renamed: HashMap<*const Module, Rc<Module>> = HashMap::new();
+    for (wanted, module) in &closed {
+        let alike = closed.iter().filter(|(other, _)| other == wanted);
+        let alike: Vec<&Module> = alike.map(|(_, other)| &**other).collect();
+        let mut own = Module::clone(module);
+        if let Some(width) = own_width(module, &alike) {
+            own.name = format!("{wanted}_w{width}");
         }
-    });
-    let mut names = HashMap::new();
-    for (wanted, modules) in groups.iter().filter(|(_, modules)| modules.len() > 1) {
-        for (module, width) in modules.iter().zip(distinct_widths(modules)) {
-            names.insert(Rc::as_ptr(module), format!("{wanted}_w{width}"));
+        for instance in &mut own.instances {
+            instance.module = renamed[&Rc::as_ptr(&instance.module)].clone();
         }
+        renamed.insert(Rc::as_ptr(module), Rc::new(own));
     }
-    renamed(top, &names, &mut HashMap::new())
+    renamed[&Rc::as_ptr(top)].clone()
 }
 
-/// The widths of the first port that has another in each of the modules; none if no port has.
-fn distinct_widths(modules: &[Rc<Module>]) -> Vec<u32> {
-    let widths = |port: &PortRecord| -> Vec<u32> {
-        let same = |module: &Rc<Module>| {
-            let found = module.ports.iter().find(|other| other.name == port.name);
-            found.map(|port| port.width)
-        };
-        modules.iter().filter_map(same).collect()
+/// The width of the first port that has another in each of some modules.
+fn own_width(module: &Module, alike: &[&Module]) -> Option<u32> {
+    let width = |module: &Module, name: &str| {
+        let found = module.ports.iter().find(|port| port.name == name);
+        found.map(|port| port.width)
     };
-    let all = modules[0].ports.iter().map(widths);
-    let is_distinct = |widths: &Vec<u32>| HashSet::<&u32>::from_iter(widths).len() == modules.len();
-    all.into_iter().find(is_distinct).unwrap_or_default()
-}
-
-/// The same tree with other names of modules.
-fn renamed(
-    module: &Rc<Module>,
-    names: &HashMap<*const Module, String>,
-    done: &mut HashMap<*const Module, Rc<Module>>,
-) -> Rc<Module> {
-    if let Some(module) = done.get(&Rc::as_ptr(module)) {
-        return module.clone();
-    }
-    let mut own = Module::clone(module);
-    if let Some(name) = names.get(&Rc::as_ptr(module)) {
-        own.name.clone_from(name);
-    }
-    for instance in &mut own.instances {
-        instance.module = renamed(&instance.module, names, done);
-    }
-    let own = Rc::new(own);
-    done.insert(Rc::as_ptr(module), own.clone());
-    own
+    let is_distinct = |port: &&PortRecord| {
+        let widths = alike.iter().filter_map(|other| width(other, &port.name));
+        alike.len() > 1 && widths.collect::<HashSet<u32>>().len() == alike.len()
+    };
+    let port = alike[0].ports.iter().find(is_distinct)?;
+    width(module, &port.name)
 }
 
 fn open(name: &str) {
-    BUILDER.with(|builder| {
-        let mut builder = builder.borrow_mut();
-        let Some(builder) = builder.as_mut() else {
-            drop(builder);
-            refuse("no design is being built".to_owned());
-        };
+    BUILDER.with_borrow_mut(|builder| {
         builder.scopes += 1;
-        builder.open.push(Scope {
-            module: Module {
-                name: name.to_owned(),
-                ..Module::default()
-            },
+        let mut scope = Scope {
             number: builder.scopes,
-            known: HashMap::new(),
-        });
+            ..Scope::default()
+        };
+        scope.module.name = name.to_owned();
+        builder.open.push(scope);
     });
 }
 
 #[track_caller]
 fn close() -> Module {
-    let scope = BUILDER.with(|builder| {
-        let mut builder = builder.borrow_mut();
-        let builder = builder.as_mut().expect("a design is open");
-        builder.open.pop().expect("a module is open")
-    });
-    let module = scope.module;
+    let scope = BUILDER.with_borrow_mut(|builder| builder.open.pop());
+    let module = scope.expect("a module is open").module;
+    let own = &module.name;
     let mut names = HashSet::new();
     for PortRecord { name, .. } in &module.ports {
         if is_reserved(name) || name == "clock" {
-            refuse(format!(
-                "port `{name}` of module `{}`: languages reserve this word",
-                module.name
-            ));
+            refuse!("port `{name}` of module `{own}`: languages reserve this word");
         }
         if !names.insert(name) {
-            refuse(format!("module `{}` has two ports `{name}`", module.name));
+            refuse!("module `{own}` has two ports `{name}`");
         }
     }
     if let Some(register) = module.registers.iter().find(|r| r.next.is_none()) {
-        refuse(format!("{} has no input", described(&module, register.net)));
+        refuse!("{} has no input", described(&module, register.net));
     }
-    let is_free = |node: &Node| node.op == Op::Forward(None);
-    if let Some(index) = module.nodes.iter().position(is_free) {
-        refuse(format!(
-            "{} is driven by nothing",
-            described(&module, Net(index as u32))
-        ));
+    let is_free = |(_, node): &(Net, &Node)| node.op == Op::Forward(None);
+    if let Some((net, _)) = module.nets().find(is_free) {
+        refuse!("{} is driven by nothing", described(&module, net));
     }
     module
 }
 
 pub(crate) fn with_scope<T>(edit: impl FnOnce(&mut Scope) -> T) -> T {
-    BUILDER.with(|builder| {
-        let mut builder = builder.borrow_mut();
-        let scope = builder.as_mut().and_then(|builder| builder.open.last_mut());
+    BUILDER.with_borrow_mut(|builder| {
+        let scope = builder.open.last_mut();
         edit(scope.expect("values are made while a design is being built"))
     })
 }
 
-pub(crate) fn scope_of() -> u64 {
-    with_scope(|scope| scope.number)
+/// The value of an operation.
+pub(crate) fn add(op: Op, width: u32, signed: bool, place: &'static Location<'static>) -> Handle {
+    with_scope(
+        |Scope {
+             module,
+             number,
+             known,
+         }| {
+            let new = Net(module.nodes.len());
+            let net = match op.is_pure() {
+                true => *known.entry((op.clone(), width, signed)).or_insert(new),
+                false => new,
+            };
+            if net == new {
+                module.nodes.push(Node {
+                    op,
+                    width,
+                    signed,
+                    name: None,
+                    place,
+                });
+            }
+            Handle {
+                net,
+                scope: *number,
+                width,
+                signed,
+            }
+        },
+    )
 }
 
-/// The net of an operation, and the number of its scope.
-pub(crate) fn add(
-    op: Op,
-    width: u32,
-    signed: bool,
-    place: &'static Location<'static>,
-) -> (Net, u64) {
-    with_scope(|scope| {
-        let net = Net(scope.module.nodes.len() as u32);
-        if op.is_pure() {
-            let known = *scope
-                .known
-                .entry((op.clone(), width, signed))
-                .or_insert(net);
-            if known != net {
-                return (known, scope.number);
-            }
+impl Handle {
+    /// Changes its net.
+    pub(crate) fn edit<T>(self, edit: impl FnOnce(&mut Node) -> T) -> T {
+        with_scope(|scope| edit(&mut scope.module.nodes[self.net.0]))
+    }
+
+    /// Refuses a value of another module than the one that is being built.
+    #[track_caller]
+    pub(crate) fn check_scope(self) {
+        if self.scope != with_scope(|scope| scope.number) {
+            refuse!("{self} belongs to another module than the one that is being built");
         }
-        scope.module.nodes.push(Node {
-            op,
-            width,
-            signed,
-            name: None,
-            place,
-        });
-        (net, scope.number)
-    })
+    }
 }
 
 /// A value for a message: its name or what makes it, its width and its line.
-pub(crate) fn node_of(handle: Handle) -> String {
-    BUILDER.with(|builder| {
-        let builder = builder.borrow();
-        let mut open = builder.iter().flat_map(|builder| &builder.open);
-        match open.find(|scope| scope.number == handle.scope) {
-            Some(scope) => described(&scope.module, handle.net),
-            None => format!(
-                "a value of {} bits of a module that is closed",
-                handle.width
-            ),
-        }
-    })
+impl Display for Handle {
+    fn fmt(&self, text: &mut Formatter) -> Result {
+        BUILDER.with_borrow(|builder| {
+            let mut open = builder.open.iter();
+            match open.find(|scope| scope.number == self.scope) {
+                Some(scope) => text.write_str(&described(&scope.module, self.net)),
+                None => write!(
+                    text,
+                    "a value of {} bits of a module that is closed",
+                    self.width
+                ),
+            }
+        })
+    }
 }
 
 /// The same of a net of a module.
@@ -349,14 +310,6 @@ pub(crate) fn described(module: &Module, net: Net) -> String {
         (None, _) => "a value without a name".to_owned(),
     };
     let kind = if node.signed { "number" } else { "word" };
-    format!(
-        "{name} ({kind} of {} bits, {}) of module `{}`",
-        node.width, node.place, module.name
-    )
-}
-
-/// The circuit is none.
-#[track_caller]
-pub(crate) fn refuse(problem: String) -> ! {
-    panic!("circuit refused: {problem}")
+    let (width, place, module) = (node.width, node.place, &module.name);
+    format!("{name} ({kind} of {width} bits, {place}) of module `{module}`")
 }

@@ -1,14 +1,6 @@
 //! Groups of values that are ports together.
 
-use crate::value::{Bits, Handle, Int, Value, delayed};
-
-/// A value of a bundle.
-#[derive(Clone, Copy, Debug)]
-pub struct Member {
-    pub(crate) handle: Handle,
-    /// A two's complement number.
-    pub signed: bool,
-}
+use crate::value::{Bits, Handle, Value, delayed, later};
 
 /// What stands before the names and meanings of the members of a bundle, or of one member.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -45,79 +37,65 @@ impl Label {
 }
 
 /// Values with names, in an order.
-pub trait Bundle {
+pub trait Bundle: Sized {
     /// Calls back with each label, behind that of the group, and value.
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member));
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle));
 
     /// The same bundle of other values, of the same widths.
     #[doc(hidden)]
-    fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self;
+    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self;
 
     /// The same values, each called after this group and its member.
-    fn called(self, group: &str) -> Self
-    where
-        Self: Sized,
-    {
+    fn called(self, group: &str) -> Self {
         let group = Label::default().member(group, "");
-        self.each(&group, &mut |label, member| {
-            Bits(member.handle).named(&label.name);
+        self.each(&group, &mut |label, value| {
+            Bits(value).named(&label.name);
         });
         self
     }
 
     /// All values one clock later.
     #[track_caller]
-    fn registered(&self) -> Self
-    where
-        Self: Sized,
-    {
-        later(self, |_| None, 1)
+    fn registered(&self) -> Self {
+        all_later(self, None)
     }
 
     /// All values one clock later, taken where `enable` is 1.
     #[track_caller]
-    fn registered_when(&self, enable: Bits) -> Self
-    where
-        Self: Sized,
-    {
-        let mut values = vec![];
-        for (_, Member { handle, signed }) in members(self) {
-            values.push(match signed {
-                true => Int(handle).reg_when(enable).0,
-                false => Bits(handle).reg_when(enable).0,
-            });
-        }
-        replaced(self, values)
+    fn registered_when(&self, enable: Bits) -> Self {
+        all_later(self, Some(enable))
     }
 
     /// All values so many clocks later, through registers that are called after them.
     #[track_caller]
-    fn delayed(&self, clocks: u32) -> Self
-    where
-        Self: Sized,
-    {
-        later(self, |name| Some(format!("{name}_late")), clocks)
+    fn delayed(&self, clocks: u32) -> Self {
+        let mut values = vec![];
+        for (label, value) in members(self) {
+            values.push(delayed(
+                value,
+                Some(&format!("{}_late", label.name)),
+                clocks,
+            ));
+        }
+        replaced(self, values)
     }
 }
 
 #[track_caller]
-fn later<B: Bundle>(bundle: &B, name: fn(String) -> Option<String>, clocks: u32) -> B {
+fn all_later<B: Bundle>(bundle: &B, enable: Option<Bits>) -> B {
     let mut values = vec![];
-    for (member, Member { handle, signed }) in members(bundle) {
-        let name = name(member);
-        values.push(match signed {
-            true => delayed(Int(handle), name.as_deref(), clocks).0,
-            false => delayed(Bits(handle), name.as_deref(), clocks).0,
-        });
+    for (_, value) in members(bundle) {
+        values.push(later(value, enable));
     }
     replaced(bundle, values)
 }
 
-/// All members with their names.
-pub(crate) fn members(bundle: &impl Bundle) -> Vec<(String, Member)> {
+/// All members with their labels.
+pub(crate) fn members(bundle: &impl Bundle) -> Vec<(Label, Handle)> {
     let mut found = vec![];
-    let mut add = |label: Label, member| found.push((label.name, member));
-    bundle.each(&Label::default(), &mut add);
+    bundle.each(&Label::default(), &mut |label, value| {
+        found.push((label, value))
+    });
     found
 }
 
@@ -127,66 +105,54 @@ pub(crate) fn replaced<B: Bundle>(bundle: &B, values: Vec<Handle>) -> B {
     bundle.rebuilt(&mut |_| values.next().expect("as many values as members"))
 }
 
-fn member<V: Value>(value: &V) -> Member {
-    Member {
-        handle: value.handle(),
-        signed: V::SIGNED,
+/// A value is a bundle of one.
+impl<V: Value> Bundle for V {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
+        found(group.clone(), self.handle());
+    }
+
+    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
+        V::of(other(self.handle()))
     }
 }
 
-macro_rules! bundle_of_one {
-    ($($value:ident)*) => {$(
-        impl Bundle for $value {
-            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
-                found(group.clone(), member(self));
-            }
-
-            fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
-                $value(other(member(self)))
-            }
-        }
-    )*};
-}
-
-bundle_of_one! { Bits Int }
-
 impl Bundle for () {
-    fn each(&self, _: &Label, _: &mut dyn FnMut(Label, Member)) {}
+    fn each(&self, _: &Label, _: &mut dyn FnMut(Label, Handle)) {}
 
-    fn rebuilt(&self, _: &mut dyn FnMut(Member) -> Handle) -> Self {}
+    fn rebuilt(&self, _: &mut dyn FnMut(Handle) -> Handle) -> Self {}
 }
 
 /// A bundle under a name.
 impl<B: Bundle> Bundle for (&'static str, B) {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
         self.1.each(&group.member(self.0, ""), found);
     }
 
-    fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
+    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
         (self.0, self.1.rebuilt(other))
     }
 }
 
 /// A bundle under a name, with its meaning.
 impl<B: Bundle> Bundle for (&'static str, B, &'static str) {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
         self.1.each(&group.member(self.0, self.2), found);
     }
 
-    fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
+    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
         (self.0, self.1.rebuilt(other), self.2)
     }
 }
 
 /// Members with numbers.
 impl<B: Bundle> Bundle for Vec<B> {
-    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+    fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
         for (index, one) in self.iter().enumerate() {
             one.each(&group.numbered(index), found);
         }
     }
 
-    fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
+    fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
         self.iter().map(|one| one.rebuilt(other)).collect()
     }
 }
@@ -194,11 +160,11 @@ impl<B: Bundle> Bundle for Vec<B> {
 macro_rules! tuples {
     ($(($($letter:ident $index:tt),*))*) => {$(
         impl<$($letter: Bundle),*> Bundle for ($($letter,)*) {
-            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Member)) {
+            fn each(&self, group: &Label, found: &mut dyn FnMut(Label, Handle)) {
                 $(self.$index.each(group, found);)*
             }
 
-            fn rebuilt(&self, other: &mut dyn FnMut(Member) -> Handle) -> Self {
+            fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
                 ($(self.$index.rebuilt(other),)*)
             }
         }
@@ -252,21 +218,7 @@ macro_rules! bundle {
             }
         }
 
-        impl $crate::Bundle for $group {
-            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Member)) {
-                $($crate::Bundle::each(
-                    &self.$name,
-                    &group.member(stringify!($name), $meaning),
-                    found,
-                );)*
-            }
-
-            fn rebuilt(&self, other: &mut dyn FnMut($crate::Member) -> $crate::Handle) -> Self {
-                $group {
-                    $($name: $crate::Bundle::rebuilt(&self.$name, other),)*
-                }
-            }
-        }
+        $crate::bundle_of_fields! { $group { $($name stringify!($name), $meaning;)* } }
     )*};
 }
 
@@ -301,20 +253,25 @@ macro_rules! bundles {
             $($(#[$silent])* $(#[doc = $meaning])? pub $name: $kind,)*
         }
 
+        $crate::bundle_of_fields! { $group { $($name $prefix, concat!($($meaning)?);)* } }
+    )*};
+}
+
+/// A structure as a bundle of its fields, each behind a name and a meaning.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! bundle_of_fields {
+    ($group:ident { $($field:ident $name:expr, $meaning:expr;)* }) => {
         impl $crate::Bundle for $group {
-            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Member)) {
-                $($crate::Bundle::each(
-                    &self.$name,
-                    &group.member($prefix, concat!($($meaning)?)),
-                    found,
-                );)*
+            fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Handle)) {
+                $($crate::Bundle::each(&self.$field, &group.member($name, $meaning), found);)*
             }
 
-            fn rebuilt(&self, other: &mut dyn FnMut($crate::Member) -> $crate::Handle) -> Self {
+            fn rebuilt(&self, other: &mut dyn FnMut($crate::Handle) -> $crate::Handle) -> Self {
                 $group {
-                    $($name: $crate::Bundle::rebuilt(&self.$name, other),)*
+                    $($field: $crate::Bundle::rebuilt(&self.$field, other),)*
                 }
             }
         }
-    )*};
+    };
 }

@@ -42,7 +42,7 @@ pub mod verilog;
 
 pub use build::{Design, module};
 #[doc(hidden)]
-pub use bundle::{Bundle, Label, Member};
+pub use bundle::{Bundle, Label};
 pub use simulate::{Port, Simulator};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
 #[doc(hidden)]

@@ -41,7 +41,6 @@ struct Store {
 /// An operation is read once for all lanes: a clock of eight takes less than three times that of one.
 pub struct Simulator<const LANES: usize = 1> {
     ports: Vec<PortRecord>,
-    places: Vec<u32>,
     words: Vec<[u64; LANES]>,
     code: Vec<Code>,
     runs: Vec<Run>,
@@ -94,24 +93,19 @@ impl<const LANES: usize> Simulator<LANES> {
     pub fn in_lanes(design: &Design) -> Simulator<LANES> {
         let mut flat = Flat::default();
         flat.word(1);
-        let inputs: Vec<u32> = design
-            .top
-            .ports_of(Direction::In)
-            .map(|_| flat.word(0))
-            .collect();
+        let inputs = design.top.ports_of(Direction::In);
+        let inputs: Vec<u32> = inputs.map(|_| flat.word(0)).collect();
         let outputs = flat.place(&design.top, "", &inputs);
-        let mut places: Vec<u32> = inputs.into_iter().chain(outputs).collect();
-        flat.without_copies(&mut places);
-        flat.code = flat.sorted();
+        flat.call_ports(&design.top.ports, "", inputs.iter().chain(&outputs));
+        flat.without_copies();
+        flat.sort();
         let words = flat.without_constants();
         let state: Vec<u32> = flat.state().collect();
         let (runs, quiet) = in_runs(&mut flat.code, &state, words.len());
-        let words = flat.in_order(words, &mut places);
-        let points = std::mem::take(&mut flat.points);
+        let words = flat.ordered(words);
         let memory = |store: &Store| vec![[0; LANES]; store.words];
         Simulator {
             ports: design.top.ports.clone(),
-            places,
             words: words.into_iter().map(|[word]| [word; LANES]).collect(),
             code: flat.code,
             runs,
@@ -122,7 +116,7 @@ impl<const LANES: usize> Simulator<LANES> {
             stores: flat.stores,
             is_settled: false,
             is_quiet: false,
-            points: points.into_iter().collect(),
+            points: flat.points.into_iter().collect(),
         }
     }
 
@@ -138,14 +132,9 @@ impl<const LANES: usize> Simulator<LANES> {
     ///
     /// If there is none.
     pub fn port(&self, name: &str) -> Port {
-        let found = self.ports.iter().position(|port| port.name == name);
-        match found {
-            Some(index) => Port {
-                place: self.places[index],
-                width: self.ports[index].width,
-            },
-            None => panic!("no port `{name}`"),
-        }
+        let is_port = self.ports.iter().any(|port| port.name == name);
+        let found = self.point(name).filter(|_| is_port);
+        found.unwrap_or_else(|| panic!("no port `{name}`"))
     }
 
     /// Ports in their order.
@@ -167,11 +156,6 @@ impl<const LANES: usize> Simulator<LANES> {
     pub fn get_lane(&mut self, lane: usize, port: Port) -> u64 {
         self.settle();
         self.words[port.place as usize][lane]
-    }
-
-    /// Operations and registers.
-    pub fn size(&self) -> [usize; 2] {
-        [self.code.len(), self.flops.len()]
     }
 
     fn settle(&mut self) {

@@ -8,7 +8,7 @@ pub const WIDEST: u32 = 64;
 
 /// A net of one module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Net(pub u32);
+pub struct Net(pub usize);
 
 /// An operation on two words. Sums and bitwise operations have the width of their operands, products that of both
 /// together, comparisons one bit.
@@ -121,6 +121,16 @@ pub enum Direction {
     Out,
 }
 
+impl Direction {
+    /// What Verilog calls it: `input` or `output`.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Direction::In => "input",
+            Direction::Out => "output",
+        }
+    }
+}
+
 /// A port of a module.
 #[derive(Clone, Debug)]
 pub struct PortRecord {
@@ -141,19 +151,8 @@ pub struct PortRecord {
 // Modules are equal whatever their ports are said to carry.
 impl PartialEq for PortRecord {
     fn eq(&self, other: &PortRecord) -> bool {
-        (
-            &self.name,
-            self.direction,
-            self.net,
-            self.width,
-            self.signed,
-        ) == (
-            &other.name,
-            other.direction,
-            other.net,
-            other.width,
-            other.signed,
-        )
+        (&self.name, self.direction, self.net, self.signed)
+            == (&other.name, other.direction, other.net, other.signed)
     }
 }
 
@@ -221,7 +220,13 @@ pub struct Module {
 impl Module {
     /// A net.
     pub fn node(&self, net: Net) -> &Node {
-        &self.nodes[net.0 as usize]
+        &self.nodes[net.0]
+    }
+
+    /// Every net with its node.
+    pub fn nets(&self) -> impl DoubleEndedIterator<Item = (Net, &Node)> {
+        let nodes = self.nodes.iter().enumerate();
+        nodes.map(|(index, node)| (Net(index), node))
     }
 
     /// Ports of one direction.
@@ -252,4 +257,41 @@ impl Module {
         visit(self, &mut found);
         found
     }
+}
+
+/// Numbers behind those that each of them reads, as far as these are below `count`; of a ring one that is in it.
+pub(crate) fn in_order<I: Iterator<Item = usize>>(
+    count: usize,
+    reads: impl Fn(usize) -> I,
+) -> Result<Vec<usize>, usize> {
+    #[derive(Clone, Copy, PartialEq)]
+    enum State {
+        Unseen,
+        Open,
+        Done,
+    }
+    let mut order = Vec::with_capacity(count);
+    let mut state = vec![State::Unseen; count];
+    for start in 0..count {
+        let mut open = vec![start];
+        while let Some(&own) = open.last() {
+            if state[own] == State::Unseen {
+                state[own] = State::Open;
+                for before in reads(own) {
+                    match state.get(before) {
+                        Some(State::Unseen) => open.push(before),
+                        Some(State::Open) => return Err(before),
+                        _ => {}
+                    }
+                }
+                continue;
+            }
+            open.pop();
+            if state[own] == State::Open {
+                state[own] = State::Done;
+                order.push(own);
+            }
+        }
+    }
+    Ok(order)
 }

@@ -5,8 +5,9 @@ mod operators;
 
 pub use memory::memory;
 
-use crate::build::{add, node_of, refuse, scope_of, with_scope};
+use crate::build::{add, refuse, with_scope};
 use crate::tree::{Binary, Net, Op, Register, WIDEST};
+use std::mem::replace;
 use std::panic::Location;
 
 /// A net in the module that is being built.
@@ -16,6 +17,7 @@ pub struct Handle {
     pub(crate) net: Net,
     pub(crate) scope: u64,
     pub(crate) width: u32,
+    pub(crate) signed: bool,
 }
 
 /// An unsigned word.
@@ -45,9 +47,7 @@ pub trait Value: Copy {
     /// The same value under a name; a value that has one keeps it.
     #[track_caller]
     fn named(self, name: &str) -> Self {
-        let handle = self.handle();
-        with_scope(|scope| {
-            let node = &mut scope.module.nodes[handle.net.0 as usize];
+        self.handle().edit(|node| {
             if node.name.is_none() && node.op != Op::Input {
                 node.name = Some(name.to_owned());
             }
@@ -78,34 +78,16 @@ pub trait Value: Copy {
     fn drive(self, value: Self) {
         let [own, other] = [self.handle(), value.handle()];
         same_width("is driven by", own, other);
-        let is_free = with_scope(|scope| {
-            let op = &mut scope.module.nodes[own.net.0 as usize].op;
-            let is_free = *op == Op::Forward(None);
-            *op = Op::Forward(Some(other.net));
-            is_free
-        });
-        if !is_free {
-            refuse(format!(
-                "{} is driven twice, or is no forward value",
-                node_of(own)
-            ));
+        let driven = Op::Forward(Some(other.net));
+        if own.edit(|node| replace(&mut node.op, driven)) != Op::Forward(None) {
+            refuse!("{own} is driven twice, or is no forward value");
         }
     }
 
     /// A register, 0 at power-up, that [`Value::load`] or [`Value::load_when`] gives an input.
     #[track_caller]
     fn register(width: u32) -> Self {
-        let index = with_scope(|scope| scope.module.registers.len());
-        let value: Self = make(Op::Register(index), width);
-        with_scope(|scope| {
-            scope.module.registers.push(Register {
-                net: value.handle().net,
-                next: None,
-                enable: None,
-                initial: 0,
-            });
-        });
-        value
+        Self::of(register(width, Self::SIGNED))
     }
 
     /// The value of this register at power-up.
@@ -125,35 +107,31 @@ pub trait Value: Copy {
     /// The input of this register, taken where `enable` is 1.
     #[track_caller]
     fn load_when(self, enable: Bits, next: Self) {
-        load(self.handle(), Some(enable.0), next.handle());
+        load(self.handle(), Some(enable), next.handle());
     }
 
     /// One clock later.
     #[track_caller]
     fn reg(self) -> Self {
-        let register = Self::register(self.width());
-        register.load(self);
-        register
+        Self::of(later(self.handle(), None))
     }
 
     /// One clock later, taken where `enable` is 1.
     #[track_caller]
     fn reg_when(self, enable: Bits) -> Self {
-        let register = Self::register(self.width());
-        register.load_when(enable, self);
-        register
+        Self::of(later(self.handle(), Some(enable)))
     }
 
     /// So many clocks later.
     #[track_caller]
     fn delay(self, clocks: u32) -> Self {
-        delayed(self, None, clocks)
+        Self::of(delayed(self.handle(), None, clocks))
     }
 
     /// The same through registers with a name.
     #[track_caller]
     fn delayed_as(self, name: &str, clocks: u32) -> Self {
-        delayed(self, Some(name), clocks)
+        Self::of(delayed(self.handle(), Some(name), clocks))
     }
 
     /// The low bits.
@@ -173,10 +151,10 @@ pub trait Value: Copy {
     fn slice(self, high: u32, low: u32) -> Bits {
         let handle = self.handle();
         if high < low || high >= handle.width {
-            refuse(format!("{} has no bits {high} to {low}", node_of(handle)));
+            refuse!("{handle} has no bits {high} to {low}");
         }
         if high - low + 1 == handle.width {
-            return as_bits(self);
+            return as_bits(handle);
         }
         make(Op::Slice(handle.net, low), high - low + 1)
     }
@@ -198,10 +176,7 @@ pub trait Value: Copy {
     fn extend(self, width: u32) -> Self {
         let handle = self.handle();
         if width < handle.width {
-            refuse(format!(
-                "{} has more than {width} bits already",
-                node_of(handle)
-            ));
+            refuse!("{handle} has more than {width} bits already");
         }
         if width == handle.width {
             return self;
@@ -212,7 +187,7 @@ pub trait Value: Copy {
     /// 1 where both are equal.
     #[track_caller]
     fn equals(self, other: Self) -> Bits {
-        compare(Binary::Equal, self, other)
+        binary("is compared with", Binary::Equal, self, other, 1)
     }
 
     /// 1 where it is this constant.
@@ -224,43 +199,38 @@ pub trait Value: Copy {
     /// 1 where it is less.
     #[track_caller]
     fn less(self, other: Self) -> Bits {
-        compare(Binary::Less, self, other)
+        binary("is compared with", Binary::Less, self, other, 1)
     }
 }
 
-impl Value for Bits {
-    const SIGNED: bool = false;
+macro_rules! values {
+    ($($value:ident: $signed:literal;)*) => {$(
+        impl Value for $value {
+            const SIGNED: bool = $signed;
 
-    fn handle(self) -> Handle {
-        self.0
-    }
+            fn handle(self) -> Handle {
+                self.0
+            }
 
-    fn of(handle: Handle) -> Bits {
-        Bits(handle)
-    }
+            fn of(handle: Handle) -> $value {
+                let signed = $signed;
+                $value(Handle { signed, ..handle })
+            }
+        }
+    )*};
 }
 
-impl Value for Int {
-    const SIGNED: bool = true;
-
-    fn handle(self) -> Handle {
-        self.0
-    }
-
-    fn of(handle: Handle) -> Int {
-        Int(handle)
-    }
+values! {
+    Bits: false;
+    Int: true;
 }
 
 /// One word behind the other, the highest first.
 #[track_caller]
 pub fn join<const N: usize>(parts: [Bits; N]) -> Bits {
-    parts.iter().for_each(|part| in_scope(part.0));
+    parts.iter().for_each(|part| part.0.check_scope());
     let width = parts.iter().map(|part| part.width()).sum();
-    make(
-        Op::Join(parts.iter().map(|part| part.0.net).collect()),
-        width,
-    )
+    make(Op::Join(parts.map(|part| part.0.net).to_vec()), width)
 }
 
 /// All ones in so many bits.
@@ -268,19 +238,36 @@ pub(crate) fn mask(width: u32) -> u64 {
     u64::MAX >> (WIDEST - width)
 }
 
-/// A single bit passes through one register of as many bits, any other value through one register after the other.
 #[track_caller]
-pub(crate) fn delayed<V: Value>(value: V, name: Option<&str>, clocks: u32) -> V {
-    let named = |value: Bits| name.map_or(value, |name| value.named(name));
-    if value.width() > 1 || !(2..=WIDEST).contains(&clocks) {
-        return (1..=clocks).fold(value, |value, clock| {
-            let value = value.reg();
-            name.map_or(value, |name| value.named(&format!("{name}_{clock}")))
-        });
+fn make<V: Value>(op: Op, width: u32) -> V {
+    V::of(made(op, width, V::SIGNED))
+}
+
+#[track_caller]
+fn made(op: Op, width: u32, signed: bool) -> Handle {
+    if !(1..=WIDEST).contains(&width) {
+        refuse!("{width} bits: a value has 1 to {WIDEST}");
     }
-    let line = named(Bits::register(clocks));
-    line.load(join([line.slice(clocks - 2, 0), value.bit(0)]));
-    V::of(line.top().0)
+    if let Op::Literal(value) = op {
+        fits(value, width);
+    }
+    add(op, width, signed, Location::caller())
+}
+
+#[track_caller]
+fn fits(value: u64, width: u32) {
+    if value & !mask(width) != 0 {
+        refuse!("{value} has no {width} bits");
+    }
+}
+
+#[track_caller]
+fn as_bits(value: Handle) -> Bits {
+    if !value.signed {
+        return Bits(value);
+    }
+    value.check_scope();
+    make(Op::Same(value.net), value.width)
 }
 
 #[track_caller]
@@ -289,100 +276,95 @@ fn part<V: Value>(value: V, width: u32, low: u32) -> V {
         return value;
     }
     let part = value.slice(low + width - 1, low);
-    V::of(match V::SIGNED {
-        true => part.int().0,
-        false => part.0,
-    })
+    V::of(if V::SIGNED { part.int().0 } else { part.0 })
 }
 
+/// An operation on two values of the same width.
 #[track_caller]
-fn as_bits<V: Value>(value: V) -> Bits {
-    let handle = value.handle();
-    if !V::SIGNED {
-        return Bits(handle);
-    }
-    in_scope(handle);
-    make(Op::Same(handle.net), handle.width)
-}
-
-#[track_caller]
-fn make<V: Value>(op: Op, width: u32) -> V {
-    if !(1..=WIDEST).contains(&width) {
-        refuse(format!("{width} bits: a value has 1 to {WIDEST}"));
-    }
-    if let Op::Literal(value) = op {
-        fits(value, width);
-    }
-    let (net, scope) = add(op, width, V::SIGNED, Location::caller());
-    V::of(Handle { net, scope, width })
-}
-
-#[track_caller]
-fn fits(value: u64, width: u32) {
-    if value & !mask(width) != 0 {
-        refuse(format!("{value} has no {width} bits"));
-    }
-}
-
-#[track_caller]
-fn in_scope(handle: Handle) {
-    if handle.scope != scope_of() {
-        refuse(format!(
-            "{} belongs to another module than the one that is being built",
-            node_of(handle)
-        ));
-    }
+fn binary<V: Value, R: Value>(what: &str, binary: Binary, a: V, b: V, width: u32) -> R {
+    let [a, b] = [a.handle(), b.handle()];
+    same_width(what, a, b);
+    make(Op::Binary(binary, a.net, b.net), width)
 }
 
 #[track_caller]
 fn same_width(what: &str, a: Handle, b: Handle) {
-    in_scope(a);
-    in_scope(b);
+    a.check_scope();
+    b.check_scope();
     if a.width != b.width {
-        refuse(format!("{} {what} {}", node_of(a), node_of(b)));
+        refuse!("{a} {what} {b}");
     }
 }
 
 #[track_caller]
-fn compare<V: Value>(binary: Binary, a: V, b: V) -> Bits {
-    let [a, b] = [a.handle(), b.handle()];
-    same_width("is compared with", a, b);
-    make(Op::Binary(binary, a.net, b.net), 1)
+fn single_bit(value: Bits, what: &str) {
+    value.0.check_scope();
+    if value.width() != 1 {
+        refuse!("{} {what}, but is no single bit", value.0);
+    }
 }
 
 #[track_caller]
-fn load(register: Handle, enable: Option<Handle>, next: Handle) {
+fn register(width: u32, signed: bool) -> Handle {
+    let index = with_scope(|scope| scope.module.registers.len());
+    let value = made(Op::Register(index), width, signed);
+    let register = Register {
+        net: value.net,
+        next: None,
+        enable: None,
+        initial: 0,
+    };
+    with_scope(|scope| scope.module.registers.push(register));
+    value
+}
+
+#[track_caller]
+fn edit_register<T>(handle: Handle, edit: impl FnOnce(&mut Register) -> T) -> T {
+    handle.check_scope();
+    let edited = with_scope(|scope| match scope.module.node(handle.net).op {
+        Op::Register(index) => Some(edit(&mut scope.module.registers[index])),
+        _ => None,
+    });
+    edited.unwrap_or_else(|| refuse!("{handle} is no register"))
+}
+
+#[track_caller]
+fn load(register: Handle, enable: Option<Bits>, next: Handle) {
     same_width("is loaded with", register, next);
     if let Some(enable) = enable {
-        in_scope(enable);
-        if enable.width != 1 {
-            refuse(format!("{} enables, but is no single bit", node_of(enable)));
-        }
+        single_bit(enable, "enables");
     }
-    let mut was_free = true;
-    edit_register(register, |own| {
-        was_free = own.next.is_none();
-        own.next = Some(next.net);
-        own.enable = enable.map(|enable| enable.net);
+    let before = edit_register(register, |own| {
+        own.enable = enable.map(|enable| enable.0.net);
+        own.next.replace(next.net)
     });
-    if !was_free {
-        refuse(format!("{} is loaded twice", node_of(register)));
+    if before.is_some() {
+        refuse!("{register} is loaded twice");
     }
 }
 
+/// One clock later, taken where the enable is 1.
 #[track_caller]
-fn edit_register(handle: Handle, edit: impl FnOnce(&mut Register)) {
-    in_scope(handle);
-    let found = with_scope(|scope| match scope.module.nodes[handle.net.0 as usize].op {
-        Op::Register(index) => {
-            edit(&mut scope.module.registers[index]);
-            true
-        }
-        _ => false,
-    });
-    if !found {
-        refuse(format!("{} is no register", node_of(handle)));
+pub(crate) fn later(value: Handle, enable: Option<Bits>) -> Handle {
+    let register = register(value.width, value.signed);
+    load(register, enable, value);
+    register
+}
+
+/// A single bit passes through one register of as many bits, any other value through one register after the other.
+#[track_caller]
+pub(crate) fn delayed(value: Handle, name: Option<&str>, clocks: u32) -> Handle {
+    if value.width > 1 || !(2..=WIDEST).contains(&clocks) {
+        return (1..=clocks).fold(value, |value, clock| {
+            let value = later(value, None);
+            let name = name.map(|name| format!("{name}_{clock}"));
+            name.map_or(value, |name| Bits(value).named(&name).0)
+        });
     }
+    let line = Bits::register(clocks);
+    name.map(|name| line.named(name));
+    line.load(join([line.slice(clocks - 2, 0), as_bits(value)]));
+    line.top().0
 }
 
 /// Values under the names of the variables that hold them.

@@ -9,7 +9,7 @@ mod reads;
 mod rows;
 mod text;
 
-use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, Register};
+use crate::tree::{Binary, Direction, Module, Net, Op, Register};
 use names::{Name, Names};
 use std::fmt::Write;
 use text::{filled, literal, range};
@@ -41,35 +41,16 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn ports(&self) -> String {
-        let mut all = vec![];
-        if self.module.is_clocked() {
-            all.push(("input  wire ".to_owned(), "clock".to_owned()));
-        }
+        let clock = ("input  wire ".to_owned(), "clock".to_owned());
+        let mut all = Vec::from_iter(self.module.is_clocked().then_some(clock));
         for port in &self.module.ports {
-            let PortRecord {
-                name,
-                width,
-                signed,
-                ..
-            } = port;
-            let initial = match &self.module.node(port.net).op {
-                Op::Register(register) => Some(self.module.registers[*register].initial),
-                Op::Read(_) => Some(0),
-                _ => None,
+            let (kind, name) = match self.names.ports.contains(&port.name) {
+                true => self.declared(port.net, &port.name),
+                false => ("wire", port.name.clone()),
             };
-            let initial = initial.filter(|_| self.names.ports.contains(name));
-            let range = range(*width, *signed);
-            all.push(match (port.direction, initial) {
-                (Direction::In, _) => (format!("input  wire {range}"), name.clone()),
-                (_, Some(initial)) => {
-                    let initial = literal(initial, *width, *signed);
-                    (
-                        format!("output reg  {range}"),
-                        format!("{name} = {initial}"),
-                    )
-                }
-                _ => (format!("output wire {range}"), name.clone()),
-            });
+            let range = range(port.width, port.signed);
+            let way = port.direction.keyword();
+            all.push((format!("{way:<6} {kind:<4} {range}"), name));
         }
         // Icarus takes one port with an initial value to a declaration.
         let groups = all.chunk_by(|one, next| one.0 == next.0 && !one.0.contains("reg"));
@@ -77,57 +58,50 @@ impl Writer<'_> {
             let names: Vec<String> = alike.iter().map(|(_, name)| name.clone()).collect();
             filled(&format!("    {}", alike[0].0), &names, 8)
         });
-        let ports: Vec<String> = groups.collect();
+        let (name, ports) = (&self.module.name, groups.collect::<Vec<String>>());
         format!(
-            "module {}{} (\n{}\n);\n",
+            "module {}{name} (\n{}\n);\n",
             self.prefix,
-            self.module.name,
             ports.join(",\n")
         )
     }
 
+    /// How a net is declared: what it is, and its name with the value at power-up.
+    fn declared(&self, net: Net, name: &str) -> (&'static str, String) {
+        let node = self.module.node(net);
+        let initial = match node.op {
+            Op::Register(register) => self.module.registers[register].initial,
+            Op::Read(_) => 0,
+            _ => return ("wire", name.to_owned()),
+        };
+        let initial = literal(initial, node.width, node.signed);
+        ("reg", format!("{name} = {initial}"))
+    }
+
     fn declarations(&self) -> String {
-        let mut all = vec![];
-        for (index, node) in self.module.nodes.iter().enumerate() {
-            let net = Net(index as u32);
-            let is_port = self.module.ports.iter().any(|port| {
-                let is_own =
-                    port.direction == Direction::In || self.names.ports.contains(&port.name);
-                port.net == net && is_own
-            });
-            let Some(Name {
-                text: name,
+        let mut kinds: Vec<(String, Vec<String>)> = vec![];
+        let mut add = |kind: String, name| match kinds.iter_mut().find(|(own, _)| *own == kind) {
+            Some((_, names)) => names.push(name),
+            None => kinds.push((kind, vec![name])),
+        };
+        for (net, node) in self.module.nets() {
+            if let Some(Name {
+                text,
                 element: None,
-            }) = self.names.get(net).filter(|_| !is_port)
-            else {
-                continue;
-            };
-            let range = range(node.width, node.signed);
-            let initial = match node.op {
-                Op::Register(register) => Some(self.module.registers[register].initial),
-                Op::Read(_) => Some(0),
-                _ => None,
-            };
-            all.push(match initial {
-                Some(initial) => {
-                    let initial = literal(initial, node.width, node.signed);
-                    (format!("reg {range}"), format!("{name} = {initial}"))
-                }
-                None => (format!("wire {range}"), name.clone()),
-            });
+            }) = self.names.get(net)
+                && !self.names.ports.contains(text)
+            {
+                let (kind, name) = self.declared(net, text);
+                add(format!("{kind} {}", range(node.width, node.signed)), name);
+            }
         }
-        let vectors = self
+        for (name, width) in self
             .names
             .rows
             .iter()
-            .flat_map(|row| row.vectors(self.module));
-        all.extend(vectors.map(|(name, width)| (format!("wire {}", range(width, false)), name)));
-        let mut kinds: Vec<(String, Vec<String>)> = vec![];
-        for (kind, name) in all {
-            match kinds.iter_mut().find(|(other, _)| *other == kind) {
-                Some((_, names)) => names.push(name),
-                None => kinds.push((kind, vec![name])),
-            }
+            .flat_map(|row| row.vectors(self.module))
+        {
+            add(format!("wire {}", range(width, false)), name);
         }
         let mut text = String::new();
         for (kind, names) in kinds {
@@ -165,41 +139,21 @@ impl Writer<'_> {
             let mut rows = self.names.rows.iter();
             if let Some(row) = rows.find(|row| row.instances.contains(&index)) {
                 if row.instances.start == index {
-                    texts.push(
-                        row.written(self.module, self.prefix, &self.names.rows, &|net| {
-                            self.value(net, false)
-                        }),
-                    );
+                    texts.push(row.written(self));
                 }
                 continue;
             }
-            let module = &instance.module;
-            let mut lines = vec![];
-            if module.is_clocked() {
-                lines.push(".clock(clock)".to_owned());
-            }
             let nets = instance.inputs.iter().chain(&instance.outputs);
-            let ports = [Direction::In, Direction::Out];
-            let ports = ports.into_iter().flat_map(|way| module.ports_of(way));
-            for (port, net) in ports.zip(nets) {
-                let value = self.value(*net, false);
-                lines.push(format!(".{}({value})", port.name));
-            }
-            texts.push(format!(
-                "    {}{} {} (\n{});\n",
-                self.prefix,
-                module.name,
-                instance.name,
-                filled("        ", &lines, 8)
-            ));
+            let values = nets.map(|net| self.value(*net, false));
+            let names = (self.prefix, &*instance.name);
+            texts.push(text::instance(&instance.module, names, values, 4));
         }
         texts.join("\n")
     }
 
     fn assignments(&self) -> String {
         let mut text = String::new();
-        for (index, node) in self.module.nodes.iter().enumerate() {
-            let net = Net(index as u32);
+        for (net, node) in self.module.nets() {
             let is_driven_elsewhere = matches!(
                 node.op,
                 Op::Input | Op::Register(_) | Op::Read(_) | Op::Output(..)
@@ -211,13 +165,8 @@ impl Writer<'_> {
         }
         let copies = self.module.ports_of(Direction::Out);
         for port in copies.filter(|port| !self.names.ports.contains(&port.name)) {
-            writeln!(
-                text,
-                "    assign {} = {};",
-                port.name,
-                self.value(port.net, false)
-            )
-            .unwrap();
+            let value = self.value(port.net, false);
+            writeln!(text, "    assign {} = {value};", port.name).unwrap();
         }
         if !self.names.unread.is_empty() {
             let parts = self.names.unread.iter().map(|(net, high, low)| {

@@ -335,10 +335,7 @@ fn find_clock(peer: &Peer, ports: &[Port]) -> Result<String, PeerError> {
 }
 
 fn describe(port: &Port) -> String {
-    let direction = match port.direction {
-        Direction::In => "input",
-        Direction::Out => "output",
-    };
+    let direction = port.direction.keyword();
     match port.width {
         1 => format!("{direction} {}", port.name),
         width => format!("{direction} {} ({width} bits)", port.name),

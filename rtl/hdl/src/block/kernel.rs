@@ -1,10 +1,10 @@
 //! The kernel of a module: statements of rust-hdl, one for each net.
 
 use crate::build::{described, refuse};
-use crate::tree::{Binary, Direction, Module, Net, Op};
+use crate::tree::{Binary, Direction, Memory, Module, Net, Op, in_order};
 use rust_hdl::core::ast::{
-    VerilogBlock, VerilogBlockOrConditional, VerilogConditional, VerilogExpression, VerilogLiteral,
-    VerilogOp, VerilogOpUnary, VerilogStatement,
+    VerilogBlock, VerilogBlockOrConditional, VerilogConditional, VerilogExpression, VerilogOp,
+    VerilogOpUnary, VerilogStatement,
 };
 
 pub(super) fn net_name(net: Net) -> String {
@@ -27,12 +27,8 @@ fn set(name: impl Into<String>, value: VerilogExpression) -> VerilogStatement {
     VerilogStatement::Assignment(signal(name), value)
 }
 
-pub(super) fn literal(value: u64) -> VerilogLiteral {
-    VerilogLiteral::from(value)
-}
-
 fn constant(value: u64) -> VerilogExpression {
-    VerilogExpression::Literal(literal(value))
+    VerilogExpression::Literal(value.into())
 }
 
 fn binary(a: VerilogExpression, op: VerilogOp, b: VerilogExpression) -> VerilogExpression {
@@ -59,83 +55,54 @@ fn choice(
     })
 }
 
+/// The inputs of a memory and what they are connected with.
+pub(super) fn memory_pins(memory: &Memory) -> [(&'static str, Net); 4] {
+    let [write, at, data] = memory.write;
+    let read = memory.address;
+    [("write", write), ("at", at), ("data", data), ("read", read)]
+}
+
 /// The statements of a module, none before those whose nets it reads.
+///
+/// # Panics
+///
+/// With the name of a net that depends on itself.
 pub(super) fn kernel(module: &Module) -> VerilogBlock {
-    let mut code = vec![];
-    for net in sorted(module) {
-        code.push(statement(module, net));
-    }
+    let operands = |index| module.node(Net(index)).op.operands().into_iter();
+    let order = in_order(module.nodes.len(), |index| operands(index).map(|net| net.0));
+    let order = order.unwrap_or_else(|index| {
+        refuse!("{} depends on itself", described(module, Net(index)));
+    });
+    let nets = order.into_iter().map(Net);
+    let mut code: VerilogBlock = nets.map(|net| statement(module, net)).collect();
+    let clock = |part: &str| set(format!("{part}.clock"), signal("clock"));
+    let connect = |part: &str, pin: &str, net| set(format!("{part}.{pin}"), of_net(net));
     for (index, register) in module.registers.iter().enumerate() {
         let name = register_name(index);
-        let next = of_net(register.next.expect("a closed module has all inputs"));
-        let d = format!("{name}.d");
-        code.push(set(format!("{name}.clock"), signal("clock")));
+        let next = register.next.expect("a closed module has all inputs");
+        let next = connect(&name, "d", next);
+        code.push(clock(&name));
         code.push(match register.enable {
-            Some(enable) => choice(
-                of_net(enable),
-                set(d.clone(), next),
-                set(d, of_net(register.net)),
-            ),
-            None => set(d, next),
+            Some(enable) => choice(of_net(enable), next, connect(&name, "d", register.net)),
+            None => next,
         });
     }
     for memory in &module.memories {
-        let name = &memory.name;
-        code.push(set(format!("{name}.clock"), signal("clock")));
-        let inputs = ["write", "at", "data"].into_iter().zip(memory.write);
-        for (pin, net) in inputs.chain([("read", memory.address)]) {
-            code.push(set(format!("{name}.{pin}"), of_net(net)));
-        }
+        code.push(clock(&memory.name));
+        code.extend(memory_pins(memory).map(|(pin, net)| connect(&memory.name, pin, net)));
     }
     for instance in &module.instances {
         let name = &instance.name;
-        if instance.module.is_clocked() {
-            code.push(set(format!("{name}.clock"), signal("clock")));
-        }
-        for (port, net) in instance
+        code.extend(instance.module.is_clocked().then(|| clock(name)));
+        let inputs = instance
             .module
             .ports_of(Direction::In)
-            .zip(&instance.inputs)
-        {
-            code.push(set(format!("{name}.{}", port.name), of_net(*net)));
-        }
+            .zip(&instance.inputs);
+        code.extend(inputs.map(|(port, net)| connect(name, &port.name, *net)));
     }
-    for port in module.ports_of(Direction::Out) {
-        code.push(set(&port.name, of_net(port.net)));
-    }
+    let outputs = module.ports_of(Direction::Out);
+    code.extend(outputs.map(|port| set(&port.name, of_net(port.net))));
     code
-}
-
-/// Nets behind those that they are computed from.
-fn sorted(module: &Module) -> Vec<Net> {
-    let mut order = vec![];
-    let mut is_open = vec![false; module.nodes.len()];
-    let mut is_done = vec![false; module.nodes.len()];
-    for start in 0..module.nodes.len() {
-        let mut open = vec![Net(start as u32)];
-        while let Some(&net) = open.last() {
-            let index = net.0 as usize;
-            if is_done[index] {
-                open.pop();
-            } else if is_open[index] {
-                open.pop();
-                is_done[index] = true;
-                order.push(net);
-            } else {
-                is_open[index] = true;
-                for operand in module.node(net).op.operands() {
-                    let operand_index = operand.0 as usize;
-                    if !is_done[operand_index] {
-                        if is_open[operand_index] {
-                            refuse(format!("{} depends on itself", described(module, operand)));
-                        }
-                        open.push(operand);
-                    }
-                }
-            }
-        }
-    }
-    order
 }
 
 fn statement(module: &Module, net: Net) -> VerilogStatement {
@@ -155,7 +122,8 @@ fn statement(module: &Module, net: Net) -> VerilogStatement {
                 let shifted = binary(of_net(*a), VerilogOp::Shr, of_net(*b));
                 let inverse = paren(not(of_net(*a)));
                 let negative = not(paren(binary(inverse, VerilogOp::Shr, of_net(*b))));
-                let sign = binary(of_net(*a), VerilogOp::Lt, constant_signed());
+                let zero = VerilogExpression::Signed(Box::new(constant(0)));
+                let sign = binary(of_net(*a), VerilogOp::Lt, zero);
                 return choice(sign, set(own.clone(), negative), set(own, shifted));
             }
             let op = match operation {
@@ -184,19 +152,12 @@ fn statement(module: &Module, net: Net) -> VerilogStatement {
             VerilogExpression::Slice(Box::new(of_net(*a)), node.width as usize, offset)
         }
         Op::Join(parts) => {
-            let mut joined: Option<VerilogExpression> = None;
-            for part in parts {
+            let behind = |above, part: &Net| {
                 let width = constant(u64::from(module.node(*part).width));
-                joined = Some(match joined {
-                    None => of_net(*part),
-                    Some(above) => paren(binary(
-                        paren(binary(above, VerilogOp::Shl, width)),
-                        VerilogOp::BitOr,
-                        of_net(*part),
-                    )),
-                });
-            }
-            joined.expect("a join has parts")
+                let above = paren(binary(above, VerilogOp::Shl, width));
+                paren(binary(above, VerilogOp::BitOr, of_net(*part)))
+            };
+            parts[1..].iter().fold(of_net(parts[0]), behind)
         }
         Op::Extend(a) | Op::Same(a) | Op::Forward(Some(a)) => of_net(*a),
         Op::Register(index) => signal(format!("{}.q", register_name(*index))),
@@ -207,12 +168,7 @@ fn statement(module: &Module, net: Net) -> VerilogStatement {
             signal(format!("{}.{port}", instance.name))
         }
         Op::Read(memory) => signal(format!("{}.q", module.memories[*memory].name)),
-        Op::Forward(None) => refuse(format!("{} is driven by nothing", described(module, net))),
+        Op::Forward(None) => refuse!("{} is driven by nothing", described(module, net)),
     };
     set(own, value)
-}
-
-/// A zero that leaves a comparison signed.
-fn constant_signed() -> VerilogExpression {
-    VerilogExpression::Signed(Box::new(constant(0)))
 }

@@ -73,6 +73,13 @@ pub(super) struct Code {
     pub(super) mask: u64,
 }
 
+impl Code {
+    /// The words that it needs.
+    pub(super) fn reads(&self) -> &[u32] {
+        &self.from[..self.kind.reads()]
+    }
+}
+
 /// Operations of one kind that need nothing of each other, by their places.
 pub(super) type Run = (Kind, Range<usize>);
 
@@ -85,11 +92,13 @@ pub(super) fn in_runs(code: &mut [Code], state: &[u32], words: usize) -> (Vec<Ru
         level[*place as usize].0 = true;
     }
     for code in code.iter() {
-        let reads = code.from[..code.kind.reads()].iter();
-        let own = reads.fold((false, 0), |(is_loud, above), place| {
-            let (loud, level) = level[*place as usize];
-            (is_loud | loud, above.max(level + 1))
-        });
+        let own = code
+            .reads()
+            .iter()
+            .fold((false, 0), |(is_loud, above), place| {
+                let (loud, level) = level[*place as usize];
+                (is_loud | loud, above.max(level + 1))
+            });
         level[code.to as usize] = own;
     }
     let key = |code: &Code| (level[code.to as usize], code.kind);

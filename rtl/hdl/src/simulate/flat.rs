@@ -3,7 +3,7 @@
 use super::code::{Code, Kind};
 use super::{Flop, ONE, Port, Store};
 use crate::build::{described, refuse};
-use crate::tree::{Binary, Direction, Module, Net, Op};
+use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, in_order};
 use crate::value::mask;
 use std::rc::Rc;
 
@@ -18,9 +18,9 @@ pub(super) struct Flat {
     literals: Vec<u32>,
     /// Words that are the same as others.
     copies: Vec<(u32, u32)>,
-    /// Names of the words that operations write, for messages.
-    described: Vec<(u32, Rc<Module>, Net)>,
-    /// Points inside, by their paths.
+    /// The net that each operation writes, for messages.
+    described: Vec<(Rc<Module>, Net)>,
+    /// Ports and points inside, by their paths.
     pub(super) points: Vec<(String, Port)>,
 }
 
@@ -35,7 +35,7 @@ impl Flat {
         // Words first, so that operations may refer forward.
         let mut places = vec![u32::MAX; module.nodes.len()];
         for (port, place) in module.ports_of(Direction::In).zip(inputs) {
-            places[port.net.0 as usize] = *place;
+            places[port.net.0] = *place;
         }
         for (place, node) in places.iter_mut().zip(&module.nodes) {
             match &node.op {
@@ -54,34 +54,27 @@ impl Flat {
             for _ in 0..module.nodes.len() {
                 match &module.node(net).op {
                     Op::Same(other) | Op::Forward(Some(other)) => net = *other,
-                    _ => return places[net.0 as usize],
+                    _ => return places[net.0],
                 }
             }
-            refuse(format!("{} is a loop", described(module, net)));
+            refuse!("{} is a loop", described(module, net));
         };
         for instance in &module.instances {
             let inputs: Vec<u32> = instance.inputs.iter().map(|net| at(*net)).collect();
             let path = format!("{path}{}.", instance.name);
             let inner = self.place(&instance.module, &path, &inputs);
             for (net, word) in instance.outputs.iter().zip(&inner) {
-                self.copies.push((places[net.0 as usize], *word));
+                self.copies.push((places[net.0], *word));
             }
-            let words = inputs.iter().chain(&inner);
-            for (port, place) in instance.module.ports.iter().zip(words) {
-                let (place, width) = (*place, port.width);
-                let name = format!("{path}{}", port.name);
-                self.points.push((name, Port { place, width }));
-            }
+            self.call_ports(&instance.module.ports, &path, inputs.iter().chain(&inner));
         }
-        for (index, node) in module.nodes.iter().enumerate() {
+        for (net, node) in module.nets() {
             if let (Some(name), false) = (&node.name, node.op == Op::Input) {
-                let (place, width) = (at(Net(index as u32)), node.width);
+                let (place, width) = (at(net), node.width);
                 self.points
                     .push((format!("{path}{name}"), Port { place, width }));
             }
-        }
-        for (index, node) in module.nodes.iter().enumerate() {
-            self.operation(module, Net(index as u32), &node.op, &at);
+            self.operation(module, net, &node.op, &at);
         }
         for register in &module.registers {
             self.flops.push(Flop {
@@ -104,93 +97,98 @@ impl Flat {
             .collect()
     }
 
+    /// Calls the words of ports after them.
+    pub(super) fn call_ports<'a>(
+        &mut self,
+        ports: &[PortRecord],
+        path: &str,
+        words: impl Iterator<Item = &'a u32>,
+    ) {
+        for (port, place) in ports.iter().zip(words) {
+            let (place, width) = (*place, port.width);
+            let name = format!("{path}{}", port.name);
+            self.points.push((name, Port { place, width }));
+        }
+    }
+
     fn operation(&mut self, module: &Rc<Module>, net: Net, op: &Op, at: &impl Fn(Net) -> u32) {
-        let (node, to) = (module.node(net), at(net));
-        let mask = mask(node.width);
-        let front = |net: Net| 64 - module.node(net).width;
-        let is_signed = |net: Net| module.node(net).signed;
-        let (kind, from, count) = match op {
-            Op::Not(a) => (Kind::Not, vec![*a], 0),
-            Op::Binary(binary, a, b) => {
-                let (kind, count) = match binary {
-                    Binary::Add => (Kind::Add, 0),
-                    Binary::Sub => (Kind::Sub, 0),
-                    Binary::Mul => (Kind::Mul, 0),
-                    Binary::And => (Kind::And, 0),
-                    Binary::Or => (Kind::Or, 0),
-                    Binary::Xor => (Kind::Xor, 0),
-                    Binary::Left => (Kind::Left, 0),
-                    Binary::Right if is_signed(*a) => (Kind::RightSigned, front(*a)),
-                    Binary::Right => (Kind::Right, 0),
-                    Binary::Equal => (Kind::Equal, 0),
-                    Binary::Less if is_signed(*a) => (Kind::LessSigned, 63 - front(*a)),
-                    Binary::Less => (Kind::Less, 0),
-                };
-                (kind, vec![*a, *b], count)
-            }
-            Op::Select(which, a, b) => (Kind::Select, vec![*which, *a, *b], 0),
-            Op::Slice(a, low) => (Kind::Slice, vec![*a], *low),
-            Op::Extend(a) if is_signed(*a) => (Kind::Sign, vec![*a], front(*a)),
+        let to = at(net);
+        let front = |net: &Net| 64 - module.node(*net).width;
+        let is_signed = |net: &Net| module.node(*net).signed;
+        let (kind, count) = match op {
+            Op::Not(_) => (Kind::Not, 0),
+            Op::Binary(Binary::Add, ..) => (Kind::Add, 0),
+            Op::Binary(Binary::Sub, ..) => (Kind::Sub, 0),
+            Op::Binary(Binary::Mul, ..) => (Kind::Mul, 0),
+            Op::Binary(Binary::And, ..) => (Kind::And, 0),
+            Op::Binary(Binary::Or, ..) => (Kind::Or, 0),
+            Op::Binary(Binary::Xor, ..) => (Kind::Xor, 0),
+            Op::Binary(Binary::Left, ..) => (Kind::Left, 0),
+            Op::Binary(Binary::Right, a, _) if is_signed(a) => (Kind::RightSigned, front(a)),
+            Op::Binary(Binary::Right, ..) => (Kind::Right, 0),
+            Op::Binary(Binary::Equal, ..) => (Kind::Equal, 0),
+            Op::Binary(Binary::Less, a, _) if is_signed(a) => (Kind::LessSigned, 63 - front(a)),
+            Op::Binary(Binary::Less, ..) => (Kind::Less, 0),
+            Op::Select(..) => (Kind::Select, 0),
+            Op::Slice(_, low) => (Kind::Slice, *low),
+            Op::Extend(a) if is_signed(a) => (Kind::Sign, front(a)),
             Op::Extend(a) => return self.copies.push((to, at(*a))),
             Op::Join(parts) => return self.join(module, net, parts, at),
             _ => return,
         };
-        let mut words = [ONE; 3];
-        for (word, operand) in words.iter_mut().zip(from) {
-            *word = at(operand);
-            if kind == Kind::Mul && is_signed(operand) {
-                // The factors of a product with all bits of their sign.
-                let code = Code {
-                    kind: Kind::Sign,
-                    from: [*word, ONE, ONE],
-                    count: front(operand),
-                    to: self.word(0),
-                    mask: u64::MAX,
-                };
-                self.push(module, net, code);
-                *word = code.to;
+        let operands = op.operands().into_iter();
+        let from = operands.map(|operand| match kind {
+            // The factors of a product with all bits of their sign.
+            Kind::Mul if is_signed(&operand) => {
+                let front = front(&operand);
+                self.push(module, net, Kind::Sign, &[at(operand)], front, None)
             }
-        }
-        let code = Code {
-            kind,
-            from: words,
-            count,
-            to,
-            mask,
-        };
-        self.push(module, net, code);
+            _ => at(operand),
+        });
+        let from: Vec<u32> = from.collect();
+        self.push(module, net, kind, &from, count, Some(to));
     }
 
     /// Parts one behind the other, two by two; all but the last pair need a word between.
     fn join(&mut self, module: &Rc<Module>, net: Net, parts: &[Net], at: &impl Fn(Net) -> u32) {
         let mut above = at(parts[0]);
         for (index, part) in parts.iter().enumerate().skip(1) {
-            let to = match index + 1 == parts.len() {
-                true => at(net),
-                false => self.word(0),
-            };
-            let code = Code {
-                kind: Kind::Above,
-                from: [above, at(*part), ONE],
-                count: module.node(*part).width,
-                to,
-                mask: u64::MAX,
-            };
-            self.push(module, net, code);
-            above = to;
+            let to = (index + 1 == parts.len()).then(|| at(net));
+            let (from, count) = ([above, at(*part)], module.node(*part).width);
+            above = self.push(module, net, Kind::Above, &from, count, to);
         }
         if parts.len() == 1 {
             self.copies.push((at(net), above));
         }
     }
 
-    fn push(&mut self, module: &Rc<Module>, net: Net, code: Code) {
-        self.code.push(code);
-        self.described.push((code.to, module.clone(), net));
+    /// Adds an operation, one of those that a net needs, and gives the word that it writes: without `to` a new one.
+    fn push(
+        &mut self,
+        module: &Rc<Module>,
+        net: Net,
+        kind: Kind,
+        operands: &[u32],
+        count: u32,
+        to: Option<u32>,
+    ) -> u32 {
+        let mut from = [ONE; 3];
+        from[..operands.len()].copy_from_slice(operands);
+        let mask = to.map_or(u64::MAX, |_| mask(module.node(net).width));
+        let to = to.unwrap_or_else(|| self.word(0));
+        self.code.push(Code {
+            kind,
+            from,
+            count,
+            to,
+            mask,
+        });
+        self.described.push((module.clone(), net));
+        to
     }
 
     /// One word in the place of all that are the same.
-    pub(super) fn without_copies(&mut self, ports: &mut [u32]) {
+    pub(super) fn without_copies(&mut self) {
         let mut same: Vec<u32> = (0..self.words.len() as u32).collect();
         for (to, from) in &self.copies {
             same[*to as usize] = *from;
@@ -201,11 +199,11 @@ impl Flat {
             }
             place
         };
-        self.renumber(ports, first);
+        self.renumber(first);
     }
 
     /// Puts the words in the order in which a clock goes through them: state, results of operations, the others.
-    pub(super) fn in_order(&mut self, words: Vec<[u64; 1]>, ports: &mut [u32]) -> Vec<[u64; 1]> {
+    pub(super) fn ordered(&mut self, words: Vec<[u64; 1]>) -> Vec<[u64; 1]> {
         let results = self.code.iter().map(|code| code.to);
         let first = [ONE].into_iter().chain(self.state()).chain(results);
         let mut number = vec![u32::MAX; words.len()];
@@ -216,7 +214,7 @@ impl Flat {
                 order.push(place);
             }
         }
-        self.renumber(ports, |place| number[place as usize]);
+        self.renumber(|place| number[place as usize]);
         order
             .into_iter()
             .map(|place| words[place as usize])
@@ -229,7 +227,7 @@ impl Flat {
         flops.chain(self.stores.iter().map(|store| store.output))
     }
 
-    fn renumber(&mut self, ports: &mut [u32], number: impl Fn(u32) -> u32) {
+    fn renumber(&mut self, number: impl Fn(u32) -> u32) {
         let renumber = |place: &mut u32| *place = number(*place);
         for Code { from, to, .. } in &mut self.code {
             from.iter_mut().chain([to]).for_each(renumber);
@@ -246,43 +244,27 @@ impl Flat {
             let places = [&mut store.address, &mut store.output];
             store.write.iter_mut().chain(places).for_each(renumber);
         }
-        let points = self.points.iter_mut().map(|(_, point)| &mut point.place);
-        ports.iter_mut().chain(points).for_each(renumber);
+        let points = self.points.iter_mut();
+        points.map(|(_, point)| &mut point.place).for_each(renumber);
     }
 
-    /// Operations behind those whose results they read.
-    pub(super) fn sorted(&self) -> Vec<Code> {
+    /// Puts operations behind those whose results they read.
+    pub(super) fn sort(&mut self) {
+        let code = &self.code;
         let mut writer = vec![usize::MAX; self.words.len()];
-        for (index, code) in self.code.iter().enumerate() {
+        for (index, code) in code.iter().enumerate() {
             writer[code.to as usize] = index;
         }
-        let mut order = Vec::with_capacity(self.code.len());
-        // 0 not seen, 1 open, 2 done.
-        let mut state = vec![0u8; self.code.len()];
-        for start in 0..self.code.len() {
-            let mut open = vec![start];
-            while let Some(&index) = open.last() {
-                if state[index] != 0 {
-                    open.pop();
-                    if state[index] == 1 {
-                        state[index] = 2;
-                        order.push(self.code[index]);
-                    }
-                    continue;
-                }
-                state[index] = 1;
-                let code = self.code[index];
-                for place in &code.from[..code.kind.reads()] {
-                    let before = writer[*place as usize];
-                    match state.get(before) {
-                        Some(0) => open.push(before),
-                        Some(1) => self.refuse_loop(self.code[before].to),
-                        _ => {}
-                    }
-                }
-            }
-        }
-        order
+        let reads = |index: usize| code[index].reads().iter();
+        let order = in_order(code.len(), |index| {
+            reads(index).map(|place| writer[*place as usize])
+        });
+        let order = order.unwrap_or_else(|index| {
+            let (module, net) = &self.described[index];
+            let value = described(module, *net);
+            refuse!("{value} depends on itself within one clock")
+        });
+        self.code = order.into_iter().map(|index| code[index]).collect();
     }
 
     /// Leaves the operations that do not follow from constants alone; the words after the others.
@@ -294,7 +276,7 @@ impl Flat {
             is_constant[*place as usize] = true;
         }
         self.code.retain(|code| {
-            let mut reads = code.from[..code.kind.reads()].iter();
+            let mut reads = code.reads().iter();
             let follows = reads.all(|place| is_constant[*place as usize]);
             if follows {
                 code.kind.run(&[*code], &mut words);
@@ -303,16 +285,5 @@ impl Flat {
             !follows
         });
         words
-    }
-
-    fn refuse_loop(&self, place: u32) -> ! {
-        let found = self.described.iter().find(|(to, ..)| *to == place);
-        match found {
-            Some((_, module, net)) => refuse(format!(
-                "{} depends on itself within one clock",
-                described(module, *net)
-            )),
-            None => refuse("an output depends on itself within one clock".to_owned()),
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Block memories.
 
-use super::{Bits, Value, in_scope, make};
+use super::{Bits, make};
 use crate::build::with_scope;
 use crate::tree::{Memory, Op};
 
@@ -8,20 +8,20 @@ use crate::tree::{Memory, Op};
 /// at `read` one clock ago, as it was before that clock's write.
 #[track_caller]
 pub fn memory(name: &str, words: usize, (write, at, data): (Bits, Bits, Bits), read: Bits) -> Bits {
-    [write, at, data, read]
-        .iter()
-        .for_each(|value| in_scope(value.0));
+    let values = [write, at, data, read].map(|value| value.0);
+    values.iter().for_each(|value| value.check_scope());
+    let [write, at, data, address] = values.map(|value| value.net);
+    let width = values[2].width;
     let index = with_scope(|scope| scope.module.memories.len());
-    let value: Bits = make(Op::Read(index), data.width());
-    with_scope(|scope| {
-        scope.module.memories.push(Memory {
-            name: name.to_owned(),
-            width: data.width(),
-            words,
-            write: [write, at, data].map(|value| value.0.net),
-            address: read.0.net,
-            net: value.0.net,
-        });
-    });
+    let value: Bits = make(Op::Read(index), width);
+    let memory = Memory {
+        name: name.to_owned(),
+        width,
+        words,
+        write: [write, at, data],
+        address,
+        net: value.0.net,
+    };
+    with_scope(|scope| scope.module.memories.push(memory));
     value
 }

@@ -1,7 +1,7 @@
 //! What words and numbers can do besides what they have in common.
 
-use super::{Bits, Int, Value, as_bits, in_scope, join, make, mask, same_width};
-use crate::build::{node_of, refuse};
+use super::{Bits, Int, Value, as_bits, binary, join, made, make, mask, same_width, single_bit};
+use crate::build::refuse;
 use crate::bundle::{Bundle, members, replaced};
 use crate::tree::{Binary, Op};
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Sub};
@@ -16,18 +16,14 @@ impl Bits {
     /// `one` where this bit is 1, else `other`, member by member.
     #[track_caller]
     pub fn select<B: Bundle>(self, one: B, other: B) -> B {
-        in_scope(self.0);
-        if self.width() != 1 {
-            refuse(format!("{} selects, but is no single bit", node_of(self.0)));
-        }
+        single_bit(self, "selects");
         let mut chosen = vec![];
         for ((_, a), (_, b)) in members(&one).into_iter().zip(members(&other)) {
-            same_width("is selected beside", a.handle, b.handle);
-            let op = Op::Select(self.0.net, a.handle.net, b.handle.net);
-            chosen.push(match a.signed {
-                _ if a.handle.net == b.handle.net => a.handle,
-                true => make::<Int>(op, a.handle.width).0,
-                false => make::<Bits>(op, a.handle.width).0,
+            same_width("is selected beside", a, b);
+            let op = Op::Select(self.0.net, a.net, b.net);
+            chosen.push(match a.net == b.net {
+                true => a,
+                false => made(op, a.width, a.signed),
             });
         }
         replaced(&one, chosen)
@@ -36,7 +32,7 @@ impl Bits {
     /// The same bits as a number.
     #[track_caller]
     pub fn int(self) -> Int {
-        in_scope(self.0);
+        self.0.check_scope();
         make(Op::Same(self.0.net), self.width())
     }
 
@@ -52,21 +48,13 @@ impl Bits {
     /// Shifted to the left by another word; the width stays.
     #[track_caller]
     pub fn left_by(self, count: Bits) -> Bits {
-        in_scope(self.0);
-        make(
-            Op::Binary(Binary::Left, self.0.net, count.0.net),
-            self.width(),
-        )
+        shifted(Binary::Left, self, count)
     }
 
     /// Shifted to the right by another word, zeros in front.
     #[track_caller]
     pub fn right_by(self, count: Bits) -> Bits {
-        in_scope(self.0);
-        make(
-            Op::Binary(Binary::Right, self.0.net, count.0.net),
-            self.width(),
-        )
+        shifted(Binary::Right, self, count)
     }
 }
 
@@ -76,7 +64,7 @@ impl Int {
     pub fn new(value: i64, width: u32) -> Int {
         let least = -(1i128 << (width - 1));
         if i128::from(value) < least || i128::from(value) >= -least {
-            refuse(format!("{value} has no {width} bits"));
+            refuse!("{value} has no {width} bits");
         }
         Int::literal(value as u64 & mask(width), width)
     }
@@ -84,7 +72,7 @@ impl Int {
     /// The same bits as a word.
     #[track_caller]
     pub fn bits(self) -> Bits {
-        as_bits(self)
+        as_bits(self.0)
     }
 
     /// 1 where it is less than 0.
@@ -96,70 +84,56 @@ impl Int {
     /// Shifted to the right by a word; the sign goes on.
     #[track_caller]
     pub fn right_by(self, count: Bits) -> Int {
-        in_scope(self.0);
-        make(
-            Op::Binary(Binary::Right, self.0.net, count.0.net),
-            self.width(),
-        )
+        shifted(Binary::Right, self, count)
     }
 }
 
+#[track_caller]
+fn shifted<V: Value>(binary: Binary, value: V, count: Bits) -> V {
+    let value = value.handle();
+    value.check_scope();
+    make(Op::Binary(binary, value.net, count.0.net), value.width)
+}
+
+#[track_caller]
+fn alike<V: Value>(what: &str, operation: Binary, a: V, b: V) -> V {
+    binary(what, operation, a, b, a.width())
+}
+
+#[track_caller]
+fn product<V: Value>(a: V, b: V) -> V {
+    let [a, b] = [a.handle(), b.handle()];
+    a.check_scope();
+    b.check_scope();
+    make(Op::Binary(Binary::Mul, a.net, b.net), a.width + b.width)
+}
+
 macro_rules! operators {
-    ($($value:ident: $($operator:ident $function:ident $word:literal),*;)*) => {$($(
+    ($($(#[$about:meta])* $value:ident: $operator:ident $function:ident $made:ident($($given:expr),*);)*) => {$(
+        $(#[$about])*
         impl $operator for $value {
             type Output = $value;
 
             #[track_caller]
             fn $function(self, other: $value) -> $value {
-                same_width($word, self.0, other.0);
-                make(Op::Binary(Binary::$operator, self.0.net, other.0.net), self.0.width)
+                $made($($given,)* self, other)
             }
         }
-    )*)*};
+    )*};
 }
 
 operators! {
-    Bits: Add add "is added to", Sub sub "is less by";
-    Int: Add add "is added to", Sub sub "is less by";
-}
-
-macro_rules! products {
-    ($($value:ident)*) => {$(
-        /// The whole product, with the bits of both together.
-        impl Mul for $value {
-            type Output = $value;
-
-            #[track_caller]
-            fn mul(self, other: $value) -> $value {
-                in_scope(self.0);
-                in_scope(other.0);
-                let width = [self.0.width, other.0.width].iter().sum();
-                make(Op::Binary(Binary::Mul, self.0.net, other.0.net), width)
-            }
-        }
-    )*};
-}
-
-products! { Bits Int }
-
-macro_rules! bitwise {
-    ($($operator:ident $function:ident $binary:ident;)*) => {$(
-        impl $operator for Bits {
-            type Output = Bits;
-
-            #[track_caller]
-            fn $function(self, other: Bits) -> Bits {
-                same_width("is joined bit by bit with", self.0, other.0);
-                make(Op::Binary(Binary::$binary, self.0.net, other.0.net), self.0.width)
-            }
-        }
-    )*};
-}
-
-bitwise! {
-    BitAnd bitand And;
-    BitOr bitor Or;
-    BitXor bitxor Xor;
+    Bits: Add add alike("is added to", Binary::Add);
+    Bits: Sub sub alike("is less by", Binary::Sub);
+    Bits: BitAnd bitand alike("is joined bit by bit with", Binary::And);
+    Bits: BitOr bitor alike("is joined bit by bit with", Binary::Or);
+    Bits: BitXor bitxor alike("is joined bit by bit with", Binary::Xor);
+    /// The whole product, with the bits of both together.
+    Bits: Mul mul product();
+    Int: Add add alike("is added to", Binary::Add);
+    Int: Sub sub alike("is less by", Binary::Sub);
+    /// The whole product, with the bits of both together.
+    Int: Mul mul product();
 }
 
 impl Not for Bits {
@@ -167,7 +141,7 @@ impl Not for Bits {
 
     #[track_caller]
     fn not(self) -> Bits {
-        in_scope(self.0);
+        self.0.check_scope();
         make(Op::Not(self.0.net), self.0.width)
     }
 }

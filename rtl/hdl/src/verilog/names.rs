@@ -1,6 +1,6 @@
 //! What nets are called.
 
-use super::reads::{Reader, Reads};
+use super::reads::{Reader, Reads, reads};
 use super::rows::{self, Row};
 use crate::build::is_reserved;
 use crate::tree::{Binary, Direction, Module, Net, Node, Op};
@@ -13,7 +13,7 @@ pub(super) struct Names {
     pub(super) rows: Vec<Row>,
     /// Of each memory.
     pub(super) memories: Vec<String>,
-    /// Outputs that are nets, not copies of others.
+    /// Inputs, and outputs that are nets, not copies of others.
     pub(super) ports: HashSet<String>,
 }
 
@@ -52,7 +52,7 @@ impl Name {
 
 impl Names {
     pub(super) fn of(module: &Module) -> Names {
-        let reads = Reads::of(module);
+        let reads = reads(module);
         let mut taken = HashSet::from(["clock", "k", "place", "unused"].map(str::to_owned));
         let mut names: Vec<Option<Name>> = vec![None; module.nodes.len()];
         let mut own = |wanted: &str| {
@@ -64,10 +64,12 @@ impl Names {
             }
             name
         };
+        let mut ports = HashSet::new();
         for port in &module.ports {
             own(&port.name);
             if port.direction == Direction::In {
-                names[port.net.0 as usize] = Some(Name::whole(port.name.clone()));
+                names[port.net.0] = Some(Name::whole(port.name.clone()));
+                ports.insert(port.name.clone());
             }
         }
         let rows = rows::of(module);
@@ -81,50 +83,42 @@ impl Names {
             row.name_outputs(module, &mut names);
         }
         // What has no name and drives a port is called as the port.
-        let mut ports = HashSet::new();
         for port in module.ports_of(Direction::Out) {
-            let own = &mut names[port.net.0 as usize];
+            let own = &mut names[port.net.0];
             if own.is_none() && may_be_port(module.node(port.net)) {
                 *own = Some(Name::whole(port.name.clone()));
                 ports.insert(port.name.clone());
             }
         }
-        for (index, node) in module.nodes.iter().enumerate() {
-            let is_wanted = reads.counts[index] > 0 && names[index].is_none();
+        for (net, node) in module.nets() {
+            let is_wanted = reads[net.0].count > 0 && names[net.0].is_none();
             if let (true, Some(name)) = (is_wanted, &node.name) {
-                names[index] = Some(Name::whole(own(name)));
+                names[net.0] = Some(Name::whole(own(name)));
             }
         }
         for instance in &module.instances {
             let ports = instance.module.ports_of(Direction::Out);
             for (net, port) in instance.outputs.iter().zip(ports) {
-                let index = net.0 as usize;
-                if names[index].is_none() {
-                    let unused = if reads.counts[index] == 0 {
-                        "unused_"
-                    } else {
-                        ""
-                    };
+                let is_read = reads[net.0].count > 0;
+                let unused = if is_read { "" } else { "unused_" };
+                names[net.0].get_or_insert_with(|| {
                     let name = format!("{unused}{}_{}", instance.name, port.name);
-                    names[index] = Some(Name::whole(own(&name)));
-                }
+                    Name::whole(own(&name))
+                });
             }
         }
         // Readers have larger numbers than what they read, but for registers and forward values.
-        for index in (0..module.nodes.len()).rev() {
-            if names[index].is_none() && needs_name(module, Net(index as u32), &reads) {
-                let reader = match &reads.readers[index] {
-                    Some(Reader::Net(reader)) => {
-                        names[reader.0 as usize].as_ref().map(|n| n.text.clone())
-                    }
-                    Some(Reader::Named(name)) => Some(name.clone()),
+        for (net, node) in module.nets().rev() {
+            let reads = &reads[net.0];
+            if names[net.0].is_none() && needs_name(&node.op, reads) {
+                let reader = match reads.reader.as_ref() {
+                    Some(Reader::Net(reader)) => names[reader.0].as_ref().map(|name| &name.text),
+                    Some(Reader::Named(name)) => Some(name),
                     None => None,
                 };
-                let word = word_of(&module.nodes[index].op);
-                names[index] = Some(Name::whole(own(&match reader {
-                    Some(reader) => format!("{reader}_{word}"),
-                    None => word.to_owned(),
-                })));
+                let word = word_of(&node.op);
+                let name = reader.map_or(word.to_owned(), |reader| format!("{reader}_{word}"));
+                names[net.0] = Some(Name::whole(own(&name)));
             }
         }
         Names {
@@ -137,24 +131,23 @@ impl Names {
     }
 
     pub(super) fn get(&self, net: Net) -> Option<&Name> {
-        self.names[net.0 as usize].as_ref()
+        self.names[net.0].as_ref()
     }
 }
 
 /// The bits of declared nets that nobody reads.
-fn unread(module: &Module, reads: &Reads, names: &[Option<Name>]) -> Vec<(Net, u32, u32)> {
+fn unread(module: &Module, reads: &[Reads], names: &[Option<Name>]) -> Vec<(Net, u32, u32)> {
     let mut found = vec![];
-    for (index, node) in module.nodes.iter().enumerate() {
-        let is_declared = names[index]
-            .as_ref()
-            .is_some_and(|name| !name.text.starts_with("unused_"));
+    for (net, node) in module.nets() {
+        let name = names[net.0].as_ref();
+        let is_declared = name.is_some_and(|name| !name.text.starts_with("unused_"));
         let mut bit = 0;
         while is_declared && bit < node.width {
-            let is_read = |bit: u32| reads.bits[index] >> bit & 1 == 1;
+            let is_read = |bit: u32| reads[net.0].bits >> bit & 1 == 1;
             let end = (bit..node.width).find(|next| is_read(*next) != is_read(bit));
             let end = end.unwrap_or(node.width);
             if !is_read(bit) {
-                found.push((Net(index as u32), end - 1, bit));
+                found.push((net, end - 1, bit));
             }
             bit = end;
         }
@@ -171,18 +164,15 @@ fn may_be_port(node: &Node) -> bool {
     node.name.is_none() && !is_other
 }
 
-fn needs_name(module: &Module, net: Net, reads: &Reads) -> bool {
-    let index = net.0 as usize;
-    if reads.counts[index] == 0 {
-        return false;
-    }
-    match module.node(net).op {
+fn needs_name(op: &Op, reads: &Reads) -> bool {
+    match op {
+        _ if reads.count == 0 => false,
         // A product has the width of what it is assigned to.
         Op::Register(_) | Op::Read(_) | Op::Binary(Binary::Mul, ..) => true,
         Op::Literal(_) => false,
         // Other names of a value cost nothing to repeat.
-        Op::Slice(..) | Op::Same(_) => reads.by_name[index],
-        _ => reads.by_name[index] || reads.counts[index] > 1,
+        Op::Slice(..) | Op::Same(_) => reads.by_name,
+        _ => reads.by_name || reads.count > 1,
     }
 }
 

@@ -4,8 +4,9 @@
 //! the same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most
 //! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
+use super::Writer;
 use super::names::Name;
-use super::text::filled;
+use super::text::{filled, instance};
 use crate::tree::{Direction, Instance, Module, Net, Op};
 use std::fmt::Write;
 use std::ops::Range;
@@ -50,10 +51,8 @@ pub(super) fn of(module: &Module) -> Vec<Row> {
         if let (Some(base), true) = (base, count >= LEAST) {
             let row = &module.instances[first..first + count];
             let sources = sources(module, row, first, &rows);
-            let each = sources
-                .iter()
-                .filter(|source| matches!(source, Source::Each(_)));
-            if 2 * each.count() < sources.len() {
+            let is_each = |source: &&Source| matches!(source, Source::Each(_));
+            if 2 * sources.iter().filter(is_each).count() < sources.len() {
                 rows.push(Row {
                     base: base.to_owned(),
                     instances: first..first + count,
@@ -71,37 +70,32 @@ fn base_of(instance: &Instance, number: usize) -> Option<&str> {
     instance.name.strip_suffix(&format!("_{number}"))
 }
 
+/// The output that nets are, each of the instance after that of the net before, and the first of these instances.
+fn in_step(module: &Module, nets: &[Net]) -> Option<(usize, usize)> {
+    let Op::Output(first, output) = module.node(nets[0]).op else {
+        return None;
+    };
+    let mut ops = nets.iter().map(|net| &module.node(*net).op).zip(first..);
+    let is_next = |(op, instance): (&Op, usize)| *op == Op::Output(instance, output);
+    ops.all(is_next).then_some((first, output))
+}
+
 fn sources(module: &Module, row: &[Instance], first: usize, rows: &[Row]) -> Vec<Source> {
     let mut taken = vec![];
+    let is_row = |base| {
+        rows.iter()
+            .any(|other| other.instances == (base..base + row.len()))
+    };
     let source = |input: usize| {
         let nets: Vec<Net> = row.iter().map(|instance| instance.inputs[input]).collect();
         if nets.iter().all(|net| *net == nets[0]) {
             return Source::Common(nets[0]);
         }
-        let beside = match module.node(nets[0]).op {
-            Op::Output(base, output) => {
-                let follows =
-                    |(k, net): (usize, &Net)| module.node(*net).op == Op::Output(base + k, output);
-                let is_row = |other: &Row| other.instances == (base..base + row.len());
-                let holds = rows.iter().any(is_row) && nets.iter().enumerate().all(follows);
-                holds.then_some(Source::Beside(base, output))
-            }
-            _ => None,
-        };
-        if let Some(beside) = beside {
-            return beside;
-        }
-        let output = |k: usize| match module.node(nets[k]).op {
-            Op::Output(from, output) if from + 1 == first + k => Some(output),
-            _ => None,
-        };
-        match output(1) {
-            Some(before)
-                if !taken.contains(&before)
-                    && (1..row.len()).all(|k| output(k) == Some(before)) =>
-            {
-                taken.push(before);
-                Source::Before(before, nets[0])
+        match (in_step(module, &nets), in_step(module, &nets[1..])) {
+            (Some((base, output)), _) if is_row(base) => Source::Beside(base, output),
+            (_, Some((base, output))) if base == first && !taken.contains(&output) => {
+                taken.push(output);
+                Source::Before(output, nets[0])
             }
             _ => Source::Each(nets),
         }
@@ -132,7 +126,7 @@ impl Row {
         for (k, index) in self.instances.clone().enumerate() {
             for (output, net) in module.instances[index].outputs.iter().enumerate() {
                 let (text, on) = self.array_of(module, output);
-                names[net.0 as usize] = Some(Name {
+                names[net.0] = Some(Name {
                     text,
                     element: Some((k + on) as u32),
                 });
@@ -163,71 +157,50 @@ impl Row {
     }
 
     /// The loop, and what its first element takes.
-    pub fn written(
-        &self,
-        module: &Module,
-        prefix: &str,
-        rows: &[Row],
-        value: &dyn Fn(Net) -> String,
-    ) -> String {
-        let own = self.module(module);
+    pub fn written(&self, writer: &Writer) -> String {
+        let (module, own) = (writer.module, self.module(writer.module));
+        let value = |net: &Net| writer.value(*net, false);
         let mut text = String::new();
-        let mut lines = vec![];
-        if own.is_clocked() {
-            lines.push(".clock(clock)".to_owned());
-        }
+        let mut values = vec![];
         for (source, port) in self.sources.iter().zip(own.ports_of(Direction::In)) {
-            let (name, width) = (format!("{}_{}", self.base, port.name), port.width);
-            let connected = match source {
-                Source::Common(net) => value(*net),
+            let name = format!("{}_{}", self.base, port.name);
+            values.push(match source {
+                Source::Common(net) => value(net),
                 Source::Beside(base, output) => {
-                    let other = rows.iter().find(|row| row.instances.start == *base);
-                    let (name, on) = other.expect("a row").array_of(module, *output);
-                    element(&name, on)
+                    let mut rows = writer.names.rows.iter();
+                    let other = rows.find(|row| row.instances.start == *base);
+                    other.expect("a row").element(module, *output)
                 }
                 Source::Before(_, first) => {
-                    writeln!(text, "    assign {name}[0] = {};", value(*first)).unwrap();
-                    element(&name, 0)
+                    writeln!(text, "    assign {name}[0] = {};", value(first)).unwrap();
+                    format!("{name}[k]")
                 }
                 Source::Each(nets) => {
-                    let values: Vec<String> = nets.iter().rev().map(|net| value(*net)).collect();
+                    let values: Vec<String> = nets.iter().rev().map(value).collect();
                     let values = filled(&format!("    assign {name} = {{"), &values, 8);
                     writeln!(text, "{values}}};").unwrap();
-                    part(&name, width)
+                    match port.width {
+                        1 => format!("{name}[k]"),
+                        width => format!("{name}[{width} * k +: {width}]"),
+                    }
                 }
-            };
-            lines.push(format!(".{}({connected})", port.name));
+            });
         }
-        for (output, port) in own.ports_of(Direction::Out).enumerate() {
-            let (name, on) = self.array_of(module, output);
-            lines.push(format!(".{}({})", port.name, element(&name, on)));
-        }
+        let outputs = own.ports_of(Direction::Out).enumerate();
+        values.extend(outputs.map(|(output, _)| self.element(module, output)));
         let one = self.base.strip_suffix('s').unwrap_or("one");
         let (base, count) = (&self.base, self.instances.len());
-        let lines = filled("            ", &lines, 12);
-        write!(
-            text,
-            "    for (k = 0; k < {count}; k = k + 1) begin : {base}\n        \
-             {prefix}{} {one} (\n{lines});\n    end\n",
-            own.name
-        )
-        .unwrap();
-        text
+        let names = (writer.prefix, one);
+        text + &format!("    for (k = 0; k < {count}; k = k + 1) begin : {base}\n")
+            + &instance(own, names, values.into_iter(), 8)
+            + "    end\n"
     }
-}
 
-/// An element of an array by the number of its instance, or the one after it.
-fn element(name: &str, on: usize) -> String {
-    match on {
-        0 => format!("{name}[k]"),
-        _ => format!("{name}[k + 1]"),
-    }
-}
-
-/// What the instance of a number takes of a vector.
-fn part(name: &str, width: u32) -> String {
-    match width {
-        1 => format!("{name}[k]"),
-        _ => format!("{name}[{width} * k +: {width}]"),
+    /// What the instance of a number gives at this output.
+    fn element(&self, module: &Module, output: usize) -> String {
+        match self.array_of(module, output) {
+            (name, 0) => format!("{name}[k]"),
+            (name, _) => format!("{name}[k + 1]"),
+        }
     }
 }
