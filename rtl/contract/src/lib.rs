@@ -1,10 +1,10 @@
 //! What hardware and golden models share: names, widths, addresses and the record of every unit, and no behaviour.
 
+mod catalogue;
 pub mod command_stream;
 mod formula;
 pub mod object;
 pub mod parameters;
-mod records;
 pub mod request;
 pub mod shading;
 pub mod unit;

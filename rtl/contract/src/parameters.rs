@@ -1,10 +1,7 @@
-//! Parameters of units besides the format: option, symbol, range, default.
+//! Parameters of units besides the format: option, symbol, range, default, and a place in a request.
 
-use crate::request::Request;
-use crate::words::{
-    MOST_CARDS, MOST_CORRECTIONS, MOST_LAYERS, MOST_LIGHTS, MOST_LITERALS, MOST_MODE, MOST_OBJECTS,
-    MOST_PLANES, MOST_PRODUCTS, MOST_SIDES,
-};
+use crate::unit::Unit;
+use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
 
 /// A parameter of a unit.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +51,27 @@ macro_rules! parameters {
 
         /// Every parameter, each once.
         pub const PARAMETERS: &[Parameter] = &[$($name),*];
+
+        /// A unit with its parameters; those that the unit does not have mean nothing.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub struct Request {
+            /// The unit.
+            pub unit: Unit,
+            /// Depth word `W` of the format.
+            pub depth_word: u32,
+            $(#[doc = $meaning] pub $field: u32,)*
+        }
+
+        impl Request {
+            /// A unit with its default parameters.
+            pub fn of(unit: Unit, depth_word: u32) -> Request {
+                let mut request = Request { unit, depth_word, $($field: 0),* };
+                for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
+                    *(parameter.field)(&mut request) = parameter.default.unwrap_or(depth_word / 2);
+                }
+                request
+            }
+        }
     };
 }
 
@@ -67,21 +85,21 @@ parameters! {
     // Half of them, as in the experiment of section B.10.
     DIGITS: "digits" "D" digits, 1 to None, None,
         "Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2]";
-    CORRECTIONS: "corrections" "C" corrections, 0 to Some(MOST_CORRECTIONS as u32), Some(1),
+    CORRECTIONS: "corrections" "C" corrections, 0 to Some(2), Some(1),
         "Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2";
-    SIDES: "sides" "E" sides, 3 to Some(MOST_SIDES as u32), Some(3),
+    SIDES: "sides" "E" sides, 3 to Some(4), Some(3),
         "Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3]";
-    MODE: "mode" "V" mode, 0 to Some(MOST_MODE as u32), Some(0),
+    MODE: "mode" "V" mode, 0 to Some(3), Some(0),
         "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
-    CARDS: "cards" "K" cards, 1 to Some(MOST_CARDS as u32), Some(2),
+    CARDS: "cards" "K" cards, 1 to Some(64), Some(2),
         "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
     LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS as u32), Some(2),
         "Layers of transparency_pipeline, 1 to 8 [default: 2]";
-    PRODUCTS: "products" "G" products, 1 to Some(MOST_PRODUCTS as u32), Some(2),
+    PRODUCTS: "products" "G" products, 1 to Some(16), Some(2),
         "Products of csg_decider, 1 to 16 [default: 2]";
-    INTERSECTED: "intersected" "I" intersected, 1 to Some(MOST_LITERALS as u32), Some(2),
+    INTERSECTED: "intersected" "I" intersected, 1 to Some(8), Some(2),
         "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
-    SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(MOST_LITERALS as u32), Some(2),
+    SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
         "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
     LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS as u32), Some(1),
         "Lights of the shading processor, 1 to 4 [default: 1]";

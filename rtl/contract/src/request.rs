@@ -1,6 +1,7 @@
 //! A unit with its parameters: legal values, latency, error, and the command line that emits it.
 
 use crate::formula::evaluate;
+pub use crate::parameters::Request;
 use crate::parameters::{PARAMETERS, Parameter};
 use crate::unit::Unit;
 use crate::words::{MOST_DEPTH, MOST_OBJECTS};
@@ -53,70 +54,10 @@ fn names() -> String {
     names.join(", ")
 }
 
-/// A unit with its parameters; those that the unit does not have mean nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Request {
-    /// The unit.
-    pub unit: Unit,
-    /// Depth word `W` of the format.
-    pub depth_word: u32,
-    /// Cut planes of an object.
-    pub planes: u32,
-    /// Rows of the root network between registers.
-    pub rows_per_stage: u32,
-    /// Objects of a machine, inputs of a decider, volumes of a shadow stage; processors on each card.
-    pub objects: u32,
-    /// Digits that a shortened square root keeps.
-    pub digits: u32,
-    /// Corrections behind an approximate square root.
-    pub corrections: u32,
-    /// Sides of a facet.
-    pub sides: u32,
-    /// Number of a video mode.
-    pub mode: u32,
-    /// Cards of processors.
-    pub cards: u32,
-    /// Transparent objects of a pipeline.
-    pub layers: u32,
-    /// Products of a solid.
-    pub products: u32,
-    /// Objects intersected in a product.
-    pub intersected: u32,
-    /// Objects taken away in a product.
-    pub subtracted: u32,
-    /// Lights of a shading processor.
-    pub lights: u32,
-}
-
 impl Request {
     /// A unit at the base format 24, with its default parameters.
     pub fn new(unit: Unit) -> Request {
         Request::of(unit, 24)
-    }
-
-    /// A unit with its default parameters.
-    pub fn of(unit: Unit, depth_word: u32) -> Request {
-        let mut request = Request {
-            unit,
-            depth_word,
-            planes: 0,
-            rows_per_stage: 0,
-            objects: 0,
-            digits: 0,
-            corrections: 0,
-            sides: 0,
-            mode: 0,
-            cards: 0,
-            layers: 0,
-            products: 0,
-            intersected: 0,
-            subtracted: 0,
-            lights: 0,
-        };
-        for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
-            *(parameter.field)(&mut request) = parameter.default.unwrap_or(depth_word / 2);
-        }
-        request
     }
 
     /// A unit by its name at a depth word, with the values that somebody gave for options, the others by default.

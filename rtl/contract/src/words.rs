@@ -25,27 +25,12 @@ pub const NORMAL_PART: usize = 24;
 pub const NORMAL: usize = 16;
 /// Most cut planes of one object.
 pub const MOST_PLANES: usize = 12;
-/// Most sides of a facet.
-pub const MOST_SIDES: usize = 4;
-/// Greatest number of a video mode: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080, all at 60
-/// Hz.
-pub const MOST_MODE: usize = 3;
 /// Lights of a shading processor at most.
 pub const MOST_LIGHTS: usize = 4;
 /// Most objects of one machine.
 pub const MOST_OBJECTS: usize = 256;
 /// Most transparent objects of a pipeline.
 pub const MOST_LAYERS: usize = 8;
-/// Most products of a solid.
-pub const MOST_PRODUCTS: usize = 16;
-/// Most objects intersected in a product, and most taken away.
-pub const MOST_LITERALS: usize = 8;
-/// Most cards of processors.
-pub const MOST_CARDS: usize = 64;
-
-/// Most corrections behind an approximate square root.
-pub const MOST_CORRECTIONS: usize = 2;
-
 /// Bits of a depth sum of a format.
 pub const fn depth_sum(depth_word: usize) -> usize {
     depth_word + 2
