@@ -5,7 +5,7 @@ use imogene_contract::{Request, RequestError, Unit};
 use imogene_rtl::emit::emit;
 use imogene_verif::bench;
 use imogene_verif::unit::subject;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// Seed of the vectors: the same package each time.
 const SEED: u64 = 1;
@@ -24,9 +24,7 @@ pub type File = (String, String);
 pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, RequestError> {
     let mut files = vec![("README.md".to_owned(), readme(units, clocks))];
     for &unit in units {
-        let core = core(unit, clocks)?;
-        let inside = core.into_iter();
-        files.extend(inside.map(|(path, text)| (format!("{}/{path}", unit.name()), text)));
+        files.extend(inside(unit.name(), core(unit, clocks)?));
     }
     Ok(files)
 }
@@ -40,46 +38,38 @@ pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, RequestError> {
     let request = Request::new(unit);
     let emitted = emit(&request)?;
     let contract = of_emitted(&request, &emitted)?;
-    let verilog = emitted.files();
-    let names: Vec<String> = verilog
-        .iter()
-        .map(|(name, _)| format!("rtl/{name}"))
-        .collect();
+    let verilog = inside("rtl", emitted.files());
+    let core_file = core_file(&contract, &verilog, clocks > 0);
     let mut files = vec![
-        (
-            format!("{}.core", unit.name()),
-            core_file(&contract, &names, clocks > 0),
-        ),
+        (format!("{}.core", unit.name()), core_file),
         ("CONTRACT.md".to_owned(), contract.markdown()),
         ("contract.json".to_owned(), contract.json()),
     ];
-    files.extend(
-        names
-            .into_iter()
-            .zip(verilog.into_iter().map(|(_, text)| text)),
-    );
+    files.extend(verilog);
     if clocks > 0 {
         let subject = subject(&request)?;
         let stimulus = subject.seeded_stimulus(clocks, SEED);
         let bench = bench::files(&subject, &emitted.top, &stimulus);
-        files.extend(
-            bench
-                .into_iter()
-                .map(|(name, text)| (format!("bench/{name}"), text)),
-        );
+        files.extend(inside("bench", bench));
     }
     Ok(files)
 }
 
+/// These files in a folder.
+fn inside<N: Display>(folder: &str, files: Vec<(N, String)>) -> Vec<File> {
+    let inside = |(path, text)| (format!("{folder}/{path}"), text);
+    files.into_iter().map(inside).collect()
+}
+
 /// The FuseSoC description of a core (CAPI2).
-fn core_file(contract: &Contract, verilog: &[String], has_bench: bool) -> String {
+fn core_file(contract: &Contract, verilog: &[File], has_bench: bool) -> String {
     let (unit, version) = (contract.unit, env!("CARGO_PKG_VERSION"));
     // A JSON string is a YAML string.
     let description = serde_json::Value::from(contract.computes);
     let mut text = format!(
         "CAPI=2:\n\nname: imogene:ip:{unit}:{version}\ndescription: {description}\n\nfilesets:\n  rtl:\n    files:\n"
     );
-    for name in verilog {
+    for (name, _) in verilog {
         let _ = writeln!(text, "      - {name}");
     }
     text += "    file_type: verilogSource-2005\n";

@@ -1,7 +1,7 @@
 //! The object processors of the two source machines side by side: what each is made of here, and what the sources count.
 
+use crate::census::{Census, census};
 use imogene_contract::{Request, RequestError, Unit};
-use imogene_rtl::emit::{Census, census};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -15,14 +15,9 @@ pub struct Processor {
     pub unit: &'static str,
     /// Its parameters besides the format.
     pub parameters: String,
-    /// First-degree elementary processors.
-    pub pe1: usize,
-    /// Second-degree elementary processors.
-    pub pe2: usize,
-    /// Square root networks.
-    pub roots: usize,
-    /// Multipliers.
-    pub multipliers: usize,
+    /// What it is made of.
+    #[serde(flatten)]
+    pub census: Census,
     /// Clocks from the flags to the results.
     pub latency: usize,
     /// The latency as a formula.
@@ -36,7 +31,7 @@ pub struct Processor {
 }
 
 /// A row: the unit, its planes or sides, the source's counts, the difference.
-struct Row(Unit, usize, &'static str, &'static str);
+struct Row(Unit, u32, &'static str, &'static str);
 
 const SAME: &str = "the same";
 const ROWS: [Row; 16] = [
@@ -123,28 +118,15 @@ pub fn processors() -> Result<Vec<Processor>, RequestError> {
 }
 
 fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, RequestError> {
-    let mut request = Request::new(*unit);
-    let mut parameters = String::new();
-    if unit.has("planes") {
-        request.planes = *count as u32;
-        parameters = format!("{count} planes");
-    } else if unit.has("sides") {
-        request.sides = *count as u32;
-        parameters = format!("{count} sides");
-    }
-    let Census {
-        pe1,
-        pe2,
-        roots,
-        multipliers,
-    } = census(&request)?;
+    let counted = ["planes", "sides"];
+    let counted = counted.into_iter().find(|option| unit.has(option));
+    let given = counted.map(|option| (option, Some(*count)));
+    let request = Request::given(unit.name(), 24, given.as_slice())?;
+    let parameters = counted.map(|option| format!("{count} {option}"));
     Ok(Processor {
         unit: unit.name(),
-        parameters,
-        pe1,
-        pe2,
-        roots,
-        multipliers,
+        parameters: parameters.unwrap_or_default(),
+        census: census(&request)?,
         latency: request.latency(),
         latency_formula: unit.record().latency,
         source,
@@ -153,11 +135,11 @@ fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, Re
     })
 }
 
-/// The processors as a page of the documentation; `command` made it.
-pub fn markdown(processors: &[Processor], command: &str) -> String {
+/// The processors as a page of the documentation.
+pub fn markdown(processors: &[Processor]) -> String {
     let mut text = format!(
         "# Object processors: parts and latency\n\nBase format 24, one row of the root network per register stage. Parts are counted in the hierarchy that is \
-         emitted.\nHow each works: [processors.md](processors.md); what each costs on a device: [resources.md](resources.md).\n\nMade by `{command}`. Do not edit.\n\n"
+         emitted.\nHow each works: [processors.md](processors.md); what each costs on a device: [resources.md](resources.md).\n\nMade by `{COMMAND}`. Do not edit.\n\n"
     );
     text += "| processor | PE1 | PE2 | roots | multipliers | latency | formula | the source's count | difference | source |\n";
     text += "|---|---:|---:|---:|---:|---:|---|---|---|---|\n";
@@ -170,10 +152,10 @@ pub fn markdown(processors: &[Processor], command: &str) -> String {
         let _ = writeln!(
             text,
             "| {name} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            p.pe1,
-            p.pe2,
-            p.roots,
-            p.multipliers,
+            p.census.pe1,
+            p.census.pe2,
+            p.census.roots,
+            p.census.multipliers,
             p.latency,
             p.latency_formula,
             p.source,
@@ -203,7 +185,12 @@ mod tests {
                     .map_or(0, |(number, _)| number.parse().unwrap())
             };
             assert_eq!(
-                [p.pe1, p.pe2, p.roots, p.multipliers],
+                [
+                    p.census.pe1,
+                    p.census.pe2,
+                    p.census.roots,
+                    p.census.multipliers
+                ],
                 ["PE1", "PE2", "root", "multiplier"].map(counted),
                 "{} {}",
                 p.unit,

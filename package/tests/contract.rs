@@ -1,9 +1,9 @@
 //! The contract of every unit against its Verilog.
 
+use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
 use imogene_package::contract::{RESET, contract};
 use imogene_rtl::emit::{Direction, emit};
-use imogene_rtl::format::DEPTH_WORDS;
 use std::collections::BTreeMap;
 
 /// Shapes that change the ports: the base, none, and others.

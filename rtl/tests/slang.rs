@@ -5,10 +5,9 @@ mod support;
 
 use imogene_contract::video::VideoMode;
 use imogene_contract::{Request, Unit};
-use imogene_rtl::emit::display::{
-    DisplayKind, DisplayRequest, OutputShape, Processors, ZoneShape, emit_display,
+use imogene_rtl::emit::machine::{
+    Kind, MachineRequest, MachineWords, Output, Slot, ZoneShape, emit_machine,
 };
-use imogene_rtl::emit::machine::{MachineWords, Slot};
 use imogene_rtl::emit::{Emitted, emit};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -53,7 +52,7 @@ fn slang_accepts_every_unit_without_a_warning() {
 
 /// A zone machine and a beam machine with their screens.
 fn machines() -> [Emitted; 2] {
-    let screen = OutputShape {
+    let screen = Output {
         mode: VideoMode::VGA,
         kernel: 2,
         has_overlay: true,
@@ -63,24 +62,18 @@ fn machines() -> [Emitted; 2] {
         samples: 2,
     };
     let kinds = [
-        DisplayKind::ZoneDisplay(zone, screen),
-        DisplayKind::BeamDisplay(8, screen),
+        Kind::ZoneDisplay(zone, screen),
+        Kind::BeamDisplay(8, screen),
     ];
     kinds.map(|kind| {
-        let request = DisplayRequest {
+        let request = MachineRequest {
             kind,
-            processors: Processors {
-                words: MachineWords::of(24),
-                rows_per_stage: 4,
-                slots: vec![Slot::full(1); 2],
-                volumes: 1,
-                volume_planes: 4,
-            },
+            volumes: 1,
+            volume_planes: 4,
             lights: 2,
-            prefix: String::new(),
-            command: "a test".into(),
+            ..MachineRequest::fitted(MachineWords::of(24), 4, vec![Slot::full(1); 2])
         };
-        emit_display(&request).expect("legal numbers")
+        emit_machine(&request).expect("legal numbers")
     })
 }
 

@@ -10,7 +10,7 @@ use imogene_models::evaluate::{
 use imogene_models::format::Format;
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_package::processors::processors;
-use imogene_rtl::emit::display::ZONE_BITS;
+use imogene_rtl::emit::machine::ZONE_BITS;
 use imogene_verif::display::request::{core_request, zone_timing};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -48,10 +48,10 @@ fn hardware() -> Result<Hardware, Failure> {
     let parts = list.into_iter().map(|p| Parts {
         unit: p.unit.into(),
         parameters: p.parameters,
-        pe1: p.pe1,
-        pe2: p.pe2,
-        roots: p.roots,
-        multipliers: p.multipliers,
+        pe1: p.census.pe1,
+        pe2: p.census.pe2,
+        roots: p.census.roots,
+        multipliers: p.census.multipliers,
     });
     let machine = ZoneMachine {
         object_processors: MACHINE_PROCESSORS,

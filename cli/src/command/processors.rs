@@ -4,14 +4,13 @@ use crate::arguments::Processors;
 use crate::failure::Failure;
 use crate::output;
 use imogene_models::text::counted;
-use imogene_package::processors::{COMMAND, markdown, processors};
+use imogene_package::processors::{markdown, processors};
 
 /// Lists the object processors with their parts, or writes the list to a file.
 pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
     let list = processors().map_err(Failure::input)?;
     if let Some(path) = &options.out {
-        let text = markdown(&list, COMMAND);
-        output::write_text(path, &text)?;
+        output::write_text(path, &markdown(&list))?;
     }
     if json {
         output::json(&list);
@@ -19,10 +18,10 @@ pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
     }
     for p in list {
         let parts = [
-            (p.pe1, "pe1"),
-            (p.pe2, "pe2"),
-            (p.roots, "root"),
-            (p.multipliers, "multipliers"),
+            (p.census.pe1, "pe1"),
+            (p.census.pe2, "pe2"),
+            (p.census.roots, "root"),
+            (p.census.multipliers, "multipliers"),
         ];
         let parts: Vec<String> = parts
             .iter()

@@ -7,7 +7,7 @@ mod markdown;
 
 use imogene_contract::parameters::Parameter;
 use imogene_contract::{Request, RequestError};
-use imogene_rtl::emit::{Direction, Emitted, Port, design, emit};
+use imogene_rtl::emit::{Emitted, Port, design, emit};
 use serde::Serialize;
 
 /// What every unit does about reset.
@@ -114,11 +114,6 @@ pub fn of_emitted(request: &Request, emitted: &Emitted) -> Result<Contract, Requ
 }
 
 impl Contract {
-    /// The contract as a Markdown page.
-    pub fn markdown(&self) -> String {
-        markdown::page(self)
-    }
-
     /// The contract as JSON.
     pub fn json(&self) -> String {
         let text = serde_json::to_string_pretty(self).expect("every key is a string");
@@ -166,10 +161,7 @@ fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestErr
     };
     let entry = |port: &Port| PortEntry {
         name: port.name.clone(),
-        direction: match port.direction {
-            Direction::In => "input",
-            Direction::Out => "output",
-        },
+        direction: port.direction.keyword(),
         width: port.width,
         formula: formula(port),
         format: match (port.signed, port.width) {

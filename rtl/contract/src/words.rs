@@ -6,14 +6,6 @@ pub const DEPTH_WORDS: [usize; 5] = [16, 20, 24, 28, 32];
 pub const LEAST_DEPTH: usize = 8;
 /// Greatest depth word: the quadratic word has 64 bits.
 pub const MOST_DEPTH: usize = MOST_BITS / 2;
-/// Least root.
-pub const LEAST_ROOT: usize = 4;
-/// Least normal component.
-pub const LEAST_NORMAL: usize = 10;
-/// Most guard bits of either part of a depth.
-pub const MOST_GUARD: usize = 16;
-/// Most last digits of the root that are not computed.
-pub const MOST_DROPPED: usize = 8;
 /// Bits of the widest word.
 pub const MOST_BITS: usize = 64;
 

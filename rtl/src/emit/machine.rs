@@ -1,38 +1,214 @@
-//! Beam machines of any words and slots: hardware that is fitted to a scene.
+//! Machines: object processors of any words and slots, and everything between them and the picture.
 
 use super::words::{check_slots, check_words, lines, slots_line};
-use super::{Emitted, Heading, circuit, names};
+use super::{Emitted, Heading, check_prefix, emitted};
 pub use imogene_circuits::machine::Slot;
-use imogene_circuits::machine::{Beam, Load, Zone, beam};
+use imogene_circuits::machine::{
+    BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
+};
 pub use imogene_circuits::machines::MachineWords;
-use imogene_circuits::machines::objects;
-use imogene_contract::RequestError;
+use imogene_circuits::machines::{self, objects, volumes};
+pub use imogene_circuits::video::Output;
+use imogene_contract::request::in_range;
+use imogene_contract::words::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
+use imogene_contract::{RequestError, Unit};
 use imogene_hdl::Design;
 
-/// A beam machine.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+/// Bits of the address of a pixel in a zone, at most.
+pub const ZONE_BITS: usize = 14;
+/// Bits of the address of a word that waits for the next frame, at most.
+pub const LOADER_BITS: usize = 16;
+
+/// What a zone machine has beside its processors.
+#[derive(Clone, Copy, Debug)]
+pub struct ZoneShape {
+    /// Bits of the address of a pixel in a zone.
+    pub zone_bits: usize,
+    /// Samples of a pixel along each side: 1, 2 or 4.
+    pub samples: usize,
+}
+
+/// Which machine.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// The deciding part of a beam machine: visible surfaces, not shaded.
+    Beam,
+    /// The deciding part of a zone machine: visible surfaces, not shaded.
+    ZoneCore(ZoneShape),
+    /// A zone machine: shaded pixels over AXI4-Stream.
+    ZoneMachine(ZoneShape),
+    /// A zone machine with its screen.
+    ZoneDisplay(ZoneShape, Output),
+    /// A beam machine with its screen: bits of the address of a word that waits for the vertical blanking, screen.
+    BeamDisplay(usize, Output),
+    /// A beam machine that streams its picture: the same bits, pixels of a line, lines.
+    BeamStream(usize, usize, usize),
+}
+
+/// A machine.
+#[derive(Clone, Debug)]
 pub struct MachineRequest {
-    /// Its words.
+    /// Which machine.
+    pub kind: Kind,
+    /// The words of its processors.
     pub words: MachineWords,
-    /// Rows of the root network between registers.
+    /// Rows of the root networks between registers.
     pub rows_per_stage: usize,
-    /// Its slots.
+    /// Object processors, in a beam machine one for each object.
     pub slots: Vec<Slot>,
+    /// Volume processors, in a beam machine one for each volume; may be none. A deciding beam has none.
+    pub volumes: usize,
+    /// Planes of each.
+    pub volume_planes: usize,
+    /// Its lights; a deciding part has none.
+    pub lights: usize,
     /// Before the name of every module; may be empty.
     pub prefix: String,
     /// The command line that makes the same text, for the header.
     pub command: String,
 }
 
+impl Kind {
+    fn zone(&self) -> Option<&ZoneShape> {
+        match self {
+            Self::ZoneCore(zone) | Self::ZoneMachine(zone) | Self::ZoneDisplay(zone, _) => {
+                Some(zone)
+            }
+            _ => None,
+        }
+    }
+
+    fn output(&self) -> Option<&Output> {
+        match self {
+            Self::ZoneDisplay(_, output) | Self::BeamDisplay(_, output) => Some(output),
+            _ => None,
+        }
+    }
+
+    fn loader_bits(&self) -> Option<usize> {
+        match *self {
+            Self::BeamDisplay(bits, _) | Self::BeamStream(bits, ..) => Some(bits),
+            _ => None,
+        }
+    }
+
+    fn contract(&self) -> &'static str {
+        match self {
+            Self::Beam => {
+                "the visible surface of the objects of a scene, in the words and slots that the scene requires"
+            }
+            Self::ZoneCore(_) => {
+                "visible surfaces of a scene of any number of objects, zone by zone"
+            }
+            Self::ZoneMachine(_) => {
+                "shaded pixels of a scene of any number of objects, zone by zone"
+            }
+            Self::ZoneDisplay(..) => {
+                "the picture of a scene of any number of objects, drawn zone by zone, on the pins of a screen"
+            }
+            Self::BeamDisplay(..) => {
+                "the picture of a scene, every pixel drawn when the screen wants it, on the pins of a screen"
+            }
+            Self::BeamStream(..) => {
+                "the picture of a scene, frame after frame over AXI4-Stream, one pixel per clock"
+            }
+        }
+    }
+}
+
 impl MachineRequest {
+    /// The deciding part of a beam machine, fitted to a scene.
+    pub fn fitted(words: MachineWords, rows_per_stage: usize, slots: Vec<Slot>) -> MachineRequest {
+        MachineRequest {
+            kind: Kind::Beam,
+            words,
+            rows_per_stage,
+            slots,
+            volumes: 0,
+            volume_planes: 0,
+            lights: 1,
+            prefix: String::new(),
+            command: String::new(),
+        }
+    }
+
     fn check(&self) -> Result<(), RequestError> {
         check_words(&self.words, self.rows_per_stage)?;
         check_slots(&self.slots)?;
-        names::check_optional(&self.prefix)
+        in_range("volumes", self.volumes, 0, MOST_OBJECTS)?;
+        in_range("volume planes", self.volume_planes, 0, MOST_PLANES)?;
+        in_range("lights", self.lights, 1, MOST_LIGHTS)?;
+        if let Some(bits) = self.kind.loader_bits() {
+            in_range("loader bits", bits, 1, LOADER_BITS)?;
+        }
+        if let Some(zone) = self.kind.zone() {
+            in_range("zone bits", zone.zone_bits, 1, ZONE_BITS)?;
+            // 3 is the only number between the least and the greatest that is none.
+            let most = if zone.samples == 3 { 2 } else { 4 };
+            in_range("samples", zone.samples, 1, most)?;
+        }
+        match self.prefix.as_str() {
+            "" => Ok(()),
+            prefix => check_prefix(prefix),
+        }
     }
 
-    fn machine(&self) -> Beam {
+    fn objects(&self) -> Objects {
         objects(&self.words, self.rows_per_stage as u32, self.slots.clone())
+    }
+
+    fn core(&self, zone: &ZoneShape) -> ZoneCore {
+        let beam = self.beam(0);
+        ZoneCore {
+            objects: beam.objects,
+            volumes: beam.volumes,
+            places: zone.zone_bits as u32,
+        }
+    }
+
+    fn zone(&self, zone: &ZoneShape) -> ZoneMachine {
+        ZoneMachine {
+            core: self.core(zone),
+            samples: zone.samples as u32,
+            lights: self.lights as u64,
+        }
+    }
+
+    fn beam(&self, loader_bits: usize) -> BeamMachine {
+        let (rows, planes) = (self.rows_per_stage as u32, self.volume_planes as u64);
+        BeamMachine {
+            objects: self.objects(),
+            volumes: volumes(&self.words, rows, self.volumes, planes),
+            lights: self.lights as u64,
+            loader_places: loader_bits as u32,
+        }
+    }
+
+    /// Clocks of what is fixed in the machine.
+    ///
+    /// # Errors
+    ///
+    /// When a number is out of its range.
+    pub fn clocks(&self) -> Result<MachineClocks, RequestError> {
+        self.check()?;
+        let mut clocks = MachineClocks {
+            output: self.kind.output().map_or(0, Output::latency) as usize,
+            ..MachineClocks::default()
+        };
+        match self.kind.zone() {
+            Some(zone) => {
+                let core = self.core(zone);
+                clocks.draw = core.draw_clocks() as usize;
+                clocks.light = core.light_clocks() as usize;
+                clocks.show = SHOW_CLOCKS as usize;
+                clocks.settle = core.settle_clocks() as usize;
+            }
+            None if matches!(self.kind, Kind::Beam) => {
+                clocks.pixel = self.objects().latency() as usize;
+            }
+            None => clocks.pixel = self.beam(0).latency() as usize,
+        }
+        Ok(clocks)
     }
 
     /// The circuit of the machine.
@@ -42,150 +218,102 @@ impl MachineRequest {
     /// When a number is out of its range, or a prefix begins no identifier.
     pub fn design(&self) -> Result<Design, RequestError> {
         self.check()?;
-        let machine = self.machine();
-        let load = || Load::input(machine.widths.bus());
-        Ok(Design::of(|| {
-            beam("top", Zone::input(), load(), &machine);
-        }))
+        Ok(match &self.kind {
+            Kind::Beam => {
+                let objects = self.objects();
+                Design::of(|| {
+                    beam(
+                        "top",
+                        Zone::input(),
+                        Load::input(objects.widths.bus()),
+                        &objects,
+                    )
+                })
+            }
+            Kind::ZoneCore(zone) => machines::zone_core(&self.core(zone)),
+            Kind::ZoneMachine(zone) => machines::zone_machine(&self.zone(zone)),
+            Kind::ZoneDisplay(zone, output) => machines::zone_display(&self.zone(zone), output),
+            Kind::BeamDisplay(bits, output) => machines::beam_display(&self.beam(*bits), output),
+            Kind::BeamStream(bits, width, height) => {
+                machines::beam_stream(&self.beam(*bits), (*width as u64, *height as u64))
+            }
+        })
     }
+
+    fn parameters(&self) -> Vec<String> {
+        let mut lines = lines(&self.words, self.rows_per_stage);
+        lines.push(slots_line(&self.slots));
+        if matches!(self.kind, Kind::Beam) {
+            return lines;
+        }
+        let (volumes, planes) = (self.volumes, self.volume_planes);
+        lines.push(format!("{volumes} volume processors of {planes} planes"));
+        if let Some(ZoneShape { zone_bits, samples }) = self.kind.zone() {
+            lines.push(format!("zones of up to {} pixels", 1usize << zone_bits));
+            if *samples > 1 {
+                lines.push(format!("{samples} x {samples} samples of a pixel"));
+            }
+        }
+        let loader = self.kind.loader_bits();
+        lines.extend(loader.map(|bits| format!("{} words of the next frame", 1usize << bits)));
+        if !matches!(self.kind, Kind::ZoneCore(_)) {
+            lines.push(format!("{} lights", self.lights));
+        }
+        if let Some(output) = self.kind.output() {
+            let (width, height) = (output.mode.line.active, output.mode.frame.active);
+            let smoothing = ["none", "2 x 2", "3 x 3"][output.kernel.min(2) as usize];
+            let overlay = if output.has_overlay { "yes" } else { "no" };
+            lines.push(format!("screen of {width} x {height} pixels"));
+            lines.push(format!("smoothing {smoothing}, overlay {overlay}"));
+        }
+        if let Kind::BeamStream(_, width, height) = self.kind {
+            lines.push(format!("pictures of {width} x {height} pixels"));
+        }
+        lines
+    }
+}
+
+/// Clocks that a machine takes besides those of its pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MachineClocks {
+    /// Of a drawing pass of a zone machine.
+    pub draw: usize,
+    /// Of a lighting pass.
+    pub light: usize,
+    /// Of a showing pass.
+    pub show: usize,
+    /// From a drawing or lighting command until words of processors are taken again.
+    pub settle: usize,
+    /// From a pixel that a beam machine wants to its colour.
+    pub pixel: usize,
+    /// From the scan of a screen to its pins.
+    pub output: usize,
 }
 
 /// The Verilog of a machine.
 ///
 /// # Errors
 ///
-/// When a count is out of its range, or a prefix begins no identifier.
+/// When a number is out of its range, or a prefix begins no identifier.
 pub fn emit_machine(request: &MachineRequest) -> Result<Emitted, RequestError> {
     let design = request.design()?;
-    let ports = circuit::ports(&design);
-    let latency = request.machine().latency() as usize;
-    let mut parameters = lines(&request.words, request.rows_per_stage);
-    parameters.push(slots_line(&request.slots));
-    let top = format!("{}beam", request.prefix);
+    let (error, source) = match request.kind {
+        Kind::Beam => (
+            "exact in its integer words; the contract beside it states how far they are from the scene",
+            "architecture, 7",
+        ),
+        _ => (Unit::Beam.record().error, "machines"),
+    };
     let heading = Heading {
-        top: &top,
-        contract: "the visible surface of the objects of a scene, in the words and slots that the scene requires",
-        parameters,
-        latency,
-        error: "exact in its integer words; the contract beside it states how far they are from the scene",
-        source: "architecture, 7",
-        ports: &ports,
+        contract: request.kind.contract(),
+        parameters: request.parameters(),
+        error,
+        source,
         command: &request.command,
     };
-    Ok(Emitted {
-        header: heading.text(),
-        modules: circuit::modules(&design, &request.prefix),
-        top,
-        ports,
-        latency,
-    })
+    let latency = request.clocks()?.pixel;
+    Ok(emitted(&design, &request.prefix, latency, &heading))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::emit::emit;
-    use imogene_contract::{Request, Unit};
-
-    const BASE: MachineWords = MachineWords::of(16);
-
-    fn request(slots: &[(usize, bool)]) -> MachineRequest {
-        let slots = slots.iter();
-        MachineRequest {
-            words: BASE,
-            rows_per_stage: 1,
-            slots: slots
-                .map(|&(planes, two_volumes)| Slot {
-                    planes,
-                    two_volumes,
-                })
-                .collect(),
-            prefix: String::new(),
-            command: "a command".into(),
-        }
-    }
-
-    /// Equal slots make the machine of the catalogue, module for module.
-    #[test]
-    fn equal_slots_are_the_machine_of_the_catalogue() {
-        let fitted = emit_machine(&request(&[(2, true); 3])).unwrap();
-        let catalogue = emit(&Request {
-            planes: 2,
-            objects: 3,
-            ..Request::of(Unit::Beam, 16)
-        })
-        .unwrap();
-        assert_eq!(fitted.modules, catalogue.modules);
-        assert_eq!(fitted.latency, catalogue.latency);
-    }
-
-    #[test]
-    fn a_machine_has_the_words_that_were_asked_for() {
-        let words = MachineWords {
-            depth: 19,
-            root: 15,
-            dropped_rows: 2,
-            plane: 23,
-            normal: 11,
-            guard_linear: 3,
-            guard_quadratic: 5,
-        };
-        let request = request(&[(1, false), (3, true)]);
-        let emitted = emit_machine(&MachineRequest { words, ..request }).unwrap();
-        let width = |name: &str| {
-            let port = emitted.ports.iter().find(|port| port.name == name);
-            port.unwrap().width
-        };
-        assert_eq!(["depth", "nx", "load_data"].map(width), [19, 11, 35]);
-        assert_eq!(emitted.latency, 1 + (13 + 3 + 7) + 1);
-        let text = emitted.bundle();
-        assert!(text.contains("root 15, of which the last 2 digits are zero"));
-    }
-
-    #[test]
-    fn a_machine_of_different_slots_waits_for_the_longest() {
-        let fitted = emit_machine(&request(&[(0, false), (2, true), (3, false)])).unwrap();
-        // Raster control, root, planes, and what is around them, the tree of three inputs.
-        assert_eq!(fitted.latency, 1 + (16 + 2 + 7) + 2);
-        let text = fitted.bundle();
-        assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
-        let has = |name: &str| fitted.modules.iter().any(|(module, _)| module == name);
-        assert!(has("two_volume_merge"));
-        let single = emit_machine(&request(&[(0, false), (1, false)])).unwrap();
-        assert!(!single.modules.iter().any(|(m, _)| m == "two_volume_merge"));
-    }
-
-    #[test]
-    fn counts_out_of_range_are_refused() {
-        assert!(emit_machine(&request(&[])).is_err());
-        assert!(emit_machine(&request(&[(13, false)])).is_err());
-        let prefixed = MachineRequest {
-            prefix: "9".into(),
-            ..request(&[(0, false)])
-        };
-        assert!(emit_machine(&prefixed).is_err());
-        let deep = MachineRequest {
-            rows_per_stage: 17,
-            ..request(&[(0, false)])
-        };
-        assert!(emit_machine(&deep).is_err());
-        let refused = |words: MachineWords| {
-            let request = MachineRequest {
-                words,
-                ..request(&[(0, false)])
-            };
-            emit_machine(&request).unwrap_err().to_string()
-        };
-        for depth in [7, 33] {
-            let text = refused(MachineWords::of(depth));
-            assert!(text.contains("legal values are 8 to 32"), "{text}");
-        }
-        let guarded = |depth, guard_linear, guard_quadratic| MachineWords {
-            guard_linear,
-            guard_quadratic,
-            ..MachineWords::of(depth)
-        };
-        assert!(refused(guarded(24, 17, 0)).contains("guard bits of f1 = 17"));
-        assert!(refused(guarded(30, 0, 5)).contains("legal values are 0 to 4"));
-    }
-}
+mod tests;

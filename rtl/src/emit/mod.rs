@@ -2,21 +2,17 @@
 //!
 //! The same request gives the same text, byte for byte.
 
-mod census;
-mod circuit;
-pub mod display;
 pub mod machine;
-mod names;
-mod raw;
 mod words;
 
-pub use census::{Census, census};
 use imogene_circuits::units;
 use imogene_contract::{Request, RequestError};
-use imogene_hdl::Design;
 pub use imogene_hdl::Direction;
-pub use raw::raw;
+use imogene_hdl::block::Block;
+use imogene_hdl::{Design, Module, verilog};
+use rust_hdl::core::prelude::generate_verilog;
 use std::fmt::Write;
+use std::rc::Rc;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, fill};
 
 /// A port of the emitted module.
@@ -60,22 +56,19 @@ impl Emitted {
         text
     }
 
-    /// One file for each module, by name, leaves first: the form in which every linter finds each module where it looks for it.
+    /// One file for each module, by name, leaves first: the form in which every linter finds each module.
     pub fn files(&self) -> Vec<(String, String)> {
-        let text = |name: &str, module: &str| {
-            if name == self.top {
-                format!("{}\n{module}", self.header)
-            } else {
-                format!(
-                    "// {name}: part of {}; see there.\n// SPDX-License-Identifier: {LICENCE}\n\n{module}",
-                    self.top
-                )
-            }
+        let top = &self.top;
+        let file = |(name, module): &(String, String)| {
+            let header = match name == top {
+                true => self.header.clone(),
+                false => format!(
+                    "// {name}: part of {top}; see there.\n// SPDX-License-Identifier: {LICENCE}\n"
+                ),
+            };
+            (format!("{name}.v"), format!("{header}\n{module}"))
         };
-        let files = self.modules.iter();
-        files
-            .map(|(name, module)| (format!("{name}.v"), text(name, module)))
-            .collect()
+        self.modules.iter().map(file).collect()
     }
 }
 
@@ -97,100 +90,131 @@ pub fn design(request: &Request) -> Result<Design, RequestError> {
 ///
 /// When a parameter is out of its legal range; the error names the value and the range.
 pub fn emit(request: &Request) -> Result<Emitted, RequestError> {
-    emitted(request, "")
+    unit(request, "")
 }
 
-/// Emits the Verilog of a unit with a prefix before the name of every module, so that several configurations fit in one design.
+/// Emits the Verilog of a unit with a prefix before the name of every module, so that several configurations fit in one
+/// design.
 ///
 /// # Errors
 ///
 /// As for [`emit`], and when a name with the prefix is no identifier.
 pub fn emit_with_prefix(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
-    names::check_prefix(prefix)?;
-    emitted(request, prefix)
+    check_prefix(prefix)?;
+    unit(request, prefix)
 }
 
-fn emitted(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
+fn unit(request: &Request, prefix: &str) -> Result<Emitted, RequestError> {
     let design = design(request)?;
-    let ports = circuit::ports(&design);
-    let latency = request.latency();
-    Ok(Emitted {
-        top: format!("{prefix}{}", request.unit.name()),
-        header: header(request, &ports, latency, prefix),
-        modules: circuit::modules(&design, prefix),
-        ports,
-        latency,
-    })
-}
-
-pub use imogene_contract::video::LEAD;
-
-/// Columns of the statements of a header at most.
-const COLUMNS: usize = 120;
-
-fn header(request: &Request, ports: &[Port], latency: usize, prefix: &str) -> String {
-    let unit = request.unit;
+    let record = request.unit.record();
     let format = format!("format {}", request.depth_word);
     let options = request.options().into_iter();
     let options = options.map(|(option, value)| format!("{} {value}", option.replace('-', " ")));
-    Heading {
-        top: &format!("{prefix}{}", unit.name()),
-        contract: unit.record().computes,
+    let heading = Heading {
+        contract: record.computes,
         parameters: std::iter::once(format).chain(options).collect(),
-        latency,
         error: &request.error(),
-        source: unit.record().source,
-        ports,
+        source: record.source,
         command: &request.command_with_prefix(prefix),
-    }
-    .text()
+    };
+    Ok(emitted(&design, prefix, request.latency(), &heading))
 }
 
-/// What the comment before the Verilog states.
+/// The Verilog that rust-hdl itself prints of a unit. It is compared with ours and used for nothing else; the module of
+/// the unit is called `top`, its ports are those of [`emit`].
+///
+/// # Errors
+///
+/// When a parameter is out of its legal range.
+pub fn raw(request: &Request) -> Result<String, RequestError> {
+    Ok(generate_verilog(&Block::of(&design(request)?.top)))
+}
+
+/// Refuses what cannot stand before the name of a module: also VHDL begins identifiers with a letter and knows no two
+/// underscores in a row.
+fn check_prefix(prefix: &str) -> Result<(), RequestError> {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let begins = prefix.starts_with(|c: char| c.is_ascii_alphabetic());
+    match begins && prefix.chars().all(is_plain) && !prefix.contains("__") {
+        true => Ok(()),
+        false => Err(RequestError::Prefix {
+            prefix: prefix.to_owned(),
+        }),
+    }
+}
+
+/// What the comment before the Verilog states besides latency and ports.
 struct Heading<'a> {
-    top: &'a str,
     contract: &'a str,
     /// A line each.
     parameters: Vec<String>,
-    latency: usize,
     error: &'a str,
     source: &'a str,
-    ports: &'a [Port],
     command: &'a str,
 }
 
+/// The text of a design.
+fn emitted(design: &Design, prefix: &str, latency: usize, heading: &Heading) -> Emitted {
+    let modules = design.top.all();
+    let module = |module: &Rc<Module>| {
+        let name = format!("{prefix}{}", module.name);
+        (name, verilog::write(module, prefix))
+    };
+    let (top, ports) = (format!("{prefix}{}", design.top.name), ports(design));
+    Emitted {
+        header: heading.text(&top, latency, &ports),
+        modules: modules.iter().map(module).collect(),
+        top,
+        ports,
+        latency,
+    }
+}
+
+/// The ports of the top module, the clock before all others.
+fn ports(design: &Design) -> Vec<Port> {
+    let clock = Port {
+        name: "clock".to_owned(),
+        meaning: "rising edge".to_owned(),
+        direction: Direction::In,
+        width: 1,
+        signed: false,
+    };
+    let others = design.top.ports.iter().map(|port| Port {
+        name: port.name.clone(),
+        meaning: port.meaning.clone(),
+        direction: port.direction,
+        width: port.width as usize,
+        signed: port.signed,
+    });
+    let clock = design.top.is_clocked().then_some(clock);
+    clock.into_iter().chain(others).collect()
+}
+
 impl Heading<'_> {
-    fn text(&self) -> String {
-        let mut text = format!("// {}: {}\n//\n", self.top, self.contract);
+    fn text(&self, top: &str, latency: usize, ports: &[Port]) -> String {
+        let mut text = format!("// {top}: {}\n//\n", self.contract);
         let parameters = self.parameters.join(&format!("\n{INDENT}"));
+        let clocks = if latency == 1 { "clock" } else { "clocks" };
         let _ = writeln!(text, "// parameters: {parameters}");
-        let clocks = if self.latency == 1 { "clock" } else { "clocks" };
-        let _ = writeln!(text, "// latency:    {} {clocks}", self.latency);
+        let _ = writeln!(text, "// latency:    {latency} {clocks}");
         let _ = writeln!(text, "// error:      {}", wrapped(self.error));
         let _ = writeln!(text, "// source:     {}", self.source);
         let _ = writeln!(text, "// ports:");
-        for port in self.ports {
-            let direction = if port.direction == Direction::In {
-                "in "
-            } else {
-                "out"
-            };
-            let reading = if port.signed {
-                "two's complement"
-            } else {
-                "unsigned"
-            };
-            let _ = writeln!(
-                text,
-                "//   {direction} {:<14} {:>2} {reading}",
-                port.name, port.width
-            );
+        for port in ports {
+            let is_input = port.direction == Direction::In;
+            let direction = if is_input { "in " } else { "out" };
+            let reading = ["unsigned", "two's complement"][usize::from(port.signed)];
+            let (name, width) = (&port.name, port.width);
+            let _ = writeln!(text, "//   {direction} {name:<14} {width:>2} {reading}");
         }
         let _ = writeln!(text, "//\n// Made by: {}", self.command);
         let _ = writeln!(text, "// SPDX-License-Identifier: {LICENCE}");
         text
     }
 }
+
+/// Columns of the statements of a header at most.
+const COLUMNS: usize = 120;
 
 /// What stands before the later lines of a statement.
 const INDENT: &str = "//             ";

@@ -5,7 +5,7 @@ use crate::engine::circuit::Circuit;
 use crate::engine::design::{Design, DesignError, Instance, Simulator, Source};
 use crate::signal::Signal;
 use imogene_contract::RequestError;
-use imogene_rtl::emit::display::{DisplayRequest, emit_display};
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_rtl::emit::{Direction, Port};
 use std::collections::HashMap;
 use thiserror::Error;
@@ -65,8 +65,8 @@ impl Machine {
     /// # Errors
     ///
     /// When a number of the request is out of its range, a tool is missing, or a file cannot be written.
-    pub fn start(request: &DisplayRequest, engine: DisplayEngine) -> Result<Machine, DisplayError> {
-        let emitted = emit_display(request)?;
+    pub fn start(request: &MachineRequest, engine: DisplayEngine) -> Result<Machine, DisplayError> {
+        let emitted = emit_machine(request)?;
         let of = |direction| {
             let ports = emitted
                 .ports

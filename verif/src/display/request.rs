@@ -4,21 +4,20 @@ use crate::engine::{slots_of, words_of};
 use imogene_contract::RequestError;
 use imogene_contract::video::VideoMode;
 use imogene_models::format::Format;
-use imogene_models::machine::description::{MachineDescription, MachineKind, Output, Smoothing};
+use imogene_models::machine::description::{self, MachineDescription, MachineKind, Smoothing};
 use imogene_models::machine::zone::ZoneMachine;
 use imogene_models::machine::zone::clocks::ZoneTiming;
-use imogene_rtl::emit::display::{
-    DisplayKind, DisplayRequest, OutputShape, Processors, Slot, ZoneShape,
-};
+use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, ZoneShape};
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.
 ///
 /// # Panics
 ///
 /// When the description was not checked.
-pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
-    let output = OutputShape {
-        mode: mode(machine),
+pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
+    let mode = mode(machine);
+    let output = Output {
+        mode,
         kernel: match machine.smoothing {
             Smoothing::None => 0,
             Smoothing::Box => 1,
@@ -30,30 +29,30 @@ pub fn request(machine: &MachineDescription, command: &str) -> DisplayRequest {
         MachineKind::Zone => {
             let shape = shape(&machine.zone_machine());
             match machine.output {
-                Output::Pins => DisplayKind::ZoneDisplay(shape, output),
-                Output::Stream => DisplayKind::ZoneMachine(shape),
+                description::Output::Pins => Kind::ZoneDisplay(shape, output),
+                description::Output::Stream => Kind::ZoneMachine(shape),
             }
         }
         MachineKind::Beam => {
             let loader_bits = machine.loader_words().next_power_of_two().trailing_zeros() as usize;
             match machine.output {
-                Output::Pins => DisplayKind::BeamDisplay(loader_bits, output),
-                Output::Stream => {
-                    DisplayKind::BeamStream(loader_bits, output.width(), output.height())
-                }
+                description::Output::Pins => Kind::BeamDisplay(loader_bits, output),
+                description::Output::Stream => Kind::BeamStream(
+                    loader_bits,
+                    mode.line.active as usize,
+                    mode.frame.active as usize,
+                ),
             }
         }
     };
     let format = machine.format().expect("a description that was checked");
-    DisplayRequest {
+    MachineRequest {
         kind,
-        processors: Processors {
-            words: words_of(&format.widths()),
-            rows_per_stage: machine.rows_per_stage as usize,
-            slots: slots_of(&machine.slots()),
-            volumes: machine.volumes,
-            volume_planes: machine.volume_planes,
-        },
+        words: words_of(&format.widths()),
+        rows_per_stage: machine.rows_per_stage as usize,
+        slots: slots_of(&machine.slots()),
+        volumes: machine.volumes,
+        volume_planes: machine.volume_planes,
         lights: machine.lights,
         prefix: String::new(),
         command: command.to_owned(),
@@ -65,19 +64,13 @@ pub fn core_request(
     machine: &ZoneMachine,
     format: &Format,
     rows_per_stage: usize,
-) -> DisplayRequest {
-    DisplayRequest {
-        kind: DisplayKind::ZoneCore(shape(machine)),
-        processors: Processors {
-            words: words_of(&format.widths()),
-            rows_per_stage,
-            slots: vec![Slot::full(machine.planes); machine.object_processors],
-            volumes: machine.volume_processors,
-            volume_planes: machine.volume_planes,
-        },
-        lights: 1,
-        prefix: String::new(),
-        command: String::new(),
+) -> MachineRequest {
+    let slots = vec![Slot::full(machine.planes); machine.object_processors];
+    MachineRequest {
+        kind: Kind::ZoneCore(shape(machine)),
+        volumes: machine.volume_processors,
+        volume_planes: machine.volume_planes,
+        ..MachineRequest::fitted(words_of(&format.widths()), rows_per_stage, slots)
     }
 }
 
@@ -94,7 +87,7 @@ fn shape(machine: &ZoneMachine) -> ZoneShape {
 /// # Errors
 ///
 /// When a number of the request is out of its range.
-pub fn zone_timing(request: &DisplayRequest) -> Result<ZoneTiming, RequestError> {
+pub fn zone_timing(request: &MachineRequest) -> Result<ZoneTiming, RequestError> {
     let clocks = request.clocks()?;
     Ok(ZoneTiming {
         draw_drain: clocks.draw as u32 - 1,

@@ -36,13 +36,8 @@ pub struct MachineShape {
 impl MachineShape {
     /// The request for its hardware.
     pub fn request(&self) -> MachineRequest {
-        MachineRequest {
-            words: words_of(&self.format.widths()),
-            rows_per_stage: self.rows_per_stage,
-            slots: vec![Slot::full(self.planes); self.objects],
-            prefix: String::new(),
-            command: String::new(),
-        }
+        let slots = vec![Slot::full(self.planes); self.objects];
+        MachineRequest::fitted(words_of(&self.format.widths()), self.rows_per_stage, slots)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The list of proofs.
 
 use super::job::{Design, Job, Method, Words};
+use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
-use imogene_rtl::format::DEPTH_WORDS;
 
 /// The format whose proofs run without `--full`.
 const BASE: usize = 24;

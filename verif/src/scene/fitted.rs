@@ -13,12 +13,10 @@ use imogene_rtl::emit::machine::MachineRequest;
 
 /// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
 pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
+    let (words, slots) = (words_of(&machine.widths), slots_of(&machine.slots));
     MachineRequest {
-        words: words_of(&machine.widths),
-        rows_per_stage: machine.rows_per_stage as usize,
-        slots: slots_of(&machine.slots),
-        prefix: String::new(),
         command: command.to_owned(),
+        ..MachineRequest::fitted(words, machine.rows_per_stage as usize, slots)
     }
 }
 

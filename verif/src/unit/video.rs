@@ -2,9 +2,8 @@
 
 use super::{Description, bit};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_contract::video::VideoMode;
+use imogene_contract::video::{LEAD, VideoMode};
 use imogene_models::machine::video_timing::{Shown, VideoTiming};
-use imogene_rtl::emit::LEAD;
 use proptest::prelude::*;
 
 pub(super) fn video_timing(mode: usize) -> Description {

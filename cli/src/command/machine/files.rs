@@ -11,7 +11,7 @@ use imogene_models::machine::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDE
 use imogene_models::machine::zone::plot::plot;
 use imogene_models::picture;
 use imogene_models::prepare::PreparedScene;
-use imogene_rtl::emit::display::{DisplayRequest, emit_display};
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_verif::display::bench::{Bench, BenchFrame};
 use imogene_verif::display::pins::PinsOutcome;
 use imogene_verif::display::request::zone_timing;
@@ -19,11 +19,11 @@ use std::path::Path;
 
 /// Adds the Verilog to the files; returns the name of the top module.
 pub(super) fn add_verilog(
-    request: &DisplayRequest,
+    request: &MachineRequest,
     out: &Path,
     files: &mut Outputs,
 ) -> Result<String, Failure> {
-    let emitted = emit_display(request).map_err(Failure::input)?;
+    let emitted = emit_machine(request).map_err(Failure::input)?;
     let path = out.join(format!("{}.v", emitted.top));
     files.add_text(&path, &emitted.bundle())?;
     Ok(emitted.top)
@@ -56,7 +56,7 @@ pub(super) fn add_bench(
 }
 
 pub(super) fn zone_timing_of(
-    request: &DisplayRequest,
+    request: &MachineRequest,
     machine: &MachineDescription,
 ) -> Result<Option<ZoneTiming>, Failure> {
     match machine.zone {

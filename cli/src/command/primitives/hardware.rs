@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use imogene_contract::{Request, Unit};
 use imogene_models::machine::decider;
 use imogene_models::object::slot::{ProcessorWords, Slot};
-use imogene_rtl::emit::census;
+use imogene_package::census::{Census, census};
 use imogene_synth::baseline::{Baseline, BaselineRow};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -21,14 +21,9 @@ pub struct Hardware {
     pub processors: usize,
     /// How many of each kind.
     pub kinds: BTreeMap<String, usize>,
-    /// First-degree elementary processors.
-    pub pe1: usize,
-    /// Second-degree elementary processors.
-    pub pe2: usize,
-    /// Square root networks.
-    pub roots: usize,
-    /// Multipliers.
-    pub multipliers: usize,
+    /// What they are made of.
+    #[serde(flatten)]
+    pub census: Census,
     /// LUT4 of all processors; none if a figure is not in the table.
     pub lut: Option<u64>,
     /// Flip-flops.
@@ -108,10 +103,7 @@ pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
     let mut sum = Hardware {
         processors: slots.len(),
         kinds: kinds.iter().map(|(k, (_, n))| (k.name(), *n)).collect(),
-        pe1: 0,
-        pe2: 0,
-        roots: 0,
-        multipliers: 0,
+        census: Census::default(),
         lut: Some(0),
         ff: Some(0),
         cells: Some(0),
@@ -129,10 +121,10 @@ pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
             None => (),
         }
         let parts = census(&request).map_err(Failure::input)?;
-        sum.pe1 += number * parts.pe1;
-        sum.pe2 += number * parts.pe2;
-        sum.roots += number * parts.roots;
-        sum.multipliers += number * parts.multipliers;
+        sum.census.pe1 += number * parts.pe1;
+        sum.census.pe2 += number * parts.pe2;
+        sum.census.roots += number * parts.roots;
+        sum.census.multipliers += number * parts.multipliers;
         latency = latency.max(request.latency() as u64);
         let figures = kind.row(&table.rows).map(|row| &row.figures);
         let add = |sum: &mut Option<u64>, figure: Option<u64>| {

@@ -1,11 +1,12 @@
 //! What a unit is made of, counted in its hierarchy.
 
-use super::design;
 use imogene_contract::{Request, RequestError};
 use imogene_hdl::{Binary, Module, Op};
+use imogene_rtl::emit::design;
+use serde::Serialize;
 
 /// Parts of a unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Census {
     /// First-degree elementary processors.
     pub pe1: usize,

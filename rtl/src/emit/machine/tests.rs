@@ -1,0 +1,171 @@
+//! Machines that are emitted, and those that are refused.
+
+use super::*;
+use crate::emit::emit;
+use imogene_contract::Request;
+use imogene_contract::video::VideoMode;
+
+const ZONE: ZoneShape = ZoneShape {
+    zone_bits: 8,
+    samples: 1,
+};
+/// Words that do not follow from a depth word.
+const OWN: MachineWords = MachineWords {
+    depth: 18,
+    root: 17,
+    dropped_rows: 1,
+    plane: 29,
+    normal: 14,
+    guard_linear: 10,
+    guard_quadratic: 3,
+};
+
+fn request(kind: Kind) -> MachineRequest {
+    MachineRequest {
+        kind,
+        volumes: 1,
+        volume_planes: 4,
+        ..MachineRequest::fitted(MachineWords::of(24), 4, vec![Slot::full(1); 2])
+    }
+}
+
+/// A deciding beam with slots of these planes, some with a second half.
+fn beam(words: MachineWords, slots: &[(usize, bool)]) -> MachineRequest {
+    let slots = slots.iter().map(|&(planes, two_volumes)| Slot {
+        planes,
+        two_volumes,
+    });
+    MachineRequest::fitted(words, 1, slots.collect())
+}
+
+#[test]
+fn machines_are_emitted() {
+    let screen = |kernel, has_overlay| Output {
+        mode: VideoMode::VGA,
+        kernel,
+        has_overlay,
+    };
+    let samples = ZoneShape { samples: 4, ..ZONE };
+    let kinds = [
+        (Kind::ZoneCore(ZONE), "zone_core"),
+        (Kind::ZoneMachine(ZONE), "zone_machine"),
+        (Kind::ZoneMachine(samples), "zone_machine"),
+        (Kind::ZoneDisplay(ZONE, screen(0, false)), "zone_display"),
+        (Kind::BeamDisplay(8, screen(2, true)), "beam_display"),
+        (Kind::BeamStream(8, 64, 48), "beam_stream"),
+    ];
+    let words = [MachineWords::of(24), OWN];
+    for ((kind, top), words) in kinds.into_iter().zip(words.into_iter().cycle()) {
+        let request = request(kind);
+        let emitted = emit_machine(&MachineRequest { words, ..request }).unwrap();
+        assert_eq!(emitted.top, top);
+        let text = emitted.bundle();
+        assert!(text.contains(" [0:255];"), "{top}");
+        let has_own = text.contains("guard bits 10 of f1, 3 of f2");
+        assert_eq!(has_own, words == OWN, "{top}");
+    }
+}
+
+/// Equal slots make the machine of the catalogue, module for module.
+#[test]
+fn equal_slots_are_the_machine_of_the_catalogue() {
+    let fitted = emit_machine(&beam(MachineWords::of(16), &[(2, true); 3])).unwrap();
+    let catalogue = emit(&Request {
+        planes: 2,
+        objects: 3,
+        ..Request::of(Unit::Beam, 16)
+    });
+    let catalogue = catalogue.unwrap();
+    assert_eq!(fitted.modules, catalogue.modules);
+    assert_eq!(fitted.latency, catalogue.latency);
+}
+
+#[test]
+fn a_machine_has_the_words_that_were_asked_for() {
+    let words = MachineWords {
+        depth: 19,
+        root: 15,
+        dropped_rows: 2,
+        plane: 23,
+        normal: 11,
+        guard_linear: 3,
+        guard_quadratic: 5,
+    };
+    let emitted = emit_machine(&beam(words, &[(1, false), (3, true)])).unwrap();
+    let width = |name: &str| {
+        let port = emitted.ports.iter().find(|port| port.name == name);
+        port.unwrap().width
+    };
+    assert_eq!(["depth", "nx", "load_data"].map(width), [19, 11, 35]);
+    assert_eq!(emitted.latency, 1 + (13 + 3 + 7) + 1);
+    let text = emitted.bundle();
+    assert!(text.contains("root 15, of which the last 2 digits are zero"));
+}
+
+#[test]
+fn a_machine_of_different_slots_waits_for_the_longest() {
+    let emitted =
+        |slots: &[(usize, bool)]| emit_machine(&beam(MachineWords::of(16), slots)).unwrap();
+    let fitted = emitted(&[(0, false), (2, true), (3, false)]);
+    // Raster control, root, planes, and what is around them, the tree of three inputs.
+    assert_eq!(fitted.latency, 1 + (16 + 2 + 7) + 2);
+    let text = fitted.bundle();
+    assert!(text.contains("slots, by their planes, v with half B: 0 2v 3"));
+    let merges = |emitted: &Emitted| emitted.modules.iter().any(|(m, _)| m == "two_volume_merge");
+    assert!(merges(&fitted) && !merges(&emitted(&[(0, false), (1, false)])));
+}
+
+/// What makes a request a bad one.
+type Change = fn(&mut MachineRequest);
+
+#[test]
+fn numbers_out_of_range_are_refused() {
+    let cases: [(Change, &str); 14] = [
+        (|r| r.slots.clear(), "objects = 0"),
+        (|r| r.slots[1].planes = 13, "planes = 13"),
+        (|r| r.volumes = 257, "volumes = 257"),
+        (|r| r.volume_planes = 13, "volume planes = 13"),
+        (|r| r.rows_per_stage = 25, "rows per stage = 25"),
+        (
+            |r| r.words = MachineWords::of(7),
+            "legal values are 8 to 32",
+        ),
+        (|r| r.words = MachineWords::of(33), "depth word = 33"),
+        (|r| r.words.guard_linear = 17, "guard bits of f1 = 17"),
+        (|r| r.words.guard_quadratic = 17, "guard bits of f2 = 17"),
+        (
+            |r| (r.words.root, r.words.guard_quadratic) = (30, 5),
+            "root = 30",
+        ),
+        (|r| r.lights = 5, "lights = 5"),
+        (|r| r.prefix = "9".into(), "prefix `9`"),
+        (
+            |r| {
+                r.kind = Kind::ZoneMachine(ZoneShape {
+                    zone_bits: 15,
+                    ..ZONE
+                })
+            },
+            "zone bits = 15",
+        ),
+        (
+            |r| r.kind = Kind::ZoneMachine(ZoneShape { samples: 3, ..ZONE }),
+            "samples = 3",
+        ),
+    ];
+    for (change, named) in cases {
+        for kind in [Kind::Beam, Kind::ZoneMachine(ZONE)] {
+            let mut request = request(kind);
+            change(&mut request);
+            let text = emit_machine(&request).unwrap_err().to_string();
+            assert!(text.contains(named), "{text}");
+        }
+    }
+    // The words of f2 leave room for fewer guard bits.
+    let words = MachineWords {
+        guard_quadratic: 5,
+        ..MachineWords::of(30)
+    };
+    let text = emit_machine(&beam(words, &[(0, false)])).unwrap_err();
+    assert!(text.to_string().contains("legal values are 0 to 4"));
+}
