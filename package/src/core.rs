@@ -16,7 +16,8 @@ pub type File = (String, String);
 /// Units at the base format with their default parameters, each in a folder of its own, and a `README.md` that lists
 /// them.
 ///
-/// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left out.
+/// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left
+/// out.
 ///
 /// # Errors
 ///

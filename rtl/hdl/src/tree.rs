@@ -264,32 +264,24 @@ pub(crate) fn in_order<I: Iterator<Item = usize>>(
     count: usize,
     reads: impl Fn(usize) -> I,
 ) -> Result<Vec<usize>, usize> {
-    #[derive(Clone, Copy, PartialEq)]
-    enum State {
-        Unseen,
-        Open,
-        Done,
-    }
     let mut order = Vec::with_capacity(count);
-    let mut state = vec![State::Unseen; count];
+    let (mut is_open, mut is_done) = (vec![false; count], vec![false; count]);
     for start in 0..count {
         let mut open = vec![start];
         while let Some(&own) = open.last() {
-            if state[own] == State::Unseen {
-                state[own] = State::Open;
-                for before in reads(own) {
-                    match state.get(before) {
-                        Some(State::Unseen) => open.push(before),
-                        Some(State::Open) => return Err(before),
-                        _ => {}
-                    }
+            if is_open[own] {
+                open.pop();
+                if !std::mem::replace(&mut is_done[own], true) {
+                    order.push(own);
                 }
                 continue;
             }
-            open.pop();
-            if state[own] == State::Open {
-                state[own] = State::Done;
-                order.push(own);
+            is_open[own] = true;
+            for before in reads(own).filter(|before| *before < count && !is_done[*before]) {
+                if is_open[before] {
+                    return Err(before);
+                }
+                open.push(before);
             }
         }
     }

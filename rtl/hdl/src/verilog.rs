@@ -236,23 +236,18 @@ impl Writer<'_> {
             }
         }
         for condition in conditions {
-            let inner = registers
-                .iter()
-                .filter(|(path, _)| path.get(depth) == Some(&condition));
-            let inner: Vec<(Vec<Net>, &Register)> = inner.cloned().collect();
+            let mut inner = registers.to_vec();
+            inner.retain(|(path, _)| path.get(depth) == Some(&condition));
             let condition = self.value(condition, false);
             let mut body = String::new();
             self.enabled(&inner, depth + 1, &mut body);
             let lines: Vec<&str> = body.lines().map(str::trim).collect();
-            let text_of = match lines.as_slice() {
-                [only] if !only.starts_with("if") => format!("{indent}if ({condition}) {only}"),
-                [one, other] if !other.starts_with("if") => {
-                    format!("{indent}if ({condition}) begin {one} {other} end")
-                }
-                _ => format!("{indent}if ({condition}) begin\n{body}{indent}end"),
+            let inside = match lines.as_slice() {
+                [only] if !only.starts_with("if") => (*only).to_owned(),
+                [one, other] if !other.starts_with("if") => format!("begin {one} {other} end"),
+                _ => format!("begin\n{body}{indent}end"),
             };
-            *text += &text_of;
-            text.push('\n');
+            writeln!(text, "{indent}if ({condition}) {inside}").unwrap();
         }
     }
 

@@ -83,8 +83,8 @@ impl Code {
 /// Operations of one kind that need nothing of each other, by their places.
 pub(super) type Run = (Kind, Range<usize>);
 
-/// Sorts operations behind those whose results they read, those of one kind together as far as they may be. The number is
-/// that of the first runs, which need nothing of `state`.
+/// Sorts operations behind those whose results they read, those of one kind together as far as they may be. The number
+/// is that of the first runs, which need nothing of `state`.
 pub(super) fn in_runs(code: &mut [Code], state: &[u32], words: usize) -> (Vec<Run>, usize) {
     // Whether it follows from the state, and after how many operations.
     let mut level = vec![(false, 0); words];
