@@ -8,6 +8,7 @@ pub mod machine;
 pub mod machines;
 pub mod object;
 pub mod raster;
+mod rows;
 pub mod shade;
 pub mod tree;
 pub mod units;

@@ -39,11 +39,6 @@ impl MachineWords {
         }
     }
 
-    /// Bits of a depth sum.
-    fn sum(&self) -> u32 {
-        depth_sum(self.depth as usize) as u32
-    }
-
     /// Rows of the root network.
     pub fn rows(&self) -> u32 {
         self.root - self.dropped_rows
@@ -52,7 +47,7 @@ impl MachineWords {
     /// Widths of the words of an object.
     pub fn widths(&self) -> Widths {
         Widths {
-            linear: self.sum() + self.guard_linear,
+            linear: depth_sum(self.depth as usize) as u32 + self.guard_linear,
             quadratic: quadratic(self.root as usize) as u32 + self.guard_quadratic,
             gradient: self.normal + (NORMAL_PART - NORMAL) as u32,
             normal: self.normal,
@@ -63,7 +58,7 @@ impl MachineWords {
     /// The root of an object.
     pub fn network(&self, rows_per_stage: u32) -> Network {
         Network {
-            sum: self.sum(),
+            depth: self.depth,
             digits: self.root,
             rows: self.rows(),
             rows_per_stage,
@@ -79,7 +74,6 @@ pub fn widths(depth_word: u32) -> Widths {
 /// Object processors side by side.
 pub fn objects(words: &MachineWords, rows_per_stage: u32, slots: Vec<Slot>) -> Objects {
     Objects {
-        depth: words.depth,
         widths: words.widths(),
         root: words.network(rows_per_stage),
         slots,
@@ -89,7 +83,6 @@ pub fn objects(words: &MachineWords, rows_per_stage: u32, slots: Vec<Slot>) -> O
 /// Volume processors, all alike.
 pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: u64) -> Volumes {
     Volumes {
-        depth: words.depth,
         widths: words.widths(),
         root: words.network(rows_per_stage),
         planes: vec![planes; count],
@@ -104,7 +97,7 @@ pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: 
 pub fn beam_display(machine: &BeamMachine, output: &Output) -> Design {
     Design::of(|| {
         let beat = (Beat::input(machine.bus()), Bits::input(1));
-        machine::beam_display("top", beat, OverlayBus::input(), machine, output);
+        machine::beam_display("top", beat, OverlayBus::input(), machine, output)
     })
 }
 
@@ -116,7 +109,7 @@ pub fn beam_display(machine: &BeamMachine, output: &Output) -> Design {
 pub fn beam_stream(machine: &BeamMachine, size: (u64, u64)) -> Design {
     Design::of(|| {
         let beat = (Beat::input(machine.bus()), Bits::input(1));
-        machine::beam_stream("top", beat, Bits::input(1), machine, size);
+        machine::beam_stream("top", beat, Bits::input(1), machine, size)
     })
 }
 
@@ -127,13 +120,8 @@ pub fn beam_stream(machine: &BeamMachine, size: (u64, u64)) -> Design {
 /// With the reason, where it makes no circuit.
 pub fn zone_core(machine: &ZoneCore) -> Design {
     Design::of(|| {
-        machine::zone_core(
-            "top",
-            Beat::input(machine.bus()),
-            Bits::input(1),
-            machine,
-            0,
-        );
+        let beat = Beat::input(machine.bus());
+        machine::zone_core("top", beat, Bits::input(1), machine, 0)
     })
 }
 
@@ -144,7 +132,8 @@ pub fn zone_core(machine: &ZoneCore) -> Design {
 /// With the reason, where the machine makes no circuit.
 pub fn zone_machine(machine: &ZoneMachine) -> Design {
     Design::of(|| {
-        machine::zone_machine("top", Beat::input(machine.bus()), Bits::input(1), machine);
+        let beat = Beat::input(machine.bus());
+        machine::zone_machine("top", beat, Bits::input(1), machine)
     })
 }
 
@@ -156,6 +145,6 @@ pub fn zone_machine(machine: &ZoneMachine) -> Design {
 pub fn zone_display(machine: &ZoneMachine, output: &Output) -> Design {
     Design::of(|| {
         let beat = Beat::input(machine.bus());
-        machine::zone_display("top", beat, OverlayBus::input(), machine, output);
+        machine::zone_display("top", beat, OverlayBus::input(), machine, output)
     })
 }

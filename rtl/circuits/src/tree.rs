@@ -1,6 +1,6 @@
 //! Trees whose levels are clocks.
 
-use imogene_hdl::{Bundle, module};
+use imogene_hdl::{Plain, module};
 
 /// Levels of a tree of so many inputs.
 pub fn levels(inputs: usize) -> u32 {
@@ -10,7 +10,7 @@ pub fn levels(inputs: usize) -> u32 {
 /// What nodes with two branches make of all inputs; the odd one out of a level passes a register.
 ///
 /// Latency `ceil(log2 n)`.
-pub fn tree<B: Bundle + Copy>(
+pub fn tree<B: Plain + Copy>(
     mut level: Vec<B>,
     node: fn(&str, B, B) -> B,
     register_name: &str,
@@ -37,6 +37,6 @@ pub fn tree<B: Bundle + Copy>(
 }
 
 /// A branch one clock later.
-pub fn register<B: Bundle>(name: &str, at: &str, branch: B) -> B {
-    module(name, at, ("a", branch), |(_, branch)| branch.registered())
+pub fn register<B: Plain>(name: &str, at: &str, branch: B) -> B {
+    module(name, at, ("a", branch), |branch| branch.registered())
 }

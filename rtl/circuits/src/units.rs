@@ -13,260 +13,172 @@ use imogene_contract::words::NORMAL;
 use imogene_contract::{Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
 
+/// So many inputs that are alike.
+fn each<T>(count: u32, input: impl Fn() -> T) -> Vec<T> {
+    (0..count).map(|_| input()).collect()
+}
+
 /// The design of a unit.
 ///
 /// # Panics
 ///
 /// With the reason, where the parameters make no circuit.
-pub fn design(request: &Request) -> Design {
-    Design::of(|| build(request))
-}
-
-fn linear(p: &Request) -> Linear {
-    Linear::input(widths(p.depth_word).linear)
-}
-
-fn quadric(p: &Request) -> (Linear, Quadratic) {
-    let f2 = Quadratic::input(widths(p.depth_word).quadratic);
-    (linear(p), f2)
-}
-
-fn network(p: &Request) -> Network {
-    Network::of(p.depth_word, p.rows_per_stage)
-}
-
-fn radicand(p: &Request) -> Bits {
-    Bits::input(widths(p.depth_word).quadratic)
-}
-
-fn roots(p: &Request) -> Roots {
-    Roots::input(widths(p.depth_word).linear)
-}
-
-fn raster() -> (Flags, Pixel) {
-    (Flags::input(), Pixel::input())
-}
-
-fn words(p: &Request) -> Words {
-    Words::input(widths(p.depth_word), p.planes as usize)
-}
-
-fn candidates(p: &Request, count: u32) -> Vec<Candidate> {
-    let candidate = |_| Candidate::input(p.depth_word, NORMAL as u32, 8);
-    (0..count).map(candidate).collect()
-}
-
-/// Builds the circuit of a unit.
-fn build(p: &Request) {
+pub fn design(p: &Request) -> Design {
+    let (depth, rows, planes) = (p.depth_word, p.rows_per_stage, p.planes);
+    let words = MachineWords::of(depth);
+    let (widths, network) = (words.widths(), words.network(rows));
+    let linear = || Linear::input(widths.linear);
+    let quadratic = || Quadratic::input(widths.quadratic);
+    let radicand = || Bits::input(widths.quadratic);
+    let roots = || Roots::input(widths.linear);
+    let interval = || Interval::input(depth);
+    let candidate = || Candidate::input(depth, NORMAL as u32, 8);
+    let candidates = |count: u32| each(count, candidate);
+    let (layer, surface) = (
+        || Layer::input(depth),
+        || crate::shade::Surface::input(depth),
+    );
     match p.unit {
-        Unit::Pe1 => {
-            pe1("top", Flags::input(), linear(p));
-        }
-        Unit::Pe2 => {
-            pe2("top", Flags::input(), quadric(p).1);
-        }
-        Unit::ProgrammablePe => {
-            let words = SplitWords::input(widths(p.depth_word).quadratic);
-            programmable_pe("top", Flags::input(), Program::input(), words);
-        }
-        Unit::MemoryPe2 => {
-            let load = LoadWord::input(widths(p.depth_word).quadratic);
-            memory_pe2("top", load, Commands::input());
-        }
-        Unit::SquareRoot => {
-            square_root("top", radicand(p), p.rows_per_stage);
-        }
-        Unit::SquareRootRows => {
-            square_root_rows("top", radicand(p), p.digits, p.rows_per_stage);
-        }
+        Unit::Pe1 => Design::of(|| pe1("top", Flags::input(), linear())),
+        Unit::Pe2 => Design::of(|| pe2("top", Flags::input(), quadratic())),
+        Unit::ProgrammablePe => Design::of(|| {
+            let words = SplitWords::input(widths.quadratic);
+            programmable_pe("top", Flags::input(), Program::input(), words)
+        }),
+        Unit::MemoryPe2 => Design::of(|| {
+            let load = LoadWord::input(widths.quadratic);
+            memory_pe2("top", load, Commands::input())
+        }),
+        Unit::SquareRoot => Design::of(|| square_root("top", radicand(), rows)),
+        Unit::SquareRootRows => Design::of(|| square_root_rows("top", radicand(), p.digits, rows)),
         Unit::SquareRootIterative => {
-            square_root_iterative("top", Bits::input(1), radicand(p));
+            Design::of(|| square_root_iterative("top", Bits::input(1), radicand()))
         }
         Unit::SquareRootNonRestoring => {
-            square_root_non_restoring("top", radicand(p), p.rows_per_stage);
+            Design::of(|| square_root_non_restoring("top", radicand(), rows))
         }
         Unit::SquareRootLeading => {
-            square_root_leading("top", radicand(p), p.digits, p.rows_per_stage);
+            Design::of(|| square_root_leading("top", radicand(), p.digits, rows))
         }
         Unit::SquareRootLinear => {
-            square_root_linear("top", radicand(p), p.corrections);
+            Design::of(|| square_root_linear("top", radicand(), p.corrections))
         }
         Unit::SquareRootQuadratic => {
-            square_root_quadratic("top", radicand(p), p.corrections);
+            Design::of(|| square_root_quadratic("top", radicand(), p.corrections))
         }
         Unit::QuadricPe => {
-            quadric_pe("top", Flags::input(), quadric(p), network(p));
+            Design::of(|| quadric_pe("top", Flags::input(), (linear(), quadratic()), network))
         }
-        Unit::PlaneDepth => {
-            let words = Linear::input(widths(p.depth_word).plane);
-            plane_depth("top", Flags::input(), words, p.depth_word);
-        }
-        Unit::CutPlane => {
-            let word = p.depth_word;
-            cut_plane("top", Cut::input(word), Interval::input(word));
-        }
-        Unit::DepthInterval => {
-            depth_interval("top", roots(p), Bits::input(2), p.depth_word);
-        }
-        Unit::TwoVolumeMerge => {
-            let [a, b] = [(); 2].map(|()| Interval::input(p.depth_word));
-            two_volume_merge("top", a, b);
-        }
-        Unit::NormalUnit => {
-            let words = NormalWords::of(&words(p));
-            normal_unit("top", Flags::input(), Face::input(p.depth_word), words);
-        }
-        Unit::QuadricProcessor => {
+        Unit::PlaneDepth => Design::of(|| {
+            let words = Linear::input(widths.plane);
+            plane_depth("top", Flags::input(), words, depth)
+        }),
+        Unit::CutPlane => Design::of(|| cut_plane("top", Cut::input(depth), interval())),
+        Unit::DepthInterval => Design::of(|| depth_interval("top", roots(), Bits::input(2))),
+        Unit::TwoVolumeMerge => Design::of(|| two_volume_merge("top", interval(), interval())),
+        Unit::NormalUnit => Design::of(|| {
+            let words = NormalWords::of(&Words::input(widths, planes));
+            normal_unit("top", Flags::input(), Face::input(depth), words)
+        }),
+        Unit::QuadricProcessor => Design::of(|| {
             let shape = Shape {
-                depth: p.depth_word,
-                root: network(p),
+                root: network,
                 two_volumes: true,
             };
-            quadric_processor("top", Flags::input(), Pixel::input(), words(p), shape);
-        }
+            let words = Words::input(widths, planes);
+            quadric_processor("top", Scan::input(), words, shape)
+        }),
         Unit::SphereProcessor => {
-            let words = Sphere::input(widths(p.depth_word));
-            sphere_processor("top", Flags::input(), Pixel::input(), words);
+            Design::of(|| sphere_processor("top", Scan::input(), Sphere::input(widths)))
         }
         Unit::CylinderProcessor => {
-            let words = Cylinder::input(widths(p.depth_word));
-            cylinder_processor("top", Flags::input(), Pixel::input(), words, p.depth_word);
+            Design::of(|| cylinder_processor("top", Scan::input(), Cylinder::input(widths), depth))
         }
-        Unit::PatchDecider => {
-            let plane = |_| PlaneAt::input(p.depth_word);
-            let planes = (0..p.planes).map(plane).collect();
-            patch_decider("top", roots(p), planes, p.depth_word);
-        }
-        Unit::PatchProcessor => {
-            let patch = Patch::input(widths(p.depth_word), p.planes);
-            let (flags, pixel) = raster();
-            patch_processor("top", flags, pixel, patch, p.depth_word, network(p));
-        }
-        Unit::FirstGenerationProcessor => {
-            let words = FirstGeneration::input(widths(p.depth_word));
-            let (flags, pixel) = raster();
-            first_generation_processor("top", flags, pixel, words, p.depth_word, network(p));
-        }
-        Unit::PolyhedronProcessor => {
-            let words = Polyhedron::input(widths(p.depth_word), p.planes);
-            let (flags, pixel) = raster();
-            polyhedron_processor("top", flags, pixel, words, p.depth_word);
-        }
-        Unit::PolyhedralVolume => {
-            let bounds = Bounds::input(widths(p.depth_word), p.planes);
-            let (flags, pixel) = raster();
-            polyhedral_volume(
-                "top",
-                flags,
-                pixel,
-                VolumePoint::input(p.depth_word),
-                bounds,
-            );
-        }
-        Unit::FacetProcessor => {
-            let widths = widths(p.depth_word);
+        Unit::PatchDecider => Design::of(|| {
+            let planes = each(planes, || PlaneAt::input(depth));
+            patch_decider("top", roots(), planes)
+        }),
+        Unit::PatchProcessor => Design::of(|| {
+            let words = Patch::input(widths, planes);
+            patch_processor("top", Scan::input(), words, network)
+        }),
+        Unit::FirstGenerationProcessor => Design::of(|| {
+            let words = FirstGeneration::input(widths);
+            first_generation_processor("top", Scan::input(), words, network)
+        }),
+        Unit::PolyhedronProcessor => Design::of(|| {
+            let words = Polyhedron::input(widths, planes);
+            polyhedron_processor("top", Scan::input(), words, depth)
+        }),
+        Unit::PolyhedralVolume => Design::of(|| {
+            let bounds = Bounds::input(widths, planes);
+            polyhedral_volume("top", Scan::input(), VolumePoint::input(depth), bounds)
+        }),
+        Unit::FacetProcessor => Design::of(|| {
             let facet = Facet::input(p.sides, Linear::input, widths.plane, widths.gradient);
-            let (flags, pixel) = raster();
-            facet_processor("top", flags, pixel, facet, p.depth_word);
-        }
-        Unit::CurvedFacetProcessor => {
-            let width = widths(p.depth_word).quadratic;
+            facet_processor("top", Scan::input(), facet, depth)
+        }),
+        Unit::CurvedFacetProcessor => Design::of(|| {
+            let width = widths.quadratic;
             let facet = Facet::input(p.sides, Quadratic::input, width, width);
-            let (flags, pixel) = raster();
-            curved_facet_processor("top", flags, pixel, facet, p.depth_word);
-        }
-        Unit::QuadricVolume => {
-            let words = VolumeWords::input(widths(p.depth_word), p.planes);
-            let point = VolumePoint::input(p.depth_word);
-            let (flags, pixel) = raster();
-            quadric_volume("top", flags, pixel, point, words, network(p));
-        }
-        Unit::RasterControl => {
-            raster_control("top", Zone::input());
-        }
-        Unit::VisibilityNode => {
-            let both = candidates(p, 2);
-            visibility_node("top", both[0], both[1]);
-        }
-        Unit::Decider => {
-            decider("top", candidates(p, p.objects));
-        }
-        Unit::VisibilityChain => {
-            visibility_chain("top", candidates(p, p.objects));
-        }
-        Unit::CardDecider => {
-            let all = candidates(p, p.cards * p.objects);
-            card_decider("top", all, p.objects as usize);
-        }
-        Unit::CsgDecider => {
-            let objects = |each: u32| {
-                let convex = |_| Convex::input(p.depth_word);
-                (0..p.products * each).map(convex).collect()
-            };
+            curved_facet_processor("top", Scan::input(), facet, depth)
+        }),
+        Unit::QuadricVolume => Design::of(|| {
+            let words = VolumeWords::input(widths, planes);
+            let point = VolumePoint::input(depth);
+            quadric_volume("top", Scan::input(), point, words, network)
+        }),
+        Unit::RasterControl => Design::of(|| raster_control("top", Zone::input())),
+        Unit::VisibilityNode => Design::of(|| visibility_node("top", candidate(), candidate())),
+        Unit::Decider => Design::of(|| decider("top", candidates(p.objects))),
+        Unit::VisibilityChain => Design::of(|| visibility_chain("top", candidates(p.objects))),
+        Unit::CardDecider => Design::of(|| {
+            let all = candidates(p.cards * p.objects);
+            card_decider("top", all, p.objects as usize)
+        }),
+        Unit::CsgDecider => Design::of(|| {
+            let objects = |count: u32| each(p.products * count, || Convex::input(depth));
             let (intersected, subtracted) = (objects(p.intersected), objects(p.subtracted));
-            csg_decider("top", p.products as usize, intersected, subtracted);
-        }
-        Unit::ShadowStage => {
-            let volumes = (0..p.objects).map(|_| Volume::input()).collect();
-            shadow_stage("top", Bits::input(16), volumes);
-        }
-        Unit::CoefficientStore => {
-            let widths = widths(p.depth_word);
+            csg_decider("top", p.products as usize, intersected, subtracted)
+        }),
+        Unit::ShadowStage => Design::of(|| {
+            let volumes = each(p.objects, Volume::input);
+            shadow_stage("top", Bits::input(16), volumes)
+        }),
+        Unit::CoefficientStore => Design::of(|| {
             let bus = LoadBus::input(widths.bus());
-            coefficient_store("top", bus, widths, u64::from(p.planes));
-        }
-        Unit::Beam => {
-            let slots = vec![Slot::full(p.planes as usize); p.objects as usize];
-            let machine = objects(&MachineWords::of(p.depth_word), p.rows_per_stage, slots);
-            let load = Load::input(machine.widths.bus());
-            beam("top", Zone::input(), load, &machine);
-        }
-        Unit::TransparencyStage => {
-            let word = p.depth_word;
-            transparency_stage(
-                "top",
-                crate::shade::Surface::input(word),
-                Layer::input(word),
-            );
-        }
+            coefficient_store("top", bus, widths, planes.into())
+        }),
+        Unit::Beam => Design::of(|| {
+            let slots = vec![Slot::full(planes as usize); p.objects as usize];
+            let machine = objects(&words, rows, slots);
+            beam("top", Zone::input(), Load::input(widths.bus()), &machine)
+        }),
+        Unit::TransparencyStage => Design::of(|| transparency_stage("top", surface(), layer())),
         Unit::TransparencyPipeline => {
-            let layers = (0..p.layers).map(|_| Layer::input(p.depth_word));
-            transparency_pipeline(
-                "top",
-                crate::shade::Surface::input(p.depth_word),
-                layers.collect(),
-            );
+            Design::of(|| transparency_pipeline("top", surface(), each(p.layers, layer)))
         }
-        Unit::ShadingProcessor => {
-            let point = Point::input(p.depth_word, NORMAL as u32);
-            let load = ShadingLoad::input();
-            shading_processor("top", point, load, u64::from(p.lights));
-        }
-        Unit::VideoTiming => {
+        Unit::ShadingProcessor => Design::of(|| {
+            let point = Point::input(depth, NORMAL as u32);
+            shading_processor("top", point, ShadingLoad::input(), p.lights.into())
+        }),
+        Unit::VideoTiming => Design::of(|| {
             let mode = &VideoMode::ALL[p.mode as usize];
-            video_timing("top", Bits::input(1), mode, LEAD as u64);
-        }
+            video_timing("top", Bits::input(1), mode, LEAD as u64)
+        }),
         Unit::PixelFifo => {
-            pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32);
+            Design::of(|| pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32))
         }
         Unit::FrameStore => {
-            frame_store("top", PixelStream::input(), Asked::input(), 12);
+            Design::of(|| frame_store("top", PixelStream::input(), Asked::input(), 12))
         }
-        Unit::PostFilter => {
-            post_filter("top", Bits::input(2), Picture::input(), 11);
-        }
-        Unit::Overlay => {
-            let colour = Colour::input(LEVEL);
-            overlay(
-                "top",
-                BitPlane::input(10),
-                Bits::input(1),
-                Pixel::input(),
-                colour,
-            );
-        }
+        Unit::PostFilter => Design::of(|| post_filter("top", Bits::input(2), Picture::input(), 11)),
+        Unit::Overlay => Design::of(|| {
+            let shown = (Bits::input(1), Pixel::input(), Colour::input(LEVEL));
+            overlay("top", BitPlane::input(10), shown)
+        }),
         Unit::Accumulator => {
-            accumulator("top", PassPixel::input(12), Colour::input(LEVEL), 12);
+            Design::of(|| accumulator("top", PassPixel::input(12), Colour::input(LEVEL), 12))
         }
     }
 }

@@ -23,7 +23,7 @@ fn machine() -> BeamMachine {
         plane: 23,
     };
     let root = Network {
-        sum: 21,
+        depth: 19,
         digits: 15,
         rows: 13,
         rows_per_stage: 4,
@@ -31,7 +31,6 @@ fn machine() -> BeamMachine {
     let slots = [(0, false), (2, true), (3, false)];
     BeamMachine {
         objects: Objects {
-            depth: 19,
             widths,
             root,
             slots: slots
@@ -42,7 +41,6 @@ fn machine() -> BeamMachine {
                 .to_vec(),
         },
         volumes: Volumes {
-            depth: 19,
             widths,
             root,
             planes: vec![1, 0],

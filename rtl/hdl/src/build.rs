@@ -1,6 +1,7 @@
 //! What is being built: one scope for each module that is open.
 
-use crate::bundle::{Bundle, Label, members};
+use crate::bare::Ports;
+use crate::bundle::{Label, members};
 use crate::tree::{Direction, Instance, Module, Net, Node, Op, PortRecord};
 use crate::value::Handle;
 use std::cell::RefCell;
@@ -89,12 +90,12 @@ impl Design {
 /// A circuit as a module with ports: `at` is the name of this instance. Ports are called as the members of `inputs`
 /// and of what the function returns; modules that are equal in all are one.
 #[track_caller]
-pub fn module<I: Bundle, O: Bundle>(
+pub fn module<I: Ports, O: Ports>(
     name: &str,
     at: &str,
     inputs: I,
-    body: impl FnOnce(I) -> O,
-) -> O {
+    body: impl FnOnce(I::Bare) -> O,
+) -> O::Bare {
     let place = Location::caller();
     let index = with_scope(|around| around.module.instances.len());
     open(name);
@@ -107,7 +108,7 @@ pub fn module<I: Bundle, O: Bundle>(
         declare(label, Direction::In, inside);
         inside
     });
-    let outputs = body(inside);
+    let outputs = body(inside.bare());
     for (label, driver) in members(&outputs) {
         declare(label, Direction::Out, driver);
     }
@@ -127,7 +128,7 @@ pub fn module<I: Bundle, O: Bundle>(
             outputs: nets,
         });
     });
-    result
+    result.bare()
 }
 
 fn declare(label: Label, direction: Direction, value: Handle) {

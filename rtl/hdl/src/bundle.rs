@@ -242,8 +242,50 @@ macro_rules! bundle {
 ///     }
 /// }
 /// ```
+///
+/// With parameters, each field has its width or the parameters of its bundle, and the structure has an `input`.
+///
+/// ```
+/// use imogene_hdl::{Bits, Bundle, Design, bundle, bundles, module};
+/// bundle! {
+///     /// A place on the screen.
+///     Place(width) {
+///         x: Bits(width), "column";
+///         y: Bits(width), "line";
+///     }
+/// }
+/// bundles! {
+///     /// So many places, and the last one.
+///     Way(places: u32) {
+///         places: [Place(12); places] as "at", "place #";
+///         last: Place(10) as "last", "last place";
+///     }
+/// }
+/// let design = Design::of(|| module("hold", "top", Way::input(2), |way| ("held", way.registered())));
+/// let port = &design.top.ports[3];
+/// assert_eq!((&*port.name, port.width, &*port.meaning), ("at_1_y", 12, "place 1: line"));
+/// ```
 #[macro_export]
 macro_rules! bundles {
+    ($($(#[$about:meta])* $group:ident($($parameter:ident: $given:ty),*) {
+        $($(#[$silent:meta])* $name:ident: $kind:tt $(($($width:expr),*))? as $prefix:literal $(, $meaning:literal)?;)*
+    })*) => {
+        $crate::bundles! {$(
+            $(#[$about])*
+            $group {
+                $($(#[$silent])* $name: $crate::member_type!($kind) as $prefix $(, $meaning)?;)*
+            }
+        )*}
+
+        $(impl $group {
+            /// Values from outside of the design.
+            pub fn input($($parameter: $given),*) -> $group {
+                $group {
+                    $($name: $crate::member_input!($kind $(($($width),*))?),)*
+                }
+            }
+        })*
+    };
     ($($(#[$about:meta])* $group:ident {
         $($(#[$silent:meta])* $name:ident: $kind:ty as $prefix:literal $(, $meaning:literal)?;)*
     })*) => {$(
@@ -262,6 +304,8 @@ macro_rules! bundles {
 #[macro_export]
 macro_rules! bundle_of_fields {
     ($group:ident { $($field:ident $name:expr, $meaning:expr;)* }) => {
+        impl $crate::Plain for $group {}
+
         impl $crate::Bundle for $group {
             fn each(&self, group: &$crate::Label, found: &mut dyn FnMut($crate::Label, $crate::Handle)) {
                 $($crate::Bundle::each(&self.$field, &group.member($name, $meaning), found);)*
@@ -274,4 +318,26 @@ macro_rules! bundle_of_fields {
             }
         }
     };
+}
+
+/// The type of a field with its width or count.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! member_type {
+    ([$kind:ident $widths:tt; $count:expr]) => { Vec<$kind> };
+    ($kind:ident) => { $kind };
+}
+
+/// The input of a field with its width or count.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! member_input {
+    ([$kind:ident $widths:tt; $count:expr]) => {
+        (0..$count).map(|_| $crate::member_input!($kind $widths)).collect()
+    };
+    ($kind:ident($($width:expr),*)) => {{
+        #[allow(unused_imports, reason = "words and numbers need it, bundles do not")]
+        use $crate::Value as _;
+        $kind::input($($width),*)
+    }};
 }

@@ -10,13 +10,12 @@
 //! use imogene_hdl::{Bits, Design, Simulator, Value, module, net};
 //!
 //! fn counter(at: &str, enable: Bits, width: u32) -> Bits {
-//!     module("counter", at, ("enable", enable), |(_, enable)| {
+//!     module("counter", at, ("enable", enable), |enable| {
 //!         let count = Bits::register(width).named("count");
 //!         net! { let next = count + Bits::new(1, width); }
 //!         count.load_when(enable, next);
 //!         ("value", count)
 //!     })
-//!     .1
 //! }
 //!
 //! let design = Design::of(|| {
@@ -32,6 +31,7 @@
 //! What does not fit is refused where it is built, with the names of the values and the line that joined them: operands
 //! of different widths, a literal that is too large, a register without an input, a loop without a register.
 
+mod bare;
 pub mod block;
 mod build;
 mod bundle;
@@ -40,6 +40,7 @@ mod tree;
 mod value;
 pub mod verilog;
 
+pub use bare::{Plain, Ports};
 pub use build::{Design, module};
 #[doc(hidden)]
 pub use bundle::{Bundle, Label};

@@ -371,7 +371,7 @@ pub(crate) fn delayed(value: Handle, name: Option<&str>, clocks: u32) -> Handle 
 ///
 /// ```
 /// # use imogene_hdl::{Bits, Design, Value, net};
-/// # Design::of(|| imogene_hdl::module("sum", "top", ("a", Bits::input(8)), |(_, a)| {
+/// # Design::of(|| imogene_hdl::module("sum", "top", ("a", Bits::input(8)), |a| {
 /// net! {
 ///     let twice = a + a;
 ///     let rest = !twice;

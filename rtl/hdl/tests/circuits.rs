@@ -53,7 +53,7 @@ fn what_is_no_circuit_is_refused_with_names_and_lines() {
         selects.contains("selects, but is no single bit"),
         "{selects}"
     );
-    let reserved = refusal(|| module("inner", "inner", ("end", Bits::new(1, 1)), |value| value));
+    let reserved = refusal(|| module("inner", "inner", ("end", Bits::new(1, 1)), |_| ()));
     assert!(
         reserved.contains("port `end` of module `inner`"),
         "{reserved}"
@@ -74,7 +74,7 @@ fn what_is_no_circuit_is_refused_with_names_and_lines() {
 #[test]
 fn a_loop_without_a_register_is_refused_by_name() {
     let design = Design::of(|| {
-        module("ring", "top", ("x", Bits::input(4)), |(_, x)| {
+        module("ring", "top", ("x", Bits::input(4)), |x| {
             let value = Bits::forward(4);
             net! { let next = value + x; }
             value.drive(next);
@@ -95,17 +95,14 @@ fn a_loop_without_a_register_is_refused_by_name() {
 #[test]
 fn equal_modules_are_one() {
     fn later(at: &str, value: Bits) -> Bits {
-        module("later", at, ("value", value), |(_, value)| {
-            ("late", value.reg())
-        })
-        .1
+        module("later", at, ("value", value), |value| ("late", value.reg()))
     }
     let design = Design::of(|| {
         module(
             "pair",
             "top",
             (("x", Bits::input(4)), ("y", Bits::input(5))),
-            |((_, x), (_, y))| {
+            |(x, y)| {
                 (
                     ("p", later("one", later("two", x))),
                     ("q", later("three", y)),
@@ -138,13 +135,11 @@ fn verilog_is_written_as_people_read_it() {
             ("enable", Bits::input(1)),
             ("clear", Bits::input(1)),
         );
-        module("row", "top", ports, |(link, (_, enable), (_, clear))| {
+        module("row", "top", ports, |(link, enable, clear)| {
             let step = |value: Bits, index: u32| {
                 let ports = (("value", value), ("enable", enable));
-                let body = |((_, value), (_, enable)): ((_, Bits), (_, Bits))| {
-                    ("late", value.reg_when(enable))
-                };
-                module("step", &format!("steps_{index}"), ports, body).1
+                let body = |(value, enable): (Bits, Bits)| ("late", value.reg_when(enable));
+                module("step", &format!("steps_{index}"), ports, body)
             };
             let last = (0..4).fold(link.value, step);
             net! {
@@ -179,8 +174,9 @@ fn a_group_is_held_until_it_is_enabled() {
     let design = Design::of(|| {
         let ports = (("word", Bits::input(4)), ("number", Int::input(5)));
         let inputs = (ports, ("enable", Bits::input(1)));
-        module("held", "top", inputs, |(ports, (_, enable))| {
-            ("late", ports.registered_when(enable))
+        module("held", "top", inputs, |(ports, enable)| {
+            let (word, number) = ports.registered_when(enable);
+            (("late_word", word), ("late_number", number))
         });
     });
     let mut simulator = Simulator::new(&design);
@@ -203,7 +199,7 @@ fn a_group_is_held_until_it_is_enabled() {
 fn crowded() -> Design {
     Design::of(|| {
         let ports = (("write", Bits::input(1)), ("data", Bits::input(2)));
-        module("crowded", "top", ports, |((_, write), (_, data))| {
+        module("crowded", "top", ports, |(write, data)| {
             net! {
                 let place = data.reg_when(write);
                 let unused = Bits::register(2).initially(2);
@@ -251,12 +247,12 @@ fn registers_begin_as_they_say_and_memories_with_zeros() {
 fn what_forward_values_read_is_written() {
     let design = Design::of(|| {
         let ports = (("write", Bits::input(1)), ("value", Bits::input(8)));
-        module("sums", "top", ports, |((_, write), (_, value))| {
+        module("sums", "top", ports, |(write, value)| {
             let at = Bits::new(0, 1);
             let sum = Bits::forward(16);
             let earlier = memory("kept", 2, (write, at, sum), at);
-            let add = |(_, value): (&'static str, Bits)| ("late", value.reg());
-            let low = module("part", "low", ("value", value), add).1;
+            let add = |value: Bits| ("late", value.reg());
+            let low = module("part", "low", ("value", value), add);
             let kept = earlier.low(8).reg();
             sum.drive(join([kept, low]));
             ("sum", earlier)
@@ -274,8 +270,8 @@ fn what_forward_values_read_is_written() {
 #[test]
 fn what_only_feeds_unread_registers_is_not_read() {
     let design = Design::of(|| {
-        module("outer", "top", ("x", Bits::input(1)), |(_, x)| {
-            let (_, (_, late)) = module("inner", "inner", ("x", x), |(_, x)| {
+        module("outer", "top", ("x", Bits::input(1)), |x| {
+            let (_, late) = module("inner", "inner", ("x", x), |x| {
                 (("same", x), ("late", x.reg()))
             });
             net! { let unread = late.delay(2); }

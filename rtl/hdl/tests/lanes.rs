@@ -11,8 +11,8 @@ fn design() -> Design {
         let words = (("x", Bits::input(40)), ("y", Bits::input(40)));
         let numbers = (("a", Int::input(30)), ("b", Int::input(30)));
         let ports = (("write", Bits::input(1)), words, numbers);
-        module("all", "top", ports, |((_, write), words, numbers)| {
-            let (((_, x), (_, y)), ((_, a), (_, b))) = (words, numbers);
+        module("all", "top", ports, |(write, words, numbers)| {
+            let ((x, y), (a, b)) = (words, numbers);
             let sums = vec![x + y, x - y, x & y, x | y, x ^ y, !x];
             let shifts = vec![x.left_by(y.low(6)), x.right_by(y.low(6))];
             let signed = vec![a * b, a.right_by(y.low(5)).extend(60), a.extend(60)];

@@ -8,36 +8,31 @@ fn outputs(width: u32) -> Design {
     Design::of(|| {
         let words = (("x", Bits::input(width)), ("y", Bits::input(width)));
         let numbers = (("a", Int::input(width)), ("b", Int::input(width)));
-        module(
-            "all",
-            "top",
-            (words, numbers),
-            |(((_, x), (_, y)), ((_, a), (_, b)))| {
-                let words = vec![
-                    x + y,
-                    x - y,
-                    x & y,
-                    x | y,
-                    x ^ y,
-                    !x,
-                    x.left_by(y),
-                    x.right_by(y),
-                    x.less(y).select(x, y),
-                ];
-                let numbers = vec![a + b, a - b, a.right_by(y), a.less(b).select(a, b)];
-                let flags = vec![x.equals(y), a.equals(b), a.is_negative(), x.top()];
-                let wide =
-                    (width < 60).then(|| (a.extend(60), join([x.bit(0), x.low(1)]), x.extend(60)));
+        module("all", "top", (words, numbers), |((x, y), (a, b))| {
+            let words = vec![
+                x + y,
+                x - y,
+                x & y,
+                x | y,
+                x ^ y,
+                !x,
+                x.left_by(y),
+                x.right_by(y),
+                x.less(y).select(x, y),
+            ];
+            let numbers = vec![a + b, a - b, a.right_by(y), a.less(b).select(a, b)];
+            let flags = vec![x.equals(y), a.equals(b), a.is_negative(), x.top()];
+            let wide =
+                (width < 60).then(|| (a.extend(60), join([x.bit(0), x.low(1)]), x.extend(60)));
+            (
+                (("word", words), ("number", numbers)),
                 (
-                    (("word", words), ("number", numbers)),
-                    (
-                        ("flag", flags),
-                        ("wide", wide.map_or(vec![], |(a, ..)| vec![a])),
-                        ("more", wide.map_or(vec![], |(_, join, x)| vec![join, x])),
-                    ),
-                )
-            },
-        );
+                    ("flag", flags),
+                    ("wide", wide.map_or(vec![], |(a, ..)| vec![a])),
+                    ("more", wide.map_or(vec![], |(_, join, x)| vec![join, x])),
+                ),
+            )
+        });
     })
 }
 
@@ -98,7 +93,7 @@ proptest! {
         let design = Design::of(|| {
             let words = (("x", Bits::input(one)), ("y", Bits::input(other)));
             let numbers = (("a", Int::input(one)), ("b", Int::input(other)));
-            module("products", "top", (words, numbers), |(((_, x), (_, y)), ((_, a), (_, b)))| {
+            module("products", "top", (words, numbers), |((x, y), (a, b))| {
                 (("word", x * y), ("number", a * b))
             });
         });
@@ -123,7 +118,7 @@ proptest! {
         let design = Design::of(|| {
             let place = || Bits::input(3);
             let ports = (("write", Bits::input(1)), ("at", place()), ("data", Bits::input(8)), ("read", place()));
-            module("words", "top", ports, |((_, write), (_, at), (_, data), (_, read))| {
+            module("words", "top", ports, |(write, at, data, read)| {
                 ("value", memory("kept", 8, (write, at, data), read))
             });
         });

@@ -24,7 +24,7 @@ const FALL: Curve = Curve {
 ///
 /// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency 8.
 pub fn logarithm(at: &str, number: Bits) -> Int {
-    module("logarithm", at, ("number", number), |(_, number)| {
+    module("logarithm", at, ("number", number), |number| {
         let width = number.width();
         let full = shifted(vec![number], None);
         let [segment, place] =
@@ -35,14 +35,13 @@ pub fn logarithm(at: &str, number: Bits) -> Int {
         net! { let whole = join([octave, Bits::new(0, 20)]).extend(28).int(); }
         ("value", (whole + part.extend(28)).reg())
     })
-    .1
 }
 
 /// `2^-loss` in 17 bits, all after the point, at most `1 - 2^-17`; of the loss 21 bits are after the point.
 ///
 /// The first 17 bits after the point through a curve of 8 segments, then a shift by the octaves. Latency 7.
 pub fn power_of_two(at: &str, loss: Bits) -> Bits {
-    module("power_of_two", at, ("loss", loss), |(_, loss)| {
+    module("power_of_two", at, ("loss", loss), |loss| {
         let power = segment_curve("curve", loss.slice(20, 18), loss.slice(17, 4), &POWER);
         let octaves = loss.slice(loss.width() - 1, 21).delayed_as("octaves", 5);
         net! {
@@ -52,7 +51,6 @@ pub fn power_of_two(at: &str, loss: Bits) -> Bits {
         let most = Bits::new((1 << 17) - 1, 17);
         ("value", shifted.top().select(most, shifted.low(17)).reg())
     })
-    .1
 }
 
 /// `log2(1 + 2^-t)` in 24 bits, 18 of them after the point, of a number t of which 21 bits are after the point; 0

@@ -2,6 +2,7 @@
 
 use super::root_length::LENGTH;
 use super::square::square;
+use crate::rows::numbered;
 use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
 
 bundle! {
@@ -16,10 +17,9 @@ bundle! {
 impl Estimate {
     /// The root behind so many corrections. Latency `2 count`.
     pub(super) fn corrected(self, count: u32) -> Bits {
-        let corrections = (0..count).map(|index| format!("corrections_{index}"));
-        corrections
-            .fold(self, |own, at| root_correction(&at, own))
-            .root
+        let corrections = numbered("corrections", 0..count);
+        let last = corrections.fold(self, |own, (at, _)| root_correction(&at, own));
+        last.root
     }
 }
 
@@ -28,7 +28,7 @@ impl Estimate {
 /// The excess `root^2 - radicand` stands in the bits of the radicand: a root in error by 7 % at most leaves it below
 /// an eighth of their range. Latency 2: the square, then the subtractions. Section 2.3.3.
 fn root_correction(at: &str, estimate: Estimate) -> Estimate {
-    let body = |estimate: Estimate| {
+    module("root_correction", at, estimate, |estimate| {
         let square = square("squarer", estimate.root, estimate.radicand.width());
         let late = estimate.delayed(1);
         net! {
@@ -44,6 +44,5 @@ fn root_correction(at: &str, estimate: Estimate) -> Estimate {
         }
         let root = late.root - taken;
         ("next", Estimate { root, ..late }.registered())
-    };
-    module("root_correction", at, estimate, body).1
+    })
 }

@@ -8,7 +8,8 @@ pub(super) const LENGTH: u32 = 6;
 /// Bits of the root of a radicand: m where it has `2m` or `2m - 1` significant bits, 0 for radicand 0. Without
 /// registers.
 pub(super) fn root_length(at: &str, radicand: Bits) -> Bits {
-    let body = |(_, radicand): (_, Bits)| {
+    let inputs = ("radicand", radicand);
+    module("root_length", at, inputs, |radicand| {
         let pairs = 0..radicand.width() / 2;
         let none = Bits::new(0, LENGTH);
         // The highest pair that is not zero.
@@ -17,6 +18,5 @@ pub(super) fn root_length(at: &str, radicand: Bits) -> Bits {
             is_zero.select(lower, Bits::new(u64::from(pair) + 1, LENGTH))
         });
         ("length", length)
-    };
-    module("root_length", at, ("radicand", radicand), body).1
+    })
 }

@@ -1,5 +1,6 @@
 //! Rows of a root network, and the registers between them.
 
+use crate::rows::numbered;
 use imogene_hdl::{Bits, Bundle, Value, bundle, join, module, net};
 
 bundle! {
@@ -47,10 +48,9 @@ impl Row {
     /// Behind `count` more rows of a kind, `rows_per_stage` of them before each register.
     pub(super) fn behind(self, count: u32, rows_per_stage: u32, kind: Rows) -> Row {
         let starts = (0..count).step_by(rows_per_stage as usize);
-        starts.enumerate().fold(self, |row, (index, first)| {
+        numbered("stages", starts).fold(self, |row, (at, first)| {
             let rows = rows_per_stage.min(count - first);
-            let live = live(first, row.root.width());
-            stage(&format!("stages_{index}"), row, live, rows, kind)
+            stage(&at, row, live(first, row.root.width()), rows, kind)
         })
     }
 }
@@ -68,17 +68,11 @@ pub(super) fn grown(live: Bits) -> Bits {
 
 /// Some rows, then registers. `live` belongs to the first row.
 fn stage(at: &str, row: Row, live: Bits, rows: u32, (name, make): Rows) -> Row {
-    module(
-        name,
-        at,
-        (row, ("live", live)),
-        |(mut row, (_, mut live))| {
-            for index in 0..rows {
-                row = make(&format!("rows_{index}"), row, live);
-                live = grown(live);
-            }
-            ("next", row.registered())
-        },
-    )
-    .1
+    module(name, at, (row, ("live", live)), |(mut row, mut live)| {
+        for (at, _) in numbered("rows", 0..rows) {
+            row = make(&at, row, live);
+            live = grown(live);
+        }
+        ("next", row.registered())
+    })
 }

@@ -1,6 +1,7 @@
 //! A function by parabolas over equal segments.
 
-use imogene_hdl::{Bits, Int, Value, join, module, net};
+use crate::rows::numbered;
+use imogene_hdl::{Bits, Int, Value, join, module, net, ports};
 
 /// Bits of the place in a segment.
 const PLACE: u32 = 14;
@@ -25,17 +26,17 @@ pub(super) struct Curve {
 /// The coefficients are constants, chosen by a tree of multiplexers. Latency 5: coefficients, product, sum, product,
 /// sum.
 pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve) -> Int {
-    let inputs = (("segment", segment), ("place", place));
-    module("segment_curve", at, inputs, |((_, segment), (_, place))| {
-        let mut choices: Vec<Bits> = (0..1 << segment.width())
-            .map(|index| packed(curve.coefficients(index)))
-            .collect();
+    let inputs = ports!(segment, place);
+    module("segment_curve", at, inputs, |(segment, place)| {
+        let segments = 0..1 << segment.width();
+        let mut choices: Vec<Bits> = segments.map(|index| curve.packed(index)).collect();
         for level in 0..segment.width() {
-            let pairs = choices.chunks(2).enumerate().map(|(index, pair)| {
+            let pairs = numbered(&format!("choice_{level}"), choices.chunks(2));
+            let choice = |(name, pair): (String, &[Bits])| {
                 let choice = segment.bit(level).select(pair[1], pair[0]);
-                choice.named(&format!("choice_{level}_{index}"))
-            });
-            choices = pairs.collect();
+                choice.named(&name)
+            };
+            choices = pairs.map(choice).collect();
         }
         let factor = |place: Bits| place.extend(FACTOR).int();
         let part = |product: Int| product.slice(PLACE + FACTOR - 1, PLACE).int();
@@ -55,22 +56,16 @@ pub(super) fn segment_curve(at: &str, segment: Bits, place: Bits, curve: &Curve)
         let late = base.delayed_as("base_late", 3);
         ("value", (late + part(kept_rise).extend(VALUE)).reg())
     })
-    .1
-}
-
-/// Coefficients in one word, the constant one in front.
-fn packed([c0, c1, c2]: [i64; 3]) -> Bits {
-    join(
-        [
-            Int::new(c0, VALUE),
-            Int::new(c1, FACTOR),
-            Int::new(c2, FACTOR),
-        ]
-        .map(Int::bits),
-    )
 }
 
 impl Curve {
+    /// Coefficients of a segment in one word, the constant one in front.
+    fn packed(&self, segment: u32) -> Bits {
+        let [c0, c1, c2] = self.coefficients(segment);
+        let words = [(c0, VALUE), (c1, FACTOR), (c2, FACTOR)];
+        join(words.map(|(value, width)| Int::new(value, width).bits()))
+    }
+
     /// Coefficients of the parabola that meets the function at the Chebyshev nodes of a segment; the constant one is
     /// half a unit higher for the floors that follow.
     fn coefficients(&self, segment: u32) -> [i64; 3] {

@@ -9,7 +9,8 @@ const DIGIT: u32 = 15;
 ///
 /// Without registers: a multiplier and three additions deep.
 pub(super) fn square(at: &str, value: Bits, width: u32) -> Bits {
-    let body = |(_, value): (_, Bits)| {
+    let inputs = ("value", value);
+    module("square", at, inputs, |value| {
         let highest = value.width() - 1;
         let digit = |index: u32| {
             let first = DIGIT * index;
@@ -20,18 +21,14 @@ pub(super) fn square(at: &str, value: Bits, width: u32) -> Bits {
         // A pair of different digits counts twice.
         let placed = pairs.map(|(i, j)| (i, j, DIGIT * (i + j) + u32::from(i != j)));
         let within = placed.filter(|(_, _, place)| *place < width);
-        let terms: Vec<Bits> = within
-            .map(|(i, j, place)| {
-                let product = (digit(i) * digit(j)).bits();
-                product
-                    .low(product.width().min(width))
-                    .extend(width)
-                    .left(place)
-            })
-            .collect();
+        let terms = within.map(|(i, j, place)| {
+            let product = (digit(i) * digit(j)).bits();
+            let product = product.low(product.width().min(width));
+            product.extend(width).left(place)
+        });
+        let terms: Vec<Bits> = terms.collect();
         let sum = |terms: &[Bits]| terms.iter().copied().reduce(|a, b| a + b).expect("a term");
         let sums: Vec<Bits> = terms.chunks(2).map(sum).collect();
         ("square", sum(&sums))
-    };
-    module("square", at, ("value", value), body).1
+    })
 }

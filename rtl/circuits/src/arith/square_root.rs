@@ -23,37 +23,28 @@ pub fn square_root(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
 ///
 /// Latency `ceil(kept / rows_per_stage)`.
 pub(super) fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Root {
-    let body = |(_, radicand, _): (_, Bits, _)| {
+    let inputs = ("radicand", radicand, RADICAND);
+    module("square_root", at, inputs, |radicand| {
         let first = Row::first(radicand, radicand.width() / 2 + 1);
         let last = first.behind(kept, rows_per_stage, ("square_root_stage", square_root_row));
-        Root {
-            root: last.root,
-            remainder: last.remainder,
-        }
-    };
-    module("square_root", at, ("radicand", radicand, RADICAND), body)
+        let Row {
+            root, remainder, ..
+        } = last;
+        Root { root, remainder }
+    })
 }
 
 /// The first `kept` digits of the root, the lower ones zero: low by less than `2^(digits - kept)`.
 ///
 /// Latency `ceil(kept / rows_per_stage)`. Restatement 4.3.
 pub fn square_root_rows(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
-    let body = |(_, radicand, _): (_, Bits, _)| {
+    let inputs = ("radicand", radicand, RADICAND);
+    module("square_root_rows", at, inputs, |radicand| {
         let network = first_digits("network", radicand, kept, rows_per_stage);
         let root = network.root.left(radicand.width() / 2 - kept);
-        (
-            "root",
-            root,
-            "root whose first D digits are kept, the lower ones zero",
-        )
-    };
-    module(
-        "square_root_rows",
-        at,
-        ("radicand", radicand, RADICAND),
-        body,
-    )
-    .1
+        let meaning = "root whose first D digits are kept, the lower ones zero";
+        ("root", root, meaning)
+    })
 }
 
 /// The live bits of a row that leaves a remainder of any length.
@@ -67,21 +58,16 @@ pub(super) fn all_live(digits: u32) -> Bits {
 /// The remainder is at most twice the root: row k leaves one of `k + 2` bits and finds the sign of the trial above
 /// them.
 pub(super) fn square_root_row(at: &str, row: Row, live: Bits) -> Row {
-    module(
-        "square_root_row",
-        at,
-        (row, ("live", live)),
-        |(row, (_, live))| {
-            let width = live.width();
-            net! {
-                let divisor = join([row.root, Bits::new(1, 2)]);
-                let trial = row.dividend() - divisor;
-                let sign = live + Bits::new(1, width);
-                let negative = !(trial & sign).is(0);
-                let kept = negative.select(row.dividend(), trial) & live;
-            }
-            ("next", row.next(negative, kept.low(width - 1)))
-        },
-    )
-    .1
+    let inputs = (row, ("live", live));
+    module("square_root_row", at, inputs, |(row, live)| {
+        let width = live.width();
+        net! {
+            let divisor = join([row.root, Bits::new(1, 2)]);
+            let trial = row.dividend() - divisor;
+            let sign = live + Bits::new(1, width);
+            let negative = !(trial & sign).is(0);
+            let kept = negative.select(row.dividend(), trial) & live;
+        }
+        ("next", row.next(negative, kept.low(width - 1)))
+    })
 }

@@ -19,15 +19,9 @@ bundles! {
 /// `start` is obeyed when not busy, beside `done` too, and ignored otherwise. The edge that obeys it reads the
 /// radicand and finds the first digit. Latency: the digits. Section 2.3.3.
 pub fn square_root_iterative(at: &str, start: Bits, radicand: Bits) -> Iterative {
-    let inputs = (
-        (
-            "start",
-            start,
-            "take the radicand; obeyed when not busy, ignored otherwise",
-        ),
-        ("radicand", radicand, RADICAND),
-    );
-    let body = |((_, start, _), (_, radicand, _)): ((_, Bits, _), (_, Bits, _))| {
+    let meaning = "take the radicand; obeyed when not busy, ignored otherwise";
+    let inputs = (("start", start, meaning), ("radicand", radicand, RADICAND));
+    module("square_root_iterative", at, inputs, |(start, radicand)| {
         let digits = radicand.width() / 2;
         let count = |value: u32| Bits::new(value.into(), 6);
         let kept = Row {
@@ -48,14 +42,13 @@ pub fn square_root_iterative(at: &str, start: Bits, radicand: Bits) -> Iterative
         kept.root.load_when(works, next.root);
         kept.remainder.load_when(works, next.remainder);
         digits_left.load_when(works, current - count(1));
+        let Row {
+            root, remainder, ..
+        } = kept;
         Iterative {
             busy: is_busy,
             done: current.is(1).reg(),
-            result: Root {
-                root: kept.root,
-                remainder: kept.remainder,
-            },
+            result: Root { root, remainder },
         }
-    };
-    module("square_root_iterative", at, inputs, body)
+    })
 }

@@ -11,7 +11,8 @@ use imogene_hdl::{Bits, Value, join, module, net};
 /// shifted back by half the count: the rows left out would only find digits that are zeroed. The root is low by less
 /// than `2^(1 - kept)` of itself. Latency `ceil(kept / rows_per_stage) + 2`, one clock for each shift. Section B.10.
 pub fn square_root_leading(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Bits {
-    let body = |(_, radicand, _): (_, Bits, _)| {
+    let inputs = ("radicand", radicand, RADICAND);
+    module("square_root_leading", at, inputs, |radicand| {
         let digits = radicand.width() / 2;
         net! {
             let places = Bits::new(digits.into(), LENGTH) - root_length("measured", radicand);
@@ -23,17 +24,7 @@ pub fn square_root_leading(at: &str, radicand: Bits, kept: u32, rows_per_stage: 
         net! { let aligned = root.left(digits - kept); }
         let places = kept_places.delayed_as("places_late", kept.div_ceil(rows_per_stage));
         let root = aligned.right_by(places).reg();
-        (
-            "root",
-            root,
-            "root whose D leading significant digits are kept, the lower ones zero",
-        )
-    };
-    module(
-        "square_root_leading",
-        at,
-        ("radicand", radicand, RADICAND),
-        body,
-    )
-    .1
+        let meaning = "root whose D leading significant digits are kept, the lower ones zero";
+        ("root", root, meaning)
+    })
 }

@@ -12,7 +12,8 @@ use imogene_hdl::{Bits, Bundle, Value, module, net};
 /// and an addition. The greatest error is 6.07, 1.65 and 0.47 % after 0, 1 and 2 corrections, besides the floors; the
 /// root is monotone in the radicand. Latency `1 + 2 corrections`. Section 2.3.3.
 pub fn square_root_linear(at: &str, radicand: Bits, corrections: u32) -> Bits {
-    let body = |(_, radicand, _): (_, Bits, _)| {
+    let inputs = ("radicand", radicand, RADICAND);
+    module("square_root_linear", at, inputs, |radicand| {
         let width = radicand.width() / 2 + 1;
         let halved = |word: Bits| word.slice(width - 1, 1).extend(width);
         let length = root_length("measured", radicand);
@@ -34,12 +35,5 @@ pub fn square_root_linear(at: &str, radicand: Bits, corrections: u32) -> Bits {
         };
         let root = estimate.registered().corrected(corrections);
         ("root", root, "approximate root, at most 2^W")
-    };
-    module(
-        "square_root_linear",
-        at,
-        ("radicand", radicand, RADICAND),
-        body,
-    )
-    .1
+    })
 }

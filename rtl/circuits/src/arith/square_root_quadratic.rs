@@ -15,7 +15,8 @@ use imogene_hdl::{Bits, Value, module, net};
 /// 0.22 % after 0, 1 and 2 corrections, besides the floors. The root steps down by one at some radicands. Latency `3
 /// + 2 corrections`: scaling, square, fifteenth. Section 2.3.3.
 pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits {
-    let body = |(_, radicand, _): (_, Bits, _)| {
+    let inputs = ("radicand", radicand, RADICAND);
+    module("square_root_quadratic", at, inputs, |radicand| {
         let digits = radicand.width() / 2;
         let wide = digits + 12;
         let one = Bits::new(1, digits + 1);
@@ -52,17 +53,7 @@ pub fn square_root_quadratic(at: &str, radicand: Bits, corrections: u32) -> Bits
             length: length_3,
             root,
         };
-        (
-            "root",
-            estimate.corrected(corrections),
-            "approximate root, at most 2^W",
-        )
-    };
-    module(
-        "square_root_quadratic",
-        at,
-        ("radicand", radicand, RADICAND),
-        body,
-    )
-    .1
+        let root = estimate.corrected(corrections);
+        ("root", root, "approximate root, at most 2^W")
+    })
 }

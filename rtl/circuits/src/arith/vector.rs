@@ -1,7 +1,8 @@
 //! Vectors of three components.
 
 use super::normalise::shifted;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};
+use crate::rows::alike;
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net, ports};
 
 bundle! {
     /// A vector.
@@ -21,28 +22,15 @@ bundles! {
     }
 }
 
-impl Vector {
-    /// A vector of its components.
-    pub fn of([x, y, z]: [Int; 3]) -> Vector {
-        Vector { x, y, z }
-    }
-
-    /// Its components.
-    pub fn components(self) -> [Int; 3] {
-        [self.x, self.y, self.z]
-    }
-
-    /// The vector of what becomes of each component.
-    pub fn map(self, change: impl FnMut(Int) -> Int) -> Vector {
-        Vector::of(self.components().map(change))
-    }
+alike! {
+    Vector: [Int; 3] { x y z }
 }
 
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
 /// stays. Latency 2.
 pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
     module("vector_normaliser", at, vector, |vector| {
-        let parts = vector.components();
+        let parts = vector.parts();
         let width = vector.x.width();
         // The bits that a component needs below its sign: those that differ from the sign.
         let needed = parts.map(|part| {
@@ -61,22 +49,14 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
 /// The scalar product of two vectors, with two bits more than a product of components. Latency 2: the products, their
 /// sum.
 pub fn scalar_product(at: &str, a: Vector, b: Vector) -> Int {
-    module(
-        "scalar_product",
-        at,
-        (("a", a), ("b", b)),
-        |((_, a), (_, b))| {
-            net! {
-                let product_x = (a.x * b.x).reg();
-                let product_y = (a.y * b.y).reg();
-                let product_z = (a.z * b.z).reg();
-            }
-            let wide = |product: Int| product.extend(product.width() + 2);
-            (
-                "product",
-                (wide(product_x) + wide(product_y) + wide(product_z)).reg(),
-            )
-        },
-    )
-    .1
+    module("scalar_product", at, ports!(a, b), |(a, b)| {
+        net! {
+            let product_x = (a.x * b.x).reg();
+            let product_y = (a.y * b.y).reg();
+            let product_z = (a.z * b.z).reg();
+        }
+        let wide = |product: Int| product.extend(product.width() + 2);
+        let sum = wide(product_x) + wide(product_y) + wide(product_z);
+        ("product", sum.reg())
+    })
 }

@@ -21,14 +21,12 @@ impl Beam {
 /// Latency [`Beam::latency`]. Section 7 of `docs/architecture.md`.
 pub fn beam(at: &str, zone: Zone, load: Load, machine: &Beam) -> (Bits, Candidate) {
     let inputs = (zone, ("load", load));
-    let (valid, front) = module("beam", at, inputs, |(zone, (_, load))| {
+    module("beam", at, inputs, |(zone, load)| {
         let raster = raster_control("raster", zone);
-        let scan = (raster.flags, raster.pixel);
-        let (valid, nearest) = machine.nearest(scan, load, |index, _, words| {
+        let (valid, nearest) = machine.nearest(raster.scan, load, |index, _, words| {
             (words, Bits::new(index as u64, ID))
         });
         let valid = ("valid", valid, "this clock carries a pixel");
         (valid, ("", nearest, NEAREST))
-    });
-    (valid.1, front.1)
+    })
 }

@@ -5,10 +5,10 @@ use super::{
     volume_array,
 };
 use crate::object::Normal;
-use crate::raster::{Flags, Pixel};
+use crate::raster::Scan;
 use crate::shade::{Point, Shaded, ShadingLoad, shading_processor};
 use imogene_contract::shading;
-use imogene_hdl::{Bits, Bundle, Int, Value, memory, module};
+use imogene_hdl::{Bits, Bundle, Value, memory, module};
 
 /// Bits of the number of a slot.
 const SLOT: u32 = 8;
@@ -60,12 +60,12 @@ impl BeamMachine {
 /// its control word was written between the last two `take`.
 pub fn beam_core(
     at: &str,
-    scan: (Flags, Pixel),
+    scan: Scan,
     (take, load): (Bits, WordBus),
     machine: &BeamMachine,
 ) -> Shaded {
     let inputs = (scan, ("load", load), ("take", take));
-    module("beam_core", at, inputs, |(scan, (_, load), (_, take))| {
+    module("beam_core", at, inputs, |(scan, load, take)| {
         let words = (take, load.objects());
         let (valid, seen) = object_array("objects", scan, words, &machine.objects, false);
         let own_material = load.data.low(MATERIAL);
@@ -80,14 +80,13 @@ pub fn beam_core(
                     flags_in: all_sources(),
                 };
                 let words = (take, load.volumes());
-                let scan = (scan.0.delayed(start), scan.1.delayed(start));
-                volume_array("volumes", scan, lit, words, &machine.volumes).1
+                volume_array("volumes", scan.delayed(start), lit, words, &machine.volumes).1
             }
         };
         let wait = machine.decided() - machine.objects.clocks();
         let point = Point {
             valid: valid.delayed_as("valid_late", wait),
-            pixel: scan.1.delayed(machine.decided()),
+            pixel: scan.pixel.delayed(machine.decided()),
             depth: seen.depth.delayed_as("depth_late", wait),
             material: material.delayed_as("material_late", wait - 1),
             normal: shaded_normal(seen.normal).delayed(wait),
@@ -104,10 +103,5 @@ pub fn beam_core(
 
 /// A normal in the words of the shading processor, to which its length means nothing.
 pub(super) fn shaded_normal(normal: Normal) -> Normal {
-    let part = |part: Int| part.high(part.width().min(NORMAL)).extend(NORMAL);
-    Normal {
-        nx: part(normal.nx),
-        ny: part(normal.ny),
-        nz: part(normal.nz),
-    }
+    normal.map(|part| part.high(part.width().min(NORMAL)).extend(NORMAL))
 }

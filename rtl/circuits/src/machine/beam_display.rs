@@ -1,7 +1,6 @@
 //! Beam machine with its loader, shading and the pins of a screen.
 
 use super::{BeamMachine, Beat, beam_core, frame_loader};
-use crate::raster::Flags;
 use crate::video::{Colour, LEVEL, Output, OverlayBus, Pins, video_output};
 use imogene_hdl::{Bits, Value, bundles, module};
 
@@ -29,31 +28,20 @@ pub fn beam_display(
     output: &Output,
 ) -> Display {
     let inputs = (("s", beat), ("s_tlast", last), ("overlay", overlay));
-    module(
-        "beam_display",
-        at,
-        inputs,
-        |((_, beat), (_, last), (_, overlay))| {
-            let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
-            let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
-            let loaded = frame_loader("loader", beat, last, wanted.retrace, machine.loader_places);
-            let flags = Flags {
-                valid: wanted.need,
-                start: wanted.start,
-                line: wanted.line,
-            };
-            let words = (loaded.take, loaded.load);
-            let shaded = beam_core("core", (flags, wanted.pixel), words, machine);
-            let levels = [shaded.red, shaded.green, shaded.blue];
-            for (forward, level) in colour.levels().into_iter().zip(levels) {
-                forward.drive(level);
-            }
-            Display {
-                s_tready: loaded.s_tready,
-                swapped: loaded.take,
-                refused: loaded.refused,
-                pins,
-            }
-        },
-    )
+    module("beam_display", at, inputs, |(beat, last, overlay)| {
+        let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
+        let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
+        let loaded = frame_loader("loader", beat, last, wanted.retrace, machine.loader_places);
+        let words = (loaded.take, loaded.load);
+        let shaded = beam_core("core", wanted.scan(), words, machine);
+        for (forward, level) in colour.parts().into_iter().zip(shaded.colour().parts()) {
+            forward.drive(level);
+        }
+        Display {
+            s_tready: loaded.s_tready,
+            swapped: loaded.take,
+            refused: loaded.refused,
+            pins,
+        }
+    })
 }

@@ -33,39 +33,34 @@ pub fn beam_stream(
     size: (u64, u64),
 ) -> Streamed {
     let inputs = (("s", beat), ("s_tlast", last), ("m_tready", ready));
-    module(
-        "beam_stream",
-        at,
-        inputs,
-        |((_, beat), (_, last), (_, ready))| {
-            let latency = machine.latency();
-            let [room, is_busy] = [(); 2].map(|()| Bits::forward(1));
-            let scan = frame_scan("scan", (room, is_busy), size, u64::from(latency) + 2);
-            let loaded = frame_loader("loader", beat, last, scan.retrace, machine.loader_places);
-            is_busy.drive(loaded.is_busy);
-            let words = (loaded.take, loaded.load);
-            let shaded = beam_core("core", (scan.flags, scan.pixel), words, machine);
-            let is_first = scan.flags.start.delayed_as("start_late", latency);
-            let queue = Queue {
-                started: scan.issue,
-                push: shaded.out_valid,
-                data: join([is_first, shaded.red, shaded.green, shaded.blue]),
-                last: scan.line_ends.delayed_as("line_ends_late", latency),
-                m_tready: ready,
-            };
-            // The queue is long enough for a pixel on every clock.
-            let places = (latency + 5).next_power_of_two().ilog2().max(QUEUE);
-            let queued = pixel_fifo("queue", queue, places, latency + 1);
-            room.drive(queued.room);
-            Streamed {
-                s_tready: loaded.s_tready,
-                m_tvalid: queued.m_tvalid,
-                m_tdata: queued.m_tdata.low(3 * LEVEL),
-                m_tuser: queued.m_tdata.top(),
-                m_tlast: queued.m_tlast,
-                swapped: loaded.take,
-                refused: loaded.refused,
-            }
-        },
-    )
+    module("beam_stream", at, inputs, |(beat, last, ready)| {
+        let latency = machine.latency();
+        let [room, is_busy] = [(); 2].map(|()| Bits::forward(1));
+        let frames = frame_scan("scan", (room, is_busy), size, u64::from(latency) + 2);
+        let loaded = frame_loader("loader", beat, last, frames.retrace, machine.loader_places);
+        is_busy.drive(loaded.is_busy);
+        let words = (loaded.take, loaded.load);
+        let shaded = beam_core("core", frames.scan, words, machine);
+        let is_first = frames.scan.flags.start.delayed_as("start_late", latency);
+        let queue = Queue {
+            started: frames.issue,
+            push: shaded.out_valid,
+            data: join([is_first, shaded.red, shaded.green, shaded.blue]),
+            last: frames.line_ends.delayed_as("line_ends_late", latency),
+            m_tready: ready,
+        };
+        // The queue is long enough for a pixel on every clock.
+        let places = (latency + 5).next_power_of_two().ilog2().max(QUEUE);
+        let queued = pixel_fifo("queue", queue, places, latency + 1);
+        room.drive(queued.room);
+        Streamed {
+            s_tready: loaded.s_tready,
+            m_tvalid: queued.m_tvalid,
+            m_tdata: queued.m_tdata.low(3 * LEVEL),
+            m_tuser: queued.m_tdata.top(),
+            m_tlast: queued.m_tlast,
+            swapped: loaded.take,
+            refused: loaded.refused,
+        }
+    })
 }

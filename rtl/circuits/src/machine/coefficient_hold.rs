@@ -1,7 +1,7 @@
 //! Words of an object that are used at every pixel, kept while those of the next object are loaded.
 
 use super::{CONTROL, LoadBus};
-use crate::object::{Factors, Normal, ScreenBox, Words};
+use crate::object::{Factors, Normal, Plane, ScreenBox, Words};
 use imogene_contract::command_stream::OBJECT_ID;
 use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
 
@@ -30,8 +30,8 @@ bundles! {
 impl Held {
     /// Those of an object.
     pub fn of(words: &Words) -> Held {
-        let plane = |plane: &crate::object::Plane| HeldPlane {
-            kind: plane.kind,
+        let plane = |plane: &Plane| HeldPlane {
+            kind: plane.half_space.kind,
             normal: plane.normal,
         };
         Held {
@@ -50,7 +50,7 @@ impl Held {
         words.quadric.shift = self.shift;
         words.object_class = self.object_class;
         for (plane, held) in words.planes.iter_mut().zip(self.planes) {
-            plane.kind = held.kind;
+            plane.half_space.kind = held.kind;
             plane.normal = held.normal;
         }
         words
@@ -65,22 +65,16 @@ impl Held {
 /// whose control word was not written since the last `take` is absent: its screen box is empty.
 pub fn coefficient_hold(at: &str, take: Bits, bus: LoadBus, next: Held) -> (Bits, Held) {
     let inputs = (("take", take), bus, ("next", next));
-    let ((_, id), held) = module(
-        "coefficient_hold",
-        at,
-        inputs,
-        |((_, take), bus, (_, mut next))| {
-            net! {
-                let next_id = bus.bits(OBJECT_ID, 11, 0);
-                let is_present = bus.is_new(CONTROL, take);
-            }
-            // Kept inverted: zero, also that of power-up, is an empty box.
-            let nowhere = Bits::new(0, next.screen_box.box_x0.width());
-            next.screen_box.box_x0 = is_present.select(!next.screen_box.box_x0, nowhere);
-            let mut held = next.registered_when(take);
-            held.screen_box.box_x0 = !held.screen_box.box_x0.named("inverted_box_x0");
-            (("id", next_id.reg_when(take)), held)
-        },
-    );
-    (id, held)
+    module("coefficient_hold", at, inputs, |(take, bus, mut next)| {
+        net! {
+            let next_id = bus.bits(OBJECT_ID, 11, 0);
+            let is_present = bus.is_new(CONTROL, take);
+        }
+        // Kept inverted: zero, also that of power-up, is an empty box.
+        let nowhere = Bits::new(0, next.screen_box.box_x0.width());
+        next.screen_box.box_x0 = is_present.select(!next.screen_box.box_x0, nowhere);
+        let mut held = next.registered_when(take);
+        held.screen_box.box_x0 = !held.screen_box.box_x0.named("inverted_box_x0");
+        (("id", next_id.reg_when(take)), held)
+    })
 }

@@ -1,6 +1,8 @@
 //! Coefficient words of one object.
 
-use crate::object::{Factors, Gradients, Normal, Plane, Quadric, ScreenBox, Widths, Words};
+use crate::object::{
+    Factors, Gradients, HalfSpace, Normal, Plane, Quadric, ScreenBox, Widths, Words,
+};
 use crate::raster::{Linear, Quadratic};
 use imogene_hdl::{Bits, Int, Value, bundle, module, net};
 
@@ -27,18 +29,11 @@ pub const PLANE_WORDS: u64 = 7;
 /// Other addresses are ignored.
 pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) -> Words {
     module("coefficient_store", at, bus, |bus| {
-        let factor = |index: u64| bus.number(18 + index, widths.normal);
         let plane = |index: u64| {
             let first = BOX_COLUMNS + 3 + PLANE_WORDS * index;
-            let number = |word: u64| bus.number(first + word, widths.normal);
             Plane {
-                kind: bus.bits(first, 1, 0),
-                linear: bus.linear(first + 1, widths.plane),
-                normal: Normal {
-                    nx: number(4),
-                    ny: number(5),
-                    nz: number(6),
-                },
+                half_space: bus.half_space(first, widths.plane),
+                normal: Normal::of(bus.numbers(first + 4, widths.normal)),
             }
         };
         net! { let inverted_box_x0 = (!bus.data.low(12)).reg_when(bus.writes(BOX_COLUMNS)); }
@@ -49,11 +44,7 @@ pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) ->
                 gx: bus.linear(9, widths.gradient),
                 gy: bus.linear(12, widths.gradient),
                 gz: bus.linear(15, widths.gradient),
-                factors: Factors {
-                    kx: factor(0),
-                    ky: factor(1),
-                    kz: factor(2),
-                },
+                factors: Factors::of(bus.numbers(18, widths.normal)),
             },
             screen_box: bus.screen_box(BOX_COLUMNS, !inverted_box_x0),
             shift: bus.bits(CONTROL, 6, 2),
@@ -82,23 +73,26 @@ impl LoadBus {
         self.data.low(width).int().reg_when(self.writes(address))
     }
 
+    /// The numbers from an address on, held.
+    pub fn numbers<const N: usize>(self, first: u64, width: u32) -> [Int; N] {
+        std::array::from_fn(|index| self.number(first + index as u64, width))
+    }
+
     /// The words of a polynomial of first degree from an address on, held.
     pub fn linear(self, first: u64, width: u32) -> Linear {
-        let [a, b, c] = [0, 1, 2].map(|index| self.number(first + index, width));
-        Linear { a, b, c }
+        Linear::of(self.numbers(first, width))
     }
 
     /// The words of a polynomial of second degree from an address on, held.
     pub fn quadratic(self, first: u64, width: u32) -> Quadratic {
-        let words = [0, 1, 2, 3, 4, 5].map(|index| self.number(first + index, width));
-        let [a2, b2, c, i0, p0, f] = words;
-        Quadratic {
-            a2,
-            b2,
-            c,
-            i0,
-            p0,
-            f,
+        Quadratic::of(self.numbers(first, width))
+    }
+
+    /// The kind and the depth of a plane from an address on, held.
+    pub fn half_space(self, first: u64, width: u32) -> HalfSpace {
+        HalfSpace {
+            kind: self.bits(first, 1, 0),
+            linear: self.linear(first + 1, width),
         }
     }
 

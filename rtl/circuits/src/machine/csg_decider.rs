@@ -2,7 +2,7 @@
 
 use super::csg_product::{Extent, Sight, csg_product};
 use crate::tree::tree;
-use imogene_hdl::{Bits, Bundle, Value, bundle, join, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundle, join, module, net, ports};
 
 bundle! {
     /// A convex object on a line of sight.
@@ -34,40 +34,32 @@ pub fn csg_decider(
     intersected: Vec<Convex>,
     subtracted: Vec<Convex>,
 ) -> Solid {
+    let common = "intersected object #, product by product";
     let taken_away =
         "object # taken away, product by product, ceil(log2 I) clocks after the intersected";
     let inputs = (
-        (
-            "intersected",
-            intersected,
-            "intersected object #, product by product",
-        ),
+        ("intersected", intersected, common),
         ("subtracted", subtracted, taken_away),
     );
-    module(
-        "csg_decider",
-        at,
-        inputs,
-        |((_, intersected, _), (_, subtracted, _))| {
-            let own = |all: &[Convex], product: usize, is_back: u64| -> Vec<Extent> {
-                let count = all.len() / products;
-                let own = &all[product * count..][..count];
-                own.iter().map(|one| one.extent(is_back)).collect()
-            };
-            let candidates = (0..products).flat_map(|product| {
-                let intersected = own(&intersected, product, 0);
-                let subtracted = own(&subtracted, product, 1);
-                csg_product(&format!("products_{product}"), intersected, subtracted)
-            });
-            let nearest = tree(candidates.collect(), nearer_face, "face_register");
-            Solid {
-                depth: nearest.depth,
-                id: nearest.face.slice(11, 4),
-                number: nearest.face.low(4),
-                is_back: nearest.face.top(),
-            }
-        },
-    )
+    module("csg_decider", at, inputs, |(intersected, subtracted)| {
+        let own = |all: &[Convex], product: usize, is_back: u64| {
+            let count = all.len() / products;
+            let own = all[product * count..][..count].iter();
+            own.map(|one| one.extent(is_back)).collect()
+        };
+        let candidates = (0..products).flat_map(|product| {
+            let intersected = own(&intersected, product, 0);
+            let subtracted = own(&subtracted, product, 1);
+            csg_product(&format!("products_{product}"), intersected, subtracted)
+        });
+        let nearest = tree(candidates.collect(), nearer_face, "face_register");
+        Solid {
+            depth: nearest.depth,
+            id: nearest.face.slice(11, 4),
+            number: nearest.face.low(4),
+            is_back: nearest.face.top(),
+        }
+    })
 }
 
 impl Convex {
@@ -82,16 +74,11 @@ impl Convex {
 
 /// The nearer of two places, of two equally near the one of the smaller face word. Latency 1.
 fn nearer_face(at: &str, a: Sight, b: Sight) -> Sight {
-    module(
-        "nearer_face",
-        at,
-        (("a", a), ("b", b)),
-        |((_, a), (_, b))| {
-            net! {
-                let depths_are_equal = b.depth.equals(a.depth);
-                let b_wins = b.depth.less(a.depth) | (depths_are_equal & b.face.less(a.face));
-            }
-            b_wins.select(b, a).registered()
-        },
-    )
+    module("nearer_face", at, ports!(a, b), |(a, b)| {
+        net! {
+            let depths_are_equal = b.depth.equals(a.depth);
+            let b_wins = b.depth.less(a.depth) | (depths_are_equal & b.face.less(a.face));
+        }
+        b_wins.select(b, a).registered()
+    })
 }

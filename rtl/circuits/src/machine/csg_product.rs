@@ -2,7 +2,7 @@
 
 use crate::object::absent;
 use crate::tree::tree;
-use imogene_hdl::{Bits, Bundle, Int, Value, bundle, module, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundle, module, net, ports};
 
 /// Bits of a face word: is a back, id, number.
 pub(super) const FACE: u32 = 13;
@@ -29,12 +29,11 @@ bundle! {
 /// intersection. The nearest survivor is the front of the product: where the line before a front that is not the
 /// intersection's is outside, it is inside some object taken away that ends there.
 pub fn csg_product(at: &str, intersected: Vec<Extent>, subtracted: Vec<Extent>) -> Vec<Sight> {
-    let inputs = (("intersected", intersected), ("subtracted", subtracted));
-    module("csg_product", at, inputs, |((_, fronts), (_, backs))| {
-        let common = tree(fronts, overlap, "overlap_register");
-        ("candidate", candidates(common, &backs))
+    let inputs = ports!(intersected, subtracted);
+    module("csg_product", at, inputs, |(intersected, subtracted)| {
+        let common = tree(intersected, overlap, "overlap_register");
+        ("candidate", candidates(common, &subtracted))
     })
-    .1
 }
 
 /// Where an intersection less some objects can be seen first.
@@ -56,9 +55,8 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Sight> {
         // What has no thickness, or is absent, takes nothing away and has no back to show.
         let is_within = own.zf.less(own.zb) & common.zf.less(own.zb) & own.zb.less(common.zb);
         let others = [&subtracted[..index], &subtracted[index + 1..]].concat();
-        let is_seen = others
-            .iter()
-            .fold(is_within, |is_seen, other| is_seen & !covers(other, own.zb));
+        let others = others.iter();
+        let is_seen = others.fold(is_within, |all, other| all & !covers(other, own.zb));
         let is_seen = is_seen.named(&format!("back_{index}_is_seen"));
         candidates.push((is_seen, own.zb, own.face));
     }
@@ -75,13 +73,13 @@ fn candidates(common: Extent, subtracted: &[Extent]) -> Vec<Sight> {
 /// What two convex objects have in common: the farther front, of two at one depth the one of the smaller face word, and
 /// the nearer back. Latency 1.
 fn overlap(at: &str, a: Extent, b: Extent) -> Extent {
-    module("overlap", at, (("a", a), ("b", b)), |((_, a), (_, b))| {
+    module("overlap", at, ports!(a, b), |(a, b)| {
         net! { let b_is_front = a.zf.less(b.zf) | (a.zf.equals(b.zf) & b.face.less(a.face)); }
-        Extent {
+        let common = Extent {
             zf: b_is_front.select(b.zf, a.zf),
             zb: b.zb.less(a.zb).select(b.zb, a.zb),
             face: b_is_front.select(b.face, a.face),
-        }
-        .registered()
+        };
+        common.registered()
     })
 }

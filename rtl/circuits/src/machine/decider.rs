@@ -7,38 +7,21 @@ use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 bundles! {
     /// What an object says of a pixel.
     #[derive(Copy)]
-    Candidate {
-        depth: Int as "depth", "depth; 2^(W-1) - 1, the far end, where it is absent";
-        id: Bits as "id", "number of the object";
-        number: Bits as "number", "number of its visible face";
-        normal: Normal as "", "visible face";
-    }
-}
-
-impl Candidate {
-    /// One from outside of the design.
-    pub fn input(depth: u32, normal: u32, id: u32) -> Candidate {
-        Candidate {
-            depth: Int::input(depth),
-            id: Bits::input(id),
-            number: Bits::input(4),
-            normal: Normal::input(normal),
-        }
+    Candidate(depth: u32, normal: u32, id: u32) {
+        depth: Int(depth) as "depth", "depth; 2^(W-1) - 1, the far end, where it is absent";
+        id: Bits(id) as "id", "number of the object";
+        number: Bits(4) as "number", "number of its visible face";
+        normal: Normal(normal) as "", "visible face";
     }
 }
 
 /// The nearer of two candidates, of two equally near the one with the smaller id. Latency 1.
 pub fn visibility_node(at: &str, a: Candidate, b: Candidate) -> Candidate {
-    module(
-        "visibility_node",
-        at,
-        (("a", a, "object a"), ("b", b, "object b")),
-        |((_, a, _), (_, b, _))| {
-            net! { let b_wins = is_before((b.depth, b.id), (a.depth, a.id)); }
-            ("", b_wins.select(b, a).registered(), NEAREST)
-        },
-    )
-    .1
+    let inputs = (("a", a, "object a"), ("b", b, "object b"));
+    module("visibility_node", at, inputs, |(a, b)| {
+        net! { let b_wins = is_before((b.depth, b.id), (a.depth, a.id)); }
+        ("", b_wins.select(b, a).registered(), NEAREST)
+    })
 }
 
 /// 1 where one depth and id are nearer than another one, or as near with the smaller id.
@@ -59,8 +42,7 @@ pub(super) const REGISTER: &str = "visibility_register";
 /// The nearest of all candidates by a tree of nodes. Latency `ceil(log2 n)`. Section 6 of `docs/architecture.md`.
 pub fn decider(at: &str, inputs: Vec<Candidate>) -> Candidate {
     let inputs = ("input", inputs, "object on input #");
-    module("decider", at, inputs, |(_, inputs, _)| {
+    module("decider", at, inputs, |inputs| {
         ("", tree(inputs, visibility_node, REGISTER), NEAREST)
     })
-    .1
 }

@@ -22,62 +22,57 @@ bundles! {
 /// Chaillou 1991, IV.4.5: the loading memory M2 and its automaton.
 pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32) -> Loaded {
     let inputs = (("s", beat), ("s_tlast", last), ("retrace", retrace));
-    module(
-        "frame_loader",
-        at,
-        inputs,
-        |((_, beat), (_, last), (_, retrace))| {
-            let count = |value: u64| Bits::new(value, places + 1);
-            let address = |count: Bits| count.low(places);
-            net! {
-                let filled = Bits::register(places + 1);
-                let copied = Bits::register(places + 1);
-                let is_whole = Bits::register(1);
-                let is_copying = Bits::register(1);
-                let is_settling = Bits::register(1);
-                let comes = beat.tvalid & !is_whole;
-                // The memory is full at a power of two, where the count stops.
-                let is_full = filled.top();
-                let is_kept = comes & !is_full;
-                let gets_whole = is_kept & last;
-                let refuses = comes & is_full & last;
-                let begins = retrace & is_whole & !is_copying;
-                let next_copied = copied + count(1);
-                let ends = is_copying & next_copied.equals(filled);
-                let filled_place = address(filled);
-                let copied_place = address(copied);
-                let written_place = join([beat.tdest, beat.tuser]);
-                let take_late = ends.delay(3);
-            }
-            filled.load_when(
-                is_kept | refuses | ends,
-                is_kept.select(filled + count(1), count(0)),
-            );
-            copied.load_when(is_copying | begins, begins.select(count(0), next_copied));
-            is_whole.load_when(gets_whole | ends, gets_whole);
-            is_copying.load_when(begins | ends, begins);
-            is_settling.load(is_copying | (is_settling & !take_late));
-            let read = |name: &str, data: Bits| {
-                let write = (is_kept, filled_place, data);
-                memory(name, 1 << places, write, copied_place).reg()
-            };
-            net! {
-                let place = read("place_memory", written_place);
-                let word = read("word_memory", beat.tdata);
-            }
-            let copied = Beat {
-                tvalid: is_copying.delayed_as("is_copying_late", 2),
-                tdest: place.slice(27, 24),
-                tuser: place.low(24),
-                tdata: word,
-            };
-            Loaded {
-                s_tready: !is_whole,
-                load: WordBus::of(copied),
-                take: take_late,
-                is_busy: is_copying | is_settling,
-                refused: refuses.reg(),
-            }
-        },
-    )
+    module("frame_loader", at, inputs, |(beat, last, retrace)| {
+        let count = |value: u64| Bits::new(value, places + 1);
+        let address = |count: Bits| count.low(places);
+        net! {
+            let filled = Bits::register(places + 1);
+            let copied = Bits::register(places + 1);
+            let is_whole = Bits::register(1);
+            let is_copying = Bits::register(1);
+            let is_settling = Bits::register(1);
+            let comes = beat.tvalid & !is_whole;
+            // The memory is full at a power of two, where the count stops.
+            let is_full = filled.top();
+            let is_kept = comes & !is_full;
+            let gets_whole = is_kept & last;
+            let refuses = comes & is_full & last;
+            let begins = retrace & is_whole & !is_copying;
+            let next_copied = copied + count(1);
+            let ends = is_copying & next_copied.equals(filled);
+            let filled_place = address(filled);
+            let copied_place = address(copied);
+            let written_place = join([beat.tdest, beat.tuser]);
+            let take_late = ends.delay(3);
+        }
+        filled.load_when(
+            is_kept | refuses | ends,
+            is_kept.select(filled + count(1), count(0)),
+        );
+        copied.load_when(is_copying | begins, begins.select(count(0), next_copied));
+        is_whole.load_when(gets_whole | ends, gets_whole);
+        is_copying.load_when(begins | ends, begins);
+        is_settling.load(is_copying | (is_settling & !take_late));
+        let read = |name: &str, data: Bits| {
+            let write = (is_kept, filled_place, data);
+            memory(name, 1 << places, write, copied_place).reg()
+        };
+        net! {
+            let place = read("place_memory", written_place);
+            let word = read("word_memory", beat.tdata);
+        }
+        let copied = Beat {
+            tvalid: is_copying.delayed_as("is_copying_late", 2),
+            tdest: place.slice(27, 24),
+            tuser: place.low(24),
+            tdata: word,
+        };
+        Loaded {
+            s_tready: !is_whole,
+            load: WordBus::of(copied),
+            take: take_late,
+            is_busy: is_copying | is_settling,
+            refused: refuses.reg(),
+        }
+    })
 }

@@ -1,8 +1,9 @@
 //! Object processors side by side, with their words and the decider.
 
 use super::{Candidate, Held, LoadBus, coefficient_hold, coefficient_store, decider};
-use crate::object::{Network, Normal, Shape, Visible, Widths, Words, quadric_processor};
-use crate::raster::{Flags, Pixel};
+use crate::object::{Network, Normal, Shape, Widths, Words, quadric_processor};
+use crate::raster::Scan;
+use crate::rows::numbered;
 use crate::tree::levels;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
@@ -42,8 +43,6 @@ pub struct Slot {
 /// What object processors side by side are built for.
 #[derive(Clone, Debug)]
 pub struct Objects {
-    /// Bits of a depth word.
-    pub depth: u32,
     /// Bits of the words of an object.
     pub widths: Widths,
     /// The root of an object.
@@ -83,50 +82,44 @@ impl Objects {
     /// Processors with fewer stages begin later, so that all answer together.
     pub(super) fn nearest(
         &self,
-        (flags, pixel): (Flags, Pixel),
+        scan: Scan,
         load: Load,
         words: impl Fn(usize, LoadBus, Words) -> (Words, Bits),
     ) -> (Bits, Candidate) {
         let least = self.slots.iter().map(Slot::more).min().unwrap_or(0);
-        let mut late = vec![(flags, pixel)];
+        let mut late = vec![scan];
         for _ in least..self.longest() {
             late.push(late[late.len() - 1].delayed(1));
         }
-        let slots = || self.slots.iter().enumerate();
-        let words: Vec<(Words, Bits)> = slots()
-            .map(|(index, slot)| {
-                let bus = LoadBus {
-                    write: load.valid & load.object.is(index as u64),
-                    address: load.address,
-                    data: load.data,
-                };
-                let at = format!("stores_{index}");
-                let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
-                words(index, bus, loaded)
-            })
-            .collect();
-        let visible: Vec<(Visible, Bits)> = slots()
-            .zip(words)
-            .map(|((index, slot), (words, id))| {
-                let (flags, pixel) = late[(self.longest() - slot.more()) as usize];
-                let shape = Shape {
-                    depth: self.depth,
-                    root: self.root,
-                    two_volumes: slot.two_volumes,
-                };
-                let at = format!("processors_{index}");
-                (quadric_processor(&at, flags, pixel, words, shape), id)
-            })
-            .collect();
-        let candidate = |(visible, id): &(Visible, Bits)| Candidate {
-            depth: visible.front.zf,
-            id: *id,
-            number: visible.number,
-            normal: visible.normal,
-        };
-        let candidates = visible.iter().map(candidate).collect();
-        let valid = visible[0].0.front.out_valid;
-        let valid = valid.delayed_as("valid_late", levels(self.slots.len()));
+        let stores = numbered("stores", &self.slots).enumerate();
+        let words = stores.map(|(index, (at, slot))| {
+            let bus = LoadBus {
+                write: load.valid & load.object.is(index as u64),
+                address: load.address,
+                data: load.data,
+            };
+            let loaded = coefficient_store(&at, bus, self.widths, slot.planes as u64);
+            words(index, bus, loaded)
+        });
+        let words: Vec<(Words, Bits)> = words.collect();
+        let processors = numbered("processors", &self.slots).zip(words);
+        let seen = processors.map(|((at, slot), (words, id))| {
+            let shape = Shape {
+                root: self.root,
+                two_volumes: slot.two_volumes,
+            };
+            let scan = late[(self.longest() - slot.more()) as usize];
+            let seen = quadric_processor(&at, scan, words, shape);
+            let candidate = Candidate {
+                depth: seen.front.zf,
+                id,
+                number: seen.number,
+                normal: seen.normal,
+            };
+            (seen.front.out_valid, candidate)
+        });
+        let (valid, candidates): (Vec<Bits>, Vec<Candidate>) = seen.unzip();
+        let valid = valid[0].delayed_as("valid_late", levels(self.slots.len()));
         (valid, decider("decider", candidates))
     }
 }
@@ -140,13 +133,13 @@ impl Objects {
 /// nothing.
 pub fn object_array(
     at: &str,
-    scan: (Flags, Pixel),
+    scan: Scan,
     (take, load): (Bits, Load),
     objects: &Objects,
     is_held: bool,
 ) -> (Bits, Surface) {
     let inputs = (scan, ("take", take), ("load", load));
-    let body = |(scan, (_, take), (_, load)): ((Flags, Pixel), (_, Bits), (_, Load))| {
+    module("object_array", at, inputs, |(scan, take, load)| {
         let words = |index: usize, bus: LoadBus, words: Words| match is_held {
             true => {
                 let at = format!("holds_{index}");
@@ -162,7 +155,5 @@ pub fn object_array(
             normal: nearest.normal,
         };
         (("out_valid", valid), surface)
-    };
-    let ((_, valid), surface) = module("object_array", at, inputs, body);
-    (valid, surface)
+    })
 }

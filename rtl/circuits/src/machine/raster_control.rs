@@ -1,7 +1,7 @@
 //! The pixels of a zone, one a clock.
 
 use super::COORDINATE;
-use crate::raster::{Flags, Pixel};
+use crate::raster::{Flags, Pixel, Scan};
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
 bundle! {
@@ -17,9 +17,8 @@ bundles! {
     /// A pixel on its way.
     #[derive(Copy)]
     Raster {
-        /// What begins with it.
-        flags: Flags as "";
-        pixel: Pixel as "", "pixel of the zone, counted from 0";
+        /// Where it is.
+        scan: Scan as "";
         last: Bits as "last", "last pixel of the zone";
     }
 }
@@ -57,10 +56,10 @@ pub fn raster_control(at: &str, zone: Zone) -> Raster {
         last.load_when(moves, obeyed.select(is_single, goes_on & next_is_last));
         x.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_x));
         y.load_when(obeyed | (goes_on & valid), obeyed.select(word(0), next_y));
-        Raster {
+        let scan = Scan {
             flags: Flags { valid, start, line },
             pixel: Pixel { x, y },
-            last,
-        }
+        };
+        Raster { scan, last }
     })
 }

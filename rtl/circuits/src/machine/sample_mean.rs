@@ -1,7 +1,6 @@
 //! Samples of a zone, pass after pass, to pixels.
 
-use super::COORDINATE;
-use crate::video::{Colour, LEVEL, PassPixel, accumulator};
+use crate::video::{Colour, PassPixel, accumulator};
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
 /// Clocks from a sample of the last pass to its pixel.
@@ -27,18 +26,6 @@ bundles! {
     }
 }
 
-impl Coloured {
-    /// One from outside of the design.
-    pub fn input() -> Coloured {
-        Coloured {
-            valid: Bits::input(1),
-            colour: Colour::input(LEVEL),
-            place: Bits::input(2 * COORDINATE),
-            last: Bits::input(1),
-        }
-    }
-}
-
 /// Means of `samples x samples`, 2 or 4, of every pixel of a zone of at most `2^places` pixels. Passes follow each
 /// other, each in the order of the pixels; what leaves comes with the last one. Rounded to the nearest, halves up.
 ///
@@ -60,10 +47,8 @@ pub fn sample_mean(
             let count = Bits::register(places);
             let next = count + Bits::new(1, places);
         }
-        count.load_when(
-            sample.valid,
-            pass.pass_ends.select(Bits::new(0, places), next),
-        );
+        let next = pass.pass_ends.select(Bits::new(0, places), next);
+        count.load_when(sample.valid, next);
         let pixel = PassPixel {
             fine: Bits::new(u64::from(samples == 4), 1),
             valid: sample.valid,
@@ -80,5 +65,4 @@ pub fn sample_mean(
         };
         ("out", mean)
     })
-    .1
 }

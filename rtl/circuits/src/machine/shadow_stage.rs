@@ -29,11 +29,9 @@ pub fn shadow_clocks(volumes: usize) -> u32 {
 /// else `ceil(log8 n)`. Section 4.1.3; Chaillou 1991, IV.3.4.
 pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
     let meaning = "flags before these volumes: bit s is set where source s reaches the point; all ones in a first pass";
-    let inputs = (
-        ("flags_in", flags, meaning),
-        ("volume", volumes, "volume #"),
-    );
-    module("shadow_stage", at, inputs, |(flags, (_, volumes, _))| {
+    let volumes = ("volume", volumes, "volume #");
+    let inputs = (("flags_in", flags, meaning), volumes);
+    module("shadow_stage", at, inputs, |(flags, volumes)| {
         let one = Bits::new(1, SOURCES);
         let word = |volume: &Volume| {
             net! {
@@ -43,14 +41,12 @@ pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
             takes_away.select(!mask, all_sources())
         };
         let mut level: Vec<Bits> = volumes.iter().map(word).collect();
-        level[0] = flags.1 & level[0];
+        level[0] = flags & level[0];
+        let both = |a: Bits, b: Bits| a & b;
         loop {
-            let groups = level.chunks(GROUP);
-            let joined = groups.map(|group| {
-                group[1..]
-                    .iter()
-                    .fold(group[0], |all, one| all & *one)
-                    .reg()
+            let joined = level.chunks(GROUP).map(|group| {
+                let joined = group.iter().copied().reduce(both);
+                joined.expect("a word").reg()
             });
             level = joined.collect();
             if level.len() == 1 {
@@ -58,5 +54,4 @@ pub fn shadow_stage(at: &str, flags: Bits, volumes: Vec<Volume>) -> Bits {
             }
         }
     })
-    .1
 }

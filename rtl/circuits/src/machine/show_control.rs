@@ -2,7 +2,7 @@
 
 use super::COORDINATE;
 use crate::raster::Pixel;
-use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
+use imogene_hdl::{Bits, Value, bundle, bundles, module, net, ports};
 
 bundle! {
     /// A rectangle of the screen.
@@ -29,38 +29,31 @@ bundles! {
 ///
 /// The window stays as it is until the last pixel was issued. Latency 1. `docs/zone-machine.md`.
 pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
-    let inputs = (("go", go), ("room", room), window);
-    module(
-        "show_control",
-        at,
-        inputs,
-        |((_, go), (_, room), window)| {
-            let word = |value: u64| Bits::new(value, COORDINATE);
-            let is = |place: Bits, count: Bits| place.equals(count - word(1));
-            net! {
-                let running = Bits::register(1);
-                let column = Bits::register(COORDINATE);
-                let row = Bits::register(COORDINATE);
-                let issue = running & room;
-                let line_ends = is(column, window.width);
-                let zone_ends = line_ends & is(row, window.height);
-            }
-            let ends = issue & zone_ends;
-            running.load_when(go | ends, go);
-            column.load_when(
-                go | issue,
-                (go | line_ends).select(word(0), column + word(1)),
-            );
-            row.load_when(go | (issue & line_ends), go.select(word(0), row + word(1)));
-            Issued {
-                issue,
-                valid: issue.reg(),
-                pixel: Pixel {
-                    x: (window.x0 + column).reg(),
-                    y: (window.y0 + row).reg(),
-                },
-                is_last: ends.reg(),
-            }
-        },
-    )
+    let inputs = (ports!(go, room), window);
+    module("show_control", at, inputs, |((go, room), window)| {
+        let word = |value: u64| Bits::new(value, COORDINATE);
+        let is = |place: Bits, count: Bits| place.equals(count - word(1));
+        net! {
+            let running = Bits::register(1);
+            let column = Bits::register(COORDINATE);
+            let row = Bits::register(COORDINATE);
+            let issue = running & room;
+            let line_ends = is(column, window.width);
+            let zone_ends = line_ends & is(row, window.height);
+        }
+        let ends = issue & zone_ends;
+        running.load_when(go | ends, go);
+        let next_column = (go | line_ends).select(word(0), column + word(1));
+        column.load_when(go | issue, next_column);
+        row.load_when(go | (issue & line_ends), go.select(word(0), row + word(1)));
+        Issued {
+            issue,
+            valid: issue.reg(),
+            pixel: Pixel {
+                x: (window.x0 + column).reg(),
+                y: (window.y0 + row).reg(),
+            },
+            is_last: ends.reg(),
+        }
+    })
 }

@@ -67,7 +67,7 @@ impl WordBus {
 /// Latency 1; one beat per clock.
 pub fn stream_slice(at: &str, beat: Beat, ready: Bits) -> (Beat, Bits) {
     let inputs = (("s", beat), ("m_tready", ready));
-    let ((_, beat), (_, ready)) = module("stream_slice", at, inputs, |((_, beat), (_, ready))| {
+    module("stream_slice", at, inputs, |(beat, ready)| {
         net! {
             let is_there = Bits::register(1);
             let is_waiting = Bits::register(1);
@@ -86,6 +86,5 @@ pub fn stream_slice(at: &str, beat: Beat, ready: Bits) -> (Beat, Bits) {
             tdata,
         };
         (("m", beat), ("s_tready", !is_waiting))
-    });
-    (beat, ready)
+    })
 }

@@ -1,6 +1,7 @@
 //! Deciders that run past the processors.
 
 use super::decider::{Candidate, NEAREST, REGISTER, decider, visibility_node};
+use crate::rows::numbered;
 use crate::tree::register;
 use imogene_hdl::module;
 
@@ -8,15 +9,14 @@ use imogene_hdl::module;
 /// wires but those to the next processor leave a cell. Latency as many clocks as inputs. Chaillou 1991, IV.3.2.
 pub fn visibility_chain(at: &str, inputs: Vec<Candidate>) -> Candidate {
     let inputs = ("input", inputs, "object on input #, # clocks after input 0");
-    module("visibility_chain", at, inputs, |(_, inputs, _)| {
+    module("visibility_chain", at, inputs, |inputs| {
         let first = register(REGISTER, "beginning", inputs[0]);
-        let rest = inputs[1..].iter().enumerate();
-        let nearest = rest.fold(first, |nearest, (index, input)| {
-            visibility_node(&format!("nodes_{index}"), nearest, *input)
+        let rest = numbered("nodes", &inputs[1..]);
+        let nearest = rest.fold(first, |nearest, (at, input)| {
+            visibility_node(&at, nearest, *input)
         });
         ("", nearest, NEAREST)
     })
-    .1
 }
 
 /// The nearest of the candidates of some cards: a chain on each, and a decider of what leaves them. Input `i` comes `i
@@ -26,12 +26,9 @@ pub fn card_decider(at: &str, inputs: Vec<Candidate>, processors: usize) -> Cand
     let meaning =
         "object on input #; input M k + p, place p of card k, comes p clocks after input 0";
     let inputs = ("input", inputs, meaning);
-    module("card_decider", at, inputs, |(_, inputs, _)| {
-        let cards = inputs.chunks(processors).enumerate();
-        let chain = |(card, inputs): (usize, &[Candidate])| {
-            visibility_chain(&format!("chains_{card}"), inputs.to_vec())
-        };
-        ("", decider("decider", cards.map(chain).collect()), NEAREST)
+    module("card_decider", at, inputs, |inputs| {
+        let cards = numbered("chains", inputs.chunks(processors));
+        let chains = cards.map(|(at, inputs)| visibility_chain(&at, inputs.to_vec()));
+        ("", decider("decider", chains.collect()), NEAREST)
     })
-    .1
 }

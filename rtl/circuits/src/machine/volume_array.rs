@@ -2,7 +2,7 @@
 
 use super::{LoadBus, Volume, shadow_clocks, shadow_stage, volume_store};
 use crate::object::{Network, VolumePoint, Widths, quadric_volume};
-use crate::raster::{Flags, Pixel};
+use crate::raster::Scan;
 use imogene_hdl::{Bits, Value, bundle, module};
 
 bundle! {
@@ -24,8 +24,6 @@ bundle! {
 /// What volume processors side by side are built for.
 #[derive(Clone, Debug)]
 pub struct Volumes {
-    /// Bits of a depth word.
-    pub depth: u32,
     /// Bits of the words of a volume.
     pub widths: Widths,
     /// The root of a volume.
@@ -59,42 +57,39 @@ impl Volumes {
 /// Latency [`Volumes::clocks`].
 pub fn volume_array(
     at: &str,
-    scan: (Flags, Pixel),
+    scan: Scan,
     lit: Lit,
     (take, load): (Bits, VolumeLoad),
     volumes: &Volumes,
 ) -> (Bits, Bits) {
     let inputs = (scan, lit, ("take", take), ("load", load));
-    let body =
-        |((flags, pixel), lit, (_, take), (_, load)): (_, Lit, (_, Bits), (_, VolumeLoad))| {
-            let volume = |(index, planes): (usize, &u64)| {
-                let bus = LoadBus {
-                    write: load.valid & load.volume.is(index as u64),
-                    address: load.address,
-                    data: load.data,
-                };
-                let words = (volumes.depth, volumes.widths);
-                let stored = volume_store(&format!("stores_{index}"), take, bus, words, *planes);
-                let point = VolumePoint {
-                    depth: lit.depth,
-                    margin: stored.margin,
-                };
-                let at = format!("volumes_{index}");
-                let answer = quadric_volume(&at, flags, pixel, point, stored.words, volumes.root);
-                let volume = Volume {
-                    inside: answer.is_inside,
-                    kind: stored.is_light,
-                    source: stored.source,
-                    enabled: stored.is_present,
-                };
-                (answer.out_valid, volume)
+    module("volume_array", at, inputs, |(scan, lit, take, load)| {
+        let volume = |(index, planes): (usize, &u64)| {
+            let bus = LoadBus {
+                write: load.valid & load.volume.is(index as u64),
+                address: load.address,
+                data: load.data,
             };
-            let answers = volumes.planes.iter().enumerate().map(volume);
-            let (valid, asked): (Vec<Bits>, Vec<Volume>) = answers.unzip();
-            let valid = valid[0].delayed_as("valid_late", shadow_clocks(asked.len()));
-            let flags = shadow_stage("stage", lit.flags_in, asked);
-            (("out_valid", valid), ("source_flags", flags))
+            let words = (volumes.root.depth, volumes.widths);
+            let stored = volume_store(&format!("stores_{index}"), take, bus, words, *planes);
+            let point = VolumePoint {
+                depth: lit.depth,
+                margin: stored.margin,
+            };
+            let at = format!("volumes_{index}");
+            let answer = quadric_volume(&at, scan, point, stored.words, volumes.root);
+            let volume = Volume {
+                inside: answer.is_inside,
+                kind: stored.is_light,
+                source: stored.source,
+                enabled: stored.is_present,
+            };
+            (answer.out_valid, volume)
         };
-    let ((_, valid), (_, flags)) = module("volume_array", at, inputs, body);
-    (valid, flags)
+        let answers = volumes.planes.iter().enumerate().map(volume);
+        let (valid, asked): (Vec<Bits>, Vec<Volume>) = answers.unzip();
+        let valid = valid[0].delayed_as("valid_late", shadow_clocks(asked.len()));
+        let flags = shadow_stage("stage", lit.flags_in, asked);
+        (("out_valid", valid), ("source_flags", flags))
+    })
 }

@@ -28,12 +28,12 @@ pub fn volume_store(
     planes: u64,
 ) -> StoredVolume {
     let inputs = (("take", take), bus);
-    module("volume_store", at, inputs, |((_, take), bus)| {
+    module("volume_store", at, inputs, |(take, bus)| {
         net! { let is_new = bus.is_new(CONTROL, take); }
-        let first = |index: u64| PLANES + PLANE_WORDS * index;
-        let plane = |index: u64| HalfSpace {
-            kind: bus.bits(first(index), 1, 0).reg_when(take),
-            linear: bus.linear(first(index) + 1, widths.plane),
+        let plane = |index: u64| {
+            let plane = bus.half_space(PLANES + PLANE_WORDS * index, widths.plane);
+            let kind = plane.kind.reg_when(take);
+            HalfSpace { kind, ..plane }
         };
         let box_x0 = bus.bits(BOX_COLUMNS, 11, 0);
         let bounds = Bounds {

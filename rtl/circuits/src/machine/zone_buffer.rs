@@ -3,7 +3,7 @@
 use super::Surface;
 use super::decider::is_before;
 use crate::object::Normal;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, memory, module, net};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, memory, module, net, ports};
 
 bundle! {
     /// Steps of the streams of pixels through a zone.
@@ -34,70 +34,54 @@ bundles! {
 pub fn zone_buffer(
     at: &str,
     steps: Steps,
-    drawn: (Bits, Surface),
-    lit: (Bits, Bits),
+    (drawn, surface): (Bits, Surface),
+    (lit, lit_flags): (Bits, Bits),
     places: u32,
 ) -> Kept {
-    let (drawn, surface) = drawn;
-    let inputs = (
-        steps,
-        (("drawn", drawn), surface),
-        (("lit", lit.0), ("lit_flags", lit.1)),
-    );
-    module(
-        "zone_buffer",
-        at,
-        inputs,
-        |(steps, ((_, drawn), surface), ((_, lit), (_, lit_flags)))| {
-            // Places advance with each pixel of their stream.
-            let place = |step: Bits| {
-                let place = Bits::register(places);
-                let next = place + Bits::new(1, places);
-                place.load_when(
-                    steps.begin_pass | step,
-                    steps.begin_pass.select(Bits::new(0, places), next),
-                );
-                place
-            };
-            let Surface { depth, id, normal } = surface;
-            let Normal { nx, ny, nz } = normal;
-            net! {
-                let kept_drawn = drawn.reg();
-                let kept_wins = Bits::register(1);
-                let kept_surface = join([depth.bits(), id]).reg();
-                let kept_normal = join([nz, ny, nx].map(Int::bits)).reg();
-                let read_place = place(steps.drawn_soon | steps.depth_soon | steps.show_soon);
-                let flags_place = place(steps.flags_soon | steps.show_soon);
-                let write_place = place(kept_drawn);
-                let lit_place = place(lit);
-            }
-            let words = 1 << places;
-            let keep = |name: &str, word: Bits| {
-                memory(name, words, (kept_wins, write_place, word), read_place)
-            };
-            let old = keep("surfaces", kept_surface);
-            let normals = keep("normals", kept_normal);
-            net! {
-                let old_depth = old.high(depth.width()).int();
-                let old_id = old.low(id.width());
-                let wins = steps.is_first | is_before((depth, id), (old_depth, old_id));
-            }
-            kept_wins.load(drawn & wins);
-            let width = nx.width();
-            let component =
-                |index: u32| normals.slice((index + 1) * width - 1, index * width).int();
-            let surface = Surface {
-                depth: old_depth,
-                id: old_id,
-                normal: Normal {
-                    nx: component(0),
-                    ny: component(1),
-                    nz: component(2),
-                },
-            };
-            let flags = memory("flags", words, (lit, lit_place, lit_flags), flags_place);
-            ("seen", Kept { surface, flags })
-        },
-    )
-    .1
+    let drawn = (("drawn", drawn), surface);
+    let inputs = (steps, drawn, ports!(lit, lit_flags));
+    module("zone_buffer", at, inputs, |(steps, drawn, lit)| {
+        let ((drawn, surface), (lit, lit_flags)) = (drawn, lit);
+        // Places advance with each pixel of their stream.
+        let place = |step: Bits| {
+            let place = Bits::register(places);
+            let next = place + Bits::new(1, places);
+            let next = steps.begin_pass.select(Bits::new(0, places), next);
+            place.load_when(steps.begin_pass | step, next);
+            place
+        };
+        let Surface { depth, id, normal } = surface;
+        let [nx, ny, nz] = normal.parts();
+        net! {
+            let kept_drawn = drawn.reg();
+            let kept_wins = Bits::register(1);
+            let kept_surface = join([depth.bits(), id]).reg();
+            let kept_normal = join([nz, ny, nx].map(Int::bits)).reg();
+            let read_place = place(steps.drawn_soon | steps.depth_soon | steps.show_soon);
+            let flags_place = place(steps.flags_soon | steps.show_soon);
+            let write_place = place(kept_drawn);
+            let lit_place = place(lit);
+        }
+        let words = 1 << places;
+        let keep = |name: &str, word: Bits| {
+            memory(name, words, (kept_wins, write_place, word), read_place)
+        };
+        let old = keep("surfaces", kept_surface);
+        let normals = keep("normals", kept_normal);
+        net! {
+            let old_depth = old.high(depth.width()).int();
+            let old_id = old.low(id.width());
+            let wins = steps.is_first | is_before((depth, id), (old_depth, old_id));
+        }
+        kept_wins.load(drawn & wins);
+        let width = nx.width();
+        let component = |index: u32| normals.slice((index + 1) * width - 1, index * width).int();
+        let surface = Surface {
+            depth: old_depth,
+            id: old_id,
+            normal: Normal::of([0, 1, 2].map(component)),
+        };
+        let flags = memory("flags", words, (lit, lit_place, lit_flags), flags_place);
+        ("seen", Kept { surface, flags })
+    })
 }

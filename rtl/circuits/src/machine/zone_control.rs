@@ -50,7 +50,7 @@ pub struct Waits {
 /// are ignored. Latency 1. `docs/zone-machine.md`.
 pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Control {
     let inputs = (("s", beat), ("pass_ends", pass_ends));
-    module("zone_control", at, inputs, |((_, beat), (_, pass_ends))| {
+    module("zone_control", at, inputs, |(beat, pass_ends)| {
         let (kind, address, data) = (beat.tdest, beat.tuser.low(16), beat.tdata);
         let flag = || Bits::register(1);
         let counter = |clocks: u32| Bits::register(clocks.max(1).ilog2() + 1);
@@ -83,17 +83,12 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
         count_down(draining, pass_ends & is_showing, waits.drain);
         let shown = |high: u32, low: u32| data.slice(high, low).reg_when(shows);
         let low = |command: u64| data.low(COORDINATE).reg_when(obeyed(command));
-        let high = |command: u64| {
-            data.slice(2 * COORDINATE - 1, COORDINATE)
-                .reg_when(obeyed(command))
-        };
+        let upper = data.slice(2 * COORDINATE - 1, COORDINATE);
+        let high = |command: u64| upper.reg_when(obeyed(command));
+        let tvalid = taken;
         Control {
             ready: is_ready,
-            load: WordBus::of(Beat {
-                tvalid: taken,
-                ..beat
-            })
-            .registered(),
+            load: WordBus::of(Beat { tvalid, ..beat }).registered(),
             pass: Pass {
                 begin_pass: begins,
                 take_objects: begins & is_drawing,
@@ -121,9 +116,7 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
 /// A counter that is set to so many clocks and goes down to 0.
 fn count_down(counter: Bits, starts: Bits, clocks: u32) {
     let width = counter.width();
-    let next = starts.select(
-        Bits::new(clocks.into(), width),
-        counter - Bits::new(1, width),
-    );
+    let least = counter - Bits::new(1, width);
+    let next = starts.select(Bits::new(clocks.into(), width), least);
     counter.load_when(starts | !counter.is(0), next);
 }

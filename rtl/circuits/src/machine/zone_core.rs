@@ -6,7 +6,7 @@ use super::{
     zone_buffer, zone_control,
 };
 use crate::object::absent;
-use crate::raster::{Flags, Pixel};
+use crate::raster::Pixel;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module};
 
 /// Clocks of a showing pass besides its pixels.
@@ -82,7 +82,7 @@ bundles! {
 /// clocks and [`ZoneCore::draw_clocks`], [`ZoneCore::light_clocks`] or [`SHOW_CLOCKS`]. `docs/zone-machine.md`.
 pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u32) -> Shown {
     let inputs = (("s", beat), ("room", room));
-    module("zone_core", at, inputs, |((_, beat), (_, room))| {
+    module("zone_core", at, inputs, |(beat, room)| {
         let [ready, pass_ends] = [(); 2].map(|()| Bits::forward(1));
         let (beat, taken) = stream_slice("slice", beat, ready);
         let settle = machine.settle_clocks();
@@ -95,21 +95,19 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
             height: window.height,
         };
         let raster = raster_control("raster", zone);
-        let of = |runs: Bits| Raster {
-            flags: Flags {
-                valid: raster.flags.valid & runs,
-                ..raster.flags
-            },
-            last: raster.last & runs,
-            ..raster
+        let of = |runs: Bits| {
+            let Raster { mut scan, last } = raster;
+            scan.flags.valid = scan.flags.valid & runs;
+            let last = last & runs;
+            Raster { scan, last }
         };
         let (draw, light) = (of(pass.is_drawing), of(pass.is_lighting));
         let show = show_control("show", pass.show_go, room, window);
         let (objects, clocks) = (&machine.objects, machine.objects.clocks());
         let words = (pass.take_objects, load.objects());
-        let drawn = object_array("objects", (draw.flags, draw.pixel), words, objects, true);
+        let drawn = object_array("objects", draw.scan, words, objects, true);
         // What the volumes are told comes from the buffer, which takes what they answer.
-        let depth = Int::forward(objects.depth);
+        let depth = Int::forward(objects.root.depth);
         let flags = Bits::forward(SOURCES);
         let known = Lit {
             depth,
@@ -119,7 +117,7 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let steps = Steps {
             begin_pass: pass.begin_pass,
             is_first: pass.is_first,
-            drawn_soon: draw.flags.valid.delayed_as("drawn_soon", clocks - 1),
+            drawn_soon: draw.scan.flags.valid.delayed_as("drawn_soon", clocks - 1),
             depth_soon: lighting.depth_soon,
             flags_soon: lighting.flags_soon,
             show_soon: show.issue,
@@ -127,9 +125,9 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
         let seen = zone_buffer("zone_buffer", steps, drawn, lighting.lit, machine.places);
         depth.drive(seen.surface.depth);
         flags.drive(seen.flags);
-        pass_ends
-            .drive(draw.last.delayed_as("draw_end", clocks + 1) | lighting.ends | show.is_last);
-        let background = absent(objects.depth);
+        let draw_ends = draw.last.delayed_as("draw_end", clocks + 1);
+        pass_ends.drive(draw_ends | lighting.ends | show.is_last);
+        let background = absent(objects.root.depth);
         Shown {
             ready: taken,
             started: show.issue,
@@ -177,13 +175,13 @@ fn lighting(
             ends: light.last,
         };
     }
-    let soon = |name: &str, clocks: u32| light.flags.valid.delayed_as(name, clocks - 1);
+    let soon = |name: &str, clocks: u32| light.scan.flags.valid.delayed_as(name, clocks - 1);
     Lighting {
         depth_soon: soon("depth_soon", volumes.depth_offset()),
         flags_soon: soon("flags_soon", volumes.flags_offset()),
         lit: volume_array(
             "volumes",
-            (light.flags, light.pixel),
+            light.scan,
             known,
             (take, load.volumes()),
             volumes,

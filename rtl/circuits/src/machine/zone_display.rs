@@ -28,7 +28,7 @@ pub fn zone_display(
     output: &Output,
 ) -> ZoneScreen {
     let inputs = (("s", beat), ("overlay", bus));
-    module("zone_display", at, inputs, |((_, beat), (_, bus))| {
+    module("zone_display", at, inputs, |(beat, bus)| {
         let (line, frame) = (output.mode.line, output.mode.frame);
         let places = (line.active * frame.active).next_power_of_two().ilog2();
         let taken = Bits::forward(1);

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::raster::Pixel;
 use crate::shade::{Point, ShadingLoad, shading_processor};
-use crate::video::{Colour, LEVEL, PixelStream, Queue, pixel_fifo};
+use crate::video::{LEVEL, PixelStream, Queue, pixel_fifo};
 use imogene_contract::shading::LATENCY;
 use imogene_hdl::{Bits, Bundle, Value, join, memory, module, net};
 
@@ -52,7 +52,7 @@ pub fn zone_machine(
     machine: &ZoneMachine,
 ) -> (Bits, PixelStream) {
     let inputs = (("s", beat), ("m_tready", ready));
-    let body = |((_, beat), (_, ready)): ((_, Beat), (_, Bits))| {
+    module("zone_machine", at, inputs, |(beat, ready)| {
         let room = Bits::forward(1);
         let seen = zone_core("core", beat, room, &machine.core, machine.drain());
         let shaded = shaded(&seen, machine);
@@ -81,9 +81,7 @@ pub fn zone_machine(
             tlast: queued.m_tlast,
         };
         (("s_tready", seen.ready), ("m", pixels))
-    };
-    let ((_, taken), (_, pixels)) = module("zone_machine", at, inputs, body);
-    (taken, pixels)
+    })
 }
 
 /// The pixels of a core with their colours. The material of an object is a clock later than the object.
@@ -119,7 +117,7 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
     let shaded = shading_processor("shading", point, load, machine.lights);
     Coloured {
         valid: shaded.out_valid,
-        colour: Colour::of([shaded.red, shaded.green, shaded.blue]),
+        colour: shaded.colour(),
         place: join([place.y, place.x]).delayed_as("place_late", SHADED),
         last: seen.frame_ends.delayed_as("last_late", SHADED),
     }

@@ -1,6 +1,6 @@
 //! A root within the depth word.
 
-use super::{absent, depth};
+use super::{absent, end};
 use imogene_contract::words::{CAP, far_end, near_end};
 use imogene_hdl::{Bits, Int, Value};
 
@@ -15,19 +15,20 @@ pub(super) struct Clamped {
 }
 
 impl Clamped {
-    pub fn of(name: &str, sum: Int, face: u64, width: u32) -> Clamped {
+    /// Of a depth sum, which has two bits more than a depth.
+    pub fn of(name: &str, sum: Int, face: u64) -> Clamped {
+        let width = sum.width() - 2;
         let [low, far] = [near_end, far_end].map(|end| end(width as usize));
         let own = |part: &str| format!("{name}_{part}");
         let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
         let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));
         let within = is_far.select(absent(width), sum.low(width));
         let [cap, face] = [CAP, face].map(|number| Bits::new(number, 4));
+        let clamped = is_low.select(end(near_end, width), within);
         Clamped {
             is_low,
             is_far,
-            depth: is_low
-                .select(depth(low, width), within)
-                .named(&own("depth")),
+            depth: clamped.named(&own("depth")),
             face: is_low.select(cap, face).named(&own("face")),
         }
     }

@@ -1,7 +1,7 @@
 //! Choice of the faces of a quadric by contours on the screen.
 
 use super::clamped::Clamped;
-use super::{Interval, Roots, Seen, absent, depth};
+use super::{Interval, Roots, Seen, absent, end};
 use imogene_contract::words::{FAR_ROOT, FIRST_PLANE, NEAR_ROOT, near_end};
 use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
 
@@ -25,10 +25,9 @@ bundle! {
 pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
     module("contour_choice", at, (roots, contours), |(roots, own)| {
         let width = own.front_zp.width();
-        let low = depth(near_end(width as usize), width);
-        let end = absent(width);
-        let near = Clamped::of("near", roots.near_sum, NEAR_ROOT, width);
-        let far = Clamped::of("far", roots.far_sum, FAR_ROOT, width);
+        let [low, end] = [end(near_end, width), absent(width)];
+        let near = Clamped::of("near", roots.near_sum, NEAR_ROOT);
+        let far = Clamped::of("far", roots.far_sum, FAR_ROOT);
         net! {
             // No plane passes through the quadric here and one of them has it on its removed side: nothing is left.
             let some_kept = own.front_inside | own.back_inside | own.middle_kept;
@@ -45,14 +44,12 @@ pub fn contour_choice(at: &str, roots: Roots, contours: Contours) -> Seen {
         }
         let front_plane = Bits::new(FIRST_PLANE, 4);
         let number = front_cuts.select(front_plane, near.face);
-        let solid = is_present.select(
-            Seen {
-                zf: cut_zf,
-                zb: cut_zb,
-                number,
-            },
-            Interval::absent(width).seen(),
-        );
+        let cut = Seen {
+            zf: cut_zf,
+            zb: cut_zb,
+            number,
+        };
+        let solid = is_present.select(cut, Seen::absent(width));
         let surface = Interval::of_surface([near_left, far_left], [near.depth, far.depth]).seen();
         own.surface.select(surface, solid).registered()
     })

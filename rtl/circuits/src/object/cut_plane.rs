@@ -46,7 +46,7 @@ pub fn cut_plane(at: &str, cut: Cut, interval: Interval) -> Interval {
         };
         let left = cuts_front.select(front, cuts_back.select(back, own));
         let absent = Interval::absent(own.zf.width());
-        ("cut", removed.select(absent, left).registered(), "after the cut")
+        let left = removed.select(absent, left).registered();
+        ("cut", left, "after the cut")
     })
-    .1
 }

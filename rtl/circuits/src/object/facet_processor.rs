@@ -1,10 +1,11 @@
 //! Facet processors.
 
 use super::clamped::Clamped;
-use super::{Normal, ScreenBox, Seen, Visible, absent, object_processor};
-use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
-use imogene_contract::words::{FIRST_PLANE, NEAR_ROOT, NORMAL};
-use imogene_hdl::{Bits, Bundle, Int, Value, net};
+use super::{NORMAL, Normal, ScreenBox, Seen, Visible, absent, object_processor};
+use crate::raster::{Flags, Linear, Quadratic, Scan, pe1, pe2};
+use crate::rows::numbered;
+use imogene_contract::words::{FIRST_PLANE, NEAR_ROOT};
+use imogene_hdl::{Bits, Bundle, Int, Plain, Value, net};
 
 /// Words of a facet: polynomials of first or second degree, from which the elementary processors begin.
 #[derive(Clone, Debug)]
@@ -35,13 +36,7 @@ impl<P> Facet<P> {
 /// interpolated (Phong). The depth is in units of `2^-10` depth words, the normal in units of `2^-8`.
 ///
 /// Absent outside a side and beyond the ends of the depth word. Latency 2. Chaillou 1991, IV.2.2; section 4.1.2.
-pub fn facet_processor(
-    at: &str,
-    flags: Flags,
-    pixel: Pixel,
-    facet: Facet<Linear>,
-    depth: u32,
-) -> Visible {
+pub fn facet_processor(at: &str, scan: Scan, facet: Facet<Linear>, depth: u32) -> Visible {
     let kind = Kind {
         name: "facet_processor",
         number: FIRST_PLANE,
@@ -53,7 +48,7 @@ pub fn facet_processor(
             "normal z in units of 2^-8",
         ],
     };
-    processor(kind, at, (flags, pixel), facet, depth, pe1)
+    processor(kind, at, scan, facet, depth, pe1)
 }
 
 /// For every pixel depth and normal of a facet with sides, depth and normal of second degree. The depth is in units of
@@ -62,8 +57,7 @@ pub fn facet_processor(
 /// Absent outside a side and beyond the ends of the depth word. Latency 2. Chaillou 1991, IV.2.6.1.
 pub fn curved_facet_processor(
     at: &str,
-    flags: Flags,
-    pixel: Pixel,
+    scan: Scan,
     facet: Facet<Quadratic>,
     depth: u32,
 ) -> Visible {
@@ -78,7 +72,7 @@ pub fn curved_facet_processor(
             "normal z in units of 2^-(2W-16)",
         ],
     };
-    processor(kind, at, (flags, pixel), facet, depth, pe2)
+    processor(kind, at, scan, facet, depth, pe2)
 }
 
 /// A kind of facets: the number of their face, and what their ports carry.
@@ -91,63 +85,50 @@ struct Kind {
 }
 
 /// A facet of polynomials that a processor adds up.
-fn processor<P: Bundle + Copy>(
+fn processor<P: Plain + Copy>(
     kind: Kind,
     at: &str,
-    (flags, pixel): (Flags, Pixel),
+    scan: Scan,
     facet: Facet<P>,
     depth: u32,
     pe: fn(&str, Flags, P) -> Int,
 ) -> Visible {
-    let [nx, ny, nz] = facet.normal;
-    let sides = ("side", facet.sides, "not negative inside side #");
-    let shape = (sides, ("depth", facet.depth, kind.depth));
-    let [x, y, z] = kind.normal;
+    let ([nx, ny, nz], [x, y, z]) = (facet.normal, kind.normal);
     let normal = (("nx", nx, x), ("ny", ny, y), ("nz", nz, z));
-    let inputs = (flags, pixel, (facet.screen_box, shape, normal));
-    let number = kind.number;
-    object_processor(
-        (kind.name, kind.faces),
-        at,
-        inputs,
-        |flags, pixel, (screen_box, shape, normal)| {
-            let ((_, sides, _), (_, z, _)) = shape;
-            let ((_, nx, _), (_, ny, _), (_, nz, _)) = normal;
-            let high = |value: Int, width: u32| {
-                let whole = value.width();
-                value.slice(whole - 1, whole - width).int()
-            };
-            let in_box = screen_box.contains(pixel).reg().named("in_box_late");
-            let sides = sides.iter().enumerate();
-            let is_there = sides.fold(in_box, |all, (index, side)| {
-                all & !pe(&format!("sides_{index}"), flags, *side).is_negative()
-            });
-            let z = high(pe("depth", flags, z), depth + 2);
-            net! {
-                let is_present = is_there & Clamped::of("depth", z, number, depth).is_visible();
-                let kept_depth = is_present.select(z.low(depth), absent(depth)).reg();
-                let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
-            }
-            let seen = Seen {
-                zf: kept_depth,
-                zb: kept_depth,
-                number: kept_number,
-            };
-            let component = |axis: &str, words: P| {
-                let value = pe(&format!("normal_{axis}"), flags, words);
-                high(value, NORMAL as u32)
-            };
-            let normal = Normal {
-                nx: component("x", nx),
-                ny: component("y", ny),
-                nz: component("z", nz),
-            };
-            let no_normal = Normal::all(Int::new(0, NORMAL as u32));
-            Visible {
-                front: seen.front(flags.valid.delayed_as("valid_late", 2)),
-                number: seen.number,
-                normal: is_present.select(normal, no_normal).registered(),
-            }
-        },
-    )
+    let sides = ("side", facet.sides, "not negative inside side #");
+    let z = ("depth", facet.depth, kind.depth);
+    let (number, kind) = (kind.number, (kind.name, kind.faces));
+    let inputs = (scan, (facet.screen_box, sides, z, normal));
+    object_processor(kind, at, inputs, |scan, (screen_box, sides, z, normal)| {
+        let flags = scan.flags;
+        let high = |value: Int, width: u32| {
+            let whole = value.width();
+            value.slice(whole - 1, whole - width).int()
+        };
+        let in_box = screen_box.contains(scan.pixel).reg().named("in_box_late");
+        let is_there = numbered("sides", sides).fold(in_box, |all, (at, side)| {
+            all & !pe(&at, flags, side).is_negative()
+        });
+        let z = high(pe("depth", flags, z), depth + 2);
+        net! {
+            let is_present = is_there & Clamped::of("depth", z, number).is_visible();
+            let kept_depth = is_present.select(z.low(depth), absent(depth)).reg();
+            let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
+        }
+        let seen = Seen {
+            zf: kept_depth,
+            zb: kept_depth,
+            number: kept_number,
+        };
+        let component = |at: &str, words: P| high(pe(at, flags, words), NORMAL);
+        let (nx, ny, nz) = normal;
+        let normal = Normal::of([
+            component("normal_x", nx),
+            component("normal_y", ny),
+            component("normal_z", nz),
+        ]);
+        let out_valid = flags.valid.delayed_as("valid_late", 2);
+        let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
+        seen.with(out_valid, is_present.select(normal, no_normal).registered())
+    })
 }

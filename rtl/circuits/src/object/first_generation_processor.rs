@@ -4,37 +4,21 @@ use super::{
     Contours, Network, Normal, NormalWords, Quadric, Visible, Widths, contour_choice,
     object_processor, plane_depth, roots, visible,
 };
-use crate::raster::{Flags, Linear, Pixel, Quadratic, pe1, pe2};
+use crate::raster::{Linear, Quadratic, Scan, pe1, pe2};
 use imogene_hdl::{Bits, Bundle, Value, bundles, net};
 
 bundles! {
     /// Words of a quadric between a front plane (0) and a back plane (1).
-    FirstGeneration {
+    FirstGeneration(widths: Widths) {
         /// The quadric itself.
-        quadric: Quadric as "";
-        surface: Bits as "surface", "the object is a bare surface, not a solid";
-        depths: Vec<Linear> as "depth", "depth of plane # (0 front, 1 back)";
-        conics: Vec<Quadratic> as "conic", "not negative where plane # (0 front, 1 back) is inside the quadric";
-        polars: Vec<Linear> as "polar",
+        quadric: Quadric(widths) as "";
+        surface: Bits(1) as "surface", "the object is a bare surface, not a solid";
+        depths: [Linear(widths.plane); 2] as "depth", "depth of plane # (0 front, 1 back)";
+        conics: [Quadratic(widths.quadratic); 2] as "conic",
+            "not negative where plane # (0 front, 1 back) is inside the quadric";
+        polars: [Linear(widths.plane); 2] as "polar",
             "negative where plane # (0 front, 1 back) has the middle of the quadric on its removed side";
-        normals: Vec<Normal> as "plane", "plane # (0 front, 1 back)";
-    }
-}
-
-impl FirstGeneration {
-    /// Words from outside of the design.
-    pub fn input(widths: Widths) -> FirstGeneration {
-        let linear = || vec![Linear::input(widths.plane), Linear::input(widths.plane)];
-        let conic = || Quadratic::input(widths.quadratic);
-        let normal = || Normal::input(widths.normal);
-        FirstGeneration {
-            quadric: Quadric::input(widths),
-            surface: Bits::input(1),
-            depths: linear(),
-            conics: vec![conic(), conic()],
-            polars: linear(),
-            normals: vec![normal(), normal()],
-        }
+        normals: [Normal(widths.normal); 2] as "plane", "plane # (0 front, 1 back)";
     }
 }
 
@@ -52,19 +36,17 @@ const KIND: (&str, &str) = (
 /// last flags of a zone. Section 2.4.1, its algorithm corrected.
 pub fn first_generation_processor(
     at: &str,
-    flags: Flags,
-    pixel: Pixel,
+    scan: Scan,
     words: FirstGeneration,
-    depth: u32,
     network: Network,
 ) -> Visible {
-    let inputs = (flags, pixel, words);
-    object_processor(KIND, at, inputs, |flags, pixel, words| {
+    object_processor(KIND, at, (scan, words), |scan, words| {
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
+        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
         let zp = |index: usize| {
-            plane_depth(&format!("depths_{index}"), late, words.depths[index], depth)
+            let at = format!("depths_{index}");
+            plane_depth(&at, late, words.depths[index], network.depth)
         };
         let is_inside = |index: usize| {
             let conic = pe2(&format!("conics_{index}"), late, words.conics[index]);

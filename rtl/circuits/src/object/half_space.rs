@@ -1,7 +1,7 @@
 //! A half-space: what lies on the kept side of a plane.
 
-use super::Widths;
-use crate::raster::Linear;
+use super::{Widths, plane_depth};
+use crate::raster::{Flags, Linear};
 use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, PERPENDICULAR};
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};
 
@@ -16,21 +16,20 @@ bundle! {
 bundles! {
     /// Words of a plane without a normal.
     #[derive(Copy)]
-    HalfSpace {
-        kind: Bits as "kind",
+    HalfSpace(widths: Widths) {
+        kind: Bits(2) as "kind",
             "kind: 0 none, 1 front (keeps z >= zp), 2 back (keeps z <= zp), 3 perpendicular (keeps zp >= 0)";
-        linear: Linear as "", "depth zp";
+        linear: Linear(widths.plane) as "", "depth zp";
     }
 }
 
 impl HalfSpace {
-    /// Words of so many planes from outside of the design.
-    pub(super) fn inputs(widths: Widths, planes: u32) -> Vec<HalfSpace> {
-        let plane = |_| HalfSpace {
-            kind: Bits::input(2),
-            linear: Linear::input(widths.plane),
-        };
-        (0..planes).map(plane).collect()
+    /// The plane at a pixel, 2 clocks after its flags.
+    pub(super) fn at(self, at: &str, flags: Flags, depth: u32) -> PlaneAt {
+        PlaneAt {
+            kind: self.kind,
+            zp: plane_depth(at, flags, self.linear, depth),
+        }
     }
 }
 
@@ -47,22 +46,16 @@ impl PlaneAt {
 /// Latency 1. Sections 2.4.3 (signals E_F and E_B of a patch), 3.2.1 and 4.1.3 (volumes).
 pub fn half_space_test(at: &str, plane: PlaneAt, z: Int, entered: Int) -> Bits {
     let inputs = (plane, ("z", z), ("entered", entered));
-    module(
-        "half_space_test",
-        at,
-        inputs,
-        |(plane, (_, z), (_, entered))| {
-            let width = plane.zp.width().max(z.width()).max(entered.width());
-            net! {
-                let plane_depth = plane.zp.extend(width);
-                let is_before = entered.extend(width).less(plane_depth);
-                let is_behind = plane_depth.less(z.extend(width));
-                let is_removed = (plane.kind.is(FRONT_PLANE) & is_before)
-                    | (plane.kind.is(BACK_PLANE) & is_behind)
-                    | plane.removes_all();
-            }
-            ("holds", (!is_removed).reg())
-        },
-    )
-    .1
+    module("half_space_test", at, inputs, |(plane, z, entered)| {
+        let width = plane.zp.width().max(z.width()).max(entered.width());
+        net! {
+            let plane_depth = plane.zp.extend(width);
+            let is_before = entered.extend(width).less(plane_depth);
+            let is_behind = plane_depth.less(z.extend(width));
+            let is_removed = (plane.kind.is(FRONT_PLANE) & is_before)
+                | (plane.kind.is(BACK_PLANE) & is_behind)
+                | plane.removes_all();
+        }
+        ("holds", (!is_removed).reg())
+    })
 }

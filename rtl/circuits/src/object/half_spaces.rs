@@ -1,11 +1,11 @@
 //! Intersection of half-spaces along the line of sight.
 
-use super::{Interval, PlaneAt, absent, depth};
+use super::{Interval, PlaneAt, end};
 use crate::tree::tree;
 use imogene_contract::words::{
-    BACK_PLANE, CAP, FIRST_PLANE, FRONT_PLANE, near_end, saturated_near,
+    BACK_PLANE, CAP, FIRST_PLANE, FRONT_PLANE, far_end, near_end, saturated_near,
 };
-use imogene_hdl::{Bits, Bundle, Value, bundle, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundle, module, net, ports};
 
 bundle! {
     /// What some half-spaces leave of the line of sight.
@@ -25,13 +25,12 @@ bundle! {
 /// extremes. At equal depths the smaller index wins. Latency `ceil(log2 planes) + 1`. Annex A.
 pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
     let inputs = (("plane", planes), ("is_there", is_there));
-    module("half_spaces", at, inputs, |((_, planes), (_, is_there))| {
+    module("half_spaces", at, inputs, |(planes, is_there)| {
         let width = planes[0].zp.width();
-        let [lowest, low] = [saturated_near, near_end].map(|end| depth(end(width as usize), width));
-        let end = absent(width);
+        let [lowest, low, end] = [saturated_near, near_end, far_end].map(|of| end(of, width));
         // Where a plane says nothing, a depth that loses to every plane.
-        let own = |(index, plane): (usize, &PlaneAt)| {
-            let number = Bits::new(FIRST_PLANE + index as u64, 4);
+        let own = |(plane, number): (PlaneAt, u64)| {
+            let number = Bits::new(number, 4);
             Kept {
                 front: plane.kind.is(FRONT_PLANE).select(plane.zp, lowest),
                 front_number: number,
@@ -40,7 +39,7 @@ pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
                 removed: plane.removes_all(),
             }
         };
-        let all = planes.iter().enumerate().map(own).collect();
+        let all = planes.into_iter().zip(FIRST_PLANE..).map(own).collect();
         let all = tree(all, half_space_node, "half_space_register");
         let cap = Bits::new(CAP, 4);
         net! {
@@ -56,31 +55,25 @@ pub fn half_spaces(at: &str, planes: Vec<PlaneAt>, is_there: Bits) -> Interval {
             zb: is_back_face.select(all.back, end),
             nb: is_back_face.select(all.back_number, cap),
         };
-        is_present
-            .select(kept, Interval::absent(width))
-            .registered()
+        let nothing = Interval::absent(width);
+        is_present.select(kept, nothing).registered()
     })
 }
 
 /// What two groups of half-spaces leave. Latency 1. Annex A.
 fn half_space_node(at: &str, a: Kept, b: Kept) -> Kept {
-    module(
-        "half_space_node",
-        at,
-        (("a", a), ("b", b)),
-        |((_, a), (_, b))| {
-            net! {
-                let b_is_deeper = a.front.less(b.front);
-                let b_is_nearer = b.back.less(a.back);
-            }
-            Kept {
-                front: b_is_deeper.select(b.front, a.front),
-                front_number: b_is_deeper.select(b.front_number, a.front_number),
-                back: b_is_nearer.select(b.back, a.back),
-                back_number: b_is_nearer.select(b.back_number, a.back_number),
-                removed: a.removed | b.removed,
-            }
-            .registered()
-        },
-    )
+    module("half_space_node", at, ports!(a, b), |(a, b)| {
+        net! {
+            let b_is_deeper = a.front.less(b.front);
+            let b_is_nearer = b.back.less(a.back);
+        }
+        let kept = Kept {
+            front: b_is_deeper.select(b.front, a.front),
+            front_number: b_is_deeper.select(b.front_number, a.front_number),
+            back: b_is_nearer.select(b.back, a.back),
+            back_number: b_is_nearer.select(b.back_number, a.back_number),
+            removed: a.removed | b.removed,
+        };
+        kept.registered()
+    })
 }

@@ -17,11 +17,11 @@ bundle! {
 impl Interval {
     /// Nothing is there.
     pub fn absent(depth: u32) -> Interval {
-        let no_face = Bits::new(0, 4);
+        let (z, no_face) = (absent(depth), Bits::new(0, 4));
         Interval {
-            zf: absent(depth),
+            zf: z,
             nf: no_face,
-            zb: absent(depth),
+            zb: z,
             nb: no_face,
         }
     }
@@ -29,9 +29,8 @@ impl Interval {
     /// From the first to the second point of a bare surface; from the only one to itself; absent where none is there.
     pub(super) fn of_surface(
         [near_is_there, far_is_there]: [Bits; 2],
-        depths: [Int; 2],
+        [near, far]: [Int; 2],
     ) -> Interval {
-        let [near, far] = depths;
         let [near_face, far_face] = [NEAR_ROOT, FAR_ROOT].map(|number| Bits::new(number, 4));
         let nothing = absent(near.width());
         Interval {
@@ -44,10 +43,7 @@ impl Interval {
 
     /// What is seen of it.
     pub(super) fn seen(self) -> Seen {
-        Seen {
-            zf: self.zf,
-            zb: self.zb,
-            number: self.nf,
-        }
+        let Interval { zf, zb, nf, .. } = self;
+        Seen { zf, zb, number: nf }
     }
 }

@@ -55,17 +55,20 @@ pub use words::{Factors, Gradients, Plane, Quadric, Widths, Words};
 
 use normal_unit::constant_normal;
 use roots::roots;
-use visible::{IN_ZONE, object_processor, visible};
+use visible::{object_processor, visible};
 
 use imogene_contract::words::far_end;
 use imogene_hdl::Int;
 
-/// A depth word.
-fn depth(value: i64, width: u32) -> Int {
-    Int::new(value, width)
+/// Bits of a normal component that no machine has cut.
+const NORMAL: u32 = imogene_contract::words::NORMAL as u32;
+
+/// An end of a depth word.
+fn end(of: fn(usize) -> i64, width: u32) -> Int {
+    Int::new(of(width as usize), width)
 }
 
 /// The far end: the background, and the mark of what is absent.
 pub(crate) fn absent(width: u32) -> Int {
-    depth(far_end(width as usize), width)
+    end(far_end, width)
 }

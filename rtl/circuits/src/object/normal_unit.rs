@@ -2,6 +2,7 @@
 
 use super::{Gradients, Words};
 use crate::raster::{Flags, Linear, pe1};
+use crate::rows::alike;
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
 
@@ -31,6 +32,10 @@ bundle! {
     }
 }
 
+alike! {
+    Normal: [Int; 3] { nx ny nz }
+}
+
 bundles! {
     /// The words of a normal.
     NormalWords {
@@ -57,102 +62,73 @@ impl NormalWords {
 /// `g(x, y) - (k rs >> 6)` on the near face and of `g(x, y) + (k rs >> 6)` on the far one, rounded down. Latency 3.
 /// Section 2.4.2.
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
-    module(
-        "normal_unit",
-        at,
-        (flags, face, words),
-        |(flags, face, words)| {
-            let Gradients {
-                gx,
-                gy,
-                gz,
-                factors,
-            } = words.gradients;
-            let width = factors.kx.width();
-            let is = |number: u64| face.number.is(number);
-            let late = flags.delayed(1);
-            net! {
-                let shifted_root = face.root.right_by(face.shift);
-                let low_root = shifted_root.low(shifted_root.width().min(width - 1));
-                let scaled_root = low_root.extend(width).int().reg();
-                let is_near = is(NEAR_ROOT).reg();
-                let is_quadric = ((is(NEAR_ROOT) | is(FAR_ROOT)) & !face.absent).reg();
-            }
-            let zero = Int::new(0, width);
-            let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
-            let fixed = constant_normal(face.number, to_viewer, &words.planes);
-            let fixed = face
-                .absent
-                .select(Normal::all(zero), fixed)
-                .registered()
-                .registered();
-            let component = |name: &str, g: Linear, k: Int, fixed: Int| {
-                let change = Change {
-                    scaled_root,
-                    is_near,
-                    is_quadric: is_quadric.reg(),
-                    fixed,
-                };
-                normal_component(&format!("component_{name}"), late, (g, k), change)
+    let inputs = (flags, face, words);
+    module("normal_unit", at, inputs, |(flags, face, words)| {
+        let Gradients {
+            gx,
+            gy,
+            gz,
+            factors,
+        } = words.gradients;
+        let width = factors.kx.width();
+        let is = |number: u64| face.number.is(number);
+        let late = flags.delayed(1);
+        net! {
+            let shifted_root = face.root.right_by(face.shift);
+            let low_root = shifted_root.low(shifted_root.width().min(width - 1));
+            let scaled_root = low_root.extend(width).int().reg();
+            let is_near = is(NEAR_ROOT).reg();
+            let is_quadric = ((is(NEAR_ROOT) | is(FAR_ROOT)) & !face.absent).reg();
+        }
+        let zero = Normal::of([Int::new(0, width); 3]);
+        let to_viewer = Int::new(-(1 << (width - 1)) + 1, width);
+        let fixed = constant_normal(face.number, to_viewer, &words.planes);
+        let fixed = face.absent.select(zero, fixed).registered().registered();
+        let component = |name: &str, g: Linear, k: Int, fixed: Int| {
+            let change = Change {
+                scaled_root,
+                is_near,
+                is_quadric: is_quadric.reg(),
+                fixed,
             };
-            let normal = Normal {
-                nx: component("x", gx, factors.kx, fixed.nx),
-                ny: component("y", gy, factors.ky, fixed.ny),
-                nz: component("z", gz, factors.kz, fixed.nz),
-            };
-            ("", normal, "visible face")
-        },
-    )
-    .1
+            normal_component(&format!("component_{name}"), late, (g, k), change)
+        };
+        let normal = Normal::of([
+            component("x", gx, factors.kx, fixed.nx),
+            component("y", gy, factors.ky, fixed.ny),
+            component("z", gz, factors.kz, fixed.nz),
+        ]);
+        ("", normal, "visible face")
+    })
 }
 
 /// The normal of a face that is none of the quadric: of a plane its own, of the cap `cap_nz` along the line of sight,
 /// else zero.
 pub(super) fn constant_normal(number: Bits, cap_nz: Int, planes: &[Normal]) -> Normal {
-    let zero = Normal::all(Int::new(0, cap_nz.width()));
-    let cap = Normal { nz: cap_nz, ..zero };
-    let planes = planes.iter().enumerate();
-    let planes = planes.map(|(index, normal)| (FIRST_PLANE + index as u64, *normal));
+    let none = Int::new(0, cap_nz.width());
+    let cap = Normal::of([none, none, cap_nz]);
+    let planes = (FIRST_PLANE..).zip(planes.iter().copied());
+    let choose = |other, (own, normal)| number.is(own).select(normal, other);
     planes
         .chain([(CAP, cap)])
-        .fold(zero, |other, (own, normal)| {
-            number.is(own).select(normal, other)
-        })
-}
-
-impl Normal {
-    pub(super) fn all(value: Int) -> Normal {
-        Normal {
-            nx: value,
-            ny: value,
-            nz: value,
-        }
-    }
+        .fold(Normal::of([none; 3]), choose)
 }
 
 /// One component, two clocks after its flags.
 fn normal_component(at: &str, flags: Flags, (g, k): (Linear, Int), change: Change) -> Int {
-    module(
-        "normal_component",
-        at,
-        (flags, g, ("k", k), change),
-        |(flags, g, (_, k), change)| {
-            let (width, whole) = (k.width(), g.a.width());
-            let value = pe1("g", flags, g);
-            // Of the product of two numbers the bits that stand beside those of g.
-            let point = 2 * width - whole - 2;
-            net! {
-                let product = k * change.scaled_root;
-                let opposite = Int::new(0, 2 * width) - product;
-                let kept_change = change.is_near.select(opposite, product).reg();
-                let sum = value + kept_change.slice(point + whole - 1, point).int();
-            }
-            let component = sum.high(width);
-            (
-                "result",
-                change.is_quadric.select(component, change.fixed).reg(),
-            )
-        },
-    )
-    .1
+    let inputs = (flags, g, ("k", k), change);
+    module("normal_component", at, inputs, |(flags, g, k, change)| {
+        let (width, whole) = (k.width(), g.a.width());
+        let value = pe1("g", flags, g);
+        // Of the product of two numbers the bits that stand beside those of g.
+        let point = 2 * width - whole - 2;
+        net! {
+            let product = k * change.scaled_root;
+            let opposite = Int::new(0, 2 * width) - product;
+            let kept_change = change.is_near.select(opposite, product).reg();
+            let sum = value + kept_change.slice(point + whole - 1, point).int();
+        }
+        let component = change.is_quadric.select(sum.high(width), change.fixed);
+        ("result", component.reg())
+    })
 }

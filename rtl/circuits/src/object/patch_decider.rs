@@ -2,6 +2,7 @@
 
 use super::clamped::Clamped;
 use super::{Interval, PlaneAt, Roots, Seen, half_space_test};
+use crate::rows::numbered;
 use imogene_contract::words::{FAR_ROOT, NEAR_ROOT};
 use imogene_hdl::{Bundle, Int, Value, module, net};
 
@@ -10,30 +11,26 @@ use imogene_hdl::{Bundle, Int, Value, module, net};
 /// E_B) and two wide ANDs stand in the place of a chain of cuts.
 ///
 /// A face in a plane is kept; a face outside `[ZLOW, ZMAX)` is not there. Latency 2. Section 2.4.3.
-pub fn patch_decider(at: &str, roots: Roots, planes: Vec<PlaneAt>, width: u32) -> Seen {
-    module(
-        "patch_decider",
-        at,
-        (roots, ("plane", planes, "plane #, beside the sums")),
-        |(roots, (_, planes, _))| {
-            net! { let is_there = roots.is_inside & roots.in_box; }
-            // The two ends are planes of constant depth: asked beside the planes, not before them.
-            let is_left = |name: &str, sum: Int, face: u64| {
-                let end = Clamped::of(name, sum, face, width).is_visible();
-                let exists = (is_there & end).reg().named(&format!("{name}_exists"));
-                let planes = planes.iter().enumerate();
-                planes.fold(exists, |left, (index, plane)| {
-                    left & half_space_test(&format!("keeps_{name}_{index}"), *plane, sum, sum)
-                })
-            };
-            net! {
-                let near_left = is_left("near", roots.near_sum, NEAR_ROOT);
-                let far_left = is_left("far", roots.far_sum, FAR_ROOT);
-                let near_depth = roots.near_sum.low(width).reg();
-                let far_depth = roots.far_sum.low(width).reg();
-            }
-            let faces = Interval::of_surface([near_left, far_left], [near_depth, far_depth]);
-            faces.seen().registered()
-        },
-    )
+pub fn patch_decider(at: &str, roots: Roots, planes: Vec<PlaneAt>) -> Seen {
+    let inputs = (roots, ("plane", planes, "plane #, beside the sums"));
+    module("patch_decider", at, inputs, |(roots, planes)| {
+        net! { let is_there = roots.is_inside & roots.in_box; }
+        // The two ends are planes of constant depth: asked beside the planes, not before them.
+        let is_left = |name: &str, sum: Int, face: u64| {
+            let end = Clamped::of(name, sum, face).is_visible();
+            let exists = (is_there & end).reg().named(&format!("{name}_exists"));
+            let planes = numbered(&format!("keeps_{name}"), &planes);
+            planes.fold(exists, |left, (at, plane)| {
+                left & half_space_test(&at, *plane, sum, sum)
+            })
+        };
+        net! {
+            let near_left = is_left("near", roots.near_sum, NEAR_ROOT);
+            let far_left = is_left("far", roots.far_sum, FAR_ROOT);
+            let near_depth = roots.near_sum.low(roots.depth()).reg();
+            let far_depth = roots.far_sum.low(roots.depth()).reg();
+        }
+        let faces = Interval::of_surface([near_left, far_left], [near_depth, far_depth]);
+        faces.seen().registered()
+    })
 }

@@ -1,28 +1,19 @@
 //! Patch object processor.
 
 use super::{
-    HalfSpace, Network, NormalWords, PlaneAt, Quadric, Visible, Widths, object_processor,
-    patch_decider, plane_depth, roots, visible,
+    HalfSpace, Network, NormalWords, Quadric, Visible, Widths, object_processor, patch_decider,
+    roots, visible,
 };
-use crate::raster::{Flags, Pixel};
+use crate::raster::Scan;
+use crate::rows::numbered;
 use imogene_hdl::{Bundle, Value, bundles};
 
 bundles! {
     /// Words of a bare surface cut by planes.
-    Patch {
+    Patch(widths: Widths, planes: u32) {
         /// The surface itself.
-        quadric: Quadric as "";
-        planes: Vec<HalfSpace> as "plane", "plane #";
-    }
-}
-
-impl Patch {
-    /// Words from outside of the design, with so many planes.
-    pub fn input(widths: Widths, planes: u32) -> Patch {
-        Patch {
-            quadric: Quadric::input(widths),
-            planes: HalfSpace::inputs(widths, planes),
-        }
+        quadric: Quadric(widths) as "";
+        planes: [HalfSpace(widths); planes] as "plane", "plane #";
     }
 }
 
@@ -35,25 +26,14 @@ const KIND: (&str, &str) = ("patch_processor", "visible face: 0 near root, 1 far
 /// The planes decide in parallel, so the latency does not depend on their number, and there is neither a second half of
 /// the depth interval nor a merge nor a normal of a plane. Latency `ceil(rows / rows_per_stage) + 7`. The words stay
 /// unchanged until that many clocks after the last flags of a zone. Sections 2.4.3 and 5.2.1.
-pub fn patch_processor(
-    at: &str,
-    flags: Flags,
-    pixel: Pixel,
-    words: Patch,
-    depth: u32,
-    network: Network,
-) -> Visible {
-    let inputs = (flags, pixel, words);
-    object_processor(KIND, at, inputs, |flags, pixel, words| {
+pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> Visible {
+    object_processor(KIND, at, (scan, words), |scan, words| {
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
-        let plane = |(index, plane): (usize, &HalfSpace)| PlaneAt {
-            kind: plane.kind,
-            zp: plane_depth(&format!("planes_{index}"), late, plane.linear, depth),
-        };
-        let planes = words.planes.iter().enumerate().map(plane).collect();
-        let seen = patch_decider("decider", roots, planes, depth);
+        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
+        let planes = numbered("planes", words.planes);
+        let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
+        let seen = patch_decider("decider", roots, planes.collect());
         let root = (root.delayed_as("root_late", 2), quadric.shift);
         let normals = NormalWords {
             gradients: quadric.gradients,

@@ -1,6 +1,6 @@
 //! Depth of a cut plane.
 
-use super::{absent, depth};
+use super::{absent, end};
 use crate::raster::{Flags, Linear, pe1};
 use imogene_contract::words::{far_end, saturated_near};
 use imogene_hdl::{Int, Value, module, net};
@@ -10,18 +10,17 @@ use imogene_hdl::{Int, Value, module, net};
 /// Latency 2. Section 2.4.2.
 pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
     let inputs = (flags, ("", words, "read with start"));
-    module("plane_depth", at, inputs, |(flags, (_, words, _))| {
+    module("plane_depth", at, inputs, |(flags, words)| {
         let plane = pe1("plane", flags, words);
         let [largest, smallest] = [far_end, saturated_near].map(|end| end(width as usize));
         net! {
             let above = Int::new(largest, plane.width()).less(plane);
             let below = plane.less(Int::new(smallest, plane.width()));
         }
-        let nearest = depth(smallest, width);
+        let nearest = end(saturated_near, width);
         let clamped = above.select(absent(width), below.select(nearest, plane.low(width)));
         let meaning =
             "a x + b y + c modulo the width of its words, clamped to [-2^(W-1), 2^(W-1) - 1]";
         ("depth", clamped.reg(), meaning)
     })
-    .1
 }

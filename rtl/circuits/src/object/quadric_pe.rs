@@ -2,6 +2,7 @@
 
 use crate::arith::square_root;
 use crate::raster::{Flags, Linear, Quadratic, pe1, pe2};
+use imogene_contract::words::depth_sum;
 use imogene_hdl::{Bundle, Value, bundle, module, net};
 
 bundle! {
@@ -17,8 +18,8 @@ bundle! {
 /// Depths and root of a quadric.
 #[derive(Clone, Copy, Debug)]
 pub struct Network {
-    /// Bits of the depths.
-    pub sum: u32,
+    /// Bits of a depth word.
+    pub depth: u32,
     /// Digits.
     pub digits: u32,
     /// Leading digits that are computed; the others are zero.
@@ -28,16 +29,6 @@ pub struct Network {
 }
 
 impl Network {
-    /// All digits that a depth word needs, computed.
-    pub fn of(depth_word: u32, rows_per_stage: u32) -> Network {
-        Network {
-            sum: depth_word + 2,
-            digits: depth_word,
-            rows: depth_word,
-            rows_per_stage,
-        }
-    }
-
     /// Clocks.
     pub fn latency(&self) -> u32 {
         self.rows.div_ceil(self.rows_per_stage)
@@ -60,11 +51,11 @@ pub fn quadric_pe(
         ("f1", f1, "linear part of the depth"),
         ("f2", f2, "quadratic under the root"),
     );
-    let (depths, (_, late, _)) = module("quadric_pe", at, inputs, |(flags, f1, f2)| {
-        let (stages, sum) = (network.latency(), network.sum);
-        let f2 = pe2("f2", flags, f2.1);
+    module("quadric_pe", at, inputs, |(flags, f1, f2)| {
+        let (stages, sum) = (network.latency(), depth_sum(network.depth as usize) as u32);
+        let f2 = pe2("f2", flags, f2);
         let late = flags.delayed(stages);
-        let f1 = pe1("f1", late, f1.1).high(sum);
+        let f1 = pe1("f1", late, f1).high(sum);
         let radicand = f2.high(2 * network.rows).bits();
         let found = square_root("square_root", radicand, network.rows_per_stage);
         let root = found.root.extend(network.digits);
@@ -84,6 +75,5 @@ pub fn quadric_pe(
         };
         let meaning = "flags ceil(W / R) clocks later, for a PE1 that is to meet the sums";
         (depths, ("late", late, meaning))
-    });
-    (depths, late)
+    })
 }

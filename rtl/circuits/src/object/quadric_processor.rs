@@ -1,18 +1,17 @@
 //! Quadric object processor, second generation.
 
 use super::{
-    Cut, Interval, Network, NormalWords, Visible, Words, cut_plane, depth_interval,
-    object_processor, plane_depth, roots, two_volume_merge, visible,
+    Cut, Interval, Network, NormalWords, PlaneAt, Visible, Words, cut_plane, depth_interval,
+    object_processor, roots, two_volume_merge, visible,
 };
-use crate::raster::{Flags, Pixel};
+use crate::raster::Scan;
+use crate::rows::numbered;
 use imogene_contract::words::{FIRST_PLANE, PATCH};
 use imogene_hdl::{Bits, Bundle, Value, net};
 
 /// What an object processor is built for.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// Bits of a depth word.
-    pub depth: u32,
     /// The root.
     pub root: Network,
     /// It has half B, which objects of the class front need.
@@ -30,48 +29,36 @@ const KIND: (&str, &str) = (
 /// A quadric PE, the intervals of both halves, a chain of cuts for each, the nearer half, and its normal. Latency
 /// `ceil(rows / rows_per_stage) + planes + 7`, one less without half B. The words stay unchanged until that many
 /// clocks after the last flags of a zone. Section 2.4.2.
-pub fn quadric_processor(
-    at: &str,
-    flags: Flags,
-    pixel: Pixel,
-    words: Words,
-    shape: Shape,
-) -> Visible {
-    let inputs = (flags, pixel, words);
-    object_processor(KIND, at, inputs, |flags, pixel, words| {
-        let Shape {
-            depth,
-            root: network,
-            two_volumes,
-        } = shape;
-        let quadric = words.quadric;
-        let halves = u32::from(two_volumes);
+pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Visible {
+    object_processor(KIND, at, (scan, words), |scan, words| {
+        let (quadric, network) = (words.quadric, shape.root);
         let f = (quadric.f1, quadric.f2);
-        let (roots, root, late) = roots(flags, pixel, quadric.screen_box, f, network);
-        let start = depth_interval("interval", roots, words.object_class, depth);
+        let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
+        let start = depth_interval("interval", roots, words.object_class);
         net! { let surface = words.object_class.is(PATCH); }
         let mut flags = late;
-        let planes_at = words.planes.iter().enumerate().map(|(index, plane)| {
+        let planes = numbered("planes", &words.planes).zip(FIRST_PLANE..);
+        let planes_at = planes.map(|((at, plane), number)| {
             flags = flags.delayed(1);
+            let PlaneAt { kind, zp } = plane.half_space.at(&at, flags, network.depth);
             Cut {
-                kind: plane.kind,
+                kind,
                 surface,
-                number: Bits::new(FIRST_PLANE + index as u64, 4),
-                zp: plane_depth(&format!("planes_{index}"), flags, plane.linear, depth),
+                number: Bits::new(number, 4),
+                zp,
             }
         });
         let cuts: Vec<Cut> = planes_at.collect();
-        let cut = |half: &str, interval: Interval| {
-            let cuts = cuts.iter().enumerate();
-            cuts.fold(interval, |interval, (index, cut)| {
-                cut_plane(&format!("cut_{half}_{index}"), *cut, interval)
-            })
+        let cut = |row: &str, interval: Interval| {
+            let cuts = numbered(row, &cuts);
+            cuts.fold(interval, |left, (at, cut)| cut_plane(&at, *cut, left))
         };
-        let a = cut("a", start.a);
-        let seen: Interval = match two_volumes {
-            true => two_volume_merge("merge", a, cut("b", start.b)),
+        let a = cut("cut_a", start.a);
+        let seen = match shape.two_volumes {
+            true => two_volume_merge("merge", a, cut("cut_b", start.b)),
             false => a,
         };
+        let halves = u32::from(shape.two_volumes);
         let clocks = words.planes.len() as u32 + 1 + halves;
         let root = (root.delayed_as("root_late", clocks), quadric.shift);
         let normals = NormalWords::of(&words);

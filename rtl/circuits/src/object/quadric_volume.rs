@@ -1,33 +1,20 @@
 //! Shadow or light volume of a quadric and planes.
 
-use super::{Answer, Bounds, IN_ZONE, Network, Roots, VolumePoint, Widths, roots};
-use crate::raster::{Flags, Linear, Pixel, Quadratic};
+use super::{Answer, Bounds, Network, Roots, VolumePoint, Widths, roots};
+use crate::raster::{Linear, Quadratic, Scan};
 use imogene_contract::words::{FRONT, PRISM, SIDE};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
 bundles! {
     /// Words of a volume of a quadric and planes.
-    VolumeWords {
-        f1: Linear as "f1", "linear part of the depth";
-        f2: Quadratic as "f2", "quadratic under the root";
+    VolumeWords(widths: Widths, planes: u32) {
+        f1: Linear(widths.linear) as "f1", "linear part of the depth";
+        f2: Quadratic(widths.quadratic) as "f2", "quadratic under the root";
         /// Screen box and planes.
-        bounds: Bounds as "";
-        object_class: Bits as "object_class",
+        bounds: Bounds(widths, planes) as "";
+        object_class: Bits(2) as "object_class",
             "class of the quadric: 0 side, 1 front, 2 patch, 3 prism; a patch has no inside";
-        depth_shift: Bits as "depth_shift", "the quadric's depths are in units of 2^depth_shift depth words";
-    }
-}
-
-impl VolumeWords {
-    /// Words from outside of the design, with so many planes.
-    pub fn input(widths: Widths, planes: u32) -> VolumeWords {
-        VolumeWords {
-            f1: Linear::input(widths.linear),
-            f2: Quadratic::input(widths.quadratic),
-            bounds: Bounds::input(widths, planes),
-            object_class: Bits::input(2),
-            depth_shift: Bits::input(4),
-        }
+        depth_shift: Bits(4) as "depth_shift", "the quadric's depths are in units of 2^depth_shift depth words";
     }
 }
 
@@ -39,56 +26,44 @@ impl VolumeWords {
 /// last flags of a zone. Sections 3.2.1 and 4.1.3.
 pub fn quadric_volume(
     at: &str,
-    flags: Flags,
-    pixel: Pixel,
+    scan: Scan,
     point: VolumePoint,
     words: VolumeWords,
     network: Network,
 ) -> Answer {
-    let inputs = (flags, ("", pixel, IN_ZONE), point, words);
-    module(
-        "quadric_volume",
-        at,
-        inputs,
-        |(flags, (_, pixel, _), point, words)| {
-            let f = (words.f1, words.f2);
-            let (roots, _, late) = roots(flags, pixel, words.bounds.screen_box, f, network);
-            let late = late.delayed(1);
-            // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
-            // its unit.
-            let coarse = point
-                .depths()
-                .map(|depth| depth.right_by(words.depth_shift));
-            net! {
-                let coarse_z = coarse[0].reg();
-                let coarse_entered = coarse[1].reg();
-                let in_quadric = is_inside(words.object_class, roots, coarse_z, coarse_entered).reg();
-                let in_box = roots.in_box.reg();
-                let is_kept = point.is_kept(late, &words.bounds.planes);
-            }
-            Answer {
-                out_valid: late.valid.delayed_as("valid_late", 3),
-                is_inside: (in_box & in_quadric & is_kept).reg(),
-            }
-        },
-    )
+    let inputs = (scan, point, words);
+    module("quadric_volume", at, inputs, |(scan, point, words)| {
+        let f = (words.f1, words.f2);
+        let (roots, _, late) = roots(scan, words.bounds.screen_box, f, network);
+        let late = late.delayed(1);
+        // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
+        // its unit.
+        let [z, entered] = point
+            .depths()
+            .map(|depth| depth.right_by(words.depth_shift));
+        net! {
+            let coarse_z = z.reg();
+            let coarse_entered = entered.reg();
+            let in_quadric = is_inside(words.object_class, roots, coarse_z, coarse_entered).reg();
+            let in_box = roots.in_box.reg();
+            let is_kept = point.is_kept(late, &words.bounds.planes);
+        }
+        Answer {
+            out_valid: late.valid.delayed_as("valid_late", 3),
+            is_inside: (in_box & in_quadric & is_kept).reg(),
+        }
+    })
 }
 
 /// 1 where a point lies inside an unbounded quadric. Where the quadric begins, `entered` is asked; where it ends, `z`.
 fn is_inside(object_class: Bits, roots: Roots, z: Int, entered: Int) -> Bits {
-    let Roots {
-        near_sum: near,
-        far_sum: far,
-        is_inside,
-        ..
-    } = roots;
     let is = |class: u64| object_class.is(class);
     net! {
-        let between = !entered.less(near) & !far.less(z);
-        let outside = !near.less(z) | !entered.less(far);
-        let in_side = is(SIDE) & is_inside & between;
-        let in_front = is(FRONT) & (!is_inside | outside);
-        let in_prism = is(PRISM) & is_inside;
+        let between = !entered.less(roots.near_sum) & !roots.far_sum.less(z);
+        let outside = !roots.near_sum.less(z) | !entered.less(roots.far_sum);
+        let in_side = is(SIDE) & roots.is_inside & between;
+        let in_front = is(FRONT) & (!roots.is_inside | outside);
+        let in_prism = is(PRISM) & roots.is_inside;
     }
     in_side | in_front | in_prism
 }

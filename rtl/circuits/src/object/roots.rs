@@ -1,7 +1,7 @@
 //! The roots of a quadric in its screen box.
 
 use super::{Network, ScreenBox, quadric_pe};
-use crate::raster::{Flags, Linear, Pixel, Quadratic};
+use crate::raster::{Flags, Linear, Quadratic, Scan};
 use imogene_hdl::{Bits, Value, bundle};
 
 bundle! {
@@ -14,24 +14,29 @@ bundle! {
     }
 }
 
+impl Roots {
+    /// Bits of a depth word.
+    pub(super) fn depth(&self) -> u32 {
+        self.near_sum.width() - 2
+    }
+}
+
 /// Both depths of a quadric beside the test of its screen box; with them the root, and the flags two clocks before.
 ///
 /// Latency `ceil(rows / rows_per_stage) + 2`.
 pub(super) fn roots(
-    flags: Flags,
-    pixel: Pixel,
+    scan: Scan,
     screen_box: ScreenBox,
     words: (Linear, Quadratic),
     network: Network,
 ) -> (Roots, Bits, Flags) {
-    let (depths, late) = quadric_pe("quadric", flags, words, network);
+    let (depths, late) = quadric_pe("quadric", scan.flags, words, network);
+    let in_box = screen_box.contains(scan.pixel);
     let roots = Roots {
         near_sum: depths.near_sum,
         far_sum: depths.far_sum,
         is_inside: depths.is_inside,
-        in_box: screen_box
-            .contains(pixel)
-            .delayed_as("in_box_late", network.latency() + 2),
+        in_box: in_box.delayed_as("in_box_late", network.latency() + 2),
     };
     (roots, depths.root, late)
 }

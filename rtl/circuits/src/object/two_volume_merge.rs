@@ -6,14 +6,9 @@ use imogene_hdl::{Bundle, Value, module, net};
 /// Of the two halves of an object the one whose front is nearer, the first of two equal ones. Latency 1.
 /// Section 2.4.2.
 pub fn two_volume_merge(at: &str, a: Interval, b: Interval) -> Interval {
-    module(
-        "two_volume_merge",
-        at,
-        (("_a", a, "half A"), ("_b", b, "half B")),
-        |((_, a, _), (_, b, _))| {
-            net! { let b_in_front = b.zf.less(a.zf); }
-            ("", b_in_front.select(b, a).registered(), "half in front")
-        },
-    )
-    .1
+    let inputs = (("_a", a, "half A"), ("_b", b, "half B"));
+    module("two_volume_merge", at, inputs, |(a, b)| {
+        net! { let b_in_front = b.zf.less(a.zf); }
+        ("", b_in_front.select(b, a).registered(), "half in front")
+    })
 }

@@ -1,8 +1,8 @@
 //! What object processors answer.
 
-use super::{Face, Normal, NormalWords, absent, normal_unit};
-use crate::raster::{Flags, Pixel};
-use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, module};
+use super::{Face, Interval, Normal, NormalWords, absent, normal_unit};
+use crate::raster::{Flags, Scan};
+use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, bundles, module};
 
 bundle! {
     /// An object on a line of sight.
@@ -30,38 +30,45 @@ bundles! {
     }
 }
 
-/// Group of the place of a pixel.
-pub(super) const IN_ZONE: &str = "pixel of the zone, counted from 0";
-
 impl Seen {
+    /// Nothing is there.
+    pub(super) fn absent(depth: u32) -> Seen {
+        Interval::absent(depth).seen()
+    }
+
     /// The answer of the clock that says whether it is one, without its face.
     pub(super) fn front(self, out_valid: Bits) -> Front {
-        Front {
-            out_valid,
-            zf: self.zf,
-            zb: self.zb,
+        let Seen { zf, zb, .. } = self;
+        Front { out_valid, zf, zb }
+    }
+
+    /// The answer of the clock that says whether it is one.
+    pub(super) fn with(self, out_valid: Bits, normal: Normal) -> Visible {
+        Visible {
+            front: self.front(out_valid),
+            number: self.number,
+            normal,
         }
     }
 }
 
 /// An object processor as a module; `faces` says what numbers of faces it gives.
 #[track_caller]
-pub(super) fn object_processor<W: Bundle>(
+pub(super) fn object_processor<W: Ports>(
     (name, faces): (&str, &'static str),
     at: &str,
-    (flags, pixel, words): (Flags, Pixel, W),
-    body: impl FnOnce(Flags, Pixel, W) -> Visible,
+    inputs: (Scan, W),
+    body: impl FnOnce(Scan, W::Bare) -> Visible,
 ) -> Visible {
-    let inputs = (flags, ("", pixel, IN_ZONE), words);
-    let (front, (_, number, _), normal) = module(name, at, inputs, |(flags, pixel, words)| {
-        let seen = body(flags, pixel.1, words);
+    let (front, number, normal) = module(name, at, inputs, |(scan, words)| {
+        let seen = body(scan, words);
         let number = ("number", seen.number, faces);
         (seen.front, number, ("", seen.normal, "visible face"))
     });
     Visible {
         front,
         number,
-        normal: normal.1,
+        normal,
     }
 }
 
@@ -78,10 +85,6 @@ pub(super) fn visible(
         root,
         shift,
     };
-    let ((_, out_valid), late) = (("out_valid", flags.valid), seen).delayed(3);
-    Visible {
-        front: late.front(out_valid),
-        number: late.number,
-        normal: normal_unit("normal", flags, face, words),
-    }
+    let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(3).bare();
+    late.with(out_valid, normal_unit("normal", flags, face, words))
 }

@@ -2,6 +2,7 @@
 
 use super::{HalfSpace, PlaneAt, ScreenBox, Widths, absent, half_space_test};
 use crate::raster::{Flags, pe1};
+use crate::rows::numbered;
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, net};
 
 bundle! {
@@ -22,20 +23,10 @@ bundle! {
 
 bundles! {
     /// Where a volume may be, and what cuts it.
-    Bounds {
+    Bounds(widths: Widths, planes: u32) {
         /// Where it may be.
-        screen_box: ScreenBox as "";
-        planes: Vec<HalfSpace> as "plane", "plane #";
-    }
-}
-
-impl Bounds {
-    /// Words from outside of the design, with so many planes.
-    pub fn input(widths: Widths, planes: u32) -> Bounds {
-        Bounds {
-            screen_box: ScreenBox::input(),
-            planes: HalfSpace::inputs(widths, planes),
-        }
+        screen_box: ScreenBox() as "";
+        planes: [HalfSpace(widths); planes] as "plane", "plane #";
     }
 }
 
@@ -55,13 +46,12 @@ impl VolumePoint {
             let entered = self.depths()[1].reg();
             let is_surface = (!z.equals(absent(z.width()))).reg();
         }
-        let planes = planes.iter().enumerate();
-        planes.fold(is_surface, |all, (index, plane)| {
-            let plane = PlaneAt {
-                kind: plane.kind,
-                zp: pe1(&format!("planes_{index}"), flags, plane.linear),
-            };
-            all & half_space_test(&format!("tests_{index}"), plane, z, entered)
+        let planes = numbered("planes", planes).map(|(at, plane)| PlaneAt {
+            kind: plane.kind,
+            zp: pe1(&at, flags, plane.linear),
+        });
+        numbered("tests", planes).fold(is_surface, |all, (at, plane)| {
+            all & half_space_test(&at, plane, z, entered)
         })
     }
 }

@@ -104,7 +104,7 @@ bundle! {
 /// Latency 1, from the command of a pixel. Chaillou 1991, IV.1.5.
 pub fn memory_pe2(at: &str, load: LoadWord, commands: Commands) -> Stepped {
     let inputs = (("load", load), commands);
-    module("memory_pe2", at, inputs, |((_, load), commands)| {
+    module("memory_pe2", at, inputs, |(load, commands)| {
         let width = load.data.width();
         let number = |value: u64| Bits::new(value, 5);
         net! {

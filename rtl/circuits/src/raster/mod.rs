@@ -10,8 +10,12 @@ pub use pe1::pe1;
 pub use pe2::pe2;
 pub use programmable_pe::{Program, Programmed, SplitWords, programmable_pe};
 
-use imogene_contract::words::COORDINATE;
-use imogene_hdl::bundle;
+use crate::rows::alike;
+use imogene_contract::words;
+use imogene_hdl::{Int, bundle, bundles};
+
+/// Bits of a screen coordinate.
+pub(crate) const COORDINATE: u32 = words::COORDINATE as u32;
 
 bundle! {
     /// Raster flags.
@@ -23,8 +27,8 @@ bundle! {
 
     /// A place on the screen or in a zone.
     Pixel() {
-        x: Bits(COORDINATE as u32), "column";
-        y: Bits(COORDINATE as u32), "line";
+        x: Bits(COORDINATE), "column";
+        y: Bits(COORDINATE), "line";
     }
 
     /// Words of `a x + b y + c`.
@@ -43,4 +47,19 @@ bundle! {
         p0: Int(width), "d + a, the first increment from pixel to pixel";
         f: Int(width), "f, the value at the first pixel";
     }
+}
+
+bundles! {
+    /// A pixel on its way through a zone.
+    #[derive(Copy)]
+    Scan() {
+        /// What begins with it.
+        flags: Flags() as "";
+        pixel: Pixel() as "", "pixel of the zone, counted from 0";
+    }
+}
+
+alike! {
+    Linear: [Int; 3] { a b c }
+    Quadratic: [Int; 6] { a2 b2 c i0 p0 f }
 }

@@ -8,7 +8,7 @@ use imogene_hdl::{Int, Value, module, net};
 /// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.2 and B.2.1.
 pub fn pe1(at: &str, flags: Flags, words: Linear) -> Int {
     let inputs = (flags, ("", words, "read with start"));
-    module("pe1", at, inputs, |(flags, (_, words, _))| {
+    module("pe1", at, inputs, |(flags, words)| {
         let load = flags.valid & flags.start;
         net! {
             let first = flags.start | flags.line;
@@ -25,5 +25,4 @@ pub fn pe1(at: &str, flags: Flags, words: Linear) -> Int {
         pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
         ("value", pixel_value, "a x + b y + c, modulo its width")
     })
-    .1
 }

@@ -9,7 +9,7 @@ use imogene_hdl::{Int, Value, module, net};
 /// Latency 1. A clock without `valid` changes nothing; words are read with `start` alone. Sections 2.3.2 and B.2.1.
 pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
     let inputs = (flags, ("", words, "read with start"));
-    module("pe2", at, inputs, |(flags, (_, words, _))| {
+    module("pe2", at, inputs, |(flags, words)| {
         let load = flags.valid & flags.start;
         let register = || Int::register(words.f.width());
         net! {
@@ -34,11 +34,7 @@ pub fn pe2(at: &str, flags: Flags, words: Quadratic) -> Int {
         first_step.load_when(load_line, first_begin_step);
         pixel_value.load_when(flags.valid, first.select(line_begin, next_pixel));
         pixel_step.load_when(flags.valid, first.select(first_begin_step, next_step));
-        (
-            "value",
-            pixel_value,
-            "a x^2 + b y^2 + c xy + d x + e y + f, modulo its width",
-        )
+        let meaning = "a x^2 + b y^2 + c xy + d x + e y + f, modulo its width";
+        ("value", pixel_value, meaning)
     })
-    .1
 }

@@ -40,7 +40,7 @@ bundles! {
 /// Latency 1, the decision 2. Words are read on a clock with `valid` and `start` only. Chaillou 1991, IV.1.7.
 pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWords) -> Programmed {
     let inputs = (flags, ("", (program, words), "read with start"));
-    let body = |(flags, (_, (program, words), _)): (Flags, (_, (Program, SplitWords), _))| {
+    let body = |(flags, (program, words)): (Flags, (Program, SplitWords))| {
         let width = words.f.width();
         let load = flags.valid & flags.start;
         let register = || Bits::register(width);
@@ -98,7 +98,7 @@ pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWor
 /// 1991, IV.1.7.
 fn split_adder(at: &str, a: Bits, b: Bits, split: Bits) -> Bits {
     let inputs = (("a", a), ("b", b), ("split", split));
-    module("split_adder", at, inputs, |((_, a), (_, b), (_, split))| {
+    module("split_adder", at, inputs, |(a, b, split)| {
         let half = a.width() / 2;
         let low_half = |word: Bits| word.low(half).extend(half + 1);
         let high_half = |word: Bits| word.slice(2 * half - 1, half);
@@ -110,5 +110,4 @@ fn split_adder(at: &str, a: Bits, b: Bits, split: Bits) -> Bits {
         }
         ("sum", join([high, low.low(half)]))
     })
-    .1
 }

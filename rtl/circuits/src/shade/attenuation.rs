@@ -2,7 +2,7 @@
 
 use super::Fog;
 use crate::arith::{logarithm, logarithm_of_sum};
-use imogene_hdl::{Bits, Int, Value, join, module, net};
+use imogene_hdl::{Bits, Int, Value, join, module, net, ports};
 
 /// Bits of the sums.
 const SUM: u32 = 32;
@@ -19,41 +19,31 @@ pub(super) fn attenuation(
     far: Bits,
     (ray_log, ray_places): (Int, Bits),
 ) -> Bits {
-    let inputs = (
-        fog,
-        ("far", far),
-        ("ray_log", ray_log),
-        ("ray_places", ray_places),
-    );
-    module(
-        "attenuation",
-        at,
-        inputs,
-        |(fog, (_, far), (_, ray_log), (_, ray_places))| {
-            let wide = |number: Int| number.extend(SUM);
-            let zero = Int::new(0, SUM);
-            let far_log = logarithm("logarithm", far).delayed_as("far_late", 6);
-            net! {
-                let twice_far = wide(far_log) + wide(far_log);
-                let wide_offset = wide(fog.offset.slice(29, 1).int());
-                let places = join([ray_places, Bits::new(0, 21)]).extend(SUM).int();
-                let kept_near = (wide(ray_log) - places).reg();
-                let kept_far = (wide_offset - twice_far).reg();
-                let kept_e = (kept_near + kept_far).reg();
-                let opposite = zero - kept_e;
-                let magnitude = kept_e.is_negative().select(opposite, kept_e).bits().reg();
-                let fall = logarithm_of_sum("curve", magnitude);
-            }
-            let late = kept_e.delayed_as("e_late", 6);
-            net! {
-                let rise = late.is_negative().select(zero, late);
-                let sum = join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise;
-                let is_less = sum.slice(SUM - 1, LOSS).is(0);
-            }
-            let most = Bits::new((1 << LOSS) - 1, LOSS);
-            let loss = is_less.select(sum.slice(LOSS - 1, 0), most);
-            ("loss", fog.is_on.select(loss, Bits::new(0, LOSS)).reg())
-        },
-    )
-    .1
+    let inputs = (fog, ("far", far), ports!(ray_log, ray_places));
+    module("attenuation", at, inputs, |(fog, far, ray)| {
+        let (ray_log, ray_places) = ray;
+        let wide = |number: Int| number.extend(SUM);
+        let zero = Int::new(0, SUM);
+        let far_log = logarithm("logarithm", far).delayed_as("far_late", 6);
+        net! {
+            let twice_far = wide(far_log) + wide(far_log);
+            let wide_offset = wide(fog.offset.slice(29, 1).int());
+            let places = join([ray_places, Bits::new(0, 21)]).extend(SUM).int();
+            let kept_near = (wide(ray_log) - places).reg();
+            let kept_far = (wide_offset - twice_far).reg();
+            let kept_e = (kept_near + kept_far).reg();
+            let opposite = zero - kept_e;
+            let magnitude = kept_e.is_negative().select(opposite, kept_e).bits().reg();
+            let fall = logarithm_of_sum("curve", magnitude);
+        }
+        let late = kept_e.delayed_as("e_late", 6);
+        net! {
+            let rise = late.is_negative().select(zero, late);
+            let sum = join([fall, Bits::new(0, 3)]).extend(SUM).int() + rise;
+            let is_less = sum.slice(SUM - 1, LOSS).is(0);
+        }
+        let most = Bits::new((1 << LOSS) - 1, LOSS);
+        let loss = is_less.select(sum.slice(LOSS - 1, 0), most);
+        ("loss", fog.is_on.select(loss, Bits::new(0, LOSS)).reg())
+    })
 }

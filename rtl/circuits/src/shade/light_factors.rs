@@ -5,7 +5,7 @@ use super::sent_light::Factors;
 use super::sight::Sight;
 use super::words::Light;
 use crate::arith::{Vector, logarithm, power_of_two, scalar_product, vector_normaliser};
-use imogene_hdl::{Bits, Int, Value, module, net};
+use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
 /// Bits of a sum of logarithms.
 const SUM: u32 = 32;
@@ -26,120 +26,103 @@ pub(super) fn light_factors(
     (flags, depth): (Bits, Int),
     (exponent, attenuation): (Bits, Bits),
 ) -> Factors {
-    let own = (("flags", flags), ("depth", depth));
-    let late = (("exponent", exponent), ("attenuation", attenuation));
-    let inputs = (light, sight, own, late);
-    module(
-        "light_factors",
-        at,
-        inputs,
-        |(light, sight, ((_, flags), (_, depth)), ((_, exponent), (_, attenuation)))| {
-            let reach = flags.right_by(light.source).bit(0).delayed_as("reach", 9);
-            let nowhere = Bits::new(0, COMPONENT);
-            let place = |place: Int| {
-                let shifted = place.extend(COMPONENT).bits().left_by(light.shift);
-                light.point.select(shifted, nowhere).int()
-            };
-            let component = |name: &str, place: Int, base: Int, slope: Int| {
-                light_component(&format!("component_{name}"), depth, place, (base, slope))
-            };
-            let (base, slope) = (light.base, light.slope);
-            let vector = Vector {
-                x: component("x", place(sight.place.x), base.x, slope.x),
-                y: component("y", place(sight.place.y), base.y, slope.y),
-                z: component("z", nowhere.int(), base.z, slope.z),
-            };
-            let full = vector_normaliser("normaliser", vector).vector;
-            let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
-            let low = full.map(|part| part.slice(11, 0).extend(18).int());
-            let normal_high = scalar_product("normal_high", sight.normal, high);
-            let normal_low = scalar_product("normal_low", sight.normal, low);
-            let light_square = scalar_product("light_square", high, high);
-            let ray_light = scalar_product("ray_light", sight.ray, high);
-            let is_positive = |number: Int| Int::new(0, number.width()).less(number);
-            net! {
-                // The sign of the whole product: what the low parts leave behind the point counts.
-                let kept_exact = (normal_high + normal_low.slice(37, 12).int().extend(38)).reg();
-                let kept_rest = (!normal_low.slice(11, 0).is(0)).reg();
-                let kept_turned = sight.turned.reg();
-                let is_before = is_positive(kept_exact) | (kept_exact.is(0) & kept_rest);
-                let kept_lit = kept_turned.select(kept_exact.is_negative(), is_before).reg();
-                let along = normal_high.slice(34, 10).int();
-                let opposite = Int::new(0, 25) - along;
-                let kept_along = sight.turned.select(opposite, along).reg();
-                let kept_magnitude = kept_along.slice(23, 0).reg();
-                let kept_is_along = is_positive(kept_along).reg();
-                let back = ray_light.slice(36, 12).int();
-                let kept_turn = (along * sight.across).reg();
-                let kept_straight = (sight.square * back).reg();
-                let kept_difference = (kept_straight - kept_turn).reg();
-                let cosine = kept_difference.slice(49, 20).int();
-                let gate = kept_lit & reach;
-            }
-            let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 23);
-            let specular_gate = (gate & is_positive(cosine)).delayed_as("specular_gate", 23);
-            let wide = |number: Int| number.extend(SUM);
-            let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
-            let along_log = wide(logarithm("along_logarithm", kept_magnitude));
-            let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
-            let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
-            let most = Bits::new((1 << LOSS) - 1, LOSS);
-            net! {
-                let pair = normal_log + light_log;
-                let kept_pair = pair.reg();
-                let kept_four = (pair + (normal_log + ray_log)).reg();
-                let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
-                let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).reg();
-                let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
-                let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
-                let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
-                let specular_loss = is_less.select(kept_specular.slice(LOSS - 1, 0), most);
-            }
-            let loss = |sum: Int, loss: Bits| {
-                sum.is_negative()
-                    .select(Bits::new(0, loss.width()), loss)
-                    .reg()
-            };
-            let diffuse_loss =
-                loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 5);
-            net! {
-                let kept_specular_loss = loss(kept_specular, specular_loss);
-                let kept_power = (kept_specular_loss.extend(28).int() * exponent.extend(28).int()).reg();
-            }
-            let power = kept_power.slice(POWER - 1, 0).delayed_as("power", 4);
-            let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
-            let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
-            let specular = power_of_two("specular_power", loss(power));
-            let nothing = Bits::new(0, 17);
-            Factors {
-                diffuse: diffuse_gate.select(diffuse, nothing),
-                specular: specular_gate.select(specular, nothing),
-            }
-        },
-    )
+    let late = ports!(exponent, attenuation);
+    let inputs = (light, sight, ports!(flags, depth), late);
+    module("light_factors", at, inputs, |(light, sight, own, late)| {
+        let ((flags, depth), (exponent, attenuation)) = (own, late);
+        let reach = flags.right_by(light.source).bit(0).delayed_as("reach", 9);
+        let nowhere = Bits::new(0, COMPONENT);
+        let place = |place: Int| {
+            let shifted = place.extend(COMPONENT).bits().left_by(light.shift);
+            light.point.select(shifted, nowhere).int()
+        };
+        let component = |name: &str, place: Int, base: Int, slope: Int| {
+            light_component(&format!("component_{name}"), depth, place, (base, slope))
+        };
+        let (base, slope) = (light.base, light.slope);
+        let vector = Vector {
+            x: component("x", place(sight.place.x), base.x, slope.x),
+            y: component("y", place(sight.place.y), base.y, slope.y),
+            z: component("z", nowhere.int(), base.z, slope.z),
+        };
+        let full = vector_normaliser("normaliser", vector).vector;
+        let high = full.map(|part| part.slice(COMPONENT - 1, 12).int());
+        let low = full.map(|part| part.slice(11, 0).extend(18).int());
+        let normal_high = scalar_product("normal_high", sight.normal, high);
+        let normal_low = scalar_product("normal_low", sight.normal, low);
+        let light_square = scalar_product("light_square", high, high);
+        let ray_light = scalar_product("ray_light", sight.ray, high);
+        let is_positive = |number: Int| Int::new(0, number.width()).less(number);
+        net! {
+            // The sign of the whole product: what the low parts leave behind the point counts.
+            let kept_exact = (normal_high + normal_low.slice(37, 12).int().extend(38)).reg();
+            let kept_rest = (!normal_low.slice(11, 0).is(0)).reg();
+            let kept_turned = sight.turned.reg();
+            let is_before = is_positive(kept_exact) | (kept_exact.is(0) & kept_rest);
+            let kept_lit = kept_turned.select(kept_exact.is_negative(), is_before).reg();
+            let along = normal_high.slice(34, 10).int();
+            let opposite = Int::new(0, 25) - along;
+            let kept_along = sight.turned.select(opposite, along).reg();
+            let kept_magnitude = kept_along.slice(23, 0).reg();
+            let kept_is_along = is_positive(kept_along).reg();
+            let back = ray_light.slice(36, 12).int();
+            let kept_turn = (along * sight.across).reg();
+            let kept_straight = (sight.square * back).reg();
+            let kept_difference = (kept_straight - kept_turn).reg();
+            let cosine = kept_difference.slice(49, 20).int();
+            let gate = kept_lit & reach;
+        }
+        let diffuse_gate = (gate & kept_is_along).delayed_as("diffuse_gate", 23);
+        let specular_gate = (gate & is_positive(cosine)).delayed_as("specular_gate", 23);
+        let wide = |number: Int| number.extend(SUM);
+        let light_log = wide(logarithm("light_logarithm", light_square.slice(35, 0)));
+        let along_log = wide(logarithm("along_logarithm", kept_magnitude));
+        let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
+        let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
+        let most = Bits::new((1 << LOSS) - 1, LOSS);
+        net! {
+            let pair = normal_log + light_log;
+            let kept_pair = pair.reg();
+            let kept_four = (pair + (normal_log + ray_log)).reg();
+            let kept_pair_cut = (kept_pair - Int::new(20 << 20, SUM)).reg();
+            let kept_four_cut = (kept_four - Int::new(82 << 20, SUM)).reg();
+            let kept_diffuse = (kept_pair_cut - (along_log + along_log)).reg();
+            let kept_specular = (kept_four_cut - (cosine_log + cosine_log)).reg();
+            let is_less = kept_specular.slice(SUM - 1, LOSS).is(0);
+            let specular_loss = is_less.select(kept_specular.slice(LOSS - 1, 0), most);
+        }
+        let loss = |sum: Int, loss: Bits| {
+            let none = Bits::new(0, loss.width());
+            sum.is_negative().select(none, loss).reg()
+        };
+        let diffuse_loss = loss(kept_diffuse, kept_diffuse.bits()).delayed_as("diffuse_loss", 5);
+        net! {
+            let kept_specular_loss = loss(kept_specular, specular_loss);
+            let kept_power = (kept_specular_loss.extend(28).int() * exponent.extend(28).int()).reg();
+        }
+        let power = kept_power.slice(POWER - 1, 0).delayed_as("power", 4);
+        let loss = |loss: Bits| (loss.extend(POWER) + attenuation.extend(POWER)).reg();
+        let diffuse = power_of_two("diffuse_power", loss(diffuse_loss));
+        let specular = power_of_two("specular_power", loss(power));
+        let nothing = Bits::new(0, 17);
+        Factors {
+            diffuse: diffuse_gate.select(diffuse, nothing),
+            specular: specular_gate.select(specular, nothing),
+        }
+    })
 }
 
 /// `base - place - ((slope depth) >> 31)`; the shift rounds down. Latency 2: the product and the first difference,
 /// then the second.
 fn light_component(at: &str, depth: Int, place: Int, (base, slope): (Int, Int)) -> Int {
-    let inputs = (
-        ("depth", depth),
-        ("place", place),
-        ("base", base),
-        ("slope", slope),
-    );
-    module(
-        "light_component",
-        at,
-        inputs,
-        |((_, depth), (_, place), (_, base), (_, slope))| {
-            net! {
-                let kept_product = (slope.extend(depth.width()) * depth).reg();
-                let kept_rest = (base.extend(COMPONENT) - place).reg();
-            }
-            let deep = kept_product.slice(COMPONENT + 30, 31).int();
-            ("result", (kept_rest - deep).reg())
-        },
-    )
-    .1
+    let inputs = ports!(depth, place, base, slope);
+    module("light_component", at, inputs, |ports| {
+        let (depth, place, base, slope) = ports;
+        net! {
+            let kept_product = (slope.extend(depth.width()) * depth).reg();
+            let kept_rest = (base.extend(COMPONENT) - place).reg();
+        }
+        let deep = kept_product.slice(COMPONENT + 30, 31).int();
+        ("result", (kept_rest - deep).reg())
+    })
 }

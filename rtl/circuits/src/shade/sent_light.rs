@@ -26,23 +26,15 @@ bundles! {
 /// The sum of the products has 33 bits after the point, of which 16 are kept. Latency 3.
 pub(super) fn sent_light(at: &str, factors: Factors, material: Material, colour: Colour) -> Colour {
     let inputs = (factors, material, ("colour", colour));
-    module(
-        "sent_light",
-        at,
-        inputs,
-        |(factors, material, (_, colour))| {
-            net! { let mirrored = (factor(material.mirror) * factor(factors.specular)).reg(); }
-            let level = |share: Bits, colour: Bits| {
-                let diffused = (factor(share) * factor(factors.diffuse)).reg();
-                let sent = (diffused + mirrored).slice(33, 17).reg();
-                (factor(sent) * factor(colour)).reg().bits()
-            };
-            let (share, [r, g, b]) = (material.share, colour.levels());
-            (
-                "level",
-                Colour::of([level(share.r, r), level(share.g, g), level(share.b, b)]),
-            )
-        },
-    )
-    .1
+    module("sent_light", at, inputs, |(factors, material, colour)| {
+        net! { let mirrored = (factor(material.mirror) * factor(factors.specular)).reg(); }
+        let level = |share: Bits, colour: Bits| {
+            let diffused = (factor(share) * factor(factors.diffuse)).reg();
+            let sent = (diffused + mirrored).slice(33, 17).reg();
+            (factor(sent) * factor(colour)).reg().bits()
+        };
+        let (share, [r, g, b]) = (material.share, colour.parts());
+        let levels = [level(share.r, r), level(share.g, g), level(share.b, b)];
+        ("level", Colour::of(levels))
+    })
 }

@@ -34,13 +34,13 @@ bundle! {
 
 bundles! {
     /// A visible point.
-    Point {
-        valid: Bits as "valid", "this clock carries a pixel";
-        pixel: Pixel as "", "pixel of the screen";
-        depth: Int as "depth", "depth; 2^(W-1) - 1 is the background";
-        material: Bits as "material", "number of the material";
-        normal: Normal as "", "vector of any length";
-        flags: Bits as "flags", "bit i: source i reaches the point";
+    Point(depth: u32, normal: u32) {
+        valid: Bits(1) as "valid", "this clock carries a pixel";
+        pixel: Pixel() as "", "pixel of the screen";
+        depth: Int(depth) as "depth", "depth; 2^(W-1) - 1 is the background";
+        material: Bits(8) as "material", "number of the material";
+        normal: Normal(normal) as "", "vector of any length";
+        flags: Bits(16) as "flags", "bit i: source i reaches the point";
     }
 }
 
@@ -54,17 +54,10 @@ bundle! {
     }
 }
 
-impl Point {
-    /// One from outside of the design.
-    pub fn input(depth: u32, normal: u32) -> Point {
-        Point {
-            valid: Bits::input(1),
-            pixel: Pixel::input(),
-            depth: Int::input(depth),
-            material: Bits::input(8),
-            normal: Normal::input(normal),
-            flags: Bits::input(16),
-        }
+impl Shaded {
+    /// Its colour.
+    pub fn colour(&self) -> Colour {
+        Colour::of([self.red, self.green, self.blue])
     }
 }
 
@@ -73,60 +66,52 @@ impl Point {
 ///
 /// Latency 38. Words stay unchanged while pixels are inside. Section 8 of the architecture; Chaillou 1991, III.1.2.
 pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64) -> Shaded {
-    module(
-        "shading_processor",
-        at,
-        (point, ("load", load)),
-        |(point, (_, load))| {
-            let bus = LoadBus {
-                write: load.valid,
-                address: load.address,
-                data: load.data,
-            };
-            let view = view_store("view_store", bus);
-            let (sight, ray_places) = sight("sight", point.pixel, point.normal, view.eye);
-            let depth = &point.depth;
-            let width = depth.width();
-            let left = |depth: Bits| depth.extend(32).left(32 - width);
-            // What is left of the way to the far end: all bits but the sign are inverted.
-            let sign = Bits::new(1 << (width - 1), width);
-            net! {
-                let kept_depth = left(depth.bits()).reg();
-                let kept_far = left(!depth.bits() ^ sign).reg();
-            }
-            let ray = (sight.ray_log, ray_places);
-            let loss = attenuation("attenuation", view.fog, kept_far, ray);
-            let material = materials(load, point.material);
-            let levels: Vec<Colour> = (0..lights)
-                .map(|light| {
-                    let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
-                    let (words, colour) = light_store(&format!("light_stores_{light}"), bus);
-                    let own = (point.flags, kept_depth.int());
-                    let late = (material.exponent, loss);
-                    let factors =
-                        light_factors(&format!("factors_{light}"), words, sight, own, late);
-                    sent_light(&format!("sent_{light}"), factors, material.own, colour)
-                })
-                .collect();
-            let is_far = depth.is(far_end(width as usize) as u64);
-            let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 1);
-            let ambient = material.ambient.delayed(3);
-            let seen = [0, 1, 2].map(|channel| {
-                let levels = levels.iter().map(|level| level.levels()[channel]);
-                let level = level(levels.collect(), ambient.levels()[channel]);
-                is_far
-                    .select(view.background.levels()[channel], level)
-                    .reg()
-            });
-            let [red, green, blue] = seen;
-            Shaded {
-                out_valid: point.valid.delayed_as("valid_late", LATENCY as u32),
-                red,
-                green,
-                blue,
-            }
-        },
-    )
+    let inputs = (point, ("load", load));
+    module("shading_processor", at, inputs, |(point, load)| {
+        let bus = LoadBus {
+            write: load.valid,
+            address: load.address,
+            data: load.data,
+        };
+        let view = view_store("view_store", bus);
+        let (sight, ray_places) = sight("sight", point.pixel, point.normal, view.eye);
+        let depth = &point.depth;
+        let width = depth.width();
+        let left = |depth: Bits| depth.extend(32).left(32 - width);
+        // What is left of the way to the far end: all bits but the sign are inverted.
+        let sign = Bits::new(1 << (width - 1), width);
+        net! {
+            let kept_depth = left(depth.bits()).reg();
+            let kept_far = left(!depth.bits() ^ sign).reg();
+        }
+        let ray = (sight.ray_log, ray_places);
+        let loss = attenuation("attenuation", view.fog, kept_far, ray);
+        let material = materials(load, point.material);
+        let sent = (0..lights).map(|light| {
+            let bus = part(load, LIGHT + light * LIGHT_WORDS, LIGHT_WORDS, 28);
+            let (words, colour) = light_store(&format!("light_stores_{light}"), bus);
+            let own = (point.flags, kept_depth.int());
+            let late = (material.exponent, loss);
+            let factors = light_factors(&format!("factors_{light}"), words, sight, own, late);
+            sent_light(&format!("sent_{light}"), factors, material.own, colour).parts()
+        });
+        let sent: Vec<[Bits; 3]> = sent.collect();
+        let is_far = depth.is(far_end(width as usize) as u64);
+        let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 1);
+        let ambient = material.ambient.delayed(3).parts();
+        let background = view.background.parts();
+        let [red, green, blue] = [0, 1, 2].map(|channel| {
+            let sent = sent.iter().map(|levels| levels[channel]);
+            let level = level(sent.collect(), ambient[channel]);
+            is_far.select(background[channel], level).reg()
+        });
+        Shaded {
+            out_valid: point.valid.delayed_as("valid_late", LATENCY as u32),
+            red,
+            green,
+            blue,
+        }
+    })
 }
 
 /// Words of the material of a pixel.
@@ -144,14 +129,9 @@ fn materials(load: ShadingLoad, number: Bits) -> Shares {
     let entry = bus.address.slice(9, 2);
     let word = |index: u64, read: Bits| {
         let write = bus.write & bus.address.low(2).is(index);
-        let name = format!("materials_{index}");
-        memory(
-            &name,
-            MOST_MATERIALS as usize,
-            (write, entry, bus.data),
-            read,
-        )
-        .named(&format!("material_{index}"))
+        let (name, write) = (format!("materials_{index}"), (write, entry, bus.data));
+        let word = memory(&name, MOST_MATERIALS as usize, write, read);
+        word.named(&format!("material_{index}"))
     };
     let [ambient, mirror, share] = [0, 1, 2].map(|index| word(index, late));
     let last = word(3, early);
@@ -188,10 +168,8 @@ fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
     });
     let sums: Vec<Bits> = sums.collect();
     let low = (sums[0] + rounded).reg();
-    let sum = sums[1..]
-        .iter()
-        .fold(low, |low, high| low + high.reg())
-        .reg();
+    let high = sums[1..].iter();
+    let sum = high.fold(low, |low, high| low + high.reg()).reg();
     let is_less = sum.slice(SUM - 1, FRACTION + LEVEL).is(0);
     let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);
     is_less.select(sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)

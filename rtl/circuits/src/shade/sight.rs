@@ -33,7 +33,7 @@ bundles! {
 /// line of sight was shifted, 15 clocks after the pixel. Section 8.2 of the architecture.
 pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
     let inputs = (pixel, normal, eye);
-    let (sight, (_, places)) = module("sight", at, inputs, |(pixel, normal, eye)| {
+    let (sight, places) = module("sight", at, inputs, |(pixel, normal, eye)| {
         let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
         net! {
             let place_x = place(pixel.x, eye.size_x);

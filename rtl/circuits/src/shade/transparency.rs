@@ -1,7 +1,8 @@
 //! Transparent objects before the visible surface.
 
 use super::LEVEL;
-use imogene_hdl::{Bits, Value, bundle, bundles, join, module, net};
+use crate::rows::numbered;
+use imogene_hdl::{Bits, Value, bundle, bundles, join, module, net, ports};
 
 bundle! {
     /// A surface at a pixel, or what is seen there.
@@ -19,20 +20,10 @@ const BEHIND: &str = "opaque surface, in the colour that is seen";
 
 bundles! {
     /// A transparent object.
-    Layer {
+    Layer(depth: u32) {
         /// Its surface.
-        surface: Surface as "";
-        weight: Bits as "weight", "its part of what is seen, in 255ths; 255 is opaque";
-    }
-}
-
-impl Layer {
-    /// One from outside of the design.
-    pub fn input(depth: u32) -> Layer {
-        Layer {
-            surface: Surface::input(depth),
-            weight: Bits::input(LEVEL),
-        }
+        surface: Surface(depth) as "";
+        weight: Bits(LEVEL) as "weight", "its part of what is seen, in 255ths; 255 is opaque";
     }
 }
 
@@ -44,19 +35,13 @@ impl Layer {
 pub fn transparency_pipeline(at: &str, pixel: Surface, layers: Vec<Layer>) -> Surface {
     let meaning = "layer #, 2 times # clocks after the pixel";
     let inputs = (("pixel", pixel, BEFORE), ("layer", layers, meaning));
-    module(
-        "transparency_pipeline",
-        at,
-        inputs,
-        |((_, pixel, _), (_, layers, _))| {
-            let layers = layers.into_iter().enumerate();
-            let seen = layers.fold(pixel, |pixel, (index, layer)| {
-                transparency_stage(&format!("stages_{index}"), pixel, layer)
-            });
-            ("", seen, BEHIND)
-        },
-    )
-    .1
+    module("transparency_pipeline", at, inputs, |(pixel, layers)| {
+        let stages = numbered("stages", layers);
+        let seen = stages.fold(pixel, |pixel, (at, layer)| {
+            transparency_stage(&at, pixel, layer)
+        });
+        ("", seen, BEHIND)
+    })
 }
 
 /// Blends the colour of a transparent object with that of the pixel, if the object is nearer than the opaque surface.
@@ -65,30 +50,22 @@ pub fn transparency_pipeline(at: &str, pixel: Surface, layers: Vec<Layer>) -> Su
 /// than the last one blended, so only the opaque surface can hide it. An object at the depth of the surface is
 /// hidden, as is an absent one. Latency 2. Chaillou 1991, IV.3.3.
 pub fn transparency_stage(at: &str, pixel: Surface, layer: Layer) -> Surface {
-    let inputs = (
-        ("pixel", pixel, BEFORE),
-        ("layer", layer, "transparent object"),
-    );
-    module(
-        "transparency_stage",
-        at,
-        inputs,
-        |((_, pixel, _), (_, layer, _))| {
-            let Layer { surface, weight } = layer;
-            net! { let is_nearer = surface.depth.less(pixel.depth); }
-            let blend = |name: &str, front: Bits, behind: Bits| {
-                colour_blend(&format!("blend_{name}"), front, behind, (weight, is_nearer))
-            };
-            let seen = Surface {
-                depth: pixel.depth.delayed_as("depth_late", 2),
-                red: blend("red", surface.red, pixel.red),
-                green: blend("green", surface.green, pixel.green),
-                blue: blend("blue", surface.blue, pixel.blue),
-            };
-            ("", seen, BEHIND)
-        },
-    )
-    .1
+    let layer = ("layer", layer, "transparent object");
+    let inputs = (("pixel", pixel, BEFORE), layer);
+    module("transparency_stage", at, inputs, |(pixel, layer)| {
+        let Layer { surface, weight } = layer;
+        net! { let is_nearer = surface.depth.less(pixel.depth); }
+        let blend = |name: &str, front: Bits, behind: Bits| {
+            colour_blend(&format!("blend_{name}"), front, behind, (weight, is_nearer))
+        };
+        let seen = Surface {
+            depth: pixel.depth.delayed_as("depth_late", 2),
+            red: blend("red", surface.red, pixel.red),
+            green: blend("green", surface.green, pixel.green),
+            blue: blend("blue", surface.blue, pixel.blue),
+        };
+        ("", seen, BEHIND)
+    })
 }
 
 /// `round((t front + (255 - t) behind) / 255)` with the weight t, or `behind` where the front one is not seen.
@@ -96,33 +73,23 @@ pub fn transparency_stage(at: &str, pixel: Surface, layer: Layer) -> Surface {
 /// The sum is `255 behind + t (front - behind)`: one product. It is 65025 at most, and `(n + floor(n / 256)) / 256`
 /// with `n = sum + 128` rounds its 255th part exactly; there are no ties, since 255 is odd. Latency 2: product, sum.
 fn colour_blend(at: &str, front: Bits, behind: Bits, (weight, is_seen): (Bits, Bits)) -> Bits {
-    let inputs = (
-        ("front", front),
-        ("behind", behind),
-        ("weight", weight),
-        ("is_seen", is_seen),
-    );
-    module(
-        "colour_blend",
-        at,
-        inputs,
-        |((_, front), (_, behind), (_, weight), (_, is_seen))| {
-            let wide = |level: Bits| level.extend(LEVEL + 1);
-            net! {
-                let difference = (wide(front) - wide(behind)).int();
-                let kept_product = (difference * wide(weight).int()).reg();
-                let kept_behind = behind.reg();
-                let kept_is_seen = is_seen.reg();
-                // The sum is never negative and has 16 bits: what the product has above them cancels.
-                let product = kept_product.low(2 * LEVEL).bits();
-                let base = join([kept_behind, Bits::new(0, LEVEL)]) - kept_behind.extend(2 * LEVEL);
-                let sum = base + product + Bits::new(128, 2 * LEVEL);
-                let quotient = sum.slice(2 * LEVEL - 1, LEVEL).extend(2 * LEVEL);
-                let rounded = sum + quotient;
-            }
-            let blend = rounded.slice(2 * LEVEL - 1, LEVEL);
-            ("blend", kept_is_seen.select(blend, kept_behind).reg())
-        },
-    )
-    .1
+    let inputs = ports!(front, behind, weight, is_seen);
+    module("colour_blend", at, inputs, |ports| {
+        let (front, behind, weight, is_seen) = ports;
+        let wide = |level: Bits| level.extend(LEVEL + 1);
+        net! {
+            let difference = (wide(front) - wide(behind)).int();
+            let kept_product = (difference * wide(weight).int()).reg();
+            let kept_behind = behind.reg();
+            let kept_is_seen = is_seen.reg();
+            // The sum is never negative and has 16 bits: what the product has above them cancels.
+            let product = kept_product.low(2 * LEVEL).bits();
+            let base = join([kept_behind, Bits::new(0, LEVEL)]) - kept_behind.extend(2 * LEVEL);
+            let sum = base + product + Bits::new(128, 2 * LEVEL);
+            let quotient = sum.slice(2 * LEVEL - 1, LEVEL).extend(2 * LEVEL);
+            let rounded = sum + quotient;
+        }
+        let blend = rounded.slice(2 * LEVEL - 1, LEVEL);
+        ("blend", kept_is_seen.select(blend, kept_behind).reg())
+    })
 }

@@ -46,7 +46,7 @@ bundles! {
 /// Keeps the words of the view. A word is written at the clock edge and holds until written again; all are zero at
 /// power-up.
 pub(super) fn view_store(at: &str, bus: LoadBus) -> View {
-    module("view_store", at, ("load", bus), |(_, bus)| View {
+    module("view_store", at, ("load", bus), |bus| View {
         eye: Eye {
             size_x: bus.bits(SIZE, 12, 0),
             size_y: bus.bits(SIZE, 28, 16),
@@ -67,7 +67,7 @@ pub(super) fn view_store(at: &str, bus: LoadBus) -> View {
 /// Keeps the ten words of one light and gives them with its colour. All are zero at power-up: a light that adds
 /// nothing.
 pub(super) fn light_store(at: &str, bus: LoadBus) -> (Light, Colour) {
-    let (light, (_, colour)) = module("light_store", at, ("load", bus), |(_, bus)| {
+    let (light, colour) = module("light_store", at, ("load", bus), |bus| {
         let vector = |first: u64| Vector::of([0, 1, 2].map(|index| bus.number(first + index, 28)));
         let light = Light {
             source: bus.bits(0, 7, 4),

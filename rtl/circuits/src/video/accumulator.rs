@@ -1,7 +1,7 @@
 //! Mean of several passes over a picture.
 
 use super::{Colour, LEVEL};
-use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, memory, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, memory, module, net, ports};
 
 /// Bits of the sum of 16 levels.
 const SUM: u32 = LEVEL + 4;
@@ -39,7 +39,7 @@ bundles! {
 /// Chaillou 1991, III.1.5 and IV.4.7.2.
 pub fn accumulator(at: &str, pixel: PassPixel, colour: Colour, places: u32) -> Mean {
     let inputs = (pixel, ("", colour, "pixel"));
-    module("accumulator", at, inputs, |(pixel, (_, colour, _))| {
+    module("accumulator", at, inputs, |(pixel, colour)| {
         let (late, late_colour) = (pixel.delayed(2), colour.delayed(2));
         let sum = Bits::forward(3 * SUM);
         let write = (late.valid, late.address.low(places), sum);
@@ -47,9 +47,9 @@ pub fn accumulator(at: &str, pixel: PassPixel, colour: Colour, places: u32) -> M
             let stored = memory("store", 1 << places, write, pixel.address.low(places));
             let earlier = stored.reg();
         }
-        let earlier = Colour::unpacked(earlier).levels();
+        let earlier = Colour::unpacked(earlier).parts();
         let passes = [0, 1, 2].map(|channel| {
-            let value = late_colour.levels()[channel];
+            let value = late_colour.parts()[channel];
             let at = ["red", "green", "blue"][channel];
             pass_sum(at, value, earlier[channel], (late.first_pass, late.fine))
         });
@@ -61,30 +61,19 @@ pub fn accumulator(at: &str, pixel: PassPixel, colour: Colour, places: u32) -> M
         };
         ("out", mean)
     })
-    .1
 }
 
 /// The sum of a level and of the passes before, and the mean that it would be of 16 or of 4 levels. Without registers.
 fn pass_sum(at: &str, value: Bits, earlier: Bits, (first, fine): (Bits, Bits)) -> Pass {
-    let inputs = (
-        ("value", value),
-        ("earlier", earlier),
-        ("first", first),
-        ("fine", fine),
-    );
-    module(
-        "pass_sum",
-        at,
-        inputs,
-        |((_, value), (_, earlier), (_, first), (_, fine))| {
-            net! {
-                let wide = value.extend(SUM);
-                let sum = first.select(wide, earlier + wide);
-                let fine_sum = sum + Bits::new(8, SUM);
-                let coarse_sum = sum + Bits::new(2, SUM);
-            }
-            let mean = fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2));
-            Pass { sum, mean }
-        },
-    )
+    let inputs = ports!(value, earlier, first, fine);
+    module("pass_sum", at, inputs, |(value, earlier, first, fine)| {
+        net! {
+            let wide = value.extend(SUM);
+            let sum = first.select(wide, earlier + wide);
+            let fine_sum = sum + Bits::new(8, SUM);
+            let coarse_sum = sum + Bits::new(2, SUM);
+        }
+        let mean = fine.select(fine_sum.slice(11, 4), coarse_sum.slice(9, 2));
+        Pass { sum, mean }
+    })
 }

@@ -1,15 +1,14 @@
 //! Frames one after the other, as fast as the receiver takes them.
 
 use super::COORDINATE;
-use crate::raster::{Flags, Pixel};
+use crate::raster::{Flags, Pixel, Scan};
 use imogene_hdl::{Bits, Value, bundles, module, net};
 
 bundles! {
     /// A pixel of a scan.
     Scanned {
         issue: Bits as "issue", "a pixel is issued on this clock";
-        flags: Flags as "", "raster flags, one clock later";
-        pixel: Pixel as "", "pixel of the screen";
+        scan: Scan as "", "of the screen, one clock later";
         line_ends: Bits as "line_ends", "it is the last of its line";
         retrace: Bits as "retrace", "the pipeline is empty: words may be copied";
     }
@@ -29,7 +28,7 @@ pub fn frame_scan(
     drain: u64,
 ) -> Scanned {
     let inputs = (("room", room), ("is_busy", is_busy));
-    module("frame_scan", at, inputs, |((_, room), (_, is_busy))| {
+    module("frame_scan", at, inputs, |(room, is_busy)| {
         let word = |value: u64| Bits::new(value, COORDINATE);
         let clocks = |value: u64| Bits::new(value, drain.ilog2() + 1);
         net! {
@@ -57,14 +56,16 @@ pub fn frame_scan(
         retrace.load(drains & waiting.is(1));
         Scanned {
             issue: issued,
-            flags: Flags {
-                valid: issued.reg(),
-                start: (issued & at_left & at_top).reg(),
-                line: (issued & at_left & !at_top).reg(),
-            },
-            pixel: Pixel {
-                x: column.reg(),
-                y: row.reg(),
+            scan: Scan {
+                flags: Flags {
+                    valid: issued.reg(),
+                    start: (issued & at_left & at_top).reg(),
+                    line: (issued & at_left & !at_top).reg(),
+                },
+                pixel: Pixel {
+                    x: column.reg(),
+                    y: row.reg(),
+                },
             },
             line_ends: line_ends.reg(),
             retrace,

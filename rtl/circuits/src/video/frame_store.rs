@@ -44,7 +44,7 @@ bundles! {
 /// Latency 3. Section 9 of the architecture.
 pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) -> Shown {
     let inputs = (("s", arrival), asked);
-    module("frame_store", at, inputs, |((_, arrival), asked)| {
+    module("frame_store", at, inputs, |(arrival, asked)| {
         net! {
             let second_is_shown = Bits::register(1);
             let is_whole = Bits::register(1);

@@ -20,11 +20,10 @@ pub use post_filter::{Picture, Place, post_filter};
 pub use video_output::{Output, OverlayBus, Pins, Wanted, video_output};
 pub use video_timing::{Screen, video_timing};
 
-use imogene_contract::words;
+use crate::raster::COORDINATE;
+use crate::rows::alike;
 use imogene_hdl::{Bits, Value, bundle, join};
 
-/// Bits of a screen coordinate.
-const COORDINATE: u32 = words::COORDINATE as u32;
 /// Bits of a level of a colour.
 pub const LEVEL: u32 = 8;
 
@@ -37,34 +36,19 @@ bundle! {
     }
 }
 
+alike! {
+    Colour: [Bits; 3] { r g b }
+}
+
 impl Colour {
-    /// A colour of its levels, red first.
-    pub fn of([r, g, b]: [Bits; 3]) -> Colour {
-        Colour { r, g, b }
-    }
-
-    /// Its levels, red first.
-    pub fn levels(self) -> [Bits; 3] {
-        [self.r, self.g, self.b]
-    }
-
     /// The colour of a word that has red in its upper third and blue in its lower one.
     pub fn unpacked(word: Bits) -> Colour {
         let width = word.width() / 3;
         Colour::of([2, 1, 0].map(|third| word.slice((third + 1) * width - 1, third * width)))
     }
 
-    /// The same colour with names for its levels.
-    pub fn named(self, name: &str) -> Colour {
-        Colour {
-            r: self.r.named(&format!("{name}_r")),
-            g: self.g.named(&format!("{name}_g")),
-            b: self.b.named(&format!("{name}_b")),
-        }
-    }
-
     /// The word of a colour.
     pub fn packed(self) -> Bits {
-        join(self.levels())
+        join(self.parts())
     }
 }

@@ -32,35 +32,24 @@ bundle! {
 pub fn overlay(
     at: &str,
     plane: BitPlane,
-    valid: Bits,
-    pixel: Pixel,
-    colour: Colour,
+    (valid, pixel, colour): (Bits, Pixel, Colour),
 ) -> (Bits, Colour) {
-    let inputs = (
-        plane,
-        ("valid", valid, "this clock carries a pixel"),
-        ("", (pixel, colour), "pixel"),
-    );
-    let (_, (valid, colour)) = module(
-        "overlay",
-        at,
-        inputs,
-        |(plane, (_, valid, _), (_, (pixel, colour), _))| {
-            let places = plane.write_address.width();
-            let place = pixel_place("read_place", pixel, plane.width);
-            let write = (plane.write, plane.write_address, plane.write_data);
-            net! {
-                let read_address = place.slice(places + 4, 5);
-                let word = memory("plane", 1 << places, write, read_address);
-                let bit_place = place.low(5).reg();
-                let shifted = word.right_by(bit_place);
-                let covered = plane.enable & shifted.bit(0);
-            }
-            let seen = covered.select(Colour::unpacked(plane.colour), colour.delayed(READ));
-            let valid = valid.delayed_as("valid_late", OVERLAY_LATENCY);
-            let valid = ("valid", valid, "valid, with the colour of its pixel");
-            ("out", (valid, ("", seen.registered(), "result")))
-        },
-    );
-    (valid.1, colour.1)
+    let valid = ("valid", valid, "this clock carries a pixel");
+    let inputs = (plane, valid, ("", (pixel, colour), "pixel"));
+    module("overlay", at, inputs, |(plane, valid, (pixel, colour))| {
+        let places = plane.write_address.width();
+        let place = pixel_place("read_place", pixel, plane.width);
+        let write = (plane.write, plane.write_address, plane.write_data);
+        net! {
+            let read_address = place.slice(places + 4, 5);
+            let word = memory("plane", 1 << places, write, read_address);
+            let bit_place = place.low(5).reg();
+            let shifted = word.right_by(bit_place);
+            let covered = plane.enable & shifted.bit(0);
+        }
+        let seen = covered.select(Colour::unpacked(plane.colour), colour.delayed(READ));
+        let valid = valid.delayed_as("valid_late", OVERLAY_LATENCY);
+        let valid = ("valid", valid, "valid, with the colour of its pixel");
+        ("out", (valid, ("", seen.registered(), "result")))
+    })
 }

@@ -1,7 +1,7 @@
 //! Smoothing filter behind the shading.
 
 use super::{COORDINATE, Colour, LEVEL};
-use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, join, memory, module, net};
+use imogene_hdl::{Bits, Bundle, Value, bundle, bundles, join, memory, module, net, ports};
 
 bundle! {
     /// A pixel of a picture that goes line by line.
@@ -17,21 +17,11 @@ bundle! {
 bundles! {
     /// A pixel with its colour.
     #[derive(Copy)]
-    Picture {
+    Picture() {
         /// Where it is.
-        place: Place as "";
+        place: Place() as "";
         /// Its colour.
-        colour: Colour as "";
-    }
-}
-
-impl Picture {
-    /// One from outside of the design.
-    pub fn input() -> Picture {
-        Picture {
-            place: Place::input(),
-            colour: Colour::input(LEVEL),
-        }
+        colour: Colour(LEVEL) as "";
     }
 }
 
@@ -46,112 +36,93 @@ impl Picture {
 pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Picture {
     let meaning =
         "0 pass, 1 box of 2 x 2, 2 and 3 binomial of 3 x 3; read with the first pixel of a picture";
-    module(
-        "post_filter",
-        at,
-        (("kernel", kernel, meaning), ("", pixel, "pixel")),
-        |((_, kernel, _), (_, Picture { place, colour }, _))| {
-            let word = |value: u64| Bits::new(value, COORDINATE);
-            let coordinate = || Bits::register(COORDINATE);
-            // The pixel that comes, or the place below the last line. The line store reads the first pixel of the
-            // last line when it has been written, also if it is the last.
-            net! {
-                let kept_kernel = Bits::register(2);
-                let at_origin = place.x.is(0) & place.y.is(0);
-                let now_kernel = (place.valid & at_origin).select(kernel, kept_kernel);
-                let ends = place.valid & place.last;
-                let waits = ends.reg();
-                let right = place.x.reg_when(ends);
-                let flush_y = (place.y + word(1)).reg_when(ends);
-                let flushes = Bits::register(1);
-                let flush_x = coordinate();
-                let flush_ends = flush_x.equals(right);
-            }
-            kept_kernel.load(now_kernel);
-            flushes.load_when(waits | flushes, waits | !flush_ends);
-            flush_x.load_when(waits | flushes, waits.select(word(0), flush_x + word(1)));
-            net! {
-                let now_x = flushes.select(flush_x, place.x);
-                let step_1 = (place.valid | flushes).reg();
-                let flush_1 = flushes.reg();
-                let ends_1 = flushes.select(flush_ends, place.line_end).reg();
-                let x_1 = now_x.reg();
-                let y_1 = flushes.select(flush_y, place.y).reg();
-                let kernel_1 = now_kernel.reg();
-                let colour_1 = colour.packed().reg();
-            }
-            // A word of the store has the pixels of two lines; the older one goes out when a new one comes in.
-            let lines = Bits::forward(6 * LEVEL);
-            let write = (step_1 & !flush_1, x_1.low(places), lines);
-            net! {
-                let stored = memory("store", 1 << places, write, now_x.low(places));
-                let one_up = stored.low(3 * LEVEL);
-                let two_up = stored.slice(6 * LEVEL - 1, 3 * LEVEL);
-                let above = y_1.is(1).select(one_up, two_up);
-                let below = flush_1.select(one_up, colour_1);
-            }
-            lines.drive(join([one_up, colour_1]));
-            let column_2 = taps(
-                "vertical",
-                [above, one_up, below].map(Colour::unpacked),
-                kernel_1,
-            )
+    let inputs = (("kernel", kernel, meaning), ("", pixel, "pixel"));
+    module("post_filter", at, inputs, |(kernel, pixel)| {
+        let Picture { place, colour } = pixel;
+        let word = |value: u64| Bits::new(value, COORDINATE);
+        let coordinate = || Bits::register(COORDINATE);
+        // The pixel that comes, or the place below the last line. The line store reads the first pixel of the last
+        // line when it has been written, also if it is the last.
+        net! {
+            let kept_kernel = Bits::register(2);
+            let at_origin = place.x.is(0) & place.y.is(0);
+            let now_kernel = (place.valid & at_origin).select(kernel, kept_kernel);
+            let ends = place.valid & place.last;
+            let waits = ends.reg();
+            let right = place.x.reg_when(ends);
+            let flush_y = (place.y + word(1)).reg_when(ends);
+            let flushes = Bits::register(1);
+            let flush_x = coordinate();
+            let flush_ends = flush_x.equals(right);
+        }
+        kept_kernel.load(now_kernel);
+        flushes.load_when(waits | flushes, waits | !flush_ends);
+        flush_x.load_when(waits | flushes, waits.select(word(0), flush_x + word(1)));
+        net! {
+            let now_x = flushes.select(flush_x, place.x);
+            let step_1 = (place.valid | flushes).reg();
+            let flush_1 = flushes.reg();
+            let ends_1 = flushes.select(flush_ends, place.line_end).reg();
+            let x_1 = now_x.reg();
+            let y_1 = flushes.select(flush_y, place.y).reg();
+            let kernel_1 = now_kernel.reg();
+            let colour_1 = colour.packed().reg();
+        }
+        // A word of the store has the pixels of two lines; the older one goes out when a new one comes in.
+        let lines = Bits::forward(6 * LEVEL);
+        let write = (step_1 & !flush_1, x_1.low(places), lines);
+        net! {
+            let stored = memory("store", 1 << places, write, now_x.low(places));
+            let one_up = stored.low(3 * LEVEL);
+            let two_up = stored.slice(6 * LEVEL - 1, 3 * LEVEL);
+            let above = y_1.is(1).select(one_up, two_up);
+            let below = flush_1.select(one_up, colour_1);
+        }
+        lines.drive(join([one_up, colour_1]));
+        let column = [above, one_up, below].map(Colour::unpacked);
+        let column_2 = taps("vertical", column, kernel_1)
             .registered()
-            .named("column_2");
-            net! {
-                let step_2 = (step_1 & !y_1.is(0)).reg();
-                let ends_2 = ends_1.reg();
-                let last_2 = flush_1.reg();
-                let x_2 = x_1.reg();
-                let y_2 = (y_1 - word(1)).reg();
-                let kernel_2 = kernel_1.reg();
-                let is_left = x_2.is(0);
-                // The column in the middle of the window.
-                let ends_3 = (step_2 & ends_2).reg();
-                let last_3 = last_2.reg_when(step_2);
-                let left_3 = is_left.reg_when(step_2);
-                let x_3 = x_2.reg_when(step_2);
-                let y_3 = y_2.reg_when(step_2);
-                let kernel_3 = kernel_2.reg_when(step_2);
-            }
-            let later =
-                |colour: Colour| Colour::of(colour.levels().map(|level| level.reg_when(step_2)));
-            let column_3 = later(column_2).named("column_3");
-            let before_3 = later(column_3).named("before_3");
-            let window = [
-                left_3.select(column_3, before_3),
-                column_3,
-                ends_3.select(column_3, column_2),
-            ];
-            let sum = taps("horizontal", window, kernel_3);
-            let half = Bits::new(8, LEVEL + 4);
-            let rounded = sum.levels().map(|sum| (sum + half).slice(LEVEL + 3, 4));
-            let place = Place {
-                // The last column leaves by itself, any other when the next one comes.
-                valid: ends_3 | (step_2 & !is_left),
-                x: x_3,
-                y: y_3,
-                line_end: ends_3,
-                last: ends_3 & last_3,
-            };
-            (
-                "out",
-                Picture {
-                    place,
-                    colour: Colour::of(rounded),
-                }
-                .registered(),
-                "smooth pixel",
-            )
-        },
-    )
-    .1
+            .called("column_2");
+        net! {
+            let step_2 = (step_1 & !y_1.is(0)).reg();
+            let ends_2 = ends_1.reg();
+            let last_2 = flush_1.reg();
+            let x_2 = x_1.reg();
+            let y_2 = (y_1 - word(1)).reg();
+            let kernel_2 = kernel_1.reg();
+            let is_left = x_2.is(0);
+            // The column in the middle of the window.
+            let ends_3 = (step_2 & ends_2).reg();
+            let last_3 = last_2.reg_when(step_2);
+            let left_3 = is_left.reg_when(step_2);
+            let x_3 = x_2.reg_when(step_2);
+            let y_3 = y_2.reg_when(step_2);
+            let kernel_3 = kernel_2.reg_when(step_2);
+        }
+        let column_3 = column_2.registered_when(step_2).called("column_3");
+        let before_3 = column_3.registered_when(step_2).called("before_3");
+        let left = left_3.select(column_3, before_3);
+        let right = ends_3.select(column_3, column_2);
+        let sum = taps("horizontal", [left, column_3, right], kernel_3);
+        let half = Bits::new(8, LEVEL + 4);
+        let colour = sum.map(|sum| (sum + half).slice(LEVEL + 3, 4));
+        let place = Place {
+            // The last column leaves by itself, any other when the next one comes.
+            valid: ends_3 | (step_2 & !is_left),
+            x: x_3,
+            y: y_3,
+            line_end: ends_3,
+            last: ends_3 & last_3,
+        };
+        let smooth = Picture { place, colour };
+        ("out", smooth.registered(), "smooth pixel")
+    })
 }
 
 /// Three neighbours of a picture, each colour by itself.
-fn taps(at: &str, [earlier, here, later]: [Colour; 3], kernel: Bits) -> Colour {
+fn taps(at: &str, neighbours: [Colour; 3], kernel: Bits) -> Colour {
     Colour::of([0, 1, 2].map(|channel| {
-        let values = [earlier, here, later].map(|colour| colour.levels()[channel]);
+        let values = neighbours.map(|colour| colour.parts()[channel]);
         three_taps(&format!("{at}_{channel}"), values, kernel)
     }))
 }
@@ -159,25 +130,15 @@ fn taps(at: &str, [earlier, here, later]: [Colour; 3], kernel: Bits) -> Colour {
 /// Four times the weighted mean of a value and its neighbours: `4 here`, `2 earlier + 2 here` or `earlier + 2 here +
 /// later`, by the kernel. The weights of every kernel have the same sum, so all are rounded alike. Without registers.
 fn three_taps(at: &str, [earlier, here, later]: [Bits; 3], kernel: Bits) -> Bits {
-    let inputs = (
-        ("earlier", earlier),
-        ("here", here),
-        ("later", later),
-        ("kernel", kernel),
-    );
-    module(
-        "three_taps",
-        at,
-        inputs,
-        |((_, earlier), (_, here), (_, later), (_, kernel))| {
-            net! {
-                let is_binomial = kernel.bit(1);
-                let first = is_binomial.select(earlier, kernel.bit(0).select(earlier, here));
-                let third = is_binomial.select(later, kernel.bit(0).select(earlier, here));
-            }
-            let wide = |value: Bits| value.extend(here.width() + 2);
-            ("sum", (wide(first) + wide(third)) + wide(here).left(1))
-        },
-    )
-    .1
+    let inputs = ports!(earlier, here, later, kernel);
+    module("three_taps", at, inputs, |ports| {
+        let (earlier, here, later, kernel) = ports;
+        net! {
+            let is_binomial = kernel.bit(1);
+            let first = is_binomial.select(earlier, kernel.bit(0).select(earlier, here));
+            let third = is_binomial.select(later, kernel.bit(0).select(earlier, here));
+        }
+        let wide = |value: Bits| value.extend(here.width() + 2);
+        ("sum", (wide(first) + wide(third)) + wide(here).left(1))
+    })
 }

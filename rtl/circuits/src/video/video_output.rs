@@ -4,7 +4,7 @@ use super::{
     BitPlane, COORDINATE, Colour, LEVEL, OVERLAY_LATENCY, Picture, Place, Queue, Screen, overlay,
     pixel_fifo, post_filter, video_timing,
 };
-use crate::raster::Pixel;
+use crate::raster::{Flags, Pixel, Scan};
 use imogene_contract::video::VideoMode;
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
@@ -37,6 +37,21 @@ bundles! {
         line: Bits as "line", "the first of another line";
         pixel: Pixel as "need", "pixel of the screen";
         retrace: Bits as "retrace", "first clock of the vertical blanking";
+    }
+}
+
+impl Wanted {
+    /// The pixel on its way through a machine.
+    pub fn scan(&self) -> Scan {
+        let flags = Flags {
+            valid: self.need,
+            start: self.start,
+            line: self.line,
+        };
+        Scan {
+            flags,
+            pixel: self.pixel,
+        }
     }
 }
 
@@ -93,7 +108,7 @@ pub fn video_output(
     source: u32,
 ) -> (Wanted, Pins) {
     let inputs = (colour, ("overlay", bus));
-    module("video_output", at, inputs, |(colour, (_, bus))| {
+    module("video_output", at, inputs, |(colour, bus)| {
         let lead = u64::from(source) + shape.smoothing();
         let screen = video_timing("timing", Bits::new(1, 1), &shape.mode, lead);
         let smooth = match shape.kernel {
@@ -105,7 +120,7 @@ pub fn video_output(
             false => (screen.de, smooth),
         };
         let black = Colour::of([Bits::new(0, LEVEL); 3]);
-        let [red, green, blue] = de.select(shown, black).levels();
+        let [red, green, blue] = de.select(shown, black).parts();
         let wanted = Wanted {
             need: screen.need,
             start: screen.go,
@@ -168,5 +183,5 @@ fn covered(colour: Colour, screen: &Screen, bus: OverlayBus, shape: &Output) -> 
         x: screen.x,
         y: screen.y,
     };
-    overlay("overlay", plane, screen.de, pixel, colour)
+    overlay("overlay", plane, (screen.de, pixel, colour))
 }

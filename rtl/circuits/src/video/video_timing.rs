@@ -55,7 +55,7 @@ pub fn video_timing(at: &str, enable: Bits, mode: &VideoMode, lead: u64) -> Scre
         mode.retrace()
     );
     let inputs = ("enable", enable, "go on; all outputs hold without it");
-    module("video_timing", at, inputs, |(_, enable, _)| {
+    module("video_timing", at, inputs, |enable| {
         let shown = video_scan("shown", enable, mode, 0);
         let ahead = video_scan("ahead", enable, mode, lead);
         net! {
@@ -103,7 +103,7 @@ fn check(what: &str, span: Span) {
 /// A line is front porch, synchronisation, back porch, shown part, and a frame its lines in the same order, so that
 /// position 0 is the clock after the last pixel of a frame.
 fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
-    module("video_scan", at, ("enable", enable), |(_, enable)| {
+    module("video_scan", at, ("enable", enable), |enable| {
         let (line, frame) = (mode.line, mode.frame);
         let begin = ahead % (line.total() * frame.total());
         let position = |begin: u64| Bits::register(POSITION).initially(begin);
