@@ -1,4 +1,6 @@
 //! Whole machines as designs, and the shapes of their parts in the words of a format.
+//!
+//! What makes no circuit ends in a panic that says why.
 
 use crate::machine::{self, BeamMachine, Beat, Objects, Slot, Volumes, ZoneCore, ZoneMachine};
 use crate::object::{Network, Widths};
@@ -90,10 +92,6 @@ pub fn volumes(words: &MachineWords, rows_per_stage: u32, count: usize, planes: 
 }
 
 /// A beam machine with its screen.
-///
-/// # Panics
-///
-/// With the reason, where machine and screen make no circuit.
 pub fn beam_display(machine: &BeamMachine, output: &Output) -> Design {
     Design::of(|| {
         let beat = (Beat::input(machine.bus()), Bits::input(1));
@@ -102,10 +100,6 @@ pub fn beam_display(machine: &BeamMachine, output: &Output) -> Design {
 }
 
 /// A beam machine that streams pictures of a width and a height.
-///
-/// # Panics
-///
-/// With the reason, where the machine makes no circuit.
 pub fn beam_stream(machine: &BeamMachine, size: (u64, u64)) -> Design {
     Design::of(|| {
         let beat = (Beat::input(machine.bus()), Bits::input(1));
@@ -114,10 +108,6 @@ pub fn beam_stream(machine: &BeamMachine, size: (u64, u64)) -> Design {
 }
 
 /// The part of a zone machine that decides, with nothing behind it.
-///
-/// # Panics
-///
-/// With the reason, where it makes no circuit.
 pub fn zone_core(machine: &ZoneCore) -> Design {
     Design::of(|| {
         let beat = Beat::input(machine.bus());
@@ -126,10 +116,6 @@ pub fn zone_core(machine: &ZoneCore) -> Design {
 }
 
 /// A zone machine that streams pixels.
-///
-/// # Panics
-///
-/// With the reason, where the machine makes no circuit.
 pub fn zone_machine(machine: &ZoneMachine) -> Design {
     Design::of(|| {
         let beat = Beat::input(machine.bus());
@@ -138,10 +124,6 @@ pub fn zone_machine(machine: &ZoneMachine) -> Design {
 }
 
 /// A zone machine with its screen.
-///
-/// # Panics
-///
-/// With the reason, where machine and screen make no circuit.
 pub fn zone_display(machine: &ZoneMachine, output: &Output) -> Design {
     Design::of(|| {
         let beat = Beat::input(machine.bus());

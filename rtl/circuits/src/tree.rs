@@ -1,5 +1,6 @@
 //! Trees whose levels are clocks.
 
+use crate::rows::numbered;
 use imogene_hdl::{Plain, module};
 
 /// Levels of a tree of so many inputs.
@@ -15,21 +16,13 @@ pub fn tree<B: Plain + Copy>(
     node: fn(&str, B, B) -> B,
     register_name: &str,
 ) -> B {
-    let (mut nodes, mut registers) = (0, 0);
+    let mut nodes = numbered("nodes", 0..);
+    let mut registers = numbered("registers", 0..);
+    let next = |row: &mut dyn Iterator<Item = (String, u32)>| row.next().expect("no end").0;
     while level.len() > 1 {
         let branch = |pair: &[B]| match pair {
-            [a, b] => {
-                nodes += 1;
-                node(&format!("nodes_{}", nodes - 1), *a, *b)
-            }
-            rest => {
-                registers += 1;
-                register(
-                    register_name,
-                    &format!("registers_{}", registers - 1),
-                    rest[0],
-                )
-            }
+            [a, b] => node(&next(&mut nodes), *a, *b),
+            rest => register(register_name, &next(&mut registers), rest[0]),
         };
         level = level.chunks(2).map(branch).collect();
     }

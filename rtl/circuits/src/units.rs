@@ -18,6 +18,12 @@ fn each<T>(count: u32, input: impl Fn() -> T) -> Vec<T> {
     (0..count).map(|_| input()).collect()
 }
 
+/// A circuit as a design by itself.
+#[track_caller]
+fn alone<T>(circuit: impl FnOnce() -> T) -> Design {
+    Design::of(circuit)
+}
+
 /// The design of a unit.
 ///
 /// # Panics
@@ -39,48 +45,44 @@ pub fn design(p: &Request) -> Design {
         || crate::shade::Surface::input(depth),
     );
     match p.unit {
-        Unit::Pe1 => Design::of(|| pe1("top", Flags::input(), linear())),
-        Unit::Pe2 => Design::of(|| pe2("top", Flags::input(), quadratic())),
-        Unit::ProgrammablePe => Design::of(|| {
+        Unit::Pe1 => alone(|| pe1("top", Flags::input(), linear())),
+        Unit::Pe2 => alone(|| pe2("top", Flags::input(), quadratic())),
+        Unit::ProgrammablePe => alone(|| {
             let words = SplitWords::input(widths.quadratic);
             programmable_pe("top", Flags::input(), Program::input(), words)
         }),
-        Unit::MemoryPe2 => Design::of(|| {
+        Unit::MemoryPe2 => alone(|| {
             let load = LoadWord::input(widths.quadratic);
             memory_pe2("top", load, Commands::input())
         }),
-        Unit::SquareRoot => Design::of(|| square_root("top", radicand(), rows)),
-        Unit::SquareRootRows => Design::of(|| square_root_rows("top", radicand(), p.digits, rows)),
+        Unit::SquareRoot => alone(|| square_root("top", radicand(), rows)),
+        Unit::SquareRootRows => alone(|| square_root_rows("top", radicand(), p.digits, rows)),
         Unit::SquareRootIterative => {
-            Design::of(|| square_root_iterative("top", Bits::input(1), radicand()))
+            alone(|| square_root_iterative("top", Bits::input(1), radicand()))
         }
         Unit::SquareRootNonRestoring => {
-            Design::of(|| square_root_non_restoring("top", radicand(), rows))
+            alone(|| square_root_non_restoring("top", radicand(), rows))
         }
-        Unit::SquareRootLeading => {
-            Design::of(|| square_root_leading("top", radicand(), p.digits, rows))
-        }
-        Unit::SquareRootLinear => {
-            Design::of(|| square_root_linear("top", radicand(), p.corrections))
-        }
+        Unit::SquareRootLeading => alone(|| square_root_leading("top", radicand(), p.digits, rows)),
+        Unit::SquareRootLinear => alone(|| square_root_linear("top", radicand(), p.corrections)),
         Unit::SquareRootQuadratic => {
-            Design::of(|| square_root_quadratic("top", radicand(), p.corrections))
+            alone(|| square_root_quadratic("top", radicand(), p.corrections))
         }
         Unit::QuadricPe => {
-            Design::of(|| quadric_pe("top", Flags::input(), (linear(), quadratic()), network))
+            alone(|| quadric_pe("top", Flags::input(), (linear(), quadratic()), network))
         }
-        Unit::PlaneDepth => Design::of(|| {
+        Unit::PlaneDepth => alone(|| {
             let words = Linear::input(widths.plane);
             plane_depth("top", Flags::input(), words, depth)
         }),
-        Unit::CutPlane => Design::of(|| cut_plane("top", Cut::input(depth), interval())),
-        Unit::DepthInterval => Design::of(|| depth_interval("top", roots(), Bits::input(2))),
-        Unit::TwoVolumeMerge => Design::of(|| two_volume_merge("top", interval(), interval())),
-        Unit::NormalUnit => Design::of(|| {
-            let words = NormalWords::of(&Words::input(widths, planes));
+        Unit::CutPlane => alone(|| cut_plane("top", Cut::input(depth), interval())),
+        Unit::DepthInterval => alone(|| depth_interval("top", roots(), Bits::input(2))),
+        Unit::TwoVolumeMerge => alone(|| two_volume_merge("top", interval(), interval())),
+        Unit::NormalUnit => alone(|| {
+            let words = NormalWords::input(widths, planes);
             normal_unit("top", Flags::input(), Face::input(depth), words)
         }),
-        Unit::QuadricProcessor => Design::of(|| {
+        Unit::QuadricProcessor => alone(|| {
             let shape = Shape {
                 root: network,
                 two_volumes: true,
@@ -89,96 +91,92 @@ pub fn design(p: &Request) -> Design {
             quadric_processor("top", Scan::input(), words, shape)
         }),
         Unit::SphereProcessor => {
-            Design::of(|| sphere_processor("top", Scan::input(), Sphere::input(widths)))
+            alone(|| sphere_processor("top", Scan::input(), Sphere::input(widths)))
         }
         Unit::CylinderProcessor => {
-            Design::of(|| cylinder_processor("top", Scan::input(), Cylinder::input(widths), depth))
+            alone(|| cylinder_processor("top", Scan::input(), Cylinder::input(widths), depth))
         }
-        Unit::PatchDecider => Design::of(|| {
+        Unit::PatchDecider => alone(|| {
             let planes = each(planes, || PlaneAt::input(depth));
             patch_decider("top", roots(), planes)
         }),
-        Unit::PatchProcessor => Design::of(|| {
+        Unit::PatchProcessor => alone(|| {
             let words = Patch::input(widths, planes);
             patch_processor("top", Scan::input(), words, network)
         }),
-        Unit::FirstGenerationProcessor => Design::of(|| {
+        Unit::FirstGenerationProcessor => alone(|| {
             let words = FirstGeneration::input(widths);
             first_generation_processor("top", Scan::input(), words, network)
         }),
-        Unit::PolyhedronProcessor => Design::of(|| {
+        Unit::PolyhedronProcessor => alone(|| {
             let words = Polyhedron::input(widths, planes);
             polyhedron_processor("top", Scan::input(), words, depth)
         }),
-        Unit::PolyhedralVolume => Design::of(|| {
+        Unit::PolyhedralVolume => alone(|| {
             let bounds = Bounds::input(widths, planes);
             polyhedral_volume("top", Scan::input(), VolumePoint::input(depth), bounds)
         }),
-        Unit::FacetProcessor => Design::of(|| {
+        Unit::FacetProcessor => alone(|| {
             let facet = Facet::input(p.sides, Linear::input, widths.plane, widths.gradient);
             facet_processor("top", Scan::input(), facet, depth)
         }),
-        Unit::CurvedFacetProcessor => Design::of(|| {
+        Unit::CurvedFacetProcessor => alone(|| {
             let width = widths.quadratic;
             let facet = Facet::input(p.sides, Quadratic::input, width, width);
             curved_facet_processor("top", Scan::input(), facet, depth)
         }),
-        Unit::QuadricVolume => Design::of(|| {
+        Unit::QuadricVolume => alone(|| {
             let words = VolumeWords::input(widths, planes);
             let point = VolumePoint::input(depth);
             quadric_volume("top", Scan::input(), point, words, network)
         }),
-        Unit::RasterControl => Design::of(|| raster_control("top", Zone::input())),
-        Unit::VisibilityNode => Design::of(|| visibility_node("top", candidate(), candidate())),
-        Unit::Decider => Design::of(|| decider("top", candidates(p.objects))),
-        Unit::VisibilityChain => Design::of(|| visibility_chain("top", candidates(p.objects))),
-        Unit::CardDecider => Design::of(|| {
+        Unit::RasterControl => alone(|| raster_control("top", Zone::input())),
+        Unit::VisibilityNode => alone(|| visibility_node("top", candidate(), candidate())),
+        Unit::Decider => alone(|| decider("top", candidates(p.objects))),
+        Unit::VisibilityChain => alone(|| visibility_chain("top", candidates(p.objects))),
+        Unit::CardDecider => alone(|| {
             let all = candidates(p.cards * p.objects);
             card_decider("top", all, p.objects as usize)
         }),
-        Unit::CsgDecider => Design::of(|| {
+        Unit::CsgDecider => alone(|| {
             let objects = |count: u32| each(p.products * count, || Convex::input(depth));
             let (intersected, subtracted) = (objects(p.intersected), objects(p.subtracted));
             csg_decider("top", p.products as usize, intersected, subtracted)
         }),
-        Unit::ShadowStage => Design::of(|| {
+        Unit::ShadowStage => alone(|| {
             let volumes = each(p.objects, Volume::input);
             shadow_stage("top", Bits::input(16), volumes)
         }),
-        Unit::CoefficientStore => Design::of(|| {
+        Unit::CoefficientStore => alone(|| {
             let bus = LoadBus::input(widths.bus());
             coefficient_store("top", bus, widths, planes.into())
         }),
-        Unit::Beam => Design::of(|| {
+        Unit::Beam => alone(|| {
             let slots = vec![Slot::full(planes as usize); p.objects as usize];
             let machine = objects(&words, rows, slots);
             beam("top", Zone::input(), Load::input(widths.bus()), &machine)
         }),
-        Unit::TransparencyStage => Design::of(|| transparency_stage("top", surface(), layer())),
+        Unit::TransparencyStage => alone(|| transparency_stage("top", surface(), layer())),
         Unit::TransparencyPipeline => {
-            Design::of(|| transparency_pipeline("top", surface(), each(p.layers, layer)))
+            alone(|| transparency_pipeline("top", surface(), each(p.layers, layer)))
         }
-        Unit::ShadingProcessor => Design::of(|| {
+        Unit::ShadingProcessor => alone(|| {
             let point = Point::input(depth, NORMAL as u32);
             shading_processor("top", point, ShadingLoad::input(), p.lights.into())
         }),
-        Unit::VideoTiming => Design::of(|| {
+        Unit::VideoTiming => alone(|| {
             let mode = &VideoMode::ALL[p.mode as usize];
             video_timing("top", Bits::input(1), mode, LEAD as u64)
         }),
-        Unit::PixelFifo => {
-            Design::of(|| pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32))
-        }
-        Unit::FrameStore => {
-            Design::of(|| frame_store("top", PixelStream::input(), Asked::input(), 12))
-        }
-        Unit::PostFilter => Design::of(|| post_filter("top", Bits::input(2), Picture::input(), 11)),
-        Unit::Overlay => Design::of(|| {
+        Unit::PixelFifo => alone(|| pixel_fifo("top", Queue::input(3 * LEVEL), 6, LEAD as u32)),
+        Unit::FrameStore => alone(|| frame_store("top", PixelStream::input(), Asked::input(), 12)),
+        Unit::PostFilter => alone(|| post_filter("top", Bits::input(2), Picture::input(), 11)),
+        Unit::Overlay => alone(|| {
             let shown = (Bits::input(1), Pixel::input(), Colour::input(LEVEL));
             overlay("top", BitPlane::input(10), shown)
         }),
         Unit::Accumulator => {
-            Design::of(|| accumulator("top", PassPixel::input(12), Colour::input(LEVEL), 12))
+            alone(|| accumulator("top", PassPixel::input(12), Colour::input(LEVEL), 12))
         }
     }
 }

@@ -45,10 +45,8 @@ pub fn frame_loader(at: &str, beat: Beat, last: Bits, retrace: Bits, places: u32
             let written_place = join([beat.tdest, beat.tuser]);
             let take_late = ends.delay(3);
         }
-        filled.load_when(
-            is_kept | refuses | ends,
-            is_kept.select(filled + count(1), count(0)),
-        );
+        let next_filled = is_kept.select(filled + count(1), count(0));
+        filled.load_when(is_kept | refuses | ends, next_filled);
         copied.load_when(is_copying | begins, begins.select(count(0), next_copied));
         is_whole.load_when(gets_whole | ends, gets_whole);
         is_copying.load_when(begins | ends, begins);

@@ -46,13 +46,11 @@ pub fn show_control(at: &str, go: Bits, room: Bits, window: Window) -> Issued {
         let next_column = (go | line_ends).select(word(0), column + word(1));
         column.load_when(go | issue, next_column);
         row.load_when(go | (issue & line_ends), go.select(word(0), row + word(1)));
+        let place = [window.x0 + column, window.y0 + row];
         Issued {
             issue,
             valid: issue.reg(),
-            pixel: Pixel {
-                x: (window.x0 + column).reg(),
-                y: (window.y0 + row).reg(),
-            },
+            pixel: Pixel::of(place.map(Bits::reg)),
             is_last: ends.reg(),
         }
     })

@@ -116,7 +116,7 @@ pub fn zone_control(at: &str, beat: Beat, pass_ends: Bits, waits: Waits) -> Cont
 /// A counter that is set to so many clocks and goes down to 0.
 fn count_down(counter: Bits, starts: Bits, clocks: u32) {
     let width = counter.width();
-    let least = counter - Bits::new(1, width);
-    let next = starts.select(Bits::new(clocks.into(), width), least);
+    let less = counter - Bits::new(1, width);
+    let next = starts.select(Bits::new(clocks.into(), width), less);
     counter.load_when(starts | !counter.is(0), next);
 }

@@ -97,10 +97,7 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
         1 => place,
         samples => place.left(samples.ilog2()) | seen.sample.slice(low + 1, low).extend(COORDINATE),
     };
-    let pixel = Pixel {
-        x: sample(place.x, 2),
-        y: sample(place.y, 4),
-    };
+    let pixel = Pixel::of([sample(place.x, 2), sample(place.y, 4)]);
     let point = Point {
         valid: seen.valid.delayed_as("valid_late", 1),
         pixel: pixel.delayed(1),

@@ -62,11 +62,6 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
         let nothing = (absent(depth), face(NEAR_ROOT), no_normal);
         let seen = is_present.select((z.low(depth), part, normal), nothing);
         let (z, number, normal) = seen.registered();
-        let seen = Seen {
-            zf: z,
-            zb: z,
-            number,
-        };
-        seen.with(flags.valid.delayed_as("valid_late", 3), normal)
+        Seen::face(z, number).with(flags.valid.delayed_as("valid_late", 3), normal)
     })
 }

@@ -115,11 +115,7 @@ fn processor<P: Plain + Copy>(
             let kept_depth = is_present.select(z.low(depth), absent(depth)).reg();
             let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
         }
-        let seen = Seen {
-            zf: kept_depth,
-            zb: kept_depth,
-            number: kept_number,
-        };
+        let seen = Seen::face(kept_depth, kept_number);
         let component = |at: &str, words: P| high(pe(at, flags, words), NORMAL);
         let (nx, ny, nz) = normal;
         let normal = Normal::of([

@@ -1,11 +1,11 @@
 //! Quadric object processor, first generation.
 
 use super::{
-    Contours, Network, Normal, NormalWords, Quadric, Visible, Widths, contour_choice,
-    object_processor, plane_depth, roots, visible,
+    Contours, Network, Normal, Quadric, Visible, Widths, contour_choice, object_processor,
+    plane_depth, roots, visible,
 };
 use crate::raster::{Linear, Quadratic, Scan, pe1, pe2};
-use imogene_hdl::{Bits, Bundle, Value, bundles, net};
+use imogene_hdl::{Bits, Bundle, Int, Value, bundles, net};
 
 bundles! {
     /// Words of a quadric between a front plane (0) and a back plane (1).
@@ -44,38 +44,24 @@ pub fn first_generation_processor(
         let quadric = words.quadric;
         let f = (quadric.f1, quadric.f2);
         let (roots, root, late) = roots(scan, quadric.screen_box, f, network);
-        let zp = |index: usize| {
-            let at = format!("depths_{index}");
-            plane_depth(&at, late, words.depths[index], network.depth)
-        };
-        let is_inside = |index: usize| {
-            let conic = pe2(&format!("conics_{index}"), late, words.conics[index]);
-            (!conic.is_negative()).reg()
-        };
-        let is_kept = |index: usize| {
-            let polar = pe1(&format!("polars_{index}"), late, words.polars[index]);
-            (!polar.is_negative()).reg()
-        };
+        let holds = |value: Int| (!value.is_negative()).reg();
         net! {
-            let front_inside = is_inside(0);
-            let back_inside = is_inside(1);
-            let front_middle = is_kept(0);
-            let back_middle = is_kept(1);
+            let front_inside = holds(pe2("conics_0", late, words.conics[0]));
+            let back_inside = holds(pe2("conics_1", late, words.conics[1]));
+            let front_middle = holds(pe1("polars_0", late, words.polars[0]));
+            let back_middle = holds(pe1("polars_1", late, words.polars[1]));
         }
+        let zp = |at: &str, plane: Linear| plane_depth(at, late, plane, network.depth);
         let contours = Contours {
             surface: words.surface,
-            front_zp: zp(0),
-            back_zp: zp(1),
+            front_zp: zp("depths_0", words.depths[0]),
+            back_zp: zp("depths_1", words.depths[1]),
             front_inside,
             back_inside,
             middle_kept: front_middle & back_middle,
         };
         let seen = contour_choice("choice", roots, contours);
-        let root = (root.delayed_as("root_late", 1), quadric.shift);
-        let normals = NormalWords {
-            gradients: quadric.gradients,
-            planes: words.normals,
-        };
-        visible(late.delayed(3), seen, root, normals)
+        let root = root.delayed_as("root_late", 1);
+        visible(late.delayed(3), seen, root, (quadric, words.normals))
     })
 }

@@ -1,6 +1,6 @@
 //! Normal of the visible face.
 
-use super::{Gradients, Words};
+use super::{Gradients, Widths};
 use crate::raster::{Flags, Linear, pe1};
 use crate::rows::alike;
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
@@ -38,20 +38,10 @@ alike! {
 
 bundles! {
     /// The words of a normal.
-    NormalWords {
+    NormalWords(widths: Widths, planes: u32) {
         /// Words of the quadric.
-        gradients: Gradients as "";
-        planes: Vec<Normal> as "plane", "plane #";
-    }
-}
-
-impl NormalWords {
-    /// Those of an object.
-    pub fn of(words: &Words) -> NormalWords {
-        NormalWords {
-            gradients: words.quadric.gradients,
-            planes: words.planes.iter().map(|plane| plane.normal).collect(),
-        }
+        gradients: Gradients(widths) as "";
+        planes: [Normal(widths.normal); planes] as "plane", "plane #";
     }
 }
 

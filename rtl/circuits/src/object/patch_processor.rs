@@ -1,8 +1,7 @@
 //! Patch object processor.
 
 use super::{
-    HalfSpace, Network, NormalWords, Quadric, Visible, Widths, object_processor, patch_decider,
-    roots, visible,
+    HalfSpace, Network, Quadric, Visible, Widths, object_processor, patch_decider, roots, visible,
 };
 use crate::raster::Scan;
 use crate::rows::numbered;
@@ -34,11 +33,7 @@ pub fn patch_processor(at: &str, scan: Scan, words: Patch, network: Network) -> 
         let planes = numbered("planes", words.planes);
         let planes = planes.map(|(at, plane)| plane.at(&at, late, network.depth));
         let seen = patch_decider("decider", roots, planes.collect());
-        let root = (root.delayed_as("root_late", 2), quadric.shift);
-        let normals = NormalWords {
-            gradients: quadric.gradients,
-            planes: vec![],
-        };
-        visible(late.delayed(4), seen, root, normals)
+        let root = root.delayed_as("root_late", 2);
+        visible(late.delayed(4), seen, root, (quadric, vec![]))
     })
 }

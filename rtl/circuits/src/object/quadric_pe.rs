@@ -46,11 +46,9 @@ pub fn quadric_pe(
     (f1, f2): (Linear, Quadratic),
     network: Network,
 ) -> (Depths, Flags) {
-    let inputs = (
-        flags,
-        ("f1", f1, "linear part of the depth"),
-        ("f2", f2, "quadratic under the root"),
-    );
+    let f1 = ("f1", f1, "linear part of the depth");
+    let f2 = ("f2", f2, "quadratic under the root");
+    let inputs = (flags, f1, f2);
     module("quadric_pe", at, inputs, |(flags, f1, f2)| {
         let (stages, sum) = (network.latency(), depth_sum(network.depth as usize) as u32);
         let f2 = pe2("f2", flags, f2);

@@ -1,8 +1,8 @@
 //! Quadric object processor, second generation.
 
 use super::{
-    Cut, Interval, Network, NormalWords, PlaneAt, Visible, Words, cut_plane, depth_interval,
-    object_processor, roots, two_volume_merge, visible,
+    Cut, Interval, Network, PlaneAt, Visible, Words, cut_plane, depth_interval, object_processor,
+    roots, two_volume_merge, visible,
 };
 use crate::raster::Scan;
 use crate::rows::numbered;
@@ -60,8 +60,8 @@ pub fn quadric_processor(at: &str, scan: Scan, words: Words, shape: Shape) -> Vi
         };
         let halves = u32::from(shape.two_volumes);
         let clocks = words.planes.len() as u32 + 1 + halves;
-        let root = (root.delayed_as("root_late", clocks), quadric.shift);
-        let normals = NormalWords::of(&words);
-        visible(flags.delayed(3 + halves), seen.seen(), root, normals)
+        let root = root.delayed_as("root_late", clocks);
+        let words = (quadric, words.normals());
+        visible(flags.delayed(3 + halves), seen.seen(), root, words)
     })
 }

@@ -1,8 +1,8 @@
 //! What object processors answer.
 
-use super::{Face, Interval, Normal, NormalWords, absent, normal_unit};
+use super::{Face, Interval, Normal, NormalWords, Quadric, absent, normal_unit};
 use crate::raster::{Flags, Scan};
-use imogene_hdl::{Bits, Bundle, Ports, Value, bundle, bundles, module};
+use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module};
 
 bundle! {
     /// An object on a line of sight.
@@ -34,6 +34,12 @@ impl Seen {
     /// Nothing is there.
     pub(super) fn absent(depth: u32) -> Seen {
         Interval::absent(depth).seen()
+    }
+
+    /// A face without anything behind it.
+    pub(super) fn face(z: Int, number: Bits) -> Seen {
+        let (zf, zb) = (z, z);
+        Seen { zf, zb, number }
     }
 
     /// The answer of the clock that says whether it is one, without its face.
@@ -72,19 +78,22 @@ pub(super) fn object_processor<W: Ports>(
     }
 }
 
-/// What is seen of a quadric with its normal, from the flags, the root and its shift beside it. Latency 3.
+/// What is seen of a quadric with its normal, from the flags, the root beside it, and the normals of the planes. Latency
+/// 3.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
-    (root, shift): (Bits, Bits),
-    words: NormalWords,
+    root: Bits,
+    (quadric, planes): (Quadric, Vec<Normal>),
 ) -> Visible {
     let face = Face {
         number: seen.number,
         absent: seen.zf.equals(absent(seen.zf.width())),
         root,
-        shift,
+        shift: quadric.shift,
     };
+    let gradients = quadric.gradients;
+    let words = NormalWords { gradients, planes };
     let (out_valid, late) = (("out_valid", flags.valid), seen).delayed(3).bare();
     late.with(out_valid, normal_unit("normal", flags, face, words))
 }

@@ -12,7 +12,7 @@ pub use programmable_pe::{Program, Programmed, SplitWords, programmable_pe};
 
 use crate::rows::alike;
 use imogene_contract::words;
-use imogene_hdl::{Int, bundle, bundles};
+use imogene_hdl::{Bits, Int, bundle, bundles};
 
 /// Bits of a screen coordinate.
 pub(crate) const COORDINATE: u32 = words::COORDINATE as u32;
@@ -60,6 +60,7 @@ bundles! {
 }
 
 alike! {
+    Pixel: [Bits; 2] { x y }
     Linear: [Int; 3] { a b c }
     Quadratic: [Int; 6] { a2 b2 c i0 p0 f }
 }

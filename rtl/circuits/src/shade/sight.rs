@@ -33,7 +33,7 @@ bundles! {
 /// line of sight was shifted, 15 clocks after the pixel. Section 8.2 of the architecture.
 pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight, Bits) {
     let inputs = (pixel, normal, eye);
-    let (sight, places) = module("sight", at, inputs, |(pixel, normal, eye)| {
+    module("sight", at, inputs, |(pixel, normal, eye)| {
         let place = |at: Bits, size: Bits| (join([at, Bits::new(0, 1)]) - size).reg().int();
         net! {
             let place_x = place(pixel.x, eye.size_x);
@@ -42,18 +42,15 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
         let along = |place: Int| {
             let raised = place.extend(33).bits().left(5);
             let lowered = raised.right_by(eye.view_shift).low(18);
-            eye.perspective
-                .select(lowered, Bits::new(0, 18))
-                .reg()
-                .int()
+            let none = Bits::new(0, 18);
+            eye.perspective.select(lowered, none).reg().int()
         };
         let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
         let full = vector_normaliser("ray_normaliser", ray);
         let ray = full.vector.delayed(1);
-        let normal = Vector::of([normal.nx, normal.ny, normal.nz]).delayed(3);
-        let normal = vector_normaliser("normal_normaliser", normal)
-            .vector
-            .map(|part| part.extend(18));
+        let normal = Vector::of(normal.parts()).delayed(3);
+        let full_normal = vector_normaliser("normal_normaliser", normal).vector;
+        let normal = full_normal.map(|part| part.extend(18));
         let normal_square = scalar_product("normal_square", normal, normal).bits();
         let ray_square = scalar_product("ray_square", ray, ray).bits();
         let both = scalar_product("both", normal, ray);
@@ -72,6 +69,5 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
         };
         let places = full.places.delayed_as("places_late", 11);
         (sight, ("ray_places", places))
-    });
-    (sight, places)
+    })
 }

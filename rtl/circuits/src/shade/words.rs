@@ -67,7 +67,7 @@ pub(super) fn view_store(at: &str, bus: LoadBus) -> View {
 /// Keeps the ten words of one light and gives them with its colour. All are zero at power-up: a light that adds
 /// nothing.
 pub(super) fn light_store(at: &str, bus: LoadBus) -> (Light, Colour) {
-    let (light, colour) = module("light_store", at, ("load", bus), |bus| {
+    module("light_store", at, ("load", bus), |bus| {
         let vector = |first: u64| Vector::of([0, 1, 2].map(|index| bus.number(first + index, 28)));
         let light = Light {
             source: bus.bits(0, 7, 4),
@@ -78,6 +78,5 @@ pub(super) fn light_store(at: &str, bus: LoadBus) -> (Light, Colour) {
         };
         let colour = Colour::of([7, 8, 9].map(|word| bus.bits(word, 16, 0)));
         (light, ("colour", colour))
-    });
-    (light, colour)
+    })
 }

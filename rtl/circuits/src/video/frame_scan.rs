@@ -2,7 +2,7 @@
 
 use super::COORDINATE;
 use crate::raster::{Flags, Pixel, Scan};
-use imogene_hdl::{Bits, Value, bundles, module, net};
+use imogene_hdl::{Bits, Value, bundles, module, net, ports};
 
 bundles! {
     /// A pixel of a scan.
@@ -27,48 +27,49 @@ pub fn frame_scan(
     (width, height): (u64, u64),
     drain: u64,
 ) -> Scanned {
-    let inputs = (("room", room), ("is_busy", is_busy));
-    module("frame_scan", at, inputs, |(room, is_busy)| {
-        let word = |value: u64| Bits::new(value, COORDINATE);
-        let clocks = |value: u64| Bits::new(value, drain.ilog2() + 1);
-        net! {
-            let running = Bits::register(1);
-            let waiting = Bits::register(drain.ilog2() + 1);
-            let retrace = Bits::register(1);
-            let column = Bits::register(COORDINATE);
-            let row = Bits::register(COORDINATE);
-            let issued = running & room;
-            let at_left = column.is(0);
-            let at_right = column.is(width - 1);
-            let at_top = row.is(0);
-            let at_bottom = row.is(height - 1);
-            let line_ends = issued & at_right;
-            let frame_ends = line_ends & at_bottom;
-            let is_empty = waiting.is(0);
-            let drains = !running & !is_empty;
-            let begins = !running & is_empty & !retrace & !is_busy;
-        }
-        column.load_when(issued, at_right.select(word(0), column + word(1)));
-        row.load_when(line_ends, at_bottom.select(word(0), row + word(1)));
-        running.load_when(frame_ends | begins, begins);
-        let next_waiting = drains.select(waiting - clocks(1), waiting);
-        waiting.load(frame_ends.select(clocks(drain), next_waiting));
-        retrace.load(drains & waiting.is(1));
-        Scanned {
-            issue: issued,
-            scan: Scan {
-                flags: Flags {
-                    valid: issued.reg(),
-                    start: (issued & at_left & at_top).reg(),
-                    line: (issued & at_left & !at_top).reg(),
+    module(
+        "frame_scan",
+        at,
+        ports!(room, is_busy),
+        |(room, is_busy)| {
+            let word = |value: u64| Bits::new(value, COORDINATE);
+            let clocks = |value: u64| Bits::new(value, drain.ilog2() + 1);
+            net! {
+                let running = Bits::register(1);
+                let waiting = Bits::register(drain.ilog2() + 1);
+                let retrace = Bits::register(1);
+                let column = Bits::register(COORDINATE);
+                let row = Bits::register(COORDINATE);
+                let issued = running & room;
+                let at_left = column.is(0);
+                let at_right = column.is(width - 1);
+                let at_top = row.is(0);
+                let at_bottom = row.is(height - 1);
+                let line_ends = issued & at_right;
+                let frame_ends = line_ends & at_bottom;
+                let is_empty = waiting.is(0);
+                let drains = !running & !is_empty;
+                let begins = !running & is_empty & !retrace & !is_busy;
+            }
+            column.load_when(issued, at_right.select(word(0), column + word(1)));
+            row.load_when(line_ends, at_bottom.select(word(0), row + word(1)));
+            running.load_when(frame_ends | begins, begins);
+            let next_waiting = drains.select(waiting - clocks(1), waiting);
+            waiting.load(frame_ends.select(clocks(drain), next_waiting));
+            retrace.load(drains & waiting.is(1));
+            Scanned {
+                issue: issued,
+                scan: Scan {
+                    flags: Flags {
+                        valid: issued.reg(),
+                        start: (issued & at_left & at_top).reg(),
+                        line: (issued & at_left & !at_top).reg(),
+                    },
+                    pixel: Pixel::of([column.reg(), row.reg()]),
                 },
-                pixel: Pixel {
-                    x: column.reg(),
-                    y: row.reg(),
-                },
-            },
-            line_ends: line_ends.reg(),
-            retrace,
-        }
-    })
+                line_ends: line_ends.reg(),
+                retrace,
+            }
+        },
+    )
 }

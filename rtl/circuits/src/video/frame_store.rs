@@ -54,14 +54,11 @@ pub fn frame_store(at: &str, arrival: PixelStream, asked: Asked, places: u32) ->
         let is_last = taken & arrival.tlast;
         is_whole.load_when(is_last | swaps, is_last);
         second_is_shown.load_when(swaps, !second_is_shown);
-        let from = Pixel {
-            x: arrival.tuser.low(COORDINATE),
-            y: arrival.tuser.slice(2 * COORDINATE - 1, COORDINATE),
-        };
-        let to = Pixel {
-            x: asked.x,
-            y: asked.y,
-        };
+        let from = Pixel::of([
+            arrival.tuser.low(COORDINATE),
+            arrival.tuser.high(COORDINATE),
+        ]);
+        let to = Pixel::of([asked.x, asked.y]);
         let write_place = pixel_place("write_place", from, asked.width);
         let read_place = pixel_place("read_place", to, asked.width);
         let late_data = arrival.tdata.delayed_as("late_data", 2);

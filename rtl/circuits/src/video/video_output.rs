@@ -125,10 +125,7 @@ pub fn video_output(
             need: screen.need,
             start: screen.go,
             line: screen.need_line,
-            pixel: Pixel {
-                x: screen.need_x,
-                y: screen.need_y,
-            },
+            pixel: Pixel::of([screen.need_x, screen.need_y]),
             retrace: screen.frame_start,
         };
         let pins = Pins {
@@ -179,9 +176,6 @@ fn covered(colour: Colour, screen: &Screen, bus: OverlayBus, shape: &Output) -> 
         colour: bus.colour,
         width: Bits::new(shape.mode.line.active, COORDINATE),
     };
-    let pixel = Pixel {
-        x: screen.x,
-        y: screen.y,
-    };
+    let pixel = Pixel::of([screen.x, screen.y]);
     overlay("overlay", plane, (screen.de, pixel, colour))
 }
