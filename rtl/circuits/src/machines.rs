@@ -41,11 +41,6 @@ impl MachineWords {
         }
     }
 
-    /// Rows of the root network.
-    pub fn rows(&self) -> u32 {
-        self.root - self.dropped_rows
-    }
-
     /// Widths of the words of an object.
     pub fn widths(&self) -> Widths {
         Widths {
@@ -62,15 +57,10 @@ impl MachineWords {
         Network {
             depth: self.depth,
             digits: self.root,
-            rows: self.rows(),
+            rows: self.root - self.dropped_rows,
             rows_per_stage,
         }
     }
-}
-
-/// Widths of the words of an object in a format.
-pub fn widths(depth_word: u32) -> Widths {
-    MachineWords::of(depth_word).widths()
 }
 
 /// Object processors side by side.

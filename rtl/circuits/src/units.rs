@@ -2,14 +2,12 @@
 
 use crate::arith::*;
 use crate::machine::*;
-pub use crate::machines::widths;
 use crate::machines::{MachineWords, objects};
 use crate::object::*;
 use crate::raster::*;
 use crate::shade::*;
 use crate::video::*;
 use imogene_contract::video::{LEAD, VideoMode};
-use imogene_contract::words::NORMAL;
 use imogene_contract::{Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
 
@@ -38,12 +36,10 @@ pub fn design(p: &Request) -> Design {
     let radicand = || Bits::input(widths.quadratic);
     let roots = || Roots::input(widths.linear);
     let interval = || Interval::input(depth);
-    let candidate = || Candidate::input(depth, NORMAL as u32, 8);
+    let candidate = || Candidate::input(depth, NORMAL, 8);
     let candidates = |count: u32| each(count, candidate);
-    let (layer, surface) = (
-        || Layer::input(depth),
-        || crate::shade::Surface::input(depth),
-    );
+    let layer = || Layer::input(depth);
+    let surface = || crate::shade::Surface::input(depth);
     match p.unit {
         Unit::Pe1 => alone(|| pe1("top", Flags::input(), linear())),
         Unit::Pe2 => alone(|| pe2("top", Flags::input(), quadratic())),
@@ -161,7 +157,7 @@ pub fn design(p: &Request) -> Design {
             alone(|| transparency_pipeline("top", surface(), each(p.layers, layer)))
         }
         Unit::ShadingProcessor => alone(|| {
-            let point = Point::input(depth, NORMAL as u32);
+            let point = Point::input(depth, NORMAL);
             shading_processor("top", point, ShadingLoad::input(), p.lights.into())
         }),
         Unit::VideoTiming => alone(|| {

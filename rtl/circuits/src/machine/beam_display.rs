@@ -1,6 +1,7 @@
 //! Beam machine with its loader, shading and the pins of a screen.
 
 use super::{BeamMachine, Beat, beam_core, frame_loader};
+use crate::raster::{Flags, Scan};
 use crate::video::{Colour, LEVEL, Output, OverlayBus, Pins, video_output};
 use imogene_hdl::{Bits, Value, bundles, module};
 
@@ -32,8 +33,13 @@ pub fn beam_display(
         let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
         let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
         let loaded = frame_loader("loader", beat, last, wanted.retrace, machine.loader_places);
-        let words = (loaded.take, loaded.load);
-        let shaded = beam_core("core", wanted.scan(), words, machine);
+        let flags = Flags {
+            valid: wanted.need,
+            start: wanted.start,
+            line: wanted.line,
+        };
+        let (pixel, words) = (wanted.pixel, (loaded.take, loaded.load));
+        let shaded = beam_core("core", Scan { flags, pixel }, words, machine);
         for (forward, level) in colour.parts().into_iter().zip(shaded.colour().parts()) {
             forward.drive(level);
         }

@@ -37,10 +37,8 @@ pub fn csg_decider(
     let common = "intersected object #, product by product";
     let taken_away =
         "object # taken away, product by product, ceil(log2 I) clocks after the intersected";
-    let inputs = (
-        ("intersected", intersected, common),
-        ("subtracted", subtracted, taken_away),
-    );
+    let subtracted = ("subtracted", subtracted, taken_away);
+    let inputs = (("intersected", intersected, common), subtracted);
     module("csg_decider", at, inputs, |(intersected, subtracted)| {
         let own = |all: &[Convex], product: usize, is_back: u64| {
             let count = all.len() / products;

@@ -50,12 +50,11 @@ pub use zone_core::{SHOW_CLOCKS, Shown, TableWord, ZoneCore, zone_core};
 pub use zone_display::{ZoneScreen, zone_display};
 pub use zone_machine::{ZoneMachine, zone_machine};
 
+use crate::object::NORMAL;
 use crate::raster::COORDINATE;
-use imogene_contract::{shading, words};
+use imogene_contract::shading;
 use imogene_hdl::Bits;
 
-/// Bits of a normal component in the shading processor.
-const NORMAL: u32 = words::NORMAL as u32;
 /// Bits of the flags of all sources.
 const SOURCES: u32 = 16;
 /// Bits of a word of the shading processor.

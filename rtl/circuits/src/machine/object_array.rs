@@ -149,11 +149,9 @@ pub fn object_array(
             false => (words, Bits::new(index as u64, ID)),
         };
         let (valid, nearest) = objects.nearest(scan, load, words);
-        let surface = Surface {
-            depth: nearest.depth,
-            id: nearest.id,
-            normal: nearest.normal,
-        };
-        (("out_valid", valid), surface)
+        let Candidate {
+            depth, id, normal, ..
+        } = nearest;
+        (("out_valid", valid), Surface { depth, id, normal })
     })
 }

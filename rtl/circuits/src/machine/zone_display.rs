@@ -34,13 +34,8 @@ pub fn zone_display(
         let taken = Bits::forward(1);
         let (ready, pixels) = zone_machine("machine", beat, taken, machine);
         let colour = Bits::forward(3 * LEVEL);
-        let (wanted, pins) = video_output(
-            "screen",
-            Colour::unpacked(colour),
-            bus,
-            output,
-            FRAME_LATENCY,
-        );
+        let picture = Colour::unpacked(colour);
+        let (wanted, pins) = video_output("screen", picture, bus, output, FRAME_LATENCY);
         let asked = Asked {
             width: Bits::new(line.active, COORDINATE),
             retrace: wanted.retrace,

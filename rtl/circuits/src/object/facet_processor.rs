@@ -101,22 +101,18 @@ fn processor<P: Plain + Copy>(
     let inputs = (scan, (facet.screen_box, sides, z, normal));
     object_processor(kind, at, inputs, |scan, (screen_box, sides, z, normal)| {
         let flags = scan.flags;
-        let high = |value: Int, width: u32| {
-            let whole = value.width();
-            value.slice(whole - 1, whole - width).int()
-        };
         let in_box = screen_box.contains(scan.pixel).reg().named("in_box_late");
         let is_there = numbered("sides", sides).fold(in_box, |all, (at, side)| {
             all & !pe(&at, flags, side).is_negative()
         });
-        let z = high(pe("depth", flags, z), depth + 2);
+        let z = pe("depth", flags, z).high(depth + 2);
         net! {
             let is_present = is_there & Clamped::of("depth", z, number).is_visible();
             let kept_depth = is_present.select(z.low(depth), absent(depth)).reg();
             let kept_number = is_present.select(Bits::new(number, 4), Bits::new(0, 4)).reg();
         }
         let seen = Seen::face(kept_depth, kept_number);
-        let component = |at: &str, words: P| high(pe(at, flags, words), NORMAL);
+        let component = |at: &str, words: P| pe(at, flags, words).high(NORMAL);
         let (nx, ny, nz) = normal;
         let normal = Normal::of([
             component("normal_x", nx),

@@ -61,7 +61,7 @@ use imogene_contract::words::far_end;
 use imogene_hdl::Int;
 
 /// Bits of a normal component that no machine has cut.
-const NORMAL: u32 = imogene_contract::words::NORMAL as u32;
+pub(crate) const NORMAL: u32 = imogene_contract::words::NORMAL as u32;
 
 /// An end of a depth word.
 fn end(of: fn(usize) -> i64, width: u32) -> Int {

@@ -54,12 +54,7 @@ bundles! {
 pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> Normal {
     let inputs = (flags, face, words);
     module("normal_unit", at, inputs, |(flags, face, words)| {
-        let Gradients {
-            gx,
-            gy,
-            gz,
-            factors,
-        } = words.gradients;
+        let (gradients, factors) = (words.gradients, words.gradients.factors);
         let width = factors.kx.width();
         let is = |number: u64| face.number.is(number);
         let late = flags.delayed(1);
@@ -84,9 +79,9 @@ pub fn normal_unit(at: &str, flags: Flags, face: Face, words: NormalWords) -> No
             normal_component(&format!("component_{name}"), late, (g, k), change)
         };
         let normal = Normal::of([
-            component("x", gx, factors.kx, fixed.nx),
-            component("y", gy, factors.ky, fixed.ny),
-            component("z", gz, factors.kz, fixed.nz),
+            component("x", gradients.gx, factors.kx, fixed.nx),
+            component("y", gradients.gy, factors.ky, fixed.ny),
+            component("z", gradients.gz, factors.kz, fixed.nz),
         ]);
         ("", normal, "visible face")
     })
@@ -99,9 +94,8 @@ pub(super) fn constant_normal(number: Bits, cap_nz: Int, planes: &[Normal]) -> N
     let cap = Normal::of([none, none, cap_nz]);
     let planes = (FIRST_PLANE..).zip(planes.iter().copied());
     let choose = |other, (own, normal)| number.is(own).select(normal, other);
-    planes
-        .chain([(CAP, cap)])
-        .fold(Normal::of([none; 3]), choose)
+    let faces = planes.chain([(CAP, cap)]);
+    faces.fold(Normal::of([none; 3]), choose)
 }
 
 /// One component, two clocks after its flags.

@@ -38,9 +38,8 @@ pub fn quadric_volume(
         let late = late.delayed(1);
         // A depth of the quadric is at or before another one exactly if it is at or before that one rounded down to
         // its unit.
-        let [z, entered] = point
-            .depths()
-            .map(|depth| depth.right_by(words.depth_shift));
+        let coarse = |depth: Int| depth.right_by(words.depth_shift);
+        let [z, entered] = point.depths().map(coarse);
         net! {
             let coarse_z = z.reg();
             let coarse_entered = entered.reg();

@@ -48,9 +48,8 @@ pub fn sphere_processor(at: &str, scan: Scan, words: Sphere) -> Visible {
             zb: far.depth,
             number: near.face,
         };
-        let late_seen = is_present
-            .select(sphere, Seen::absent(sum - 2))
-            .registered();
+        let nothing = Seen::absent(sum - 2);
+        let late_seen = is_present.select(sphere, nothing).registered();
         let seen = late_seen.registered();
         // The normal is used two clocks later than the depth.
         let late = flags.delayed(2);

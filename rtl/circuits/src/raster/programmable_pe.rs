@@ -1,7 +1,7 @@
 //! Programmable elementary processor: one of second degree, or four of first degree.
 
 use super::Flags;
-use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, module, net};
+use imogene_hdl::{Bits, Int, Value, bundle, bundles, join, module, net, ports};
 
 bundle! {
     /// What a programmable processor is to be, read with its words.
@@ -40,7 +40,8 @@ bundles! {
 /// Latency 1, the decision 2. Words are read on a clock with `valid` and `start` only. Chaillou 1991, IV.1.7.
 pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWords) -> Programmed {
     let inputs = (flags, ("", (program, words), "read with start"));
-    let body = |(flags, (program, words)): (Flags, (Program, SplitWords))| {
+    module("programmable_pe", at, inputs, |(flags, own)| {
+        let (program, words) = own;
         let width = words.f.width();
         let load = flags.valid & flags.start;
         let register = || Bits::register(width);
@@ -80,25 +81,22 @@ pub fn programmable_pe(at: &str, flags: Flags, program: Program, words: SplitWor
         let halves = |word: Bits| [word.low(width / 2), word.slice(width - 1, width / 2)];
         let lanes = [pixel_value, pixel_step].into_iter().flat_map(halves);
         let lanes: Vec<Int> = lanes.map(Bits::int).collect();
-        let signs = lanes.iter().map(|lane| lane.is_negative()).zip(0..);
-        let lane_out = signs
-            .map(|(sign, index)| sign & kept_used.bit(index))
-            .reduce(|a, b| a | b);
+        let signs = lanes.iter().map(|lane| lane.is_negative());
+        let used = |(sign, lane): (Bits, u32)| sign & kept_used.bit(lane);
+        let lane_out = signs.zip(0..).map(used).reduce(|a, b| a | b);
         let is_outside = is_split.select(lane_out.expect("lanes"), pixel_value.top());
         Programmed {
             value: pixel_value.int(),
             lanes,
             is_inside: (!is_outside).reg(),
         }
-    };
-    module("programmable_pe", at, inputs, body)
+    })
 }
 
 /// One sum, or two sums of half the bits side by side: an adder with one AND in its carry chain. Latency 0. Chaillou
 /// 1991, IV.1.7.
 fn split_adder(at: &str, a: Bits, b: Bits, split: Bits) -> Bits {
-    let inputs = (("a", a), ("b", b), ("split", split));
-    module("split_adder", at, inputs, |(a, b, split)| {
+    module("split_adder", at, ports!(a, b, split), |(a, b, split)| {
         let half = a.width() / 2;
         let low_half = |word: Bits| word.low(half).extend(half + 1);
         let high_half = |word: Bits| word.slice(2 * half - 1, half);

@@ -80,9 +80,8 @@ pub fn post_filter(at: &str, kernel: Bits, pixel: Picture, places: u32) -> Pictu
         }
         lines.drive(join([one_up, colour_1]));
         let column = [above, one_up, below].map(Colour::unpacked);
-        let column_2 = taps("vertical", column, kernel_1)
-            .registered()
-            .called("column_2");
+        let column_2 = taps("vertical", column, kernel_1).registered();
+        let column_2 = column_2.called("column_2");
         net! {
             let step_2 = (step_1 & !y_1.is(0)).reg();
             let ends_2 = ends_1.reg();

@@ -4,7 +4,7 @@ use super::{
     BitPlane, COORDINATE, Colour, LEVEL, OVERLAY_LATENCY, Picture, Place, Queue, Screen, overlay,
     pixel_fifo, post_filter, video_timing,
 };
-use crate::raster::{Flags, Pixel, Scan};
+use crate::raster::Pixel;
 use imogene_contract::video::VideoMode;
 use imogene_hdl::{Bits, Value, bundle, bundles, module, net};
 
@@ -37,21 +37,6 @@ bundles! {
         line: Bits as "line", "the first of another line";
         pixel: Pixel as "need", "pixel of the screen";
         retrace: Bits as "retrace", "first clock of the vertical blanking";
-    }
-}
-
-impl Wanted {
-    /// The pixel on its way through a machine.
-    pub fn scan(&self) -> Scan {
-        let flags = Flags {
-            valid: self.need,
-            start: self.start,
-            line: self.line,
-        };
-        Scan {
-            flags,
-            pixel: self.pixel,
-        }
     }
 }
 

@@ -122,9 +122,8 @@ fn video_scan(at: &str, enable: Bits, mode: &VideoMode, ahead: u64) -> Scan {
         row.load_when(enable, line_ends.select(next_row, row));
         let pixel = |position: Bits, blank: u64| {
             let place = (position - word(blank)).low(COORDINATE);
-            is_shown
-                .select(place, Bits::new(0, COORDINATE))
-                .reg_when(enable)
+            let none = Bits::new(0, COORDINATE);
+            is_shown.select(place, none).reg_when(enable)
         };
         Scan {
             column,
