@@ -88,7 +88,8 @@ impl Design {
 }
 
 /// A circuit as a module with ports: `at` is the name of this instance. Ports are called as the members of `inputs`
-/// and of what the function returns; modules that are equal in all are one.
+/// and of what the function returns, and the names around them are for the ports alone: the function takes and the
+/// caller gets the bare values. Modules that are equal in all are one.
 #[track_caller]
 pub fn module<I: Ports, O: Ports>(
     name: &str,

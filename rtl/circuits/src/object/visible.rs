@@ -78,8 +78,8 @@ pub(super) fn object_processor<W: Ports>(
     }
 }
 
-/// What is seen of a quadric with its normal, from the flags, the root beside it, and the normals of the planes. Latency
-/// 3.
+/// What is seen of a quadric with its normal, from the flags and the root beside it; its words, and the normals of the
+/// planes. Latency 3.
 pub(super) fn visible(
     flags: Flags,
     seen: Seen,
