@@ -4,8 +4,8 @@ mod error;
 
 pub use error::{FittedError, FormatError, GuardError};
 
-use imogene_contract::words;
-use serde::{Deserialize, Serialize};
+use imogene_contract::{MachineWords, words};
+use serde::Serialize;
 use std::ops::RangeInclusive;
 
 /// The widths of one machine, all derived from its depth word `W` (`docs/architecture.md`, section 1).
@@ -33,35 +33,15 @@ pub struct Format {
     pub dropped_rows: u32,
 }
 
-/// Widths of a machine that is fitted to a scene; all others follow from them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct FittedWidths {
-    /// Depth word `W`, 8 to 32.
-    pub depth: u32,
-    /// Root bits `K`, 4 to `W`: roots stay below `2^(K - 1/2)`. f2 has `2 K` bits.
-    pub root: u32,
-    /// Plane word `P`, `W` to `W + 12`.
-    pub plane: u32,
-    /// Normal component, 10 to 16.
-    pub normal: u32,
-    /// Guard bits g1 of f1.
-    pub guard_linear: u32,
-    /// Guard bits g2 of f2.
-    pub guard_quadratic: u32,
-    /// Last digits of the root that are not computed, but zero; 0 to 8 and less than `K`.
-    #[serde(default)]
-    pub dropped_rows: u32,
-}
-
 impl Format {
     /// Most guard bits of either part of the depth.
-    pub const MAX_GUARD: u32 = words::MOST_GUARD as u32;
+    pub const MAX_GUARD: u32 = words::MOST_GUARD;
 
     /// Depth words: below, nothing of a picture is left; above, f2 is longer than 64 bits.
-    pub const DEPTHS: RangeInclusive<u32> = words::LEAST_DEPTH as u32..=words::MOST_DEPTH as u32;
+    pub const DEPTHS: RangeInclusive<u32> = words::LEAST_DEPTH..=words::MOST_DEPTH;
 
     /// Depth words of the tables of errors, proofs and costs.
-    pub const CATALOGUE: [u32; 5] = [16, 20, 24, 28, 32];
+    pub const CATALOGUE: [u32; 5] = words::DEPTH_WORDS;
 
     /// The format of the source machine: 24-bit depth, 48-bit quadratic accumulator.
     pub const BASE: Format = Format::of_depth(24);
@@ -75,70 +55,46 @@ impl Format {
     }
 
     const fn of_depth(depth: u32) -> Format {
+        Format::of(&MachineWords::of(depth))
+    }
+
+    const fn of(words: &MachineWords) -> Format {
         Format {
-            depth,
-            sum: words::depth_sum(depth as usize) as u32,
-            quadratic: words::quadratic(depth as usize) as u32,
-            root: depth,
-            plane: words::plane(depth as usize) as u32,
-            normal_linear: words::NORMAL_PART as u32,
-            normal: words::NORMAL as u32,
-            guard_linear: 0,
-            guard_quadratic: 0,
-            dropped_rows: 0,
+            depth: words.depth,
+            sum: words::depth_sum(words.depth),
+            quadratic: words::quadratic(words.root),
+            root: words.root,
+            plane: words.plane,
+            normal_linear: words.normal + Self::NORMAL_FRACTION,
+            normal: words.normal,
+            guard_linear: words.guard_linear,
+            guard_quadratic: words.guard_quadratic,
+            dropped_rows: words.dropped_rows,
         }
     }
 
     /// The format of a machine that is fitted to a scene, or the word that is out of its range.
-    pub fn fitted(widths: &FittedWidths) -> Result<Format, FittedError> {
-        let FittedWidths {
-            depth,
-            root,
-            plane,
-            normal,
-            dropped_rows,
-            ..
-        } = *widths;
-        let ranges = [
-            ("depth word", depth, Self::DEPTHS),
-            ("root", root, words::LEAST_ROOT as u32..=depth),
-            ("plane word", plane, depth..=depth.saturating_add(12)),
-            ("normal component", normal, 10..=16),
-            (
-                "dropped digits of the root",
-                dropped_rows,
-                0..=root.saturating_sub(1).min(Self::MAX_DROPPED_ROWS),
-            ),
-        ];
-        let refused = ranges
-            .into_iter()
-            .find(|(_, value, accepted)| !accepted.contains(value));
-        if let Some((word, value, accepted)) = refused {
+    pub fn fitted(words: &MachineWords) -> Result<Format, FittedError> {
+        let unguarded = MachineWords {
+            guard_linear: 0,
+            guard_quadratic: 0,
+            ..*words
+        };
+        if let Some((word, value, least, most)) = unguarded.refused() {
             return Err(FittedError::Range {
                 word,
                 value,
-                least: *accepted.start(),
-                most: *accepted.end(),
+                least,
+                most,
             });
         }
-        let format = Format {
-            depth,
-            sum: depth + 2,
-            quadratic: 2 * root,
-            root,
-            plane,
-            normal_linear: normal + Self::NORMAL_FRACTION,
-            normal,
-            guard_linear: 0,
-            guard_quadratic: 0,
-            dropped_rows,
-        };
-        Ok(format.with_guards(widths.guard_linear, widths.guard_quadratic)?)
+        let format = Format::of(&unguarded);
+        Ok(format.with_guards(words.guard_linear, words.guard_quadratic)?)
     }
 
     /// The widths from which all others follow.
-    pub const fn widths(&self) -> FittedWidths {
-        FittedWidths {
+    pub const fn widths(&self) -> MachineWords {
+        MachineWords {
             depth: self.depth,
             root: self.root,
             plane: self.plane,
@@ -150,7 +106,7 @@ impl Format {
     }
 
     /// Most digits of the root that are not computed.
-    pub const MAX_DROPPED_ROWS: u32 = words::MOST_DROPPED as u32;
+    pub const MAX_DROPPED_ROWS: u32 = words::MOST_DROPPED;
 
     /// Rows of the root network: the digits of the root that are computed.
     pub const fn root_rows(&self) -> u32 {
@@ -164,7 +120,7 @@ impl Format {
     }
 
     /// Bits of a normal's linear part below the last bit of the component.
-    pub const NORMAL_FRACTION: u32 = 8;
+    pub const NORMAL_FRACTION: u32 = words::NORMAL_PART - words::NORMAL;
 
     /// Greatest normal component, `2^(n - 1) - 1` for n bits.
     pub const fn greatest_normal(&self) -> i16 {
@@ -327,7 +283,7 @@ mod tests {
     fn fitted_formats_have_every_width_in_its_range() {
         let base = Format::BASE.widths();
         assert_eq!(Format::fitted(&base), Ok(Format::BASE));
-        let small = FittedWidths {
+        let small = MachineWords {
             depth: 10,
             root: 8,
             plane: 14,
@@ -342,7 +298,7 @@ mod tests {
         assert_eq!((f.root_rows(), f.keep_rows(0xff)), (6, 0xfc));
         // Two coordinates are the widest word of so small a machine.
         assert_eq!(f.bus(), 24);
-        let refused = |change: fn(&mut FittedWidths)| {
+        let refused = |change: fn(&mut MachineWords)| {
             let mut widths = small;
             change(&mut widths);
             Format::fitted(&widths).unwrap_err().to_string()

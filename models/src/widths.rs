@@ -1,6 +1,7 @@
 //! Widths of a fitted machine as text: `depth=20,root=18,plane=30,normal=16,g1=2,g2=4,dropped=0`.
 
-use crate::format::{FittedError, FittedWidths, Format};
+use crate::format::{FittedError, Format};
+use imogene_contract::MachineWords;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -54,8 +55,8 @@ impl OwnWidths {
     }
 
     /// All widths: root = depth, plane = depth + 12, normal = 16, the others 0 where they are not given.
-    pub fn beside(&self, depth: u32) -> FittedWidths {
-        FittedWidths {
+    pub fn beside(&self, depth: u32) -> MachineWords {
+        MachineWords {
             depth,
             root: self.root.unwrap_or(depth),
             plane: self.plane.unwrap_or(depth.saturating_add(12)),
@@ -71,7 +72,7 @@ impl OwnWidths {
 const NAMES: [&str; 7] = ["depth", "root", "plane", "normal", "g1", "g2", "dropped"];
 
 /// Reads widths; what is not given follows from the depth word, [`OwnWidths::beside`].
-pub fn parse(text: &str) -> Result<FittedWidths, WidthsError> {
+pub fn parse(text: &str) -> Result<MachineWords, WidthsError> {
     let mut given: [Option<u32>; 7] = [None; 7];
     for part in text.split(',') {
         let syntax = || WidthsError::Syntax(part.to_owned());
@@ -97,7 +98,7 @@ pub fn parse(text: &str) -> Result<FittedWidths, WidthsError> {
 }
 
 /// The text that [`parse`] reads back, with every width.
-pub fn print(widths: &FittedWidths) -> String {
+pub fn print(widths: &MachineWords) -> String {
     let values = [
         widths.depth,
         widths.root,

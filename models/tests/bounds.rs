@@ -3,9 +3,10 @@
 mod common;
 
 use common::*;
+use imogene_contract::MachineWords;
 use imogene_models::check::depth_bound;
 use imogene_models::exact::real::SurdReal;
-use imogene_models::format::{FittedWidths, Format};
+use imogene_models::format::Format;
 use imogene_models::prepare::{PreparedQuadric, prepare_for_roots as prepare_for};
 use imogene_models::rational::{fraction, from_f64_exact, integer, power_of_two};
 use imogene_models::scene::Surface;
@@ -28,7 +29,7 @@ fn formats() -> impl Strategy<Value = Format> {
 fn fitted_formats() -> impl Strategy<Value = Format> {
     (12u32..=28, 10u32..=16, 0u32..=4, 0u32..=8, 0u32..=8).prop_map(
         |(depth, normal, linear, quadratic, dropped)| {
-            let widths = FittedWidths {
+            let widths = MachineWords {
                 depth,
                 root: depth,
                 plane: depth + 12,

@@ -1,9 +1,10 @@
 //! The narrowest machine that the check states: every scene prepares in it to the same picture, and in no narrower one.
 
+use imogene_contract::MachineWords;
 use imogene_models::check::{
     CheckReport, Shows, accumulators, check, depth_bound, exact_guards, machine_needs,
 };
-use imogene_models::format::{FittedWidths, Format};
+use imogene_models::format::Format;
 use imogene_models::machine::beam;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
@@ -42,12 +43,12 @@ fn picture(prepared: &PreparedScene) -> Frame {
     beam::render(&prepared.slots(), &prepared.format, width, height, || ())
 }
 
-fn in_widths(scene: &FramedScene, widths: &FittedWidths) -> Result<PreparedScene, PrepareError> {
+fn in_widths(scene: &FramedScene, widths: &MachineWords) -> Result<PreparedScene, PrepareError> {
     prepare(scene, Format::fitted(widths).expect("a machine"))
 }
 
 /// One bit less is no machine, or the scene is refused in it.
-fn assert_refused(scene: &FramedScene, less: &FittedWidths, name: &str) {
+fn assert_refused(scene: &FramedScene, less: &MachineWords, name: &str) {
     if let Ok(format) = Format::fitted(less) {
         let refused = prepare(scene, format);
         assert!(refused.is_err(), "{name} prepares in {less:?}");
@@ -70,12 +71,12 @@ fn every_scene_prepares_in_its_narrowest_machine_to_the_same_picture_and_in_no_n
             assert_eq!(picture(&prepared), picture(&wide), "{name}");
             let slots = slots::parse(&needs.slots).expect("slots");
             assert_eq!(slots, FittedMachine::of(&prepared, 1).slots, "{name}");
-            let root = FittedWidths {
+            let root = MachineWords {
                 root: narrow.root - 1,
                 ..narrow
             };
             assert_refused(&scene, &root, &name);
-            let plane = FittedWidths {
+            let plane = MachineWords {
                 plane: narrow.plane - 1,
                 ..narrow
             };

@@ -3,8 +3,9 @@
 mod common;
 
 use common::{WIDTH, object, scene, sphere};
+use imogene_contract::MachineWords;
 use imogene_models::exact::render::DEPTH_FRACTION;
-use imogene_models::format::{FittedWidths, Format};
+use imogene_models::format::Format;
 use imogene_models::metrics::{Drawing, Metrics, Truth, cracks, map, measure};
 use imogene_models::prepare::prepare;
 use imogene_models::scene::{FramedScene, SceneFile, Surface};
@@ -243,7 +244,7 @@ fn the_map_marks_what_is_wrong() {
 fn errors_of_short_words_are_given_in_words_of_the_base_format() {
     let mut last = 0.0;
     for depth in [24, 20, 16] {
-        let format = Format::fitted(&FittedWidths {
+        let format = Format::fitted(&MachineWords {
             depth,
             ..Format::new(depth).unwrap().widths()
         });

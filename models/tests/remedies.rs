@@ -1,6 +1,7 @@
 //! Every remedy that a refusal of the preparation names is applied, and the scene is then drawn.
 
-use imogene_models::format::{FittedWidths, Format};
+use imogene_contract::MachineWords;
+use imogene_models::format::Format;
 use imogene_models::prepare::error::PrepareError;
 use imogene_models::prepare::{Options, PreparedScene, prepare_with};
 use imogene_models::scene::SceneFile;
@@ -195,7 +196,7 @@ fn the_first_generation_and_fitted_machines() {
         ..Case::of(text(PERSPECTIVE, "", cylinder))
     }
     .check();
-    let widths = FittedWidths {
+    let widths = MachineWords {
         plane: 30,
         ..Format::BASE.widths()
     };

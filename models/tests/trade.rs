@@ -1,6 +1,7 @@
 //! The design space of a scene: the same results in whatever order and however often it is interrupted.
 
-use imogene_models::format::{FittedWidths, Format};
+use imogene_contract::MachineWords;
+use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::metrics::{Drawing, Truth};
 use imogene_models::prepare::rounding::Anchor;
@@ -364,7 +365,7 @@ fn words_are_as_narrow_as_the_scene_allows() {
     let truth = Truth::new(&scene, || ());
     let measured = measure(&scene, &truth, &Accuracy::of_depth(20)).unwrap();
     let widths = measured.widths;
-    let narrower = FittedWidths {
+    let narrower = MachineWords {
         root: widths.root - 1,
         ..widths
     };

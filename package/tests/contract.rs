@@ -17,7 +17,7 @@ fn requests() -> impl Iterator<Item = Request> {
                 // A polyhedron has a plane at least.
                 planes: u32::max(planes, u32::from(unit == Unit::PolyhedronProcessor)),
                 objects,
-                ..Request::of(unit, depth_word as u32)
+                ..Request::of(unit, depth_word)
             })
         })
     })

@@ -1,6 +1,7 @@
 //! Machines whose words no catalogue has, in Verilator against the golden machine: every output of every clock.
 
-use imogene_models::format::{FittedWidths, Format};
+use imogene_contract::MachineWords;
+use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::prepare::{PreparedScene, prepare};
 use imogene_models::scene::SceneFile;
@@ -36,7 +37,7 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
     let (name, depth, [more_root, more_plane], normal, [g1, g2], dropped_rows, rows) =
         MACHINES[index];
     let framed = scene(name).frame(SIZE.0, SIZE.1).unwrap();
-    let widest = FittedWidths {
+    let widest = MachineWords {
         depth,
         root: depth,
         plane: depth + 12,
@@ -49,7 +50,7 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
     let quadrics = || wide.quadrics().map(|(_, object)| &object.needed);
     let quadratic = quadrics().map(|n| n.quadratic).max().unwrap();
     let plane = quadrics().map(|n| n.plane).max().unwrap();
-    let widths = FittedWidths {
+    let widths = MachineWords {
         root: (quadratic.div_ceil(2) + more_root).min(depth),
         plane: (plane.max(depth) + more_plane).min(depth + 12),
         normal,

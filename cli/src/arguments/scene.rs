@@ -2,7 +2,8 @@
 
 use super::{FrameRange, LookOptions, Split, depth_word};
 use clap::{Args, ValueEnum};
-use imogene_models::format::{FittedError, FittedWidths, Format};
+use imogene_contract::MachineWords;
+use imogene_models::format::{FittedError, Format};
 use imogene_models::widths::{self, OwnWidths, WidthsError};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -69,7 +70,7 @@ impl OwnWords {
         }
         let Guards { linear, quadratic } = self.guards;
         let depth = OwnWidths::default().beside(depth);
-        Format::fitted(&FittedWidths {
+        Format::fitted(&MachineWords {
             guard_linear: linear,
             guard_quadratic: quadratic,
             ..depth
@@ -111,7 +112,7 @@ impl View {
 
 /// Widths of a fitted machine as written on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Widths(pub FittedWidths);
+pub struct Widths(pub MachineWords);
 
 impl FromStr for Widths {
     type Err = WidthsError;

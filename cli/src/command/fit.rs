@@ -7,12 +7,13 @@ use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
 use crate::molecules;
 use crate::{missing, output};
+use imogene_contract::MachineWords;
 use imogene_models::animation::Playback;
 use imogene_models::fit::budget::{Budget, Item};
 use imogene_models::fit::frames::{Drawn, Frames};
 use imogene_models::fit::proof::{self, Bounds, Proven};
 use imogene_models::fit::search::{Outcome, search};
-use imogene_models::format::{FittedWidths, Format};
+use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::metrics::Metrics;
 use imogene_models::picture;
@@ -45,7 +46,7 @@ struct FitReport {
     height: usize,
     budget: Budget,
     unit: &'static str,
-    format: FittedWidths,
+    format: MachineWords,
     widths: String,
     slots: String,
     rows_per_stage: u32,

@@ -1,11 +1,12 @@
 //! What a scene requires of a machine: the narrowest words that are loaded with the same integers, and the slots.
 
 use super::accumulators::plane_bits;
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::machine::fitted::FittedMachine;
 use crate::prepare::{PreparedScene, prepare};
 use crate::scene::FramedScene;
 use crate::{slots, widths};
+use imogene_contract::MachineWords;
 use serde::Serialize;
 
 /// The narrowest machine of the scene at its depth word.
@@ -30,7 +31,7 @@ enum Word {
 
 impl Word {
     /// The widths with this word a bit shorter, or why there are none.
-    fn less(self, widths: &FittedWidths) -> Result<FittedWidths, String> {
+    fn less(self, widths: &MachineWords) -> Result<MachineWords, String> {
         let mut less = *widths;
         match self {
             Word::Root => less.root -= 1,
@@ -65,7 +66,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// What the preparation said that the words need, if the scene prepares to the same integers in that; else the format's own.
-    fn guess(&self) -> FittedWidths {
+    fn guess(&self) -> MachineWords {
         let wide = self.prepared.format.widths();
         let guess = self.prepared.needed().narrowed(&wide);
         if self.keeps(&guess).is_ok() {
@@ -76,7 +77,7 @@ impl Search<'_> {
     }
 
     /// Shortens a word as far as it goes, and says why no further.
-    fn narrow(&self, word: Word, widths: &mut FittedWidths) -> String {
+    fn narrow(&self, word: Word, widths: &mut MachineWords) -> String {
         loop {
             let less = word.less(widths).and_then(|less| {
                 self.keeps(&less)?;
@@ -90,7 +91,7 @@ impl Search<'_> {
     }
 
     /// Whether the scene prepares to the same integers in other widths; if not, why.
-    fn keeps(&self, widths: &FittedWidths) -> Result<(), String> {
+    fn keeps(&self, widths: &MachineWords) -> Result<(), String> {
         let format = Format::fitted(widths).map_err(|e| e.to_string())?;
         let other = prepare(self.scene, format).map_err(|e| e.to_string())?;
         let objects = self.prepared.objects.iter().zip(&other.objects);

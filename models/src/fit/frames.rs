@@ -2,12 +2,13 @@
 
 use super::FitError;
 use super::budget::{Budget, Item, worst};
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::machine::fitted::{FittedMachine, FittedSlot};
 use crate::metrics::{Drawing, Metrics, Truth, measure};
 use crate::prepare::error::PrepareError;
 use crate::prepare::{NeededWidths, PreparedScene, prepare_for_roots};
 use crate::scene::{FramedScene, SceneFile};
+use imogene_contract::MachineWords;
 
 /// One frame.
 pub struct Frame {
@@ -50,7 +51,7 @@ pub struct Words {
 #[derive(Clone)]
 pub struct Drawn {
     /// Every width.
-    pub widths: FittedWidths,
+    pub widths: MachineWords,
     /// The frames in these widths.
     pub prepared: Vec<PreparedScene>,
     /// How far each picture is from the truth.
@@ -159,8 +160,8 @@ impl Frames {
     fn prepared(
         &self,
         words: &Words,
-    ) -> Result<Option<(FittedWidths, Vec<PreparedScene>)>, FitError> {
-        let wide = FittedWidths {
+    ) -> Result<Option<(MachineWords, Vec<PreparedScene>)>, FitError> {
+        let wide = MachineWords {
             depth: words.depth,
             root: words.depth,
             plane: words.depth + 12,
@@ -185,7 +186,7 @@ impl Frames {
     }
 
     /// The frames in a format; `None` if there is no such format, or a word of it is too short.
-    fn in_widths(&self, widths: &FittedWidths) -> Result<Option<Vec<PreparedScene>>, FitError> {
+    fn in_widths(&self, widths: &MachineWords) -> Result<Option<Vec<PreparedScene>>, FitError> {
         let Ok(format) = Format::fitted(widths) else {
             return Ok(None);
         };

@@ -3,12 +3,13 @@
 //! A slot without half B is for objects that the viewer is not inside of (no class front); it has no merge and is a clock shorter. Slots with
 //! fewer planes are shorter too; the raster flags reach them later, so that all slots hand on the same pixel at the same clock.
 
-use crate::format::{FittedError, FittedWidths, Format};
+use crate::format::{FittedError, Format};
 use crate::machine::decider;
 use crate::object::quadric::QuadricWords;
 use crate::prepare::PreparedScene;
 use crate::unit::interval::Class;
 use crate::{slots, widths};
+use imogene_contract::MachineWords;
 use serde::{Deserialize, Serialize};
 
 /// One object slot.
@@ -24,7 +25,7 @@ pub struct FittedSlot {
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct FittedMachine {
     /// Widths of all words.
-    pub widths: FittedWidths,
+    pub widths: MachineWords,
     /// Rows of the root network between registers.
     pub rows_per_stage: u32,
     /// The slots in the order of their objects.

@@ -6,7 +6,7 @@ pub type Colour = [u8; 3];
 /// Clocks of one stage.
 pub const STAGE_LATENCY: u32 = 2;
 /// Most stages of a pipeline.
-pub const MOST_LAYERS: usize = imogene_contract::words::MOST_LAYERS;
+pub const MOST_LAYERS: usize = imogene_contract::words::MOST_LAYERS as usize;
 
 /// What a stage hands on: the depth of the opaque surface, and the colour seen so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

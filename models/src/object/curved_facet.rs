@@ -9,7 +9,7 @@ use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// Most sides of a facet.
-pub const MAX_SIDES: usize = words::MOST_SIDES;
+pub const MAX_SIDES: usize = words::MOST_SIDES as usize;
 
 /// The word of a side: its sign is that of the exact expression, not negative on the facet.
 pub fn side(exact: &Exact) -> Quadratic {

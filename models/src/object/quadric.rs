@@ -13,7 +13,7 @@ use imogene_contract::words;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of cut planes of one object.
-pub const MAX_PLANES: usize = words::MOST_PLANES;
+pub const MAX_PLANES: usize = words::MOST_PLANES as usize;
 
 /// The screen box of an object in pixels of the zone, inclusive; empty if `x0 > x1` or `y0 > y1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -84,13 +84,13 @@ impl Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::FittedWidths;
     use crate::object::quadric::ScreenBox;
     use crate::object::volume::{
         MAX_SHIFT, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric,
     };
     use crate::unit::pe1::Linear;
     use crate::unit::pe2::Quadratic;
+    use imogene_contract::MachineWords;
     use proptest::prelude::*;
 
     fn linear(range: i64) -> impl Strategy<Value = Linear> {
@@ -129,7 +129,7 @@ mod tests {
     /// Roots without their last digits, at every depth around them.
     #[test]
     fn lines_drop_the_digits_that_the_processor_drops() {
-        let widths = FittedWidths {
+        let widths = MachineWords {
             dropped_rows: 2,
             ..Format::BASE.widths()
         };
@@ -187,7 +187,7 @@ mod tests {
                 quadric,
                 planes,
             };
-            let widths = FittedWidths {
+            let widths = MachineWords {
                 guard_linear: guards,
                 guard_quadratic: guards,
                 dropped_rows,

@@ -30,7 +30,7 @@ mod unseen;
 pub mod volume;
 mod witness;
 
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::object::quadric::{QuadricWords, ScreenBox};
 use crate::object::slot::Slot;
 use crate::rational::{floor, integer};
@@ -41,6 +41,7 @@ use again::Known;
 pub use again::{Kept, Reuse, prepare_again};
 use error::PrepareError;
 use forms::{LinearForm, QuadraticForm};
+use imogene_contract::MachineWords;
 use located::Located;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -205,9 +206,9 @@ impl NeededWidths {
     }
 
     /// The narrowest words of a fitted machine that hold what is needed; the others are those of `wide`.
-    pub fn narrowed(&self, wide: &FittedWidths) -> FittedWidths {
+    pub fn narrowed(&self, wide: &MachineWords) -> MachineWords {
         let least = 4.max(wide.dropped_rows + 1);
-        FittedWidths {
+        MachineWords {
             root: self.quadratic.div_ceil(2).max(least).min(wide.root),
             plane: self.plane.clamp(wide.depth, wide.plane),
             ..*wide

@@ -1,7 +1,7 @@
 //! One point: the scene prepared for it, drawn, and compared with the truth.
 
 use super::design::Accuracy;
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::machine::fitted::FittedMachine;
 use crate::metrics::toggles::{Part, Toggles, count};
 use crate::metrics::{Drawing, Metrics, Truth, ZoneScene, measure as compare};
@@ -9,11 +9,12 @@ use crate::object::quadric::QuadricWords;
 use crate::prepare::rounding::Anchor;
 use crate::prepare::{NeededWidths, Options, PreparedScene, prepare_with};
 use crate::scene::FramedScene;
+use imogene_contract::MachineWords;
 
 /// What is known of all points of the same pixels.
 pub struct Measured {
     /// Every width.
-    pub widths: FittedWidths,
+    pub widths: MachineWords,
     /// How far the picture is from the truth.
     pub metrics: Metrics,
     /// The picture.
@@ -107,7 +108,7 @@ fn part(zone: &ZoneScene) -> Part<'_> {
 fn prepared(
     scene: &FramedScene,
     accuracy: &Accuracy,
-) -> Result<(FittedWidths, Vec<ZoneScene>), String> {
+) -> Result<(MachineWords, Vec<ZoneScene>), String> {
     if accuracy.catalogue {
         let format = Format::new(accuracy.depth).map_err(|e| e.to_string())?;
         return Ok((
@@ -131,8 +132,8 @@ fn prepared(
 }
 
 /// The widths of a design before it is known what the scene requires.
-pub fn widest(accuracy: &Accuracy) -> FittedWidths {
-    FittedWidths {
+pub fn widest(accuracy: &Accuracy) -> MachineWords {
+    MachineWords {
         depth: accuracy.depth,
         root: accuracy.depth,
         plane: accuracy.depth + 12,
@@ -152,7 +153,7 @@ fn needed(zones: &[ZoneScene]) -> NeededWidths {
 pub fn in_format(
     scene: &FramedScene,
     accuracy: &Accuracy,
-    widths: &FittedWidths,
+    widths: &MachineWords,
 ) -> Result<Vec<ZoneScene>, String> {
     let format = Format::fitted(widths).map_err(|e| e.to_string())?;
     zones(scene, format, accuracy.zone).map_err(|e| e.to_string())

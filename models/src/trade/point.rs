@@ -1,10 +1,10 @@
 //! What is known of a point; the keys are stable.
 
 use super::design::Design;
-use crate::format::FittedWidths;
 use crate::machine::fitted::FittedMachine;
 use crate::metrics::Metrics;
 use crate::metrics::toggles::Toggles;
+use imogene_contract::MachineWords;
 use serde::{Deserialize, Serialize};
 
 /// What synthesis says of a machine.
@@ -35,7 +35,7 @@ pub struct Point {
     /// What was asked for.
     pub design: Design,
     /// Every width of the machine; nothing if the scene cannot be prepared for it.
-    pub format: Option<FittedWidths>,
+    pub format: Option<MachineWords>,
     /// Why the scene cannot be prepared for it.
     pub refused: Option<String>,
     /// The machine.

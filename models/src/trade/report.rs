@@ -149,7 +149,7 @@ impl Trade {
 fn fields(entry: &Entry) -> Vec<String> {
     let point = &entry.point;
     let of = |value: Option<String>| value.unwrap_or_default();
-    let width = |w: fn(&crate::format::FittedWidths) -> u32| {
+    let width = |w: fn(&imogene_contract::MachineWords) -> u32| {
         of(point.format.as_ref().map(|f| w(f).to_string()))
     };
     let error = |e: fn(&Metrics) -> String| of(point.errors.as_ref().map(e));

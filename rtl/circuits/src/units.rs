@@ -2,13 +2,13 @@
 
 use crate::arith::*;
 use crate::machine::*;
-use crate::machines::{MachineWords, objects};
+use crate::machines::{self, objects};
 use crate::object::*;
 use crate::raster::*;
 use crate::shade::*;
 use crate::video::*;
 use imogene_contract::video::{LEAD, VideoMode};
-use imogene_contract::{Request, Unit};
+use imogene_contract::{MachineWords, Request, Unit};
 use imogene_hdl::{Bits, Design, Value};
 
 /// So many inputs that are alike.
@@ -30,7 +30,8 @@ fn alone<T>(circuit: impl FnOnce() -> T) -> Design {
 pub fn design(p: &Request) -> Design {
     let (depth, rows, planes) = (p.depth_word, p.rows_per_stage, p.planes);
     let words = MachineWords::of(depth);
-    let (widths, network) = (words.widths(), words.network(rows));
+    let widths = machines::widths(&words);
+    let network = machines::network(&words, rows);
     let linear = || Linear::input(widths.linear);
     let quadratic = || Quadratic::input(widths.quadratic);
     let radicand = || Bits::input(widths.quadratic);

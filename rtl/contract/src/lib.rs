@@ -3,6 +3,7 @@
 mod catalogue;
 pub mod command_stream;
 mod formula;
+mod machine_words;
 pub mod object;
 pub mod parameters;
 pub mod request;
@@ -12,5 +13,6 @@ pub mod video;
 pub mod volume;
 pub mod words;
 
+pub use machine_words::MachineWords;
 pub use request::{Request, RequestError};
 pub use unit::{Record, Unit};

@@ -76,11 +76,11 @@ macro_rules! parameters {
 }
 
 parameters! {
-    PLANES: "planes" "N" planes, 0 to Some(MOST_PLANES as u32), Some(3),
+    PLANES: "planes" "N" planes, 0 to Some(MOST_PLANES), Some(3),
         "Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra]";
     ROWS: "rows-per-stage" "R" rows_per_stage, 1 to None, Some(1),
         "Rows of the root network per register stage, 1 to W [default: 1]";
-    OBJECTS: "objects" "M" objects, 1 to Some(MOST_OBJECTS as u32), Some(4),
+    OBJECTS: "objects" "M" objects, 1 to Some(MOST_OBJECTS), Some(4),
         "Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider [default: 4]";
     // Half of them, as in the experiment of section B.10.
     DIGITS: "digits" "D" digits, 1 to None, None,
@@ -93,7 +93,7 @@ parameters! {
         "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
     CARDS: "cards" "K" cards, 1 to Some(64), Some(2),
         "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
-    LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS as u32), Some(2),
+    LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS), Some(2),
         "Layers of transparency_pipeline, 1 to 8 [default: 2]";
     PRODUCTS: "products" "G" products, 1 to Some(16), Some(2),
         "Products of csg_decider, 1 to 16 [default: 2]";
@@ -101,7 +101,7 @@ parameters! {
         "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
     SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
         "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
-    LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS as u32), Some(1),
+    LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
         "Lights of the shading processor, 1 to 4 [default: 1]";
 }
 

@@ -19,9 +19,9 @@ pub enum RequestError {
         /// The value asked for.
         value: usize,
         /// Least legal value.
-        least: usize,
+        least: u32,
         /// Greatest legal value.
-        most: usize,
+        most: u32,
     },
     /// The unit has no such parameter.
     #[error(
@@ -93,8 +93,8 @@ impl Request {
     ///
     /// When one is out of it.
     pub fn check(&self) -> Result<(), RequestError> {
-        let (word, least) = (self.depth_word as usize, self.unit.least_word() as usize);
-        in_range("format", word, least, MOST_DEPTH)?;
+        let word = self.depth_word as usize;
+        in_range("format", word, self.unit.least_word(), MOST_DEPTH)?;
         // Of a scene, parameters reach units that do not have them.
         let own = self.unit.record().parameters;
         let foreign = PARAMETERS
@@ -102,9 +102,8 @@ impl Request {
             .filter(|other| !self.unit.has(other.option));
         for parameter in own.iter().chain(foreign) {
             let most = parameter.most.unwrap_or(self.depth_word);
-            let [value, least, most] =
-                [parameter.of(self), parameter.least, most].map(|n| n as usize);
-            in_range(parameter.option, value, least, most)?;
+            let value = parameter.of(self) as usize;
+            in_range(parameter.option, value, parameter.least, most)?;
         }
         if self.unit == Unit::CardDecider {
             let inputs = (self.objects * self.cards) as usize;
@@ -192,10 +191,10 @@ impl Request {
 pub fn in_range(
     parameter: &'static str,
     value: usize,
-    least: usize,
-    most: usize,
+    least: u32,
+    most: u32,
 ) -> Result<(), RequestError> {
-    match (least..=most).contains(&value) {
+    match (least as usize..=most as usize).contains(&value) {
         true => Ok(()),
         false => Err(RequestError::Range {
             parameter,

@@ -50,7 +50,7 @@ impl Unit {
         match self {
             // Its parabolas read a bit of the square by its place.
             Unit::SquareRootQuadratic => 12,
-            _ => LEAST_DEPTH as u32,
+            _ => LEAST_DEPTH,
         }
     }
 

@@ -1,55 +1,66 @@
 //! Widths and special values of a format.
 
 /// Depth words of the tables of errors, proofs and costs.
-pub const DEPTH_WORDS: [usize; 5] = [16, 20, 24, 28, 32];
+pub const DEPTH_WORDS: [u32; 5] = [16, 20, 24, 28, 32];
 /// Least depth word.
-pub const LEAST_DEPTH: usize = 8;
+pub const LEAST_DEPTH: u32 = 8;
 /// Greatest depth word: the quadratic word has 64 bits.
-pub const MOST_DEPTH: usize = MOST_BITS / 2;
+pub const MOST_DEPTH: u32 = MOST_BITS / 2;
 /// Bits of the widest word.
-pub const MOST_BITS: usize = 64;
+pub const MOST_BITS: u32 = 64;
 
 /// Bits of a coordinate.
-pub const COORDINATE: usize = 12;
+pub const COORDINATE: u32 = 12;
 /// Bits of the first-degree part of a normal component.
-pub const NORMAL_PART: usize = 24;
+pub const NORMAL_PART: u32 = 24;
 /// Bits of a normal component and of the factor of the root in it.
-pub const NORMAL: usize = 16;
+pub const NORMAL: u32 = 16;
+/// Least root.
+pub const LEAST_ROOT: u32 = 4;
+/// Least normal component.
+pub const LEAST_NORMAL: u32 = 10;
+/// Most guard bits of either part of a depth.
+pub const MOST_GUARD: u32 = 16;
+/// Most last digits of the root that are not computed.
+pub const MOST_DROPPED: u32 = 8;
 /// Most cut planes of one object.
-pub const MOST_PLANES: usize = 12;
+pub const MOST_PLANES: u32 = 12;
+/// Most sides of a facet.
+pub const MOST_SIDES: u32 = 4;
 /// Lights of a shading processor at most.
-pub const MOST_LIGHTS: usize = 4;
+pub const MOST_LIGHTS: u32 = 4;
 /// Most objects of one machine.
-pub const MOST_OBJECTS: usize = 256;
+pub const MOST_OBJECTS: u32 = 256;
 /// Most transparent objects of a pipeline.
-pub const MOST_LAYERS: usize = 8;
+pub const MOST_LAYERS: u32 = 8;
+
 /// Bits of a depth sum of a format.
-pub const fn depth_sum(depth_word: usize) -> usize {
+pub const fn depth_sum(depth_word: u32) -> u32 {
     depth_word + 2
 }
 
 /// Bits of a quadratic word, and of the radicand.
-pub const fn quadratic(depth_word: usize) -> usize {
+pub const fn quadratic(depth_word: u32) -> u32 {
     2 * depth_word
 }
 
 /// Bits of a plane word.
-pub const fn plane(depth_word: usize) -> usize {
-    depth_word + 12
+pub const fn plane(depth_word: u32) -> u32 {
+    depth_word.saturating_add(12)
 }
 
 /// `ZMAX`: the far end, the background and the mark of an absent object.
-pub const fn far_end(depth_word: usize) -> i64 {
+pub const fn far_end(depth_word: u32) -> i64 {
     (1 << (depth_word - 1)) - 1
 }
 
 /// `ZLOW`: the near end.
-pub const fn near_end(depth_word: usize) -> i64 {
+pub const fn near_end(depth_word: u32) -> i64 {
     -far_end(depth_word)
 }
 
 /// The lowest word a plane is clamped to, one below the near end.
-pub const fn saturated_near(depth_word: usize) -> i64 {
+pub const fn saturated_near(depth_word: u32) -> i64 {
     near_end(depth_word) - 1
 }
 

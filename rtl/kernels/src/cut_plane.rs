@@ -70,7 +70,7 @@ impl<const W: usize> Default for CutPlane<W> {
             cuts_back: Default::default(),
             removed: Default::default(),
             zero: Default::default(),
-            absent: Constant::new(far_end(W).into()),
+            absent: Constant::new(far_end(W as u32).into()),
         }
     }
 }

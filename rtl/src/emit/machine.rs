@@ -6,18 +6,18 @@ pub use imogene_circuits::machine::Slot;
 use imogene_circuits::machine::{
     BeamMachine, Load, Objects, SHOW_CLOCKS, Zone, ZoneCore, ZoneMachine, beam,
 };
-pub use imogene_circuits::machines::MachineWords;
 use imogene_circuits::machines::{self, objects, volumes};
 pub use imogene_circuits::video::Output;
+pub use imogene_contract::MachineWords;
 use imogene_contract::request::in_range;
 use imogene_contract::words::{MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
 use imogene_contract::{RequestError, Unit};
 use imogene_hdl::Design;
 
 /// Bits of the address of a pixel in a zone, at most.
-pub const ZONE_BITS: usize = 14;
+pub const ZONE_BITS: u32 = 14;
 /// Bits of the address of a word that waits for the next frame, at most.
-pub const LOADER_BITS: usize = 16;
+pub const LOADER_BITS: u32 = 16;
 
 /// What a zone machine has beside its processors.
 #[derive(Clone, Copy, Debug)]

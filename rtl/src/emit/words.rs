@@ -1,30 +1,21 @@
 //! Words and slots that a machine may have.
 
 use imogene_circuits::machine::Slot;
-use imogene_circuits::machines::MachineWords;
-use imogene_contract::RequestError;
 use imogene_contract::request::in_range;
-use imogene_contract::words::{
-    LEAST_DEPTH, MOST_BITS, MOST_DEPTH, MOST_OBJECTS, MOST_PLANES, NORMAL, plane, quadratic,
-};
+use imogene_contract::words::{MOST_OBJECTS, MOST_PLANES};
+use imogene_contract::{MachineWords, RequestError};
 
-/// Refuses words that are out of their ranges: no word has more than 64 bits.
+/// Refuses words that are out of their ranges.
 pub(super) fn check_words(words: &MachineWords, rows_per_stage: usize) -> Result<(), RequestError> {
-    let most_guard = 16;
-    let [depth, root, dropped] =
-        [words.depth, words.root, words.dropped_rows].map(|bits| bits as usize);
-    let [linear, quadratic_guard] =
-        [words.guard_linear, words.guard_quadratic].map(|bits| bits as usize);
-    // Each range stands on those before it.
-    in_range("depth word", depth, LEAST_DEPTH, MOST_DEPTH)?;
-    in_range("root", root, 4, depth)?;
-    in_range("dropped digits of the root", dropped, 0, 8.min(root - 1))?;
-    in_range("plane word", words.plane as usize, depth, plane(depth))?;
-    in_range("normal component", words.normal as usize, 10, NORMAL)?;
-    in_range("guard bits of f1", linear, 0, most_guard)?;
-    let left = MOST_BITS - quadratic(root);
-    in_range("guard bits of f2", quadratic_guard, 0, most_guard.min(left))?;
-    in_range("rows per stage", rows_per_stage, 1, root - dropped)
+    if let Some((word, bits, least, most)) = words.refused() {
+        return in_range(word, bits as usize, least, most);
+    }
+    in_range(
+        "rows per stage",
+        rows_per_stage,
+        1,
+        words.root - words.dropped_rows,
+    )
 }
 
 /// The words as the header of the Verilog states them.

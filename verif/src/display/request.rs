@@ -1,6 +1,6 @@
 //! The hardware of a machine description.
 
-use crate::engine::{slots_of, words_of};
+use crate::engine::slots_of;
 use imogene_contract::RequestError;
 use imogene_contract::video::VideoMode;
 use imogene_models::format::Format;
@@ -48,7 +48,7 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
     let format = machine.format().expect("a description that was checked");
     MachineRequest {
         kind,
-        words: words_of(&format.widths()),
+        words: format.widths(),
         rows_per_stage: machine.rows_per_stage as usize,
         slots: slots_of(&machine.slots()),
         volumes: machine.volumes,
@@ -70,7 +70,7 @@ pub fn core_request(
         kind: Kind::ZoneCore(shape(machine)),
         volumes: machine.volume_processors,
         volume_planes: machine.volume_planes,
-        ..MachineRequest::fitted(words_of(&format.widths()), rows_per_stage, slots)
+        ..MachineRequest::fitted(format.widths(), rows_per_stage, slots)
     }
 }
 

@@ -12,10 +12,11 @@ pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
-use imogene_models::format::{FittedWidths, Format};
+use imogene_contract::MachineWords;
+use imogene_models::format::Format;
 use imogene_models::machine::fitted::FittedSlot;
 use imogene_models::object::load::LoadWord;
-use imogene_rtl::emit::machine::{MachineRequest, MachineWords, Slot};
+use imogene_rtl::emit::machine::{MachineRequest, Slot};
 
 /// Name of the engine in process, the simulator of `imogene-hdl`, in options and reports.
 pub const BUILT_IN: &str = "built-in";
@@ -37,20 +38,7 @@ impl MachineShape {
     /// The request for its hardware.
     pub fn request(&self) -> MachineRequest {
         let slots = vec![Slot::full(self.planes); self.objects];
-        MachineRequest::fitted(words_of(&self.format.widths()), self.rows_per_stage, slots)
-    }
-}
-
-/// The widths of a golden machine, as hardware is asked for.
-pub fn words_of(widths: &FittedWidths) -> MachineWords {
-    MachineWords {
-        depth: widths.depth,
-        root: widths.root,
-        dropped_rows: widths.dropped_rows,
-        plane: widths.plane,
-        normal: widths.normal,
-        guard_linear: widths.guard_linear,
-        guard_quadratic: widths.guard_quadratic,
+        MachineRequest::fitted(self.format.widths(), self.rows_per_stage, slots)
     }
 }
 
@@ -84,7 +72,7 @@ pub struct MachineOutputs {
 impl MachineOutputs {
     /// The outputs: whether a pixel is there, its depth word, slot of the visible object, number and normal of its
     /// visible face.
-    pub fn signals(widths: &FittedWidths) -> Vec<Signal> {
+    pub fn signals(widths: &MachineWords) -> Vec<Signal> {
         vec![
             Signal::bit("valid"),
             Signal::signed("depth", widths.depth),

@@ -50,6 +50,10 @@ fn job(name: String, statement: &'static str, properties: &'static str, unit: Un
     }
 }
 
+fn depth_words() -> [usize; 5] {
+    DEPTH_WORDS.map(|word| word as usize)
+}
+
 fn at_format(mut job: Job, depth_word: usize, definitions: &[(&str, usize)]) -> Job {
     if let Design::Emitted(request) = &mut job.design {
         request.depth_word = depth_word as u32;
@@ -79,7 +83,7 @@ fn integers(name: &str, statement: &'static str, text: &'static str) -> Job {
 
 fn elementary() -> Vec<Job> {
     let mut jobs = Vec::new();
-    for (word, n) in DEPTH_WORDS.map(|w| (w, 2 * w)) {
+    for (word, n) in depth_words().map(|w| (w, 2 * w)) {
         let statement =
             "pe2: every register is its difference of the polynomial, in ghost sums, modulo 2^N";
         let pe2 = job(
@@ -90,7 +94,7 @@ fn elementary() -> Vec<Job> {
         );
         jobs.push(at_format(pe2, word, &[("N", n)]));
     }
-    for (word, n) in DEPTH_WORDS.map(|w| (w, w + 2)) {
+    for (word, n) in depth_words().map(|w| (w, w + 2)) {
         let statement =
             "pe1: value = c + ghost sum of b per line + ghost sum of a per pixel, modulo 2^N";
         let pe1 = job(
@@ -143,7 +147,7 @@ fn products(mut job: Job, width: usize, clocks: usize) -> Job {
 
 fn depths() -> Vec<Job> {
     let mut jobs = Vec::new();
-    for w in DEPTH_WORDS {
+    for w in depth_words() {
         let statement = "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 1";
         let cut = property!("cut_plane.sv");
         let cut = job(format!("cut_plane-{w}"), statement, cut, Unit::CutPlane);
@@ -256,7 +260,7 @@ fn beam_valid() -> Job {
 
 fn decision() -> Vec<Job> {
     let mut jobs = Vec::new();
-    for w in DEPTH_WORDS {
+    for w in depth_words() {
         let statement =
             "visibility_node: the input with the smaller {depth, id} goes on whole, latency 1";
         let node = property!("visibility_node.sv");

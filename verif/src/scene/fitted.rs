@@ -3,7 +3,7 @@
 use super::{Bands, CosimError, Options, fitted_to, quadric_words};
 use crate::engine::beam::{BeamDesign, BeamError};
 use crate::engine::design::Simulator;
-use crate::engine::{Engine, MachineOutputs, slots_of, words_of};
+use crate::engine::{Engine, MachineOutputs, slots_of};
 use crate::report::Report;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::machine::frame::Frame;
@@ -13,7 +13,7 @@ use imogene_rtl::emit::machine::MachineRequest;
 
 /// The request for the hardware of a machine; `command` is stated in the header of its Verilog.
 pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
-    let (words, slots) = (words_of(&machine.widths), slots_of(&machine.slots));
+    let (words, slots) = (machine.widths, slots_of(&machine.slots));
     MachineRequest {
         command: command.to_owned(),
         ..MachineRequest::fitted(words, machine.rows_per_stage as usize, slots)

@@ -16,9 +16,10 @@ mod tally;
 
 pub use tally::{Fared, Term, Violation};
 
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::widths;
 use case::Case;
+use imogene_contract::MachineWords;
 use random::Random;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -29,7 +30,7 @@ const PIECE: u64 = 500;
 
 /// Widths that are tried. Fourteen formats of the catalogue, by depth word and guard bits: the 28-bit word has room for 8 guard bits of f2, the 32-bit word
 /// for none. Then eight of fitted machines: normals of 10 to 15 bits, root networks without their last rows, and both, down to the shortest words.
-pub const FORMATS: [FittedWidths; 22] = [
+pub const FORMATS: [MachineWords; 22] = [
     catalogue(16, 0, 0),
     catalogue(16, 2, 4),
     catalogue(16, 4, 8),
@@ -54,7 +55,7 @@ pub const FORMATS: [FittedWidths; 22] = [
     fitted(8, 8, 10, (0, 0), 2),
 ];
 
-const fn catalogue(depth: u32, guard_linear: u32, guard_quadratic: u32) -> FittedWidths {
+const fn catalogue(depth: u32, guard_linear: u32, guard_quadratic: u32) -> MachineWords {
     fitted(depth, depth, 16, (guard_linear, guard_quadratic), 0)
 }
 
@@ -64,8 +65,8 @@ const fn fitted(
     normal: u32,
     (guard_linear, guard_quadratic): (u32, u32),
     dropped_rows: u32,
-) -> FittedWidths {
-    FittedWidths {
+) -> MachineWords {
+    MachineWords {
         depth,
         root,
         // No plane is tried: its bound is that of its coefficients, like the bound of f1.

@@ -13,7 +13,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use proptest::prelude::*;
 
-fn of(widths: &FittedWidths) -> Format {
+fn of(widths: &MachineWords) -> Format {
     Format::fitted(widths).expect("a format")
 }
 

@@ -3,7 +3,7 @@
 use imogene_contract::shading;
 
 /// Lights at most.
-pub const MOST_LIGHTS: usize = imogene_contract::words::MOST_LIGHTS;
+pub const MOST_LIGHTS: usize = imogene_contract::words::MOST_LIGHTS as usize;
 /// Materials at most.
 pub const MOST_MATERIALS: usize = shading::MOST_MATERIALS as usize;
 /// Address of the first word of light 0; the next light begins 16 further on.

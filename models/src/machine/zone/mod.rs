@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 /// Bits of an object's id in the zone buffer.
 pub const ID_BITS: u32 = 12;
 /// Most processors of a kind: a unit number has 8 bits.
-pub const MAX_PROCESSORS: usize = imogene_contract::words::MOST_OBJECTS;
+pub const MAX_PROCESSORS: usize = imogene_contract::words::MOST_OBJECTS as usize;
 /// Most pixels along a side of the screen: coordinates have 12 bits.
 pub const MAX_PICTURE: u32 = 4096;
 /// Most pixels along a side of a zone: its width and height have 12 bits.

@@ -1,9 +1,10 @@
 //! One scene in every depth word and with guard bits.
 
-use crate::format::{FittedWidths, Format};
+use crate::format::Format;
 use crate::scene::{Axis as Turn, Rotation, SceneFile, Shape, Step as Place};
 use crate::sweep::grid::{BESIDE, cut, perspective, scene, solid};
 use crate::sweep::{Axis, Step, Sweep};
+use imogene_contract::MachineWords;
 
 /// Guard bits of f1 and f2.
 const GUARDS: [(u32, u32); 4] = [(0, 0), (2, 4), (4, 8), (8, 16)];
@@ -40,7 +41,7 @@ fn all(_format: Format) -> Vec<Step> {
 }
 
 fn format(depth: u32, (guard_linear, guard_quadratic): (u32, u32)) -> Result<Format, String> {
-    let widths = FittedWidths {
+    let widths = MachineWords {
         depth,
         root: depth,
         plane: depth + 12,

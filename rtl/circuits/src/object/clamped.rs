@@ -18,7 +18,7 @@ impl Clamped {
     /// Of a depth sum, which has two bits more than a depth.
     pub fn of(name: &str, sum: Int, face: u64) -> Clamped {
         let width = sum.width() - 2;
-        let [low, far] = [near_end, far_end].map(|end| end(width as usize));
+        let [low, far] = [near_end, far_end].map(|end| end(width));
         let own = |part: &str| format!("{name}_{part}");
         let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
         let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));

@@ -57,15 +57,13 @@ use normal_unit::constant_normal;
 use roots::roots;
 use visible::{object_processor, visible};
 
+pub(crate) use imogene_contract::words::NORMAL;
 use imogene_contract::words::far_end;
 use imogene_hdl::Int;
 
-/// Bits of a normal component that no machine has cut.
-pub(crate) const NORMAL: u32 = imogene_contract::words::NORMAL as u32;
-
 /// An end of a depth word.
-fn end(of: fn(usize) -> i64, width: u32) -> Int {
-    Int::new(of(width as usize), width)
+fn end(of: fn(u32) -> i64, width: u32) -> Int {
+    Int::new(of(width), width)
 }
 
 /// The far end: the background, and the mark of what is absent.

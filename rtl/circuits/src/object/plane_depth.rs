@@ -12,7 +12,7 @@ pub fn plane_depth(at: &str, flags: Flags, words: Linear, width: u32) -> Int {
     let inputs = (flags, ("", words, "read with start"));
     module("plane_depth", at, inputs, |(flags, words)| {
         let plane = pe1("plane", flags, words);
-        let [largest, smallest] = [far_end, saturated_near].map(|end| end(width as usize));
+        let [largest, smallest] = [far_end, saturated_near].map(|end| end(width));
         net! {
             let above = Int::new(largest, plane.width()).less(plane);
             let below = plane.less(Int::new(smallest, plane.width()));

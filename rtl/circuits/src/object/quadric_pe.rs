@@ -50,7 +50,7 @@ pub fn quadric_pe(
     let f2 = ("f2", f2, "quadratic under the root");
     let inputs = (flags, f1, f2);
     module("quadric_pe", at, inputs, |(flags, f1, f2)| {
-        let (stages, sum) = (network.latency(), depth_sum(network.depth as usize) as u32);
+        let (stages, sum) = (network.latency(), depth_sum(network.depth));
         let f2 = pe2("f2", flags, f2);
         let late = flags.delayed(stages);
         let f1 = pe1("f1", late, f1).high(sum);

@@ -11,11 +11,8 @@ pub use pe2::pe2;
 pub use programmable_pe::{Program, Programmed, SplitWords, programmable_pe};
 
 use crate::rows::alike;
-use imogene_contract::words;
+pub(crate) use imogene_contract::words::COORDINATE;
 use imogene_hdl::{Bits, Int, bundle, bundles};
-
-/// Bits of a screen coordinate.
-pub(crate) const COORDINATE: u32 = words::COORDINATE as u32;
 
 bundle! {
     /// Raster flags.

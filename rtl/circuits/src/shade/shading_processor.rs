@@ -96,7 +96,7 @@ pub fn shading_processor(at: &str, point: Point, load: ShadingLoad, lights: u64)
             sent_light(&format!("sent_{light}"), factors, material.own, colour).parts()
         });
         let sent: Vec<[Bits; 3]> = sent.collect();
-        let is_far = depth.is(far_end(width as usize) as u64);
+        let is_far = depth.is(far_end(width) as u64);
         let is_far = is_far.delayed_as("is_far", LATENCY as u32 - 1);
         let ambient = material.ambient.delayed(3).parts();
         let background = view.background.parts();
