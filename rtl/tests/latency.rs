@@ -30,17 +30,11 @@ fn measured(request: &Request, held: Values, impulse: Values, output: &str) -> u
         let mut found = vec![];
         for (name, value) in values {
             let before = found.len();
-            let called = design
-                .top
-                .ports
-                .iter()
-                .filter(|port| is_called(&port.name, name));
-            found.extend(called.map(|port| (simulator.port(&port.name), *value as u64)));
-            assert!(
-                found.len() > before,
-                "{}: no port {name}",
-                request.unit.name()
-            );
+            let names = design.top.ports.iter().map(|port| &port.name);
+            let called = names.filter(|port| is_called(port, name));
+            found.extend(called.map(|port| (simulator.port(port), *value as u64)));
+            let unit = request.unit.name();
+            assert!(found.len() > before, "{unit}: no port {name}");
         }
         found
     };
