@@ -10,6 +10,7 @@ use crate::scene::{in_plain_words, line_and_column};
 use crate::slots::Slots;
 use crate::widths::OwnWidths;
 use imogene_contract::video::{Span, VideoMode};
+use imogene_contract::{object, volume};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use thiserror::Error;
@@ -331,8 +332,8 @@ impl MachineDescription {
 
     /// Words that the loader of a beam machine keeps: if not given, enough for all its processors and their tables.
     pub fn loader_words(&self) -> usize {
-        let objects = self.objects * (24 + 7 * self.planes + 1 + 4);
-        let volumes = self.volumes * (13 + 4 * self.volume_planes);
+        let objects = self.objects * (object::words(self.planes) + 1 + 4);
+        let volumes = self.volumes * volume::words(self.volume_planes);
         let words = objects + volumes + 8 + 16 * self.lights;
         self.loader_words.unwrap_or(words.next_power_of_two())
     }

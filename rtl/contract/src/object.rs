@@ -8,3 +8,8 @@ pub const CONTROL: u64 = 23;
 pub const PLANES: u64 = 24;
 /// Words of one plane.
 pub const PLANE_WORDS: u64 = 7;
+
+/// Words of an object with so many planes.
+pub const fn words(planes: usize) -> usize {
+    PLANES as usize + PLANE_WORDS as usize * planes
+}

@@ -10,3 +10,8 @@ pub const MARGIN: u64 = 12;
 pub const PLANES: u64 = 13;
 /// Words of one plane.
 pub const PLANE_WORDS: u64 = 4;
+
+/// Words of a volume with so many planes.
+pub const fn words(planes: usize) -> usize {
+    PLANES as usize + PLANE_WORDS as usize * planes
+}

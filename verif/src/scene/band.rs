@@ -34,7 +34,7 @@ pub(super) struct Band<'a> {
 /// Width of a load word of this machine, if the address exists.
 pub(super) fn word_width(address: u8, shape: &MachineShape) -> Option<u32> {
     let format = &shape.format;
-    let planes = 24 + 7 * shape.planes;
+    let planes = imogene_contract::object::words(shape.planes);
     match usize::from(address) {
         0..=2 => Some(format.pe1_width()),
         3..=8 => Some(format.pe2_width()),

@@ -279,7 +279,7 @@ fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimEr
             objects: shape.objects,
         });
     }
-    let addresses = 24 + 7 * shape.planes;
+    let addresses = imogene_contract::object::words(shape.planes);
     if let Some(f) = options.fault {
         let width = band::word_width(f.address, shape);
         if usize::from(f.object) >= shape.objects || width.is_none_or(|w| u32::from(f.bit) >= w) {

@@ -1,8 +1,9 @@
 //! Words of an object that are used at every pixel, kept while those of the next object are loaded.
 
-use super::{CONTROL, LoadBus};
+use super::LoadBus;
 use crate::object::{Factors, Normal, Plane, ScreenBox, Words};
 use imogene_contract::command_stream::OBJECT_ID;
+use imogene_contract::object::CONTROL;
 use imogene_hdl::{Bits, Bundle, Value, bundles, module, net};
 
 bundles! {

@@ -4,6 +4,7 @@ use crate::object::{
     Factors, Gradients, HalfSpace, Normal, Plane, Quadric, ScreenBox, Widths, Words,
 };
 use crate::raster::{Linear, Quadratic};
+use imogene_contract::object::{BOX_COLUMNS, CONTROL, PLANE_WORDS, PLANES};
 use imogene_hdl::{Bits, Int, Value, bundle, module, net};
 
 bundle! {
@@ -15,13 +16,6 @@ bundle! {
     }
 }
 
-/// Address of the columns of the screen box, in front of that of its lines.
-pub const BOX_COLUMNS: u64 = 21;
-/// Address of class and shift, in front of those of the planes.
-pub const CONTROL: u64 = 23;
-/// Words of one plane.
-pub const PLANE_WORDS: u64 = 7;
-
 /// Keeps the words of one object; each is visible after the clock that writes it and holds until written again.
 ///
 /// At power-up every word is zero, but the screen box is empty (`box_x0` = 4095), so that a store never loaded holds
@@ -30,7 +24,7 @@ pub const PLANE_WORDS: u64 = 7;
 pub fn coefficient_store(at: &str, bus: LoadBus, widths: Widths, planes: u64) -> Words {
     module("coefficient_store", at, bus, |bus| {
         let plane = |index: u64| {
-            let first = BOX_COLUMNS + 3 + PLANE_WORDS * index;
+            let first = PLANES + PLANE_WORDS * index;
             Plane {
                 half_space: bus.half_space(first, widths.plane),
                 normal: Normal::of(bus.numbers(first + 4, widths.normal)),

@@ -30,7 +30,7 @@ pub use beam_core::{BeamMachine, beam_core};
 pub use beam_display::{Display, beam_display};
 pub use beam_stream::{Streamed, beam_stream};
 pub use coefficient_hold::{Held, HeldPlane, coefficient_hold};
-pub use coefficient_store::{BOX_COLUMNS, CONTROL, LoadBus, PLANE_WORDS, coefficient_store};
+pub use coefficient_store::{LoadBus, coefficient_store};
 pub use csg_decider::{Convex, Solid, csg_decider};
 pub use csg_product::{Extent, Sight, csg_product};
 pub use decider::{Candidate, decider, visibility_node};
