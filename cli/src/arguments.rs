@@ -33,7 +33,7 @@ pub use machine::{Machine, Refine};
 pub use oracle::{Cracks, Raytrace, Repair};
 pub use proof::{Mutate, Prove};
 pub use scene::{
-    Check, Guards, Model, New, OwnWords, Prepare, Primitives, Render, Scene, Size, View, Widths,
+    Check, Guards, Model, New, Prepare, Primitives, Render, Scene, SceneWords, Size, View, Widths,
 };
 pub use split::Split;
 pub use synth::{Parameter, Peers, Synth};

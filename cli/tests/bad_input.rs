@@ -213,7 +213,7 @@ fn unwritable_output_folder() {
 fn usage_and_parameters_out_of_range() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let runs: [(Vec<&str>, &[&str]); 14] = [
+    let runs: [(Vec<&str>, &[&str]); 15] = [
         (vec!["emit", "pe3", "--out", out], &["pe3", "pe2"]),
         (
             vec!["emit", "pe1", "--prefix", "1st-", "--out", out],
@@ -254,6 +254,13 @@ fn usage_and_parameters_out_of_range() {
                 "synth", "pe1", "--target", "ecp5-45k", "--widths", "depth=20", "--slots", "1",
             ],
             &["--widths", "beam", "pe1"],
+        ),
+        (
+            vec![
+                "synth", "beam", "--target", "ecp5-45k", "--widths", "depth=20", "--slots", "1",
+                "--seeds", "9",
+            ],
+            &["--widths", "--seeds"],
         ),
         (
             vec!["synth", "--check", "--rows-per-stage", "3"],

@@ -342,13 +342,25 @@ fn cosim_of_a_scene_takes_any_widths() {
         let scene = ["cosim", cone.to_str().unwrap(), "--size", "48x36"];
         json(&[&scene, more].concat())
     };
-    for words in [
-        [
-            "--widths",
-            "depth=19,root=17,plane=29,normal=14,g1=3,g2=4,dropped=1",
-        ],
-        ["--guards", "2:3"],
-    ] {
+    // Bit 27 of the first word of f1 is there with guard bits alone.
+    let fault = |more: &[&str]| {
+        let mut run = imogene();
+        run.arg("cosim").arg(&cone).args(["--size", "48x36"]);
+        let run = run.args(["--inject-fault", "0:0:27"]).args(more);
+        run.output().unwrap().status.code()
+    };
+    assert_eq!(
+        (fault(&[]), fault(&["--guards", "2:3"])),
+        (Some(2), Some(1))
+    );
+    let own = [
+        "--widths",
+        "depth=19,root=17,plane=29,normal=14,g1=3,g2=4,dropped=1",
+    ];
+    // The root has 16 rows in the place of 24.
+    let clocks = |report: &Value| report["cycles"].as_u64().unwrap();
+    assert!(clocks(&cosim(&own)) < clocks(&cosim(&[])));
+    for words in [own, ["--guards", "2:3"]] {
         let report = cosim(&words);
         assert_eq!(report["mismatches"], 0);
         let again = report["reproduce"].as_str().unwrap();

@@ -56,14 +56,15 @@ impl OwnWidths {
 
     /// All widths: root = depth, plane = depth + 12, normal = 16, the others 0 where they are not given.
     pub fn beside(&self, depth: u32) -> MachineWords {
+        let own = MachineWords::of(depth);
         MachineWords {
             depth,
-            root: self.root.unwrap_or(depth),
-            plane: self.plane.unwrap_or(depth.saturating_add(12)),
-            normal: self.normal.unwrap_or(16),
-            guard_linear: self.g1.unwrap_or(0),
-            guard_quadratic: self.g2.unwrap_or(0),
-            dropped_rows: self.dropped.unwrap_or(0),
+            root: self.root.unwrap_or(own.root),
+            plane: self.plane.unwrap_or(own.plane),
+            normal: self.normal.unwrap_or(own.normal),
+            guard_linear: self.g1.unwrap_or(own.guard_linear),
+            guard_quadratic: self.g2.unwrap_or(own.guard_quadratic),
+            dropped_rows: self.dropped.unwrap_or(own.dropped_rows),
         }
     }
 }

@@ -408,6 +408,22 @@ fn a_sphere_shades_a_band() {
     assert_eq!(columns, (0..=8).collect::<Vec<i64>>());
 }
 
+/// A triangle at 20 from the light shades one that is 1.2 times as large at 24: the places with x, y of at least 1.2 and a
+/// sum of at most 14.4, of which there are 11 + 10 + .. + 1.
+#[test]
+fn a_facet_shades_a_triangle() {
+    let (corners, light) = ([[2, 2, 0], [12, 2, 0], [2, 12, 0]], [6, 6, -20]);
+    let volume = words(None, facet_shadow(corners, light), 1);
+    let mut shaded = 0;
+    each_point(&volume, &[4 * SCALE], |x, y, z, inside| {
+        let exact = facet_shades(corners, light, [x, y, z], 40);
+        assert_eq!(exact, Some(inside), "({x}, {y})");
+        assert_eq!(inside, x >= 2 && y >= 2 && x + y <= 14, "({x}, {y})");
+        shaded += u32::from(inside);
+    });
+    assert_eq!(shaded, 66);
+}
+
 /// The words of a scene's volumes fit their registers once they are as those hold them, and give every pixel its value; moved to the screen's corner, some
 /// of the 32-bit format are longer than that.
 #[test]

@@ -1,6 +1,6 @@
 //! Arguments of the commands that simulate.
 
-use super::{OwnWords, Shape, Size, View};
+use super::{SceneWords, Shape, Size, View};
 use clap::{Args, ValueEnum};
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
@@ -59,7 +59,7 @@ pub struct Cosim {
     pub size: Option<Size>,
     /// Words of the machine of a scene.
     #[command(flatten)]
-    pub words: OwnWords,
+    pub words: SceneWords,
     /// How a scene is looked at.
     #[command(flatten)]
     pub view: View,

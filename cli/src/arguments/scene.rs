@@ -4,7 +4,7 @@ use super::{FrameRange, LookOptions, Split, depth_word};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_models::format::{FittedError, Format};
-use imogene_models::widths::{self, OwnWidths, WidthsError};
+use imogene_models::widths::{self, WidthsError};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -32,7 +32,7 @@ pub struct Scene {
     pub format: u32,
     /// Words that do not follow from it.
     #[command(flatten)]
-    pub words: OwnWords,
+    pub words: SceneWords,
     /// How it is looked at.
     #[command(flatten)]
     pub view: View,
@@ -47,7 +47,7 @@ impl Scene {
 
 /// Words of a scene's machine that do not follow from its depth word.
 #[derive(Clone, Debug, Args)]
-pub struct OwnWords {
+pub struct SceneWords {
     /// Guard bits of f1 and f2 below their last bits, 0 to 16 each.
     #[arg(long, default_value = "0:0", value_name = "G1:G2")]
     pub guards: Guards,
@@ -57,7 +57,7 @@ pub struct OwnWords {
     pub widths: Option<Widths>,
 }
 
-impl OwnWords {
+impl SceneWords {
     /// True if all words follow from the depth word.
     pub fn is_none(&self) -> bool {
         self.guards == Guards::default() && self.widths.is_none()
@@ -69,11 +69,10 @@ impl OwnWords {
             return Format::fitted(&widths);
         }
         let Guards { linear, quadratic } = self.guards;
-        let depth = OwnWidths::default().beside(depth);
         Format::fitted(&MachineWords {
             guard_linear: linear,
             guard_quadratic: quadratic,
-            ..depth
+            ..MachineWords::of(depth)
         })
     }
 

@@ -15,7 +15,7 @@ pub struct Synth {
     #[arg(long, value_name = "T", required_unless_present_any = ["table", "check"])]
     pub target: Option<String>,
     /// Seeds of place and route; 0 measures no clock.
-    #[arg(long, default_value_t = 3, value_name = "N")]
+    #[arg(long, default_value_t = 3, value_name = "N", conflicts_with = "widths")]
     pub seeds: usize,
     /// Parameters.
     #[command(flatten)]
@@ -24,7 +24,7 @@ pub struct Synth {
     #[command(flatten)]
     pub fitted: Fitted,
     /// Synthesise even what is kept of the same Verilog and tools.
-    #[arg(long, conflicts_with = "table")]
+    #[arg(long, conflicts_with_all = ["table", "widths"])]
     pub fresh: bool,
     /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units, targets and seeds.
     #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths"])]
@@ -97,7 +97,7 @@ pub struct Peers {
     #[arg(long, value_name = "T")]
     pub target: String,
     /// Seeds of place and route; 0 measures no clock.
-    #[arg(long, default_value_t = 3, value_name = "N")]
+    #[arg(long, default_value_t = 3, value_name = "N", conflicts_with = "widths")]
     pub seeds: usize,
 }
 

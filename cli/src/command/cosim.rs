@@ -1,6 +1,6 @@
 //! `imogene cosim`.
 
-use super::render::{follows_depth_word, golden_frame};
+use super::render::golden_frame;
 use super::{describe, extremes, frame_in, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
@@ -194,7 +194,6 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             )));
         }
     }
-    follows_depth_word(prepared)?;
     let rows = options.shape.rows_per_stage();
     let bar = output::progress(slots::pixels(prepared), "processors in simulation");
     let outcome = slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {

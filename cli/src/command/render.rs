@@ -312,23 +312,8 @@ fn reproduce(options: &Render) -> String {
     }
 }
 
-/// Refuses widths that processors have in a machine alone.
-pub fn follows_depth_word(prepared: &PreparedScene) -> Result<(), Failure> {
-    let format = &prepared.format;
-    if format.follows_depth_word() && !format.has_guards() {
-        return Ok(());
-    }
-    Err(Failure::Input(
-        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
-         give --format, or render with --model golden or exact; \
-         a zone machine draws facets with guard bits (imogene machine)"
-            .into(),
-    ))
-}
-
 /// The frame of processors that run by themselves.
 fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
-    follows_depth_word(prepared)?;
     let bar = output::progress(slots::pixels(prepared), "processors in simulation");
     let drawn = slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
         bar.inc(n)

@@ -9,8 +9,8 @@ use crate::output;
 use imogene_models::machine::fitted::FittedMachine;
 use imogene_models::text::counted;
 use imogene_synth::baseline::Baseline;
-use imogene_synth::fitted::MachineCost;
 use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// Synthesises a unit, makes the resource table, or checks against it.
@@ -37,7 +37,7 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
     let target = Target::from_name(target).map_err(Failure::input)?;
     let seeds = options.seeds;
     if let Some(machine) = fitted::asked(&options.fitted, &request)? {
-        return run_machine(machine, target, seeds > 0, json);
+        return run_machine(machine, target, json);
     }
     let report = synthesise_with(&request, target, &Options { seeds }, cache(options))
         .map_err(Failure::input)?;
@@ -50,43 +50,25 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(),
 }
 
 /// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
-fn run_machine(
-    machine: FittedMachine,
-    target: Target,
-    with_clock: bool,
-    json: bool,
-) -> Result<(), Failure> {
-    let cost = fitted::costs(&[machine], target, with_clock)?[0];
+fn run_machine(machine: FittedMachine, target: Target, json: bool) -> Result<(), Failure> {
+    let cost = fitted::costs(&[machine], target, true)?[0];
     if json {
         output::json(&cost);
         return Ok(());
     }
-    let MachineCost {
-        lut,
-        ff,
-        carry,
-        dsp,
-        bram,
-        cells,
-        fmax_mhz,
-    } = cost;
-    output::text(format!("beam for {}, the sum of its units", target.name()));
-    for (name, count) in [
-        ("LUT", lut),
-        ("FF", ff),
-        ("carry", carry),
-        ("DSP", dsp),
-        ("BRAM", bram),
-        ("logic cells", cells),
-    ] {
-        output::text(format!("  {name:<12} {count}"));
-    }
-    if let Some(fmax) = fmax_mhz {
-        output::text(format!(
-            "  {:<12} {fmax:.1} MHz, of its slowest unit",
-            "Fmax"
-        ));
-    }
+    let counts = [
+        cost.lut, cost.ff, cost.carry, cost.dsp, cost.bram, cost.cells,
+    ];
+    let mut lines = vec![format!("beam for {}, the sum of its units", target.name())];
+    lines.extend(resources(counts.map(Some)));
+    let clock = |fmax: f64| {
+        line(
+            "Fmax",
+            format!("{fmax:.1} MHz, of its slowest unit, one seed"),
+        )
+    };
+    lines.extend(cost.fmax_mhz.map(clock));
+    output::text(lines.join("\n"));
     Ok(())
 }
 
@@ -123,19 +105,35 @@ fn beside(page: &Path, name: &str) -> PathBuf {
     page.parent().unwrap_or(Path::new("")).join(name)
 }
 
+/// A figure under its name.
+fn line(name: &str, value: impl Display) -> String {
+    format!("  {name:<12} {value}")
+}
+
+/// What is counted of resources: look-up tables, flip-flops, carry cells, multipliers, memories, logic cells.
+fn resources(counts: [Option<u64>; 6]) -> Vec<String> {
+    let names = ["LUT", "FF", "carry", "DSP", "BRAM", "logic cells"];
+    let counted = names.iter().zip(counts);
+    counted
+        .filter_map(|(name, count)| Some(line(name, count?)))
+        .collect()
+}
+
 /// A report as text.
 fn describe(report: &SynthReport) -> String {
     let mut lines = vec![format!("{} for {}", report.unit, report.target)];
+    lines.extend(resources([
+        report.lut,
+        report.ff,
+        report.carry,
+        report.dsp,
+        report.bram,
+        report.logic_cells,
+    ]));
     let mut line = |name: &str, value: Option<String>| {
-        lines.extend(value.map(|value| format!("  {name:<12} {value}")));
+        lines.extend(value.map(|value| line(name, value)));
     };
     let count = |value: Option<u64>| value.map(|value| value.to_string());
-    line("LUT", count(report.lut));
-    line("FF", count(report.ff));
-    line("carry", count(report.carry));
-    line("DSP", count(report.dsp));
-    line("BRAM", count(report.bram));
-    line("logic cells", count(report.logic_cells));
     line("transistors", count(report.transistors));
     line("does not fit", report.does_not_fit.clone());
     line(

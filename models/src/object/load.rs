@@ -52,10 +52,7 @@ pub fn load_words(words: &QuadricWords, format: &Format, planes: usize) -> Vec<L
             list.push(n.into(), format.normal);
         }
     }
-    debug_assert_eq!(
-        list.0.len(),
-        usize::from(FIRST_PLANE) + usize::from(PLANE_WORDS) * planes
-    );
+    debug_assert_eq!(list.0.len(), object::words(planes));
     list.0
 }
 

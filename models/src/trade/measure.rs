@@ -2,14 +2,14 @@
 
 use super::design::Accuracy;
 use crate::format::Format;
-use crate::machine::fitted::FittedMachine;
+use crate::machine::fitted::{FittedMachine, FittedSlot};
 use crate::metrics::toggles::{Part, Toggles, count};
 use crate::metrics::{Drawing, Metrics, Truth, ZoneScene, measure as compare};
 use crate::object::quadric::QuadricWords;
 use crate::prepare::rounding::Anchor;
 use crate::prepare::{NeededWidths, Options, PreparedScene, prepare_with};
 use crate::scene::FramedScene;
-use imogene_contract::MachineWords;
+use imogene_contract::{MachineWords, object};
 
 /// What is known of all points of the same pixels.
 pub struct Measured {
@@ -25,10 +25,6 @@ pub struct Measured {
     catalogue: bool,
     is_whole: bool,
 }
-
-/// Words of an object besides those of its planes, and of a plane: the addresses of the load bus.
-const OBJECT_WORDS: u64 = 24;
-const PLANE_WORDS: u64 = 7;
 
 /// Draws and compares; the error says why the scene cannot be prepared.
 pub fn measure(
@@ -73,8 +69,8 @@ impl Measured {
         if self.is_whole {
             return machine.clocks_per_frame(&prepared.format, prepared.width, prepared.height);
         }
-        let words = |planes: u32| OBJECT_WORDS + PLANE_WORDS * u64::from(planes);
-        let load: u64 = machine.slots.iter().map(|slot| words(slot.planes)).sum();
+        let words = |slot: &FittedSlot| object::words(slot.planes as usize) as u64;
+        let load: u64 = machine.slots.iter().map(words).sum();
         let each = u64::from(machine.latency(&prepared.format)) + load;
         u64::from(prepared.width) * u64::from(prepared.height) + each * self.zones.len() as u64
     }

@@ -1,7 +1,8 @@
 //! Parameters of units besides the format: option, symbol, range, default, and a place in a request.
 
 use crate::unit::Unit;
-use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES};
+use crate::video::VideoMode;
+use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 
 /// A parameter of a unit.
 #[derive(Clone, Copy, Debug)]
@@ -87,9 +88,9 @@ parameters! {
         "Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2]";
     CORRECTIONS: "corrections" "C" corrections, 0 to Some(2), Some(1),
         "Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2";
-    SIDES: "sides" "E" sides, 3 to Some(4), Some(3),
+    SIDES: "sides" "E" sides, 3 to Some(MOST_SIDES), Some(3),
         "Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3]";
-    MODE: "mode" "V" mode, 0 to Some(3), Some(0),
+    MODE: "mode" "V" mode, 0 to Some(VideoMode::ALL.len() as u32 - 1), Some(0),
         "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
     CARDS: "cards" "K" cards, 1 to Some(64), Some(2),
         "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";

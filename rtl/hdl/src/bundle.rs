@@ -1,5 +1,6 @@
 //! Groups of values that are ports together.
 
+use crate::bare::Ports;
 use crate::value::{Bits, Handle, Value, delayed, later};
 
 /// What stands before the names and meanings of the members of a bundle, or of one member.
@@ -166,6 +167,14 @@ macro_rules! tuples {
 
             fn rebuilt(&self, other: &mut dyn FnMut(Handle) -> Handle) -> Self {
                 ($(self.$index.rebuilt(other),)*)
+            }
+        }
+
+        impl<$($letter: Ports),*> Ports for ($($letter,)*) {
+            type Bare = ($($letter::Bare,)*);
+
+            fn bare(self) -> Self::Bare {
+                ($(self.$index.bare(),)*)
             }
         }
     )*};

@@ -44,6 +44,9 @@ pub fn run(
     pixel_done: impl Fn(u64) + Sync,
 ) -> Result<(Report, Frame), SlotError> {
     let started = Instant::now();
+    if !scene.format.follows_depth_word() || scene.format.has_guards() {
+        return Err(SlotError::OwnWords);
+    }
     let slots = scene.slots();
     let without = slots
         .iter()

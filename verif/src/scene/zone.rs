@@ -34,6 +34,13 @@ pub enum SlotError {
         /// Name of the object.
         object: String,
     },
+    /// Widths that processors have in a machine alone.
+    #[error(
+        "only a beam machine takes --guards and --widths, and it draws 1 to 256 quadrics; \
+         give --format, or render with --model golden or exact; \
+         a zone machine draws facets with guard bits (imogene machine)"
+    )]
+    OwnWords,
 }
 
 /// Pixels that a processor draws.
