@@ -6,9 +6,10 @@
 use crate::failure::Failure;
 use crate::output;
 use imogene::arguments::Policy;
-use imogene_models::format::Format;
-use imogene_models::prepare::{Options, PreparedScene, refused};
-use imogene_models::scene::{DepthRange, End, FramedScene, SceneFile};
+use imogene_golden::format::Format;
+use imogene_prepare::Framing;
+use imogene_prepare::{Options, PreparedScene, refused};
+use imogene_scene::{DepthRange, End, FramedScene, SceneFile};
 use std::path::Path;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

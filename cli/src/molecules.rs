@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::missing;
 use imogene_import::{Kind, is_compressed, pdb, unpack};
-use imogene_models::scene::SceneFile;
+use imogene_scene::SceneFile;
 use std::path::Path;
 
 /// Most bytes of a file, as it is and unpacked: ten million atoms in PDB's columns take eight hundred million.

@@ -6,7 +6,7 @@
 mod common;
 
 use common::imogene;
-use imogene_models::picture::write_png;
+use imogene_studies::picture::write_png;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -65,7 +65,7 @@ fn a_map_marks_the_pixels_that_are_counted() {
         run(&[&options[..], &["--map", text(&picture)]].concat()).0,
         Some(0)
     );
-    let (width, height, open) = imogene_models::picture::read_mask(&picture).expect("a picture");
+    let (width, height, open) = imogene_studies::picture::read_mask(&picture).expect("a picture");
     assert_eq!((width, height), (320, 240));
     assert!(
         open.iter()

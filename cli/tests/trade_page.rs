@@ -1,11 +1,11 @@
 //! The page of `imogene trade` in a real browser: Chromium without a screen, which `scripts/setup` installs.
 
-use imogene_models::machine::fitted::FittedMachine;
-use imogene_models::scene::SceneFile;
-use imogene_models::trade::design::Space;
-use imogene_models::trade::page::page;
-use imogene_models::trade::point::Cost;
-use imogene_models::trade::run::{Request, run};
+use imogene_golden::machine::fitted::FittedMachine;
+use imogene_scene::SceneFile;
+use imogene_studies::trade::design::Space;
+use imogene_studies::trade::page::page;
+use imogene_studies::trade::point::Cost;
+use imogene_studies::trade::run::{Request, run};
 use regex::Regex;
 use std::path::Path;
 use std::process::Command;

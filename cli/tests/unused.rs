@@ -4,12 +4,13 @@
 mod common;
 
 use common::imogene;
-use imogene_models::format::Format;
-use imogene_models::machine::description::MachineDescription;
-use imogene_models::machine::display::{Image, image};
-use imogene_models::machine::zone::stream::{Beat, kind};
-use imogene_models::prepare::prepare;
-use imogene_models::scene::SceneFile;
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::{Image, image};
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::SceneFile;
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{PinsRun, run};
 use serde_json::Value;

@@ -12,7 +12,7 @@ pub use compressed::{is_compressed, unpack};
 pub use error::{ImportError, Place};
 pub use kind::{Kind, Kinds, is_scene};
 
-use imogene_models::scene::SceneFile;
+use imogene_scene::SceneFile;
 
 /// What a reader made of a file.
 #[derive(Debug)]

@@ -4,14 +4,15 @@
 mod common;
 
 use common::winding::Oracle;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
 use imogene_import::faces::vector::{Vector, along, cross, dot, minus, plus, times, unit};
 use imogene_import::faces::{FaceOptions, read};
 use imogene_import::faces::{Part, Surface, compile};
-use imogene_models::format::Format;
-use imogene_models::machine::beam;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::{Camera, SceneFile};
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::{Camera, SceneFile};
 
 const SIZE: [usize; 2] = [360, 270];
 

@@ -58,7 +58,7 @@ fn the_list_itself_is_read() {
     assert_eq!(imported.scene.objects.len(), 2);
     assert_eq!(imported.report["total"]["exact"], 2);
     let text = imported.scene.to_toml().unwrap();
-    let again = imogene_models::scene::SceneFile::parse(&text, "again").unwrap();
+    let again = imogene_scene::SceneFile::parse(&text, "again").unwrap();
     assert_eq!(again, imported.scene);
 }
 

@@ -6,8 +6,8 @@
 //! `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
 use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
-use imogene_models::machine::description::MachineDescription;
-use imogene_models::scene::SceneFile;
+use imogene_plan::description::MachineDescription;
+use imogene_scene::SceneFile;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;

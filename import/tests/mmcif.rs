@@ -3,7 +3,7 @@
 
 use imogene_import::Imported;
 use imogene_import::pdb::{self, Format, ModelChoice, Options, Style};
-use imogene_models::scene::{Shape, Step};
+use imogene_scene::{Shape, Step};
 use proptest::prelude::*;
 
 fn cif(text: &str, options: &Options) -> Result<Imported, String> {

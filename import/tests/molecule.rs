@@ -1,11 +1,12 @@
 //! Molecules from text to scene: what real files have, and that no bytes make the reader panic.
 
+use imogene_golden::format::Format;
 use imogene_import::pdb::{
     self, Alternates, Colouring, Format as Kind, ModelChoice, Options, Style,
 };
 use imogene_import::{ImportError, Imported, Place};
-use imogene_models::format::Format;
-use imogene_models::scene::{SceneFile, Shape, Step};
+use imogene_prepare::Framing;
+use imogene_scene::{SceneFile, Shape, Step};
 use proptest::prelude::*;
 
 /// Our own helix, which ships as an example.
@@ -254,12 +255,12 @@ fn sticks_join_the_middles_of_their_atoms() {
         [[0.9, 1.2, -0.7], [0.9, 1.2, -1.4]],
     ];
     for (object, ends) in imported.scene.objects[3..].iter().zip(ends) {
-        let placed = imogene_models::scene::Transform::placement(&object.place);
+        let placed = imogene_scene::Transform::placement(&object.place);
         for (cut, end) in object.cuts.iter().zip(ends) {
-            let at = placed.point(&cut.point.map(imogene_models::rational::from_decimal));
+            let at = placed.point(&cut.point.map(imogene_algebra::rational::from_decimal));
             for (a, b) in at.iter().zip(end) {
                 assert!(
-                    (imogene_models::rational::to_f64(a) - b).abs() < 1e-5,
+                    (imogene_algebra::rational::to_f64(a) - b).abs() < 1e-5,
                     "{}: {at:?}",
                     object.name
                 );
@@ -297,7 +298,7 @@ fn the_helix_is_drawn_in_every_style() {
             assert_eq!(scene, imported.scene);
             let framed = scene.frame(160, 120).expect("framed");
             let format = Format::new(24).expect("catalogue");
-            imogene_models::prepare::prepare(&framed, format).expect("prepared");
+            imogene_prepare::prepare(&framed, format).expect("prepared");
         }
     }
 }
@@ -337,7 +338,7 @@ fn no_direction_of_a_bond_is_refused() {
     );
     for depth in [16, 24, 32] {
         let framed = imported.scene.frame(1280, 960).expect("framed");
-        imogene_models::prepare::prepare(&framed, Format::new(depth).expect("catalogue"))
+        imogene_prepare::prepare(&framed, Format::new(depth).expect("catalogue"))
             .expect("prepared");
     }
 }

@@ -22,7 +22,7 @@ fn the_bar_is_one_volume() {
         .collect();
     assert_eq!(names, ["side #11", "floor #12", "#13"]);
     let text = imported.scene.to_toml().unwrap();
-    let again = imogene_models::scene::SceneFile::parse(&text, "again").unwrap();
+    let again = imogene_scene::SceneFile::parse(&text, "again").unwrap();
     assert_eq!(again, imported.scene);
 }
 

@@ -3,7 +3,8 @@
 
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
 use imogene_import::{Imported, Kind, is_compressed, unpack};
-use imogene_models::scene::{SceneFile, Shape, Step};
+use imogene_prepare::Framing;
+use imogene_scene::{SceneFile, Shape, Step};
 use std::path::Path;
 
 /// A file of the tests, unpacked.

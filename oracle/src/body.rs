@@ -7,8 +7,8 @@ use crate::camera::{Affine, Sight};
 use crate::facet::{Triangle, triangles};
 use crate::frame::{Matrix, Vector, apply, diagonal, inverse, placement, times};
 use crate::interval::{Interval, about_all};
-use imogene_models::rational::{from_decimal, integer};
-use imogene_models::scene::{Object, Processor, Shape, Surface};
+use imogene_algebra::rational::{from_decimal, integer};
+use imogene_scene::{Object, Processor, Shape, Surface};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -136,7 +136,7 @@ fn canonical(object: &Object) -> Canonical {
         None => ([1.0; 3], general_form(&object.shape)),
     };
     let radii = radii.map(from_decimal);
-    let plane = |cut: &imogene_models::scene::Cut| {
+    let plane = |cut: &imogene_scene::Cut| {
         let normal = cut.normal.map(from_decimal);
         let point = cut.point.map(from_decimal);
         let constant: BigRational = (0..3).map(|k| -&normal[k] * &point[k]).sum();

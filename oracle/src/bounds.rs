@@ -1,16 +1,16 @@
 //! How far a golden depth may be from the true one at a pixel where both see the same face, by the kind of processor.
 //!
-//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_models::check::depth_bound`]),
+//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_analysis::bounds::depth_bound`]),
 //! and so has the first generation, which has the depth words of the quadric processor. The others follow from what
 //! their words are rounded from.
 
 use crate::body::Body;
-use imogene_models::check::depth_bound;
-use imogene_models::format::Format;
-use imogene_models::prepare::error::PrepareError;
-use imogene_models::prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
-use imogene_models::rational::to_f64;
-use imogene_models::scene::{FramedObject, FramedScene};
+use imogene_algebra::rational::to_f64;
+use imogene_analysis::bounds::depth_bound;
+use imogene_golden::format::Format;
+use imogene_prepare::error::PrepareError;
+use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
+use imogene_scene::{FramedObject, FramedScene};
 
 /// Greatest distance of a sphere from its paraboloid, in radii.
 const PARABOLOID: f64 = 0.2946;

@@ -10,8 +10,8 @@
 
 use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;
-use imogene_models::rational::{from_decimal, from_f64_exact, integer, to_f64};
-use imogene_models::scene::{Camera, DepthRange, Step};
+use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
+use imogene_scene::{Camera, DepthRange, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 

@@ -19,10 +19,10 @@
 
 use crate::bounds::Bounds;
 use crate::trace::{Traced, TracedPixel, Tracer};
-use imogene_models::check::Jury;
-use imogene_models::format::Format;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::PreparedScene;
+use imogene_analysis::bounds::Jury;
+use imogene_golden::format::Format;
+use imogene_golden::machine::frame::Frame;
+use imogene_prepare::PreparedScene;
 use serde::Serialize;
 
 /// Pixels that a corner of a facet is off at most, across and down: half a sixteenth.

@@ -8,11 +8,11 @@
 //!
 //! *Beyond the printed rule* (`width` above 1): a crack of w pixels is met by looking past it, at two pixels on a line through the pixel, one on each side, at most
 //! w + 1 apart. The proof for convex solids is the same. Beyond it too, a flagged pixel is told to be a crack or the end of a notch ([`Crack::notch`]): two outlines that meet
-//! at a sharp angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure [`imogene_models::metrics`] calls by the same name compares with the true picture.)
+//! at a sharp angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure [`imogene_analysis::metrics`] calls by the same name compares with the true picture.)
 
 use crate::trace::Tracer;
-use imogene_models::machine::frame::Frame;
-use imogene_models::scene::{Camera, DepthRange};
+use imogene_golden::machine::frame::Frame;
+use imogene_scene::{Camera, DepthRange};
 use serde::Serialize;
 use std::collections::HashMap;
 

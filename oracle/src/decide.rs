@@ -5,8 +5,8 @@
 
 use crate::body::{Body, CutBody};
 use crate::interval::Interval;
-use imogene_models::scene::Surface;
-use imogene_models::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_scene::Surface;
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,8 @@
 //! Rotations follow the rule of scene files: the entries of the matrix are computed once in double precision, and the scene is the exact scene with these
 //! entries. They are computed here by `1 + sin K + (1 - cos) K^2`.
 
-use imogene_models::rational::{from_decimal, from_f64_exact};
-use imogene_models::scene::{Axis, Rotation, Scale, Step};
+use imogene_algebra::rational::{from_decimal, from_f64_exact};
+use imogene_scene::{Axis, Rotation, Scale, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
@@ -148,7 +148,7 @@ pub fn inverse(matrix: &Matrix) -> Option<Matrix> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::rational::{fraction, integer, to_f64};
+    use imogene_algebra::rational::{fraction, integer, to_f64};
 
     fn rotation(axis: Axis, degrees: f64) -> Step {
         Step::Rotate(Rotation { axis, degrees })

@@ -5,11 +5,11 @@
 //! it and gets none: all eight about a crack show an object.
 
 use crate::crack::{Buffers, Rule, cracks};
-use imogene_models::machine::beam;
-use imogene_models::machine::frame::Frame;
-use imogene_models::object::slot::Slot;
-use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::DepthRange;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::slot::Slot;
+use imogene_prepare::PreparedScene;
+use imogene_scene::DepthRange;
 use serde::Serialize;
 use std::collections::HashSet;
 

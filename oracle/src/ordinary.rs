@@ -222,7 +222,7 @@ fn cut(point: [f64; 3], normal: [f64; 3]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::scene::SceneFile;
+    use imogene_scene::SceneFile;
 
     #[test]
     fn every_scene_is_read_and_no_two_are_the_same() {

@@ -1,7 +1,7 @@
 //! Pictures for a person: where a comparison, a search for cracks or a repair found something.
 
 use crate::compare::Mark;
-use imogene_models::machine::frame::Frame;
+use imogene_golden::machine::frame::Frame;
 
 /// An 8-bit colour.
 pub type Colour = [u8; 3];

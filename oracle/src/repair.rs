@@ -6,12 +6,12 @@
 //! replace those of the first pass; all others keep its words bit for bit. Then object and face are the true ones at
 //! every pixel: by proof where the words decided, by computation where they did not.
 
-use imogene_models::check::Jury;
-use imogene_models::exact::render::{render_where, to_frame};
-use imogene_models::machine::beam;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::FramedScene;
+use imogene_analysis::bounds::Jury;
+use imogene_analysis::exact::render::{render_where, to_frame};
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
 use serde::Serialize;
 use std::time::Instant;
 

@@ -3,11 +3,12 @@
 use crate::bounds::Bounds;
 use crate::compare::{Comparison, Mark, compare};
 use crate::trace::Tracer;
-use imogene_models::format::Format;
-use imogene_models::machine::beam;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::{FramedScene, SceneError, SceneFile};
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::{FramedScene, SceneError, SceneFile};
 use std::time::Instant;
 
 /// What came of a scene.

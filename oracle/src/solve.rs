@@ -2,8 +2,8 @@
 
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
-use imogene_models::scene::Surface;
-use imogene_models::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_scene::Surface;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};

@@ -3,9 +3,9 @@
 
 use crate::ordinary::scene_text;
 use crate::run::{Compared, Outcome, run};
-use imogene_models::check::check;
-use imogene_models::format::Format;
-use imogene_models::scene::SceneFile;
+use imogene_analysis::bounds::check;
+use imogene_golden::format::Format;
+use imogene_scene::SceneFile;
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -9,7 +9,7 @@ use crate::camera::Sight;
 use crate::decide::{Cell, Verdict};
 use crate::interval::Interval;
 use crate::solve::Solved;
-use imogene_models::scene::{DepthRange, SceneFile};
+use imogene_scene::{DepthRange, SceneFile};
 use num_rational::BigRational;
 use rayon::prelude::*;
 use std::cmp::Ordering;

@@ -3,13 +3,14 @@
 mod common;
 
 use common::scene;
-use imogene_models::format::Format;
-use imogene_models::machine::beam;
-use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::{DepthRange, SceneFile};
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
 use imogene_oracle::crack::{Buffers, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Sort};
 use imogene_oracle::trace::Tracer;
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::{DepthRange, SceneFile};
 
 const CONVEX: [&str; 6] = [
     "kind = \"sphere\"\nradius = 1.5",

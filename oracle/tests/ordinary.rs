@@ -2,10 +2,10 @@
 
 mod common;
 
-use imogene_models::format::Format;
-use imogene_models::scene::{Camera, SceneFile};
+use imogene_golden::format::Format;
 use imogene_oracle::run::{Outcome, run};
 use imogene_oracle::survey::survey;
+use imogene_scene::{Camera, SceneFile};
 use std::path::Path;
 
 fn is_long() -> bool {

@@ -2,11 +2,12 @@
 
 mod common;
 
-use imogene_models::exact::render::{render, to_frame};
-use imogene_models::format::Format;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::SceneFile;
+use imogene_analysis::exact::render::{render, to_frame};
+use imogene_golden::format::Format;
 use imogene_oracle::repair::{differing_faces, repair};
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::SceneFile;
 
 /// Every scene that the words of 16 bits take, objects and faces at all pixels; what the words decide is left as it was.
 #[test]

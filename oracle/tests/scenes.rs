@@ -2,16 +2,17 @@
 
 mod common;
 
-use imogene_models::check::check;
-use imogene_models::format::Format;
-use imogene_models::machine::beam;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::SceneFile;
+use imogene_analysis::bounds::check;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
 use imogene_oracle::bounds::Bounds;
 use imogene_oracle::compare::{Comparison, Mark, compare};
 use imogene_oracle::run::{Outcome, run};
 use imogene_oracle::trace::{Traced, Tracer};
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::SceneFile;
 
 /// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are
 /// announced far from the edge.

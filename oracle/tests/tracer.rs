@@ -3,14 +3,14 @@
 mod common;
 
 use common::{PARALLEL, PERSPECTIVE, scene};
-use imogene_models::object::facet::FACE_FACET;
-use imogene_models::scene::{DepthRange, Plane, Quadric, SceneFile, Transform};
+use imogene_golden::object::facet::FACE_FACET;
 use imogene_oracle::body::Body;
 use imogene_oracle::camera::Sight;
 use imogene_oracle::decide::{Cell, Verdict};
 use imogene_oracle::root::Real;
 use imogene_oracle::solve::Solved;
 use imogene_oracle::trace::Tracer;
+use imogene_scene::{DepthRange, Plane, Quadric, SceneFile, Transform};
 use num_rational::BigRational;
 use proptest::prelude::*;
 use std::cmp::Ordering;
@@ -130,7 +130,7 @@ fn a_sphere_is_hit_where_its_equation_says() {
                 let expected = (10_000.0 - ((s * s - r * t) as f64).sqrt()) / r as f64;
                 let (low, high) = found.t.between(80);
                 for end in [low, high] {
-                    let end = imogene_models::rational::to_f64(&end);
+                    let end = imogene_algebra::rational::to_f64(&end);
                     assert!((end - expected).abs() < 1e-12, "{column} {line}");
                 }
             }

@@ -1,7 +1,7 @@
 //! The deciders in hardware: every shape, and the same answer from tree, chain and cards whichever input an object comes to.
 
 use imogene_contract::{Request, RequestError};
-use imogene_models::machine::card_decider;
+use imogene_golden::machine::card_decider;
 use imogene_verif::subject::{Inputs, Subject};
 use imogene_verif::unit::subject;
 

@@ -3,9 +3,10 @@
 
 use imogene_circuits::raster::{Flags, Linear, pe1};
 use imogene_contract::{Request, Unit};
-use imogene_models::format::Format;
-use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::SceneFile;
+use imogene_golden::format::Format;
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::SceneFile;
 use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::scene::{self, Fault, Options, TraceRequest};

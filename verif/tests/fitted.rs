@@ -1,12 +1,13 @@
 //! Machines whose words no catalogue has, in Verilator against the golden machine: every output of every clock.
 
 use imogene_contract::MachineWords;
-use imogene_models::format::Format;
-use imogene_models::machine::fitted::FittedMachine;
-use imogene_models::prepare::{PreparedScene, prepare};
-use imogene_models::scene::SceneFile;
+use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedMachine;
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
+use imogene_scene::SceneFile;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, fitted};
@@ -60,7 +61,7 @@ fn prepared(index: usize) -> (PreparedScene, FittedMachine) {
         ..widest
     };
     let prepared = prepare(&framed, Format::fitted(&widths).unwrap()).unwrap();
-    let machine = FittedMachine::of(&prepared, rows);
+    let machine = prepared.fitted_machine(rows);
     (prepared, machine)
 }
 
@@ -95,7 +96,7 @@ fn machines_of_any_words_are_the_golden_machine() {
             MACHINES[index], report.first_mismatches
         );
         assert_eq!(report.pixels, u64::from(SIZE.0 * SIZE.1));
-        let seen = imogene_models::machine::beam::render(
+        let seen = imogene_golden::machine::beam::render(
             &prepared.slots(),
             &prepared.format,
             SIZE.0 as usize,

@@ -1,11 +1,12 @@
 //! Machines with a screen: the pins on every clock, and the pixels of their streams.
 
-use imogene_models::machine::description::{MachineDescription, Output, Smoothing, ZoneSize};
-use imogene_models::machine::display::{Image, image};
-use imogene_models::machine::overlay::OverlayPlane;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::SceneFile;
-use imogene_models::slots::{Slots, parse};
+use imogene_golden::machine::overlay::OverlayPlane;
+use imogene_golden::slots::{Slots, parse};
+use imogene_plan::description::{MachineDescription, Output, Smoothing, ZoneSize};
+use imogene_plan::display::{Image, image};
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::SceneFile;
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
 use imogene_verif::engine::design::Simulator;

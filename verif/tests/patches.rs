@@ -1,9 +1,9 @@
 //! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the planes.
 
 use imogene_contract::{Request, Unit};
-use imogene_models::format::Format;
-use imogene_models::unit::cut_plane::{PlaneKind, cut};
-use imogene_models::unit::interval::{Class, Interval, halves};
+use imogene_golden::format::Format;
+use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::interval::{Class, Interval, halves};
 use imogene_verif::unit::subject;
 
 const KINDS: [PlaneKind; 4] = [

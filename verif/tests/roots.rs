@@ -4,8 +4,8 @@
 use imogene_circuits::arith::{
     square_root_leading, square_root_linear, square_root_quadratic, square_root_rows,
 };
+use imogene_golden::unit::root::{Method, root};
 use imogene_hdl::{Bits, Value};
-use imogene_models::unit::root::{Method, root};
 use imogene_verif::engine::circuit::Circuit;
 
 /// Small radicands, and those about the squares and powers of two of each length.

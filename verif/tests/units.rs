@@ -2,7 +2,7 @@
 //! their seeds.
 
 use imogene_contract::{Request, Unit};
-use imogene_models::format::Format;
+use imogene_golden::format::Format;
 use imogene_verif::unit::{subject, units};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -145,7 +145,7 @@ fn other_processors_with_every_number_of_planes_and_sides() {
 /// The hardware's latency and the golden model's are stated by two crates that do not know each other.
 #[test]
 fn both_sides_state_the_same_latency() {
-    use imogene_models::object::{
+    use imogene_golden::object::{
         curved_facet, cylinder, facet, first_generation, patch, polyhedron, quadric, sphere, volume,
     };
     for depth_word in Format::CATALOGUE {

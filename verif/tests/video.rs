@@ -3,9 +3,9 @@
 use imogene_circuits::video::{Queue, pixel_fifo, video_timing};
 use imogene_contract::video::{Span, VideoMode};
 use imogene_contract::{Request, Unit};
+use imogene_golden::machine::post_filter::Kernel;
+use imogene_golden::machine::video_timing as golden;
 use imogene_hdl::{Bits, Value};
-use imogene_models::machine::post_filter::Kernel;
-use imogene_models::machine::video_timing as golden;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
 use imogene_verif::subject::{Hardware, Subject};

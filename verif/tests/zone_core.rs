@@ -1,13 +1,14 @@
 //! The deciding part of the zone machine against its golden model, on scenes.
 
-use imogene_models::format::Format;
-use imogene_models::machine::zone::ZoneMachine;
-use imogene_models::machine::zone::clocks::clocks;
-use imogene_models::machine::zone::golden::ZoneMachineModel;
-use imogene_models::machine::zone::plan::ZonePlan;
-use imogene_models::machine::zone::stream::Beat;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::SceneFile;
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::machine::zone::beat::Beat;
+use imogene_golden::machine::zone::golden::ZoneMachineModel;
+use imogene_plan::zone::clocks::clocks;
+use imogene_plan::zone::plan::ZonePlan;
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::SceneFile;
 use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::display::zone_core::{CoreRun, run};

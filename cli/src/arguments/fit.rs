@@ -2,7 +2,7 @@
 
 use super::Size;
 use clap::{Args, ValueEnum};
-use imogene_models::fit::budget::{Budget, CountLimit, DepthLimit};
+use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use std::path::PathBuf;
 
 /// Arguments of `fit`.

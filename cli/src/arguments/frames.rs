@@ -1,6 +1,6 @@
 //! A range of frames as written on the command line.
 
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;

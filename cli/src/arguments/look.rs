@@ -1,7 +1,7 @@
 //! Another look at a scene, without editing it.
 
 use clap::{Args, ValueEnum};
-use imogene_models::scene::{Look, Side};
+use imogene_scene::{Look, Side};
 
 /// Options of another look at a scene.
 #[derive(Clone, Debug, Default, Args)]

@@ -2,7 +2,7 @@
 
 use super::{EngineName, FrameRange};
 use clap::{Args, ValueEnum};
-use imogene_models::machine::zone::refine::Refinement;
+use imogene_plan::zone::refine::Refinement;
 use std::path::PathBuf;
 
 /// Arguments of `machine`.

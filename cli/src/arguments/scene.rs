@@ -3,8 +3,9 @@
 use super::{FrameRange, LookOptions, Split, depth_word};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
-use imogene_models::format::{FittedError, Format};
-use imogene_models::widths::{self, WidthsError};
+use imogene_golden::format::{FittedError, Format};
+use imogene_golden::widths;
+use imogene_golden::widths::WidthsError;
 use std::path::PathBuf;
 use std::str::FromStr;
 

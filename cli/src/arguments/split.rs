@@ -1,7 +1,7 @@
 //! Arguments of `render` for a picture that several workers draw.
 
 use clap::Args;
-use imogene_models::machine::split::Division;
+use imogene_plan::split::Division;
 
 /// Arguments of a divided picture.
 #[derive(Clone, Copy, Debug, Args)]

@@ -2,7 +2,7 @@
 
 use super::Size;
 use clap::{Args, ValueEnum};
-use imogene_models::trade::run::Shard;
+use imogene_studies::trade::run::Shard;
 use std::path::PathBuf;
 use std::str::FromStr;
 

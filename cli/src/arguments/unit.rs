@@ -4,8 +4,9 @@ use super::{Widths, depth_word};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use imogene_contract::parameters::{PARAMETERS, Parameter};
 use imogene_contract::{Request, RequestError};
-use imogene_models::machine::fitted::FittedSlot;
-use imogene_models::slots::{self, SlotsError};
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::slots;
+use imogene_golden::slots::SlotsError;
 use std::path::PathBuf;
 use std::str::FromStr;
 

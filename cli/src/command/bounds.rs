@@ -5,11 +5,12 @@ use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
 use crate::molecules;
 use crate::output;
-use imogene_models::check::headroom::{Headroom, Summary, headroom, summaries};
-use imogene_models::check::trial::{self, FORMATS, Term, TrialReport};
-use imogene_models::format::Format;
-use imogene_models::scene::SceneFile;
-use imogene_models::text::counted;
+use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries};
+use imogene_golden::format::Format;
+use imogene_scene::SceneFile;
+use imogene_studies::text::counted;
+use imogene_studies::trial;
+use imogene_studies::trial::{FORMATS, Term, TrialReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -227,7 +228,7 @@ fn bits(confirmed: Option<i32>, errors_with_one_less: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::check::trial::Violation;
+    use imogene_studies::trial::Violation;
 
     #[test]
     fn an_error_beyond_its_bound_fails_the_check_and_is_named() {

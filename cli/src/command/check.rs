@@ -4,10 +4,10 @@ use super::load_scene;
 use crate::arguments::Check;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::{
+use imogene_analysis::bounds::{
     Accumulators, CheckReport, ObjectReport, PartsReport, QuadricReport, Summary, check,
 };
-use imogene_models::picture;
+use imogene_studies::picture;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ struct Output<'a> {
     report: &'a CheckReport,
     files: &'a [PathBuf],
 }
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {

@@ -6,7 +6,7 @@ use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
-use imogene_models::prepare::PreparedScene;
+use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::BUILT_IN;

@@ -6,10 +6,10 @@ use super::{describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
+use imogene_analysis::phong;
 use imogene_contract::{Request, Unit};
-use imogene_models::machine::shading;
-use imogene_models::picture;
-use imogene_models::scene::SceneFile;
+use imogene_scene::SceneFile;
+use imogene_studies::picture;
 use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
@@ -78,7 +78,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
         let path = options.out.join(name);
         let lighting = golden_lighting(frame, &prepared);
-        let rgb = shading::shade(frame, &lighting, &framed, &prepared.format);
+        let rgb = phong::shade(frame, &lighting, &framed, &prepared.format);
         files.add(&path, |out| {
             picture::png(out, frame.width, frame.height, &rgb)
         })?;

@@ -3,14 +3,14 @@
 use crate::arguments::Evaluate;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::evaluate::{
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_package::processors::processors;
+use imogene_rtl::emit::machine::ZONE_BITS;
+use imogene_studies::evaluate::{
     Evaluation, Hardware, MACHINE_PLANES, MACHINE_PROCESSORS, Parts, duplication_plot, evaluate,
     markdown, operations_plot, page,
 };
-use imogene_models::format::Format;
-use imogene_models::machine::zone::ZoneMachine;
-use imogene_package::processors::processors;
-use imogene_rtl::emit::machine::ZONE_BITS;
 use imogene_verif::display::request::{core_request, zone_timing};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -70,7 +70,8 @@ fn hardware() -> Result<Hardware, Failure> {
 }
 
 fn write(folder: &Path, evaluation: &Evaluation) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |error: imogene_models::evaluate::EvaluateError| Failure::Check(error.to_string());
+    let failed =
+        |error: imogene_studies::evaluate::EvaluateError| Failure::Check(error.to_string());
     let figures = output::json_text(evaluation);
     let texts = [
         (

@@ -4,7 +4,7 @@ use crate::arguments::{Fitted, Widths};
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::{Request, Unit};
-use imogene_models::machine::fitted::FittedMachine;
+use imogene_golden::machine::fitted::FittedMachine;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_synth::Target;

@@ -4,17 +4,17 @@ use super::load_scene;
 use crate::arguments::Prepare;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::object::load::load_words;
-use imogene_models::object::load_volume::load_volume;
-use imogene_models::object::quadric::{MAX_PLANES, ScreenBox};
-use imogene_models::object::unused;
-use imogene_models::prepare::volume::PreparedVolume;
-use imogene_models::prepare::{PreparedObject, PreparedParts, PreparedQuadric};
-use imogene_models::rational::to_f64;
-use imogene_models::scene::FramedObject;
-use imogene_models::unit::cut_plane::PlaneKind;
-use imogene_models::unit::pe1::Linear;
-use imogene_models::unit::pe2::Quadratic;
+use imogene_algebra::rational::to_f64;
+use imogene_golden::object::load::load_words;
+use imogene_golden::object::load_volume::load_volume;
+use imogene_golden::object::quadric::{MAX_PLANES, ScreenBox};
+use imogene_golden::object::unused;
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_prepare::volume::PreparedVolume;
+use imogene_prepare::{PreparedObject, PreparedParts, PreparedQuadric};
+use imogene_scene::FramedObject;
 use serde_json::{Value, json};
 
 /// Shows the coefficient words of every object.

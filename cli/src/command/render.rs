@@ -8,17 +8,19 @@ use super::{frame_in, load_seen, looked, read_scene, threads, verdict};
 use crate::arguments::{Model, Render, Scene};
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::{Failing, failing};
-use imogene_models::machine::frame::Frame;
-use imogene_models::machine::lighting::Lighting;
-use imogene_models::machine::split::Division;
-use imogene_models::machine::{beam, shading};
-use imogene_models::metrics::Drawing;
-use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::{Absent, FramedScene, FramedSource, RangeReport};
-use imogene_models::text::counted;
-use imogene_models::trade::measure::zones;
-use imogene_models::{exact, picture};
+use imogene_analysis::bounds::{Failing, failing};
+use imogene_analysis::exact;
+use imogene_analysis::metrics::Drawing;
+use imogene_analysis::phong;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_plan::split::Division;
+use imogene_prepare::PreparedScene;
+use imogene_scene::{Absent, FramedScene, FramedSource, RangeReport};
+use imogene_studies::picture;
+use imogene_studies::text::counted;
+use imogene_studies::trade::measure::zones;
 use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots};
@@ -76,7 +78,7 @@ pub fn run(options: &Render, json: bool) -> Result<(), Failure> {
     let (frame, lighting) = draw(options, &framed, &prepared)?;
     let rgb = match again {
         Some((count, file)) => samples::colours(options, &file, count)?,
-        None => shading::shade(&frame, &lighting, &framed, &prepared.format),
+        None => phong::shade(&frame, &lighting, &framed, &prepared.format),
     };
     let seconds = started.elapsed().as_secs_f64();
     let files = write(options, &frame, &rgb)?;
@@ -160,7 +162,7 @@ fn zoned(
     let frame = Drawing::in_zones(&zones, framed).frame;
     let lighting = golden_lighting(&frame, prepared);
     let seconds = started.elapsed().as_secs_f64();
-    let rgb = shading::shade(&frame, &lighting, framed, &prepared.format);
+    let rgb = phong::shade(&frame, &lighting, framed, &prepared.format);
     let files = write(options, &frame, &rgb)?;
     report(
         RenderReport {
@@ -194,7 +196,7 @@ fn divided(
     let started = Instant::now();
     let (divided, split) = split::draw(options, division, prepared)?;
     let seconds = started.elapsed().as_secs_f64();
-    let rgb = shading::shade(&divided.frame, &divided.lighting, framed, &prepared.format);
+    let rgb = phong::shade(&divided.frame, &divided.lighting, framed, &prepared.format);
     let files = write(options, &divided.frame, &rgb)?;
     report(
         RenderReport {
@@ -283,7 +285,7 @@ fn exact_lighting(framed: &FramedScene, frame: &Frame) -> Lighting {
 /// What the golden volumes leave of the sources of a frame.
 pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
     let bar = output::progress(u64::from(prepared.height), "shadow and light volumes");
-    let lighting = Lighting::of(frame, prepared, || bar.inc(1));
+    let lighting = prepared.light(frame, || bar.inc(1));
     bar.finish_and_clear();
     lighting
 }

@@ -4,14 +4,14 @@ use super::{load_scene, render::golden_lighting};
 use crate::arguments::Repair;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::exact::render::{render, to_frame};
-use imogene_models::machine::shading;
-use imogene_models::picture;
-use imogene_models::prepare::PreparedScene;
-use imogene_models::scene::FramedScene;
-use imogene_models::text::counted;
+use imogene_analysis::exact::render::{render, to_frame};
+use imogene_analysis::phong;
 use imogene_oracle::paint;
 use imogene_oracle::repair::{RepairReport, Repaired, differing_faces, repair};
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
+use imogene_studies::picture;
+use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -95,7 +95,7 @@ fn write(
     let frame = &repaired.frame;
     if let Some(path) = &options.output {
         let lighting = golden_lighting(frame, prepared);
-        let rgb = shading::shade(frame, &lighting, framed, &prepared.format);
+        let rgb = phong::shade(frame, &lighting, framed, &prepared.format);
         files.add(path, |out| {
             picture::png(out, frame.width, frame.height, &rgb)
         })?;

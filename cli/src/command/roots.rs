@@ -3,8 +3,8 @@
 use crate::arguments::Roots;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::format::Format;
-use imogene_models::unit::root::measure::{RootRow, table};
+use imogene_golden::format::Format;
+use imogene_studies::root_errors::{RootRow, table};
 
 const HEAD: &str = "\
 | member | max % | mean % | max lsb | mean lsb | rms lsb | monotone | largest step | sphere max px | sphere mean px | adder cells | multipliers | shifters | latency | clocks per result |

@@ -3,8 +3,8 @@
 use crate::arguments::Shading;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::check::shading::{ShadingErrors, errors};
-use imogene_models::machine::shader::ShaderWidths;
+use imogene_golden::machine::shader::ShaderWidths;
+use imogene_studies::shading_trial::{ShadingErrors, errors};
 use serde::Serialize;
 
 const HEAD: &str = "\

@@ -3,8 +3,9 @@
 use crate::arguments;
 use crate::failure::Failure;
 use crate::output;
-use imogene_models::format::Format;
-use imogene_models::sweep::{self, Sweep, SweepResult, heading, markdown, plot, section};
+use imogene_golden::format::Format;
+use imogene_studies::sweep;
+use imogene_studies::sweep::{Sweep, SweepResult, heading, markdown, plot, section};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

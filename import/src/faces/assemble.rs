@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::model::{Edge, Face, Model, Solid, Up};
 use super::surface::Surface;
 use super::vector::{Vector, distance};
-use imogene_models::scene::Material;
+use imogene_scene::Material;
 
 /// Least diagonal of the box around a part, scene units.
 pub const SMALLEST_PART: f64 = 1e-6;

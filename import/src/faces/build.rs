@@ -8,7 +8,7 @@ use super::model::{Edge, EdgeUse, Face, Model, Solid, Up};
 use super::surface::Surface;
 use super::vector::{Vector, distance};
 use crate::{ImportError, Place};
-use imogene_models::scene::Material;
+use imogene_scene::Material;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use toml::Spanned;

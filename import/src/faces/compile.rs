@@ -15,7 +15,7 @@ use super::vector::{
     Vector, across, along, cross, distance, dot, length, minus, onto_plane, plus, positive_angle,
     times, unit,
 };
-use imogene_models::scene::MAX_CUTS;
+use imogene_scene::MAX_CUTS;
 use std::f64::consts::{PI, TAU};
 
 /// What became of a face.

@@ -1,6 +1,6 @@
 //! The words of a face list. `docs/cad-faces.md` is its user's page.
 
-use imogene_models::scene::Material;
+use imogene_scene::Material;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;

@@ -47,7 +47,7 @@ pub use surface::{Implicit, Surface};
 
 use crate::{ImportError, Imported, Place};
 use courses::Courses;
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use model::Model;
 use words::with_article;
 

@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::surface::Surface;
 use super::vector::{Vector, plus, times};
-use imogene_models::scene::Material;
+use imogene_scene::Material;
 
 /// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number
 /// of 15.

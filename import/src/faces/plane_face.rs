@@ -15,7 +15,7 @@ use super::slabs::{Band, Slabs};
 use super::surface::Surface;
 use super::terms::{Rules, terms};
 use super::vector::{Vector, along, distance, dot, minus};
-use imogene_models::scene::MAX_CUTS;
+use imogene_scene::MAX_CUTS;
 
 /// Cut planes that are left beside the two of the face itself.
 pub const SIDES: usize = MAX_CUTS - 2;

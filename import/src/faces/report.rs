@@ -4,7 +4,7 @@ use super::compile::Verdict;
 use super::courses::Courses;
 use super::model::Model;
 use super::scene::Compilation;
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -4,9 +4,10 @@ use super::compile::{Cell, Compiled};
 use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
 use super::vector::{Vector, along, cross, unit};
-use imogene_models::format::Format;
-use imogene_models::prepare::{Options, refused};
-use imogene_models::scene::{
+use imogene_golden::format::Format;
+use imogene_prepare::Framing;
+use imogene_prepare::{Options, refused};
+use imogene_scene::{
     Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
     fitting_from,
 };

@@ -12,7 +12,7 @@ use super::model::{COINCIDENT, Model, border};
 use super::planes::Planes;
 use super::surface::{Implicit, Surface};
 use super::vector::{Vector, dot, minus};
-use imogene_models::scene::MAX_CUTS;
+use imogene_scene::MAX_CUTS;
 
 /// The half-spaces of a solid.
 struct Body {

@@ -1,6 +1,6 @@
 //! A camera that sees a whole set of balls.
 
-use imogene_models::scene::{Body, Camera, ImageSize, Node, fitting_from};
+use imogene_scene::{Body, Camera, ImageSize, Node, fitting_from};
 
 /// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper
 /// than a third of the distance.

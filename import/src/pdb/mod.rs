@@ -27,7 +27,7 @@ pub use report::Contents;
 
 use crate::Imported;
 use crate::error::ImportError;
-use imogene_models::scene::{Molecule, SceneFile};
+use imogene_scene::{Molecule, SceneFile};
 use structure::{Structure, unusable};
 
 /// The formats of structures.

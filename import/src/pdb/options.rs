@@ -1,6 +1,6 @@
 //! What of a structure is drawn, and how: for callers, for the command line and for scenes that name a structure.
 
-use imogene_models::scene::Molecule;
+use imogene_scene::Molecule;
 use std::fmt;
 use std::str::FromStr;
 

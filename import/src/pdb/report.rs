@@ -5,7 +5,7 @@ use super::choose::{Chosen, LeftOut};
 use super::options::Options;
 use super::scene::Drawn;
 use super::structure::{Remark, Structure, listed};
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};

@@ -8,7 +8,7 @@ use super::options::{Colouring, Options, Style};
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::ImportError;
-use imogene_models::scene::{
+use imogene_scene::{
     Axis, Cut, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
 };
 use std::collections::HashMap;

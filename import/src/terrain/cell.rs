@@ -3,8 +3,8 @@
 use super::exact::proportional;
 use super::grid::{Corners, is_plane, twist};
 use super::ruled::ruled_pieces;
-use imogene_models::rational::integer;
-use imogene_models::scene::{Cut, Mesh};
+use imogene_algebra::rational::integer;
+use imogene_scene::{Cut, Mesh};
 use num_rational::BigRational;
 
 /// What a cell is drawn as.
@@ -107,8 +107,8 @@ pub fn facets(z: &[[f64; 2]; 2], plane: bool) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::rational::{fraction, from_decimal};
-    use imogene_models::scene::{Quadric, Shape};
+    use imogene_algebra::rational::{fraction, from_decimal};
+    use imogene_scene::{Quadric, Shape};
     use num_traits::Zero;
 
     fn corners() -> Corners {

@@ -1,6 +1,6 @@
 //! Exact numbers as the decimals of a scene file, which reads them back without loss.
 
-use imogene_models::rational::{from_decimal, to_f64};
+use imogene_algebra::rational::{from_decimal, to_f64};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -44,7 +44,7 @@ fn whole<const N: usize>(values: [&BigRational; N]) -> [BigInt; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::rational::fraction;
+    use imogene_algebra::rational::fraction;
     use proptest::prelude::*;
 
     proptest! {

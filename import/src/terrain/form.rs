@@ -4,9 +4,10 @@ use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
 use super::map::{Map, VIEW, unusable};
 use crate::ImportError;
-use imogene_models::format::Format;
-use imogene_models::prepare::{Options, refused};
-use imogene_models::rational::{from_decimal, to_f64};
+use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_golden::format::Format;
+use imogene_prepare::Framing;
+use imogene_prepare::{Options, refused};
 
 /// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
 const FLAT: f64 = 0.5;

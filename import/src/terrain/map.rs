@@ -4,8 +4,8 @@ use super::grid::HeightGrid;
 use super::objects::BANDS;
 use super::options::TerrainOptions;
 use crate::ImportError;
-use imogene_models::rational::{fraction, from_decimal, integer, to_f64};
-use imogene_models::scene::{Camera, ImageSize, Light, Material, Node, SceneFile};
+use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
+use imogene_scene::{Camera, ImageSize, Light, Material, Node, SceneFile};
 use num_rational::BigRational;
 
 /// Height of the picture at the distance of the screen plane, in viewer distances.

@@ -6,8 +6,8 @@ use super::form::{Cell, Form};
 use super::grid::is_plane;
 use super::map::{Map, unusable};
 use crate::ImportError;
-use imogene_models::rational::{from_decimal, to_f64};
-use imogene_models::scene::{Object, Scale, Shape, Step, Surface};
+use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_scene::{Object, Scale, Shape, Step, Surface};
 
 /// Colours of altitudes, lowest first, as on a map.
 pub(super) const BANDS: [[f64; 3]; 7] = [

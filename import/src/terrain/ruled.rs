@@ -7,8 +7,8 @@
 use super::cell::{Edge, Piece, surface};
 use super::exact::proportional;
 use super::grid::{Corners, twist};
-use imogene_models::rational::{fraction, integer};
-use imogene_models::scene::Cut;
+use imogene_algebra::rational::{fraction, integer};
+use imogene_scene::Cut;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -178,8 +178,8 @@ fn oriented(factors: [BigRational; 7], z: &Corners) -> [BigRational; 7] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_models::rational::from_decimal;
-    use imogene_models::scene::{Quadric, Shape};
+    use imogene_algebra::rational::from_decimal;
+    use imogene_scene::{Quadric, Shape};
     use proptest::prelude::*;
 
     fn quadric(piece: &Piece) -> Quadric {

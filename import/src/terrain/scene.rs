@@ -5,7 +5,7 @@ use super::grid::HeightGrid;
 use super::map::{Map, unusable};
 use super::options::{Region, TerrainOptions};
 use crate::{ImportError, Imported};
-use imogene_models::scene::SceneFile;
+use imogene_scene::SceneFile;
 use serde_json::json;
 
 /// Most cells of a scene.
@@ -134,8 +134,8 @@ mod tests {
     use crate::terrain::cell::{Cells, Edge};
     use crate::terrain::objects::SEAM;
     use crate::terrain::read;
-    use imogene_models::rational::{fraction, integer};
-    use imogene_models::scene::{Object, Quadric};
+    use imogene_algebra::rational::{fraction, integer};
+    use imogene_scene::{Object, Quadric};
 
     const HILLS: &str = "step 60 90\n10 20 30 20\n15 40.5 60 20\n10 30 - 10\n";
 

@@ -3,7 +3,7 @@
 // Not every file of tests uses all of it.
 #![allow(dead_code)]
 
-use imogene_models::scene::SceneFile;
+use imogene_scene::SceneFile;
 use std::path::{Path, PathBuf};
 
 /// Ten units from the origin, the screen plane through it, ten pixels to the unit.

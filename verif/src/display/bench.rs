@@ -1,10 +1,10 @@
 //! The files with which a test bench of a user's own drives a machine: beats, shading words, expected pixels, their
 //! description, and a bench that is ready to run.
 
-use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
-use imogene_models::machine::display::Image;
-use imogene_models::machine::overlay::OverlayPlane;
-use imogene_models::machine::zone::stream::{Beat, kind};
+use imogene_golden::machine::overlay::OverlayPlane;
+use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_plan::description::{MachineDescription, MachineKind, Output};
+use imogene_plan::display::Image;
 use minijinja::{Environment, context};
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -4,7 +4,7 @@ use super::Machine;
 use super::pins::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
 use super::zone_core::offer;
-use imogene_models::machine::display::Image;
+use imogene_plan::display::Image;
 
 /// The host: the words of the images, one beat after the other.
 pub(super) struct Host<'a> {

@@ -5,10 +5,10 @@ use super::request::request;
 use super::stream;
 use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
-use imogene_models::machine::description::{MachineDescription, MachineKind, Output};
-use imogene_models::machine::display::Image;
-use imogene_models::machine::overlay::OverlayPlane;
-use imogene_models::machine::video_timing::{Shown, VideoTiming};
+use imogene_golden::machine::overlay::OverlayPlane;
+use imogene_golden::machine::video_timing::{Shown, VideoTiming};
+use imogene_plan::description::{MachineDescription, MachineKind, Output};
+use imogene_plan::display::Image;
 use std::collections::VecDeque;
 use std::time::Instant;
 

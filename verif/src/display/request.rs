@@ -3,10 +3,11 @@
 use crate::engine::slots_of;
 use imogene_contract::RequestError;
 use imogene_contract::video::VideoMode;
-use imogene_models::format::Format;
-use imogene_models::machine::description::{self, MachineDescription, MachineKind, Smoothing};
-use imogene_models::machine::zone::ZoneMachine;
-use imogene_models::machine::zone::clocks::ZoneTiming;
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_plan::description;
+use imogene_plan::description::{MachineDescription, MachineKind, Smoothing};
+use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, ZoneShape};
 
 /// The request for the machine of a description; `command` is stated in the header of its Verilog.

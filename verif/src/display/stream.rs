@@ -6,8 +6,8 @@ use super::request::request;
 use super::stalls::Stalls;
 use super::{DisplayError, Machine};
 use crate::report::Mismatch;
-use imogene_models::machine::description::{MachineDescription, MachineKind};
-use imogene_models::machine::display::Image;
+use imogene_plan::description::{MachineDescription, MachineKind};
+use imogene_plan::display::Image;
 use std::time::Instant;
 
 /// Clocks without a pixel after which a machine is given up.

@@ -4,10 +4,10 @@ use super::request::core_request;
 use super::stalls::Stalls;
 use super::{DisplayEngine, DisplayError, Machine};
 use crate::report::{Mismatch, Report};
-use imogene_models::format::Format;
-use imogene_models::machine::zone::ZoneMachine;
-use imogene_models::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
-use imogene_models::machine::zone::stream::Beat;
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::machine::zone::beat::Beat;
+use imogene_golden::machine::zone::golden::{ShownPixel, StreamError, ZoneMachineModel};
 use std::time::Instant;
 
 /// Puts a beat on the command stream of a machine, or none.

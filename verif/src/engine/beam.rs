@@ -4,7 +4,7 @@ use super::design::{Design, DesignError, Instance, Simulator, Source};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
 use imogene_contract::RequestError;
-use imogene_models::object::load::LoadWord;
+use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use thiserror::Error;

@@ -3,7 +3,7 @@
 use super::circuit::Circuit;
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_contract::RequestError;
-use imogene_models::object::load::LoadWord;
+use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::machine::MachineRequest;
 use std::array::from_fn;
 

@@ -13,9 +13,9 @@ pub mod verilator;
 
 use crate::signal::Signal;
 use imogene_contract::MachineWords;
-use imogene_models::format::Format;
-use imogene_models::machine::fitted::FittedSlot;
-use imogene_models::object::load::LoadWord;
+use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::machine::{MachineRequest, Slot};
 
 /// Name of the engine in process, the simulator of `imogene-hdl`, in options and reports.

@@ -2,7 +2,7 @@
 
 use crate::random;
 use crate::subject::{Inputs, Subject};
-use imogene_models::picture::WriteError;
+use imogene_studies::picture::WriteError;
 use serde::Serialize;
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -15,10 +15,11 @@ use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
 use imogene_contract::{Request, Unit};
-use imogene_models::format::Format;
-use imogene_models::machine::beam::render;
-use imogene_models::prepare::prepare;
-use imogene_models::scene::{FramedScene, SceneFile};
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam::render;
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::{FramedScene, SceneFile};
 use pictures::Pictures;
 use serde::Serialize;
 

@@ -1,10 +1,10 @@
 //! The picture that the hardware drew beside the exact one.
 
-use imogene_models::check::{check, depth_bound, undecided_pixels};
-use imogene_models::exact::render::{DEPTH_FRACTION, ExactPixel, render};
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::{PreparedObject, PreparedScene};
-use imogene_models::scene::FramedScene;
+use imogene_analysis::bounds::{check, depth_bound, undecided_pixels};
+use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel, render};
+use imogene_golden::machine::frame::Frame;
+use imogene_prepare::{PreparedObject, PreparedScene};
+use imogene_scene::FramedScene;
 
 /// A scene, drawn twice.
 pub struct Pictures {

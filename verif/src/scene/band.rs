@@ -6,11 +6,11 @@ use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSi
 use crate::report::{Mismatch, Report};
 use crate::signal::{Delay, Signal};
 use crate::trace::{Group, Sample, Trace};
-use imogene_models::machine::decider::Visible;
-use imogene_models::machine::frame::Frame;
-use imogene_models::object::load::{LoadWord, load_words};
-use imogene_models::object::quadric::QuadricWords;
-use imogene_models::prepare::PreparedScene;
+use imogene_golden::machine::decider::Visible;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::load::{LoadWord, load_words};
+use imogene_golden::object::quadric::QuadricWords;
+use imogene_prepare::PreparedScene;
 use std::ops::Range;
 
 /// Clocks recorded after the first mismatch, when that lies beyond the window asked for.

@@ -5,9 +5,9 @@ use crate::engine::beam::{BeamDesign, BeamError};
 use crate::engine::design::Simulator;
 use crate::engine::{Engine, MachineOutputs, slots_of};
 use crate::report::Report;
-use imogene_models::machine::fitted::FittedMachine;
-use imogene_models::machine::frame::Frame;
-use imogene_models::prepare::PreparedScene;
+use imogene_golden::machine::fitted::FittedMachine;
+use imogene_golden::machine::frame::Frame;
+use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::MachineRequest;
 

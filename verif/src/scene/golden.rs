@@ -1,8 +1,8 @@
 //! The golden machine pixel by pixel, with the values inside its processors.
 
-use imogene_models::format::Format;
-use imogene_models::machine::decider::{Visible, decide};
-use imogene_models::object::quadric::{Probe, QuadricProcessor, QuadricWords};
+use imogene_golden::format::Format;
+use imogene_golden::machine::decider::{Visible, decide};
+use imogene_golden::object::quadric::{Probe, QuadricProcessor, QuadricWords};
 
 /// All objects of a machine over one zone.
 pub(super) struct GoldenMachine {

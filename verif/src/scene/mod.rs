@@ -14,9 +14,9 @@ use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
 use band::{Band, Part};
-use imogene_models::machine::frame::Frame;
-use imogene_models::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
-use imogene_models::prepare::{PreparedObject, PreparedScene};
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
+use imogene_prepare::{PreparedObject, PreparedScene};
 use std::time::Instant;
 use thiserror::Error;
 
@@ -154,7 +154,8 @@ fn quadric_words(scene: &PreparedScene) -> Result<Vec<&QuadricWords>, CosimError
 
 /// Latency in clocks from `go` to the first pixel of a machine.
 pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
-    use imogene_models::{machine::decider, object::quadric};
+    use imogene_golden::machine::decider;
+    use imogene_golden::object::quadric;
     1 + quadric::latency(&scene.format, shape.planes, shape.rows_per_stage as u32)
         + decider::latency(shape.objects)
 }

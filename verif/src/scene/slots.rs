@@ -9,11 +9,11 @@ use crate::report::{Mismatch, Report};
 use crate::subject::{Inputs, Subject};
 use crate::trace::Sample;
 use crate::unit::words::{Loaded, processor};
-use imogene_models::format::Format;
-use imogene_models::machine::beam::render;
-use imogene_models::machine::frame::Frame;
-use imogene_models::object::slot::{ProcessorWords, Slot};
-use imogene_models::prepare::PreparedScene;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam::render;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_prepare::PreparedScene;
 use rayon::prelude::*;
 use std::time::Instant;
 

@@ -6,10 +6,10 @@ use crate::report::{Mismatch, Report};
 use crate::subject::{Inputs, Subject};
 use crate::trace::Sample;
 use crate::unit::words::{Loaded, volume};
-use imogene_models::machine::frame::Frame;
-use imogene_models::machine::lighting::{ALL_SOURCES, Lighting};
-use imogene_models::object::volume::{VolumeKind, VolumeWords};
-use imogene_models::prepare::PreparedScene;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
+use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_prepare::PreparedScene;
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -59,12 +59,7 @@ pub fn run(
         report.absorb(part);
         job.apply(&inside, &mut flags);
     }
-    compare_flags(
-        &flags,
-        &Lighting::of(frame, scene, || ()),
-        frame,
-        &mut report,
-    );
+    compare_flags(&flags, &scene.light(frame, || ()), frame, &mut report);
     report.timed(started.elapsed().as_secs_f64());
     Ok(report)
 }

@@ -5,7 +5,7 @@ use crate::subject::Subject;
 use crate::unit::subject;
 use crate::unit::words::Loaded;
 use imogene_contract::{Request, RequestError};
-use imogene_models::object::quadric::ScreenBox;
+use imogene_golden::object::quadric::ScreenBox;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use thiserror::Error;

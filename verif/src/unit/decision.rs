@@ -4,9 +4,9 @@ use super::Description;
 use super::Late;
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::decider::{Visible, decide, latency};
-use imogene_models::machine::skew::Skewed;
-use imogene_models::machine::{card_decider as cards, visibility_chain as chain};
+use imogene_golden::machine::decider::{Visible, decide, latency};
+use imogene_golden::machine::skew::Skewed;
+use imogene_golden::machine::{card_decider as cards, visibility_chain as chain};
 use proptest::prelude::*;
 
 /// Ports of one input or output.

@@ -4,12 +4,12 @@ use super::Description;
 use super::{Late, any_raster, bit};
 use crate::stimulus::{depth, interval};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::unit::cut_plane::{PlaneKind, cut};
-use imogene_models::unit::interval::{Class, Interval, halves};
-use imogene_models::unit::merge::merge;
-use imogene_models::unit::pe1::{Linear, Pe1};
-use imogene_models::unit::plane_depth::saturate;
+use imogene_golden::format::Format;
+use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::interval::{Class, Interval, halves};
+use imogene_golden::unit::merge::merge;
+use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::plane_depth::saturate;
 use proptest::prelude::*;
 
 fn flat(half: &Interval) -> [Option<i64>; 4] {

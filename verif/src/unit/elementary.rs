@@ -3,8 +3,8 @@
 use super::Description;
 use super::{any_raster, bit};
 use crate::subject::GoldenFn;
-use imogene_models::unit::pe1::{Linear, Pe1};
-use imogene_models::unit::pe2::{Pe2, Quadratic};
+use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::pe2::{Pe2, Quadratic};
 
 pub(super) fn pe1(width: u32) -> Description {
     Description {

@@ -3,9 +3,11 @@
 use super::Description;
 use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use crate::subject::{Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::curved_facet::{self, CurvedFacetProcessor, CurvedFacetWords};
-use imogene_models::object::facet::{self, FacetProcessor, FacetWords};
+use imogene_golden::format::Format;
+use imogene_golden::object::curved_facet;
+use imogene_golden::object::curved_facet::{CurvedFacetProcessor, CurvedFacetWords};
+use imogene_golden::object::facet;
+use imogene_golden::object::facet::{FacetProcessor, FacetWords};
 use proptest::prelude::*;
 
 impl Processor for FacetProcessor {

@@ -4,11 +4,11 @@ use super::patch::quadric_words;
 use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
 use super::{Description, bit};
 use crate::subject::{Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::first_generation::{
+use imogene_golden::format::Format;
+use imogene_golden::object::first_generation::{
     ContourPlane, FirstGenerationProcessor, FirstGenerationWords, latency,
 };
-use imogene_models::unit::interval::Class;
+use imogene_golden::unit::interval::Class;
 use proptest::prelude::*;
 
 impl Processor for FirstGenerationProcessor {

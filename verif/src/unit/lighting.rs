@@ -3,8 +3,8 @@
 use super::{Description, Late, bit};
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::shadow::{ShadowWords, flags, latency};
-use imogene_models::object::volume::VolumeKind;
+use imogene_golden::machine::shadow::{ShadowWords, flags, latency};
+use imogene_golden::object::volume::VolumeKind;
 use proptest::prelude::*;
 
 /// Ports of one volume.

@@ -6,10 +6,10 @@ use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_contract::{Request, Unit};
-use imogene_models::format::Format;
-use imogene_models::machine::decider::{Visible, decide, latency as tree_latency};
-use imogene_models::machine::raster::RasterControl;
-use imogene_models::object::quadric::{QuadricProcessor, latency};
+use imogene_golden::format::Format;
+use imogene_golden::machine::decider::{Visible, decide, latency as tree_latency};
+use imogene_golden::machine::raster::RasterControl;
+use imogene_golden::object::quadric::{QuadricProcessor, latency};
 use proptest::prelude::*;
 
 /// Words before those of the planes (`docs/architecture.md`, section 7).

@@ -3,9 +3,9 @@
 use super::{Description, bit};
 use crate::stimulus::word;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::unit::interlaced::MemoryPe2;
-use imogene_models::unit::pe2::Quadratic;
+use imogene_golden::format::Format;
+use imogene_golden::unit::interlaced::MemoryPe2;
+use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
 /// Where the ports stand.

@@ -32,8 +32,8 @@ use crate::engine::circuit::Circuit;
 use crate::signal::Signal;
 use crate::subject::{Golden, Inputs, Stimulus, Subject};
 use imogene_contract::{Request, RequestError, Unit};
+use imogene_golden::format::Format;
 use imogene_hdl::{Direction, Module, PortRecord};
-use imogene_models::format::Format;
 use imogene_rtl::emit::design;
 
 /// Units that the tests of all units run over: those that are not loaded over a bus, for which random stimulus would

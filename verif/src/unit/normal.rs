@@ -4,9 +4,9 @@ use super::Description;
 use super::{Late, bit};
 use crate::stimulus::{flags, word};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::unit::normal::{NormalWords, select};
-use imogene_models::unit::pe1::{Linear, Pe1};
+use imogene_golden::format::Format;
+use imogene_golden::unit::normal::{NormalWords, select};
+use imogene_golden::unit::pe1::{Linear, Pe1};
 use proptest::prelude::*;
 
 /// Where the ports begin, in their order.

@@ -6,12 +6,12 @@ use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values
 use super::{Late, bit};
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::patch::{PatchProcessor, latency};
-use imogene_models::object::quadric::{PlaneWords, QuadricWords};
-use imogene_models::unit::cut_plane::PlaneKind;
-use imogene_models::unit::interval::Class;
-use imogene_models::unit::patch_decider::{Faces, decide, kept, visible};
+use imogene_golden::format::Format;
+use imogene_golden::object::patch::{PatchProcessor, latency};
+use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::patch_decider::{Faces, decide, kept, visible};
 use proptest::prelude::*;
 
 /// How a plane lies, by its word.

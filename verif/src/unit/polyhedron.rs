@@ -4,11 +4,11 @@ use super::Description;
 use super::patch::{plane_kind, planes_any_kind};
 use super::zone::{Likely, Processor, Reader, Timing, golden, held, words};
 use crate::subject::{Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::polyhedron::{
+use imogene_golden::format::Format;
+use imogene_golden::object::polyhedron::{
     PolyhedronPixel, PolyhedronProcessor, PolyhedronWords, latency,
 };
-use imogene_models::object::quadric::PlaneWords;
+use imogene_golden::object::quadric::PlaneWords;
 use proptest::prelude::*;
 
 impl Processor for PolyhedronProcessor {

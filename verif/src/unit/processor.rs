@@ -7,13 +7,13 @@ use super::zone::{Processor, Timing, golden, held, object_values};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::quadric::{
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::{
     PlaneWords, QuadricProcessor as Golden, QuadricWords, ScreenBox, latency,
 };
-use imogene_models::unit::interval::Class;
-use imogene_models::unit::pe1::Linear;
-use imogene_models::unit::pe2::Quadratic;
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
 /// Where the ports begin, in their order.

@@ -2,9 +2,9 @@
 
 use super::{Description, any_raster, bit};
 use crate::subject::GoldenFn;
-use imogene_models::format::Format;
-use imogene_models::unit::pe2::PreconditionedWords;
-use imogene_models::unit::programmable::{Programmable, ProgrammableWords};
+use imogene_golden::format::Format;
+use imogene_golden::unit::pe2::PreconditionedWords;
+use imogene_golden::unit::programmable::{Programmable, ProgrammableWords};
 
 pub(super) fn programmable_pe(format: Format) -> Description {
     Description {

@@ -3,7 +3,7 @@
 use super::Description;
 use super::bit;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::raster::RasterControl;
+use imogene_golden::machine::raster::RasterControl;
 use proptest::prelude::*;
 
 pub(super) fn raster_control() -> Description {

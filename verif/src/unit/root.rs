@@ -4,10 +4,10 @@ use super::Description;
 use super::{Late, bit};
 use crate::stimulus::{radicand, raster};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::{Format, wrap64};
-use imogene_models::unit::pe1::{Linear, Pe1};
-use imogene_models::unit::pe2::{Pe2, Quadratic};
-use imogene_models::unit::root::restoring_root;
+use imogene_golden::format::{Format, wrap64};
+use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::pe2::{Pe2, Quadratic};
+use imogene_golden::unit::root::restoring_root;
 use proptest::strategy::{BoxedStrategy, Strategy};
 
 pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description {

@@ -4,9 +4,9 @@ use super::root::radicands;
 use super::{Description, Late, bit};
 use crate::stimulus::radicand;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::unit::root::iterative::IterativeRoot;
-use imogene_models::unit::root::{Method, root};
+use imogene_golden::format::Format;
+use imogene_golden::unit::root::iterative::IterativeRoot;
+use imogene_golden::unit::root::{Method, root};
 use proptest::prelude::*;
 
 pub(super) fn non_restoring(format: Format, rows_per_stage: usize) -> Description {

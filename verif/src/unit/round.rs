@@ -2,9 +2,11 @@
 
 use super::Description;
 use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
-use imogene_models::format::Format;
-use imogene_models::object::cylinder::{self, CylinderProcessor, CylinderWords};
-use imogene_models::object::sphere::{self, SphereProcessor, SphereWords};
+use imogene_golden::format::Format;
+use imogene_golden::object::cylinder;
+use imogene_golden::object::cylinder::{CylinderProcessor, CylinderWords};
+use imogene_golden::object::sphere;
+use imogene_golden::object::sphere::{SphereProcessor, SphereWords};
 
 impl Processor for SphereProcessor {
     fn line_step(&mut self) {

@@ -2,9 +2,9 @@
 
 use super::{Description, Late, bit};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::check::shading::sequence;
-use imogene_models::format::Format;
-use imogene_models::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
+use imogene_golden::format::Format;
+use imogene_golden::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
+use imogene_studies::shading_trial::sequence;
 use proptest::prelude::*;
 
 /// Where the ports stand, in their order.

@@ -3,9 +3,9 @@
 use super::{Description, Late};
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::machine::csg::{Primitive, Product, Shown, decide, latency, skew};
-use imogene_models::machine::skew::Skewed;
+use imogene_golden::format::Format;
+use imogene_golden::machine::csg::{Primitive, Product, Shown, decide, latency, skew};
+use imogene_golden::machine::skew::Skewed;
 use proptest::prelude::*;
 
 /// Ports of one object.

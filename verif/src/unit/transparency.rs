@@ -3,8 +3,8 @@
 use super::{Description, Late};
 use crate::stimulus::{depth, word};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::skew::Skewed;
-use imogene_models::machine::transparency::{
+use imogene_golden::machine::skew::Skewed;
+use imogene_golden::machine::transparency::{
     Layer, STAGE_LATENCY, Seen, latency, pipeline, stage, starts,
 };
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use super::{Description, bit};
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_contract::video::{LEAD, VideoMode};
-use imogene_models::machine::video_timing::{Shown, VideoTiming};
+use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use proptest::prelude::*;
 
 pub(super) fn video_timing(mode: usize) -> Description {

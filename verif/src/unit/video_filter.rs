@@ -2,9 +2,10 @@
 
 use super::{Description, Late, bit};
 use crate::subject::{GoldenFn, Inputs, Subject};
-use imogene_models::machine::accumulator::{self, Accumulator, PassPixel};
-use imogene_models::machine::overlay::{Covered, Overlay};
-use imogene_models::machine::post_filter::{FilterPixel, Kernel, PostFilter};
+use imogene_golden::machine::accumulator;
+use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
+use imogene_golden::machine::overlay::{Covered, Overlay};
+use imogene_golden::machine::post_filter::{FilterPixel, Kernel, PostFilter};
 use proptest::collection::vec as list;
 use proptest::prelude::*;
 

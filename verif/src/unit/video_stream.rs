@@ -4,8 +4,8 @@ use super::{Description, bit};
 use crate::signal::Delay;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_contract::video::LEAD;
-use imogene_models::machine::frame_store::{Arriving, FrameStore};
-use imogene_models::machine::pixel_fifo::PixelFifo;
+use imogene_golden::machine::frame_store::{Arriving, FrameStore};
+use imogene_golden::machine::pixel_fifo::PixelFifo;
 use proptest::prelude::*;
 
 /// Places of the queue of the catalogue.

@@ -5,12 +5,12 @@ use super::patch::{plane_kind, planes_any_kind};
 use super::zone::{Likely, Processor, Reader, Timing, WORDS, golden, held, words};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
-use imogene_models::format::Format;
-use imogene_models::object::volume::{
+use imogene_golden::format::Format;
+use imogene_golden::object::volume::{
     VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords, polyhedral_latency,
     quadric_latency,
 };
-use imogene_models::unit::interval::Class;
+use imogene_golden::unit::interval::Class;
 use proptest::prelude::*;
 
 /// The visible depth comes in before the words.

@@ -1,13 +1,13 @@
 //! From the words of a prepared object or volume to the ports of its processor.
 
 use imogene_contract::{Request, Unit};
-use imogene_models::format::{Format, wrap};
-use imogene_models::object::quadric::{QuadricWords, ScreenBox};
-use imogene_models::object::slot::ProcessorWords;
-use imogene_models::object::volume::VolumeWords;
-use imogene_models::unit::cut_plane::PlaneKind;
-use imogene_models::unit::pe1::Linear;
-use imogene_models::unit::pe2::Quadratic;
+use imogene_golden::format::{Format, wrap};
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::volume::VolumeWords;
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
 
 /// A processor with the words of a zone on its ports.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,9 +4,9 @@ use super::{Late, bit};
 use crate::signal::{Delay, Signal};
 use crate::stimulus::word;
 use crate::subject::{Golden, GoldenFn, Inputs};
-use imogene_models::object::quadric::{ObjectPixel, ScreenBox};
-use imogene_models::unit::pe1::Linear;
-use imogene_models::unit::pe2::Quadratic;
+use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
 /// Ports before the first word: the flags, then the column and the line.

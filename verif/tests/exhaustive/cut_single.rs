@@ -2,9 +2,9 @@
 
 use super::account;
 use imogene_circuits::object::{self, Cut, cut_plane};
-use imogene_models::format::Format;
-use imogene_models::unit::cut_plane::{PlaneKind, cut};
-use imogene_models::unit::interval::Interval;
+use imogene_golden::format::Format;
+use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::interval::Interval;
 use imogene_verif::engine::circuit::Circuit;
 use std::time::Instant;
 

@@ -6,8 +6,8 @@
 
 use super::{account, is_full_run};
 use imogene_circuits::raster::{self, Flags, pe1, pe2};
-use imogene_models::unit::pe1::{Linear, Pe1 as GoldenPe1};
-use imogene_models::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
+use imogene_golden::unit::pe1::{Linear, Pe1 as GoldenPe1};
+use imogene_golden::unit::pe2::{Pe2 as GoldenPe2, Quadratic};
 use imogene_verif::engine::circuit::Circuit;
 use rayon::prelude::*;
 use std::time::Instant;

@@ -1,9 +1,9 @@
 //! What is told of a fitted machine: a summary for the terminal, and the contract beside the Verilog.
 
 use super::FitReport;
-use imogene_models::fit::proof::{Proof, Proven};
-use imogene_models::text::counted;
 use imogene_rtl::emit::{Direction, Emitted};
+use imogene_studies::fit::proof::{Proof, Proven};
+use imogene_studies::text::counted;
 use imogene_synth::fitted::MachineCost;
 use std::fmt::Write;
 

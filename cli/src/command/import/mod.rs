@@ -11,7 +11,7 @@ use crate::molecules::load;
 use crate::{missing, output};
 use imogene_import::pdb::Format;
 use imogene_import::{Imported, Kind, Kinds, is_scene};
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

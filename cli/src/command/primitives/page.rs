@@ -2,8 +2,8 @@
 
 use super::hardware::TARGET;
 use super::{Comparison, Row};
-use imogene_models::compare::speed::Speed;
-use imogene_models::text::wrapped;
+use imogene_studies::compare::speed::Speed;
+use imogene_studies::text::wrapped;
 use std::fmt::Write;
 
 /// What the source states of a sphere by a paraboloid: percent of the radius, then degrees.

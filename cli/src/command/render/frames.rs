@@ -5,13 +5,14 @@ use crate::arguments::{FrameRange, Model, Render};
 use crate::command::{read_scene, size_of};
 use crate::failure::Failure;
 use crate::{missing, output};
+use imogene_analysis::phong;
 use imogene_files::{Outputs, WriteError};
-use imogene_models::animation::{Animator, PreparedFrame, Preview};
-use imogene_models::machine::lighting::Lighting;
-use imogene_models::machine::{beam, shading};
-use imogene_models::picture;
-use imogene_models::prepare::Reuse;
-use imogene_models::text::counted;
+use imogene_golden::machine::beam;
+use imogene_prepare::Reuse;
+use imogene_prepare::animator::{Animator, PreparedFrame};
+use imogene_studies::picture;
+use imogene_studies::preview::Preview;
+use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -167,10 +168,10 @@ fn picture_of(options: &Render, frame: &PreparedFrame) -> (Vec<u8>, usize) {
     } else {
         let (width, height) = (prepared.width as usize, prepared.height as usize);
         let drawn = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
-        let lighting = Lighting::of(&drawn, prepared, || ());
+        let lighting = prepared.light(&drawn, || ());
         (drawn, lighting)
     };
-    let rgb = shading::shade(&drawn, &lighting, framed, &prepared.format);
+    let rgb = phong::shade(&drawn, &lighting, framed, &prepared.format);
     (rgb, drawn.covered())
 }
 

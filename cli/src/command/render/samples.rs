@@ -5,9 +5,9 @@ use super::draw;
 use crate::arguments::Render;
 use crate::command::load_seen;
 use crate::failure::Failure;
-use imogene_models::machine::accumulator::{Accumulator, PassPixel};
-use imogene_models::machine::shading;
-use imogene_models::scene::{Camera, SceneFile};
+use imogene_analysis::phong;
+use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
+use imogene_scene::{Camera, SceneFile};
 
 /// The mean colours of `count` passes, whose places make a square grid about that of the plain picture.
 pub fn colours(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>, Failure> {
@@ -23,7 +23,7 @@ pub fn colours(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>
         sample_at[1] += place(pass / side);
         let (framed, prepared) = load_seen(file, &options.scene)?;
         let (frame, lighting) = draw(options, &framed, &prepared)?;
-        let rgb = shading::shade(&frame, &lighting, &framed, &prepared.format);
+        let rgb = phong::shade(&frame, &lighting, &framed, &prepared.format);
         let sums = sums.get_or_insert_with(|| Accumulator::new(rgb.len() / 3));
         for (address, colour) in rgb.chunks_exact(3).enumerate() {
             let pixel = PassPixel {

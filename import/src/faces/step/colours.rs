@@ -3,7 +3,7 @@
 use super::args::Args;
 use super::exchange::{Entity, Exchange, Kind, Value};
 use crate::ImportError;
-use imogene_models::scene::Material;
+use imogene_scene::Material;
 use std::collections::HashMap;
 
 /// From red, green and blue, 0 to 1.

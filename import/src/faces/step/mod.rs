@@ -28,7 +28,7 @@ use assembly::{Assembly, Placed};
 use colours::{Colour, Palette, colours};
 use exchange::{Entity, Exchange};
 use external::external;
-use imogene_models::text::counted;
+use imogene_studies::text::counted;
 use placement::Placement;
 use serde::Serialize;
 use source::Source;

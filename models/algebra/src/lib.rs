@@ -1,0 +1,3 @@
+//! Exact rationals and what is computed with them.
+
+pub mod rational;

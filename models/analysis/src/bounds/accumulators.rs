@@ -1,0 +1,386 @@
+//! Bits that the accumulators of one object need on this very screen box: the exact least and greatest value of the words as they are loaded.
+//!
+//! Only the values that the rest of the machine sees must fit. Increments, and the sums on the way from pixel to pixel, may wrap: a register that wraps
+//! modulo its width still holds the right value modulo its width, so a value that fits comes out right whatever happened before. Their
+//! bits are told all the same, of a scan of the whole picture, because a processor that saturates or stops at overflow would need them.
+
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::normal::NormalWords;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::unit::root::fast_root;
+use imogene_prepare::PreparedQuadric;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Two's complement bits that hold each value at every pixel of the object's screen box, guard bits not counted.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Accumulators {
+    /// f1.
+    pub f1: u32,
+    /// f2.
+    pub f2: u32,
+    /// f1 - r where f2 is not negative; nothing where no depth is a root.
+    pub f1_minus_r: Option<u32>,
+    /// f1 + r likewise.
+    pub f1_plus_r: Option<u32>,
+    /// Root bits K: all roots are below `2^(K - 1/2)`.
+    pub root: Option<u32>,
+    /// Each plane, before saturation.
+    pub planes: Vec<u32>,
+    /// Linear part of each normal component.
+    pub normal_linear: Option<[u32; 3]>,
+    /// The same with `K_k r` of either face.
+    pub normal_sum: Option<[u32; 3]>,
+    /// Bits that would hold what the processors add, without ever wrapping; no word needs them.
+    pub increments: Increments,
+}
+
+/// Bits, guard bits counted, of the registers of the two processors over a scan of the whole picture. They may wrap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Increments {
+    /// Of f1.
+    pub f1: LinearIncrements,
+    /// Of f2.
+    pub f2: QuadraticIncrements,
+}
+
+/// Registers of pe1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct LinearIncrements {
+    /// Increment from pixel to pixel.
+    pub a: u32,
+    /// Increment from line to line.
+    pub b: u32,
+    /// Value at the first pixel of a line.
+    pub line_value: u32,
+}
+
+/// Registers of pe2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct QuadraticIncrements {
+    /// Second difference along a line.
+    pub a2: u32,
+    /// Second difference from line to line.
+    pub b2: u32,
+    /// Mixed difference.
+    pub c: u32,
+    /// Pixel increment J.
+    pub j: u32,
+    /// First pixel increment P of a line.
+    pub p: u32,
+    /// Line increment I.
+    pub i: u32,
+    /// Value Q at the first pixel of a line.
+    pub line_value: u32,
+}
+
+/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; nothing if its screen box is empty.
+pub fn accumulators(
+    object: &PreparedQuadric,
+    (width, height): (u32, u32),
+    format: &Format,
+) -> Option<Accumulators> {
+    let words = &object.words;
+    let window = &words.screen_box;
+    if window.is_empty() {
+        return None;
+    }
+    let screen = ScreenBox {
+        x0: 0,
+        x1: i64::from(width) - 1,
+        y0: 0,
+        y1: i64::from(height) - 1,
+    };
+    let f2 = quadratic_span(&words.f2, window).dropped(format.guard_quadratic);
+    let depths = has_depth(words.class).then(|| Depths::of(object, format));
+    let depths = depths.filter(|_| f2.high >= 0);
+    Some(Accumulators {
+        f1: linear_span(&words.f1, window)
+            .dropped(format.guard_linear)
+            .bits(),
+        f2: f2.bits(),
+        f1_minus_r: depths.map(|d| d.near.bits()),
+        f1_plus_r: depths.map(|d| d.far.bits()),
+        root: depths.map(|_| root_bits(f2.high)),
+        planes: plane_bits(words),
+        normal_linear: has_depth(words.class)
+            .then(|| words.normal.g.map(|g| linear_span(&g, window).bits())),
+        normal_sum: depths.map(|d| d.normal.map(Span::bits)),
+        increments: Increments {
+            f1: linear_increments(&words.f1, &screen),
+            f2: quadratic_increments(&words.f2, &screen),
+        },
+    })
+}
+
+/// Bits of each plane on the screen box, before saturation.
+pub(super) fn plane_bits(words: &QuadricWords) -> Vec<u32> {
+    let window = &words.screen_box;
+    if window.is_empty() {
+        return vec![];
+    }
+    let planes = words.planes.iter();
+    planes
+        .map(|plane| linear_span(&plane.depth, window).bits())
+        .collect()
+}
+
+/// The depth of a prism is no root, and it has no normal.
+fn has_depth(class: Class) -> bool {
+    class != Class::Prism
+}
+
+/// Least K with `f2 < 2^(2 K - 1)`.
+fn root_bits(greatest: i128) -> u32 {
+    bits_of(greatest).div_ceil(2)
+}
+
+/// Two's complement bits of one integer.
+fn bits_of(value: i128) -> u32 {
+    let magnitude = if value < 0 { !value } else { value };
+    129 - magnitude.leading_zeros()
+}
+
+/// Least and greatest of some integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Span {
+    low: i128,
+    high: i128,
+}
+
+impl Span {
+    /// Of no integer.
+    const NONE: Span = Span {
+        low: i128::MAX,
+        high: i128::MIN,
+    };
+
+    fn with(self, value: i128) -> Span {
+        Span {
+            low: self.low.min(value),
+            high: self.high.max(value),
+        }
+    }
+
+    fn merged(self, other: Span) -> Span {
+        Span {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// Of the values without guard bits: a shift keeps the order.
+    fn dropped(self, guards: u32) -> Span {
+        Span {
+            low: self.low >> guards,
+            high: self.high >> guards,
+        }
+    }
+
+    fn bits(self) -> u32 {
+        bits_of(self.low).max(bits_of(self.high))
+    }
+}
+
+impl FromIterator<i128> for Span {
+    fn from_iter<T: IntoIterator<Item = i128>>(values: T) -> Span {
+        values.into_iter().fold(Span::NONE, Span::with)
+    }
+}
+
+/// A first-degree expression is extreme in corners.
+fn linear_span(q: &Linear, window: &ScreenBox) -> Span {
+    let at = |x: i64, y: i64| q.a * i128::from(x) + q.b * i128::from(y) + q.c;
+    let ScreenBox { x0, x1, y0, y1 } = *window;
+    [at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1)]
+        .into_iter()
+        .collect()
+}
+
+/// A second-degree expression at the pixels of a box: on each line it is extreme at an end, or at a pixel beside its vertex.
+fn quadratic_span(q: &Quadratic, window: &ScreenBox) -> Span {
+    let line = |y: i64| {
+        let y = i128::from(y);
+        let (linear, constant) = (q.c * y + q.d, (q.b * y + q.e) * y + q.f);
+        parabola_span([q.a, linear, constant], window.x0, window.x1)
+    };
+    (window.y0..=window.y1)
+        .map(line)
+        .fold(Span::NONE, Span::merged)
+}
+
+/// `a t^2 + b t + c` at the integers from `first` to `last`.
+fn parabola_span([a, b, c]: [i128; 3], first: i64, last: i64) -> Span {
+    let (first, last) = (i128::from(first), i128::from(last));
+    let at = |t: i128| (a * t + b) * t + c;
+    let vertex = (a != 0).then(|| (-b).div_euclid(2 * a));
+    let beside = vertex.into_iter().flat_map(|t| [t - 1, t, t + 1]);
+    let inside = beside.filter(|t| (first..=last).contains(t));
+    [first, last].into_iter().chain(inside).map(at).collect()
+}
+
+/// What is known of pixels with a root only.
+#[derive(Clone, Copy)]
+struct Depths {
+    near: Span,
+    far: Span,
+    normal: [Span; 3],
+}
+
+impl Depths {
+    const NONE: Depths = Depths {
+        near: Span::NONE,
+        far: Span::NONE,
+        normal: [Span::NONE; 3],
+    };
+
+    /// At every pixel of the box.
+    fn of(object: &PreparedQuadric, format: &Format) -> Depths {
+        let window = object.words.screen_box;
+        (window.y0..window.y1 + 1)
+            .into_par_iter()
+            .map(|y| {
+                let columns = window.x0..=window.x1;
+                columns.fold(Depths::NONE, |found, x| found.with(object, format, (x, y)))
+            })
+            .reduce(|| Depths::NONE, Depths::merged)
+    }
+
+    fn with(self, object: &PreparedQuadric, format: &Format, (x, y): (i64, i64)) -> Depths {
+        let words = &object.words;
+        let f2 = words.f2_at(x, y, format);
+        if f2 < 0 {
+            return self;
+        }
+        let f1 = i128::from(words.f1_at(x, y, format));
+        let root = format.keep_rows(fast_root(f2));
+        let change = root_parts(&words.normal, root, format);
+        let normal = std::array::from_fn(|k| {
+            // As loaded, not as the register holds it: what is asked is how long that would have to be.
+            let g = &words.normal.g[k];
+            let g = g.a * i128::from(x) + g.b * i128::from(y) + g.c;
+            let [minus, plus] = change[k];
+            self.normal[k].with(g + minus).with(g + plus)
+        });
+        Depths {
+            near: self.near.with(f1 - i128::from(root)),
+            far: self.far.with(f1 + i128::from(root)),
+            normal,
+        }
+    }
+
+    fn merged(self, other: Depths) -> Depths {
+        Depths {
+            near: self.near.merged(other.near),
+            far: self.far.merged(other.far),
+            normal: std::array::from_fn(|k| self.normal[k].merged(other.normal[k])),
+        }
+    }
+}
+
+/// What the normal unit adds to each linear part on the near and on the far face.
+fn root_parts(words: &NormalWords, root: i64, format: &Format) -> [[i128; 2]; 3] {
+    let shifted = (root >> words.shift) & i64::from(format.greatest_normal());
+    words.k.map(|k| {
+        let product = i64::from(k) * shifted;
+        [-product, product].map(|signed| i128::from(signed >> format.product_fraction()))
+    })
+}
+
+fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
+    let lines = parabola_span([0, q.b, q.c], screen.y0, screen.y1);
+    LinearIncrements {
+        a: bits_of(q.a),
+        b: bits_of(q.b),
+        line_value: lines.bits(),
+    }
+}
+
+fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncrements {
+    let lines = |factors| parabola_span(factors, screen.y0, screen.y1).bits();
+    let increment = Linear::new(2 * q.a, q.c, q.d + q.a);
+    QuadraticIncrements {
+        a2: bits_of(2 * q.a),
+        b2: bits_of(2 * q.b),
+        c: bits_of(q.c),
+        j: linear_span(&increment, screen).bits(),
+        p: lines([0, q.c, q.d + q.a]),
+        i: lines([0, 2 * q.b, q.e + q.b]),
+        line_value: lines([q.b, q.e, q.f]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn bits_are_those_of_twos_complement() {
+        let cases = [
+            (0, 1),
+            (-1, 1),
+            (1, 2),
+            (-2, 2),
+            (127, 8),
+            (-128, 8),
+            (128, 9),
+        ];
+        for (value, bits) in cases {
+            assert_eq!(bits_of(value), bits, "{value}");
+        }
+        // Roots of K = 8 bits end at floor(2^7.5) = 181.
+        assert_eq!(root_bits((1 << 15) - 1), 8);
+        assert_eq!(root_bits(1 << 15), 9);
+        assert_eq!((root_bits(0), root_bits(1)), (1, 1));
+    }
+
+    proptest! {
+        /// Least and greatest value at the pixels, against all pixels one by one.
+        #[test]
+        fn spans_are_those_of_all_pixels(
+            v in proptest::array::uniform6(-90i64..90), x0 in -20i64..20, y0 in -20i64..20, w in 0i64..25, h in 0i64..25, guards in 0u32..4
+        ) {
+            let [a, b, c, d, e, f] = v.map(i128::from);
+            let q = Quadratic { a, b, c, d, e, f };
+            let p = Linear::new(d, e, f);
+            let window = ScreenBox { x0, x1: x0 + w, y0, y1: y0 + h };
+            let pixels = || (y0..=y0 + h).flat_map(|y| (x0..=x0 + w).map(move |x| (x, y)));
+            let all: Span = pixels().map(|(x, y)| q.wrapped_at(x, y, 127) >> guards).collect();
+            prop_assert_eq!(quadratic_span(&q, &window).dropped(guards), all);
+            let all: Span = pixels().map(|(x, y)| p.wrapped_at(x, y, 127)).collect();
+            prop_assert_eq!(linear_span(&p, &window), all);
+        }
+
+        /// The registers of both processors, run over a screen without ever wrapping.
+        #[test]
+        fn increments_are_those_of_the_registers(v in proptest::array::uniform6(-9000i128..9000), width in 1i64..12, height in 1i64..12) {
+            let [a, b, c, d, e, f] = v;
+            let q = Quadratic { a, b, c, d, e, f };
+            let screen = ScreenBox { x0: 0, x1: width - 1, y0: 0, y1: height - 1 };
+            let words = q.preconditioned(100);
+            let (mut value, mut first, mut down) = (words.f, words.p0, words.i0);
+            let [mut j, mut p, mut i, mut line] = [Span::NONE; 4];
+            for _ in 0..height {
+                (line, p, i) = (line.with(value), p.with(first), i.with(down));
+                let mut step = first;
+                for _ in 0..width {
+                    j = j.with(step);
+                    step += words.a2;
+                }
+                value += down;
+                down += words.b2;
+                first += words.c;
+            }
+            let found = quadratic_increments(&q, &screen);
+            prop_assert_eq!([found.j, found.p, found.i, found.line_value], [j, p, i, line].map(Span::bits));
+            prop_assert_eq!([found.a2, found.b2, found.c], [words.a2, words.b2, words.c].map(bits_of));
+            let p = Linear::new(a, b, c);
+            let lines: Span = (0..height).map(|y| p.wrapped_at(0, y, 100)).collect();
+            prop_assert_eq!(linear_increments(&p, &screen).line_value, lines.bits());
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! How far a computed depth can be from the true one, and between which values the true one lies.
+//!
+//! Let q1 and q2 be the values of the two elementary processors with their guard bits, `|q1 - f1| <= e1` and `|q2 - f2| <= e2` on the screen box by the
+//! rounding of the coefficients, and `f1' = floor(q1)`, `f2' = floor(q2)`, `r = floor(sqrt(f2'))`. The error of a depth is a sum of four terms:
+//!
+//! ```text
+//! (f1' -+ r) - (f1 -+ sqrt(f2)) = (q1 - f1)                   f1 coefficients   within e1
+//!                               + (f1' - q1)                  truncation        in -(1 - 2^-g1) .. 0
+//!                               -+ (sqrt(q2) - sqrt(f2))      f2 coefficients, through the root
+//!                               -+ (r - sqrt(q2))             floor of the root in (-1, 0]
+//! ```
+//!
+//! Dropping the guard bits of f2 costs nothing of its own: `floor(sqrt(floor(q))) = floor(sqrt(q))` for every real q that is not negative, because a root
+//! is at least n if and only if its radicand is at least the integer n^2. Nor does it matter that f1 drops its guard bits before r is added:
+//! r is an integer.
+//!
+//! A root network without its last d rows gives `r = 2^d floor(floor(sqrt(f2')) / 2^d)`, and the last term lies in `(-2^d, 0]`.
+//!
+//! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from f2': `sqrt(f2)` lies between
+//! `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these from r counts.
+
+use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use imogene_prepare::{PreparedQuadric, RoundingBounds};
+use serde::Serialize;
+
+/// Relative allowance for the rounding of a square root and the additions around it in `f64`.
+const FLOAT_MARGIN: f64 = 8.0 * f64::EPSILON;
+
+/// Between which two values a true number lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Range {
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Range {
+    pub const fn new(low: f64, high: f64) -> Range {
+        Range { low, high }
+    }
+
+    /// The values within `error` of a computed integer.
+    pub fn around(value: i64, error: f64) -> Range {
+        Range::new(value as f64 - error, value as f64 + error)
+    }
+
+    /// The values from which a computed integer can come, that is within `error` of a number of which up to `dropped` was dropped downwards.
+    pub fn of_dropped(value: i64, error: f64, dropped: f64) -> Range {
+        Range::new(value as f64 - error, value as f64 + dropped + error)
+    }
+
+    /// Certainly smaller.
+    pub fn below(&self, other: &Range) -> bool {
+        self.high < other.low
+    }
+
+    /// Certainly smaller or equal.
+    pub fn not_above(&self, other: &Range) -> bool {
+        self.high <= other.low
+    }
+
+    /// The range of the greater of two numbers.
+    pub fn max(&self, other: &Range) -> Range {
+        Range::new(self.low.max(other.low), self.high.max(other.high))
+    }
+
+    /// The range of the smaller of two numbers.
+    pub fn min(&self, other: &Range) -> Range {
+        Range::new(self.low.min(other.low), self.high.min(other.high))
+    }
+}
+
+/// Where `sqrt(f2)` lies if the computed value is `f2`; a negative true f2 counts as zero.
+pub(super) fn root_range(f2: i64, bounds: &RoundingBounds) -> Range {
+    let low = (f2 as f64 - bounds.f2).max(0.0).sqrt();
+    let high = (f2 as f64 + bounds.dropped_f2 + bounds.f2).max(0.0).sqrt();
+    Range::new(low * (1.0 - FLOAT_MARGIN), high * (1.0 + FLOAT_MARGIN))
+}
+
+/// Greatest distance of the integer root of a computed `f2` from the true root.
+pub(super) fn root_error(f2: i64, bounds: &RoundingBounds) -> f64 {
+    let root = bounds.root_of(f2) as f64;
+    let range = root_range(f2, bounds);
+    (range.high - root).max(root - range.low)
+}
+
+/// The ranges of the two roots `f1 -+ sqrt(f2)`; the computed roots, with their floor, lie in them too.
+pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, Range) {
+    let root = root_range(f2, bounds);
+    let lowest = root.low.min(bounds.root_of(f2) as f64);
+    let f1 = Range::of_dropped(f1, bounds.f1, bounds.dropped_f1);
+    (
+        Range::new(f1.low - root.high, f1.high - lowest),
+        Range::new(f1.low + lowest, f1.high + root.high),
+    )
+}
+
+/// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct DepthTerms {
+    /// Rounding of the coefficients of f1.
+    pub linear: f64,
+    /// Guard bits of f1 that are dropped.
+    pub truncation: f64,
+    /// Rounding of the coefficients of f2, through the root.
+    pub quadratic: f64,
+    /// Floor of the root: at most this, and less unless it is zero.
+    pub root_floor: f64,
+}
+
+impl DepthTerms {
+    /// The sum of the terms.
+    pub fn sum(&self) -> f64 {
+        self.linear + self.truncation + self.quadratic + self.root_floor
+    }
+}
+
+/// Bounds of the terms where the f2 processor hands on `f2`, not negative.
+///
+/// With q between f2 and `f2 + (1 - 2^-g2)`: below the root `sqrt(q) - sqrt(q - e2)` falls with q, and is `sqrt(q)` where q < e2; above it
+/// `sqrt(q + e2) - sqrt(q)` falls with q.
+pub fn depth_terms(bounds: &RoundingBounds, f2: i64) -> DepthTerms {
+    let (low, high) = (f2 as f64, f2 as f64 + bounds.dropped_f2);
+    let error = bounds.f2;
+    let below = if low >= error {
+        difference_of_roots(low, error)
+    } else {
+        high.min(error).sqrt()
+    };
+    let above = difference_of_roots(low + error, error);
+    DepthTerms {
+        linear: bounds.f1,
+        truncation: bounds.dropped_f1,
+        quadratic: below.max(above) * (1.0 + FLOAT_MARGIN),
+        root_floor: floor_of_root(bounds),
+    }
+}
+
+/// Most that the floor of the root takes: one unit of the last digit that is computed.
+fn floor_of_root(bounds: &RoundingBounds) -> f64 {
+    f64::exp2(f64::from(bounds.dropped_rows))
+}
+
+/// `sqrt(high) - sqrt(high - step)` without cancellation.
+fn difference_of_roots(high: f64, step: f64) -> f64 {
+    if step == 0.0 {
+        return 0.0;
+    }
+    // The difference under the second root is taken a little too small, which makes the quotient a little too great.
+    let low = (high - step - high * FLOAT_MARGIN).max(0.0);
+    step / (high.sqrt() + low.sqrt())
+}
+
+/// Greatest distance, in depth words, of the golden depth of face `number` from the true depth of that face, at a pixel of the object's
+/// screen box where the f2 processor hands on `f2` (of no meaning for a plane or the near end).
+pub fn depth_bound(object: &PreparedQuadric, number: u8, f2: i64) -> f64 {
+    face_bound(&object.bounds, number, f2)
+}
+
+/// The same of the rounding bounds alone.
+pub fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
+    let root = bounds.root_of(f2) as f64;
+    let range = root_range(f2, bounds);
+    let (above, below) = (range.high - root, root - range.low);
+    let dropped = bounds.dropped_f1;
+    // Truncation and floor of the root have opposite signs on the near face and the same on the far one.
+    let rooted = match number {
+        FACE_NEAR => above.max(below + dropped),
+        FACE_FAR => below.max(above + dropped),
+        FACE_NEAR_END => return 0.0,
+        _ => return bounds.planes[usize::from(number - FACE_PLANE)],
+    };
+    (bounds.f1 + rooted) * (1.0 + FLOAT_MARGIN)
+}
+
+/// The terms at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 - e2)` at q2 = e2; both
+/// are then sqrt(e2).
+pub(super) fn worst_terms(bounds: &RoundingBounds) -> DepthTerms {
+    DepthTerms {
+        linear: bounds.f1,
+        truncation: bounds.dropped_f1,
+        quadratic: bounds.f2.sqrt() * (1.0 + FLOAT_MARGIN),
+        root_floor: floor_of_root(bounds),
+    }
+}
+
+/// The worst depth bound at any pixel, in closed form: the sum of the terms, or the bound of a plane.
+pub fn worst_case(bounds: &RoundingBounds) -> f64 {
+    let root = worst_terms(bounds).sum() * (1.0 + FLOAT_MARGIN);
+    bounds.planes.iter().copied().fold(root, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn of_f2(f2: f64, guards: u32) -> RoundingBounds {
+        RoundingBounds {
+            f2,
+            ..RoundingBounds::of_format(
+                &imogene_golden::format::Format::BASE
+                    .with_guards(2, guards)
+                    .unwrap(),
+            )
+        }
+    }
+
+    proptest! {
+        /// For a true f2 anywhere within the bound, the integer root is within `root_error`, and the error through the root within its term.
+        #[test]
+        fn root_error_covers_every_true_radicand(
+            wide in 0i64..1 << 47, narrow in 0i64..1000, small in any::<bool>(), e2 in 0.0f64..1e6, part in -1.0f64..=1.0, guards in 0u32..8, low in 0.0f64..1.0, rows in 0u32..6
+        ) {
+            let f2 = if small { narrow } else { wide };
+            let error = if small { e2 / 1000.0 } else { e2 };
+            let bounds = RoundingBounds { dropped_rows: rows, ..of_f2(error, guards) };
+            let kept = f2 as f64 + low * bounds.dropped_f2;
+            let truth = kept + part * bounds.f2;
+            prop_assume!(truth >= 0.0);
+            let off = (bounds.root_of(f2) as f64 - truth.sqrt()).abs();
+            prop_assert!(off <= root_error(f2, &bounds) + 1e-6);
+            let through = (kept.sqrt() - truth.sqrt()).abs();
+            prop_assert!(through <= depth_terms(&bounds, f2).quadratic + 1e-6);
+        }
+
+        #[test]
+        fn the_face_bound_is_at_most_the_sum_of_its_terms(f2 in 0i64..1 << 47, e1 in 0.0f64..1e3, e2 in 0.0f64..1e6, guards in 0u32..8, rows in 0u32..6) {
+            let bounds = RoundingBounds { f1: e1, dropped_rows: rows, ..of_f2(e2, guards) };
+            let terms = depth_terms(&bounds, f2);
+            for face in [FACE_NEAR, FACE_FAR] {
+                let bound = face_bound(&bounds, face, f2);
+                prop_assert!(bound <= terms.sum() + 1e-6, "{bound} beyond {terms:?}");
+                prop_assert!(bound <= worst_case(&bounds) + 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn an_exact_radicand_leaves_only_the_floor() {
+        assert!(root_error(16, &of_f2(0.0, 0)) < 1e-9);
+        assert!(root_error(24, &of_f2(0.0, 0)) < 0.9);
+        assert!(root_error(0, &of_f2(100.0, 0)) >= 10.0);
+    }
+}

@@ -1,0 +1,251 @@
+//! Headroom: silhouette and depth errors of a scene in a format, and the guard bits of f2 that it needs, or could do without.
+//!
+//! A *silhouette error* is a pixel of an object's box at which the sign of the rounded f2 is not that of the exact one. They are counted at every pixel of every
+//! object's box, hidden or not, against signs in big integers. With g guard bits (below zero: bits dropped) the rounding error at a
+//! pixel (u, v) away from the anchor is at most `(u^2 + v^2 + |u v| + |u| + |v| + 1) / 2^(g + 1)`, so a pixel whose true `|f2|` is greater has the right sign with
+//! g bits and with any more. The least g for which this holds at every pixel is *derived*; it is sufficient. Counting down from it until errors appear
+//! gives the least that is *confirmed*.
+
+mod depths;
+mod signs;
+
+use depths::DepthErrors;
+use imogene_algebra::rational::power_of_two;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_prepare::forms::QuadraticForm;
+use imogene_prepare::rounding::{Anchor, round_quadratic};
+use imogene_prepare::{PreparedQuadric, PreparedScene};
+use rayon::prelude::*;
+use serde::Serialize;
+use signs::{TrueSigns, true_signs};
+
+/// Fewest guard bits that are tried: this many bits of f2 dropped leave no picture of any format.
+const FEWEST: i32 = -64;
+
+/// Errors and needs of a scene in a format without guard bits.
+#[derive(Clone, Debug, Serialize)]
+pub struct Headroom {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Depth word.
+    pub depth_word: u32,
+    /// Pixels of all boxes.
+    pub pixels: u64,
+    /// Pixels at which the rounded f2 has the wrong sign, without guard bits.
+    pub silhouette_errors: u64,
+    /// Pixels at which the true f2 is exactly zero: on the silhouette, present by definition. No number of guard bits is derived for them.
+    pub ties: u64,
+    /// Greatest error of a near or far depth within the depth range, in depth words, without guard bits.
+    pub depth_max_lsb: f64,
+    /// Root of the mean square of these errors.
+    pub depth_rms_lsb: f64,
+    /// Depths that entered.
+    pub depths: u64,
+    /// Guard bits of f2 that are proven to leave no error where f2 is not zero; below zero, bits that can be dropped.
+    pub derived: i32,
+    /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded away even with the derived number.
+    pub confirmed: Option<i32>,
+    /// Errors counted with one bit less; none if no number of bits dropped makes an error, that is without a silhouette on the screen.
+    pub errors_with_one_less: u64,
+}
+
+/// Errors and needs of several scenes at one size in one format.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Pixels per line.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Depth word.
+    pub depth_word: u32,
+    /// Pixels of all boxes.
+    pub pixels: u64,
+    /// Pixels at which the rounded f2 has the wrong sign, without guard bits.
+    pub silhouette_errors: u64,
+    /// Scenes with any such pixel.
+    pub scenes_with_errors: usize,
+    /// Greatest depth error, in depth words, without guard bits.
+    pub depth_max_lsb: f64,
+    /// Root of the mean square of all depth errors.
+    pub depth_rms_lsb: f64,
+    /// Guard bits of f2 that are proven to be enough for every scene.
+    pub derived: i32,
+    /// Fewest guard bits of f2 from which on no scene has an error; none if one has ties that are rounded away.
+    pub confirmed: Option<i32>,
+    /// Errors of all scenes that need that number, with one bit less.
+    pub errors_with_one_less: u64,
+}
+
+/// Sums up the rows of each size and format, in the order in which these first appear.
+pub fn summaries(rows: &[Headroom]) -> Vec<Summary> {
+    let key = |h: &Headroom| (h.width, h.height, h.depth_word);
+    let mut keys: Vec<_> = vec![];
+    for row in rows {
+        if !keys.contains(&key(row)) {
+            keys.push(key(row));
+        }
+    }
+    keys.into_iter()
+        .map(|k| summary(&rows.iter().filter(|h| key(h) == k).collect::<Vec<_>>()))
+        .collect()
+}
+
+fn summary(rows: &[&Headroom]) -> Summary {
+    let depths: u64 = rows.iter().map(|h| h.depths).sum();
+    let squares: f64 = rows
+        .iter()
+        .map(|h| h.depth_rms_lsb.powi(2) * h.depths as f64)
+        .sum();
+    // Nothing if any scene has nothing.
+    let needs: Option<Vec<i32>> = rows.iter().map(|h| h.confirmed).collect();
+    let confirmed = needs.and_then(|bits| bits.into_iter().max());
+    Summary {
+        width: rows[0].width,
+        height: rows[0].height,
+        depth_word: rows[0].depth_word,
+        pixels: rows.iter().map(|h| h.pixels).sum(),
+        silhouette_errors: rows.iter().map(|h| h.silhouette_errors).sum(),
+        scenes_with_errors: rows.iter().filter(|h| h.silhouette_errors > 0).count(),
+        depth_max_lsb: rows.iter().map(|h| h.depth_max_lsb).fold(0.0, f64::max),
+        depth_rms_lsb: (squares / depths.max(1) as f64).sqrt(),
+        derived: rows
+            .iter()
+            .map(|h| h.derived)
+            .max()
+            .expect("at least one row"),
+        confirmed,
+        errors_with_one_less: rows
+            .iter()
+            .filter(|h| h.confirmed == confirmed)
+            .map(|h| h.errors_with_one_less)
+            .sum(),
+    }
+}
+
+/// Counts errors and needs; `prepared` must have no guard bits.
+pub fn headroom(prepared: &PreparedScene) -> Headroom {
+    let objects: Vec<Subject> = prepared
+        .quadrics()
+        .map(|(_, object)| object)
+        .filter(|o| !o.words.screen_box.is_empty())
+        .map(Subject::new)
+        .collect();
+    let ties = objects.iter().map(|o| o.signs.ties).sum();
+    let risk = objects.iter().map(|o| o.signs.risk).fold(0.0, f64::max);
+    let derived = bits_above(risk);
+    let count = |guards: i32| objects.iter().map(|o| o.errors(guards)).sum::<u64>();
+    let (confirmed, errors_with_one_less) = count_down(derived, &count);
+    let depths = objects
+        .iter()
+        .map(|o| depths::errors(o.object, &o.signs.present, &prepared.format))
+        .fold(DepthErrors::default(), DepthErrors::merged);
+    Headroom {
+        width: prepared.width,
+        height: prepared.height,
+        depth_word: prepared.format.depth,
+        pixels: objects.iter().map(|o| o.window.pixels()).sum(),
+        silhouette_errors: count(0),
+        ties,
+        depth_max_lsb: depths.most,
+        depth_rms_lsb: depths.rms(),
+        depths: depths.count,
+        derived,
+        confirmed,
+        errors_with_one_less,
+    }
+}
+
+/// The least magnitude of the true f2 at a pixel of the object's screen box, rounded down; zero if it is zero at one. Endless if the box is empty.
+pub(super) fn least_f2(object: &PreparedQuadric) -> f64 {
+    let signs = true_signs(&object.exact.f2, &object.words.screen_box, |_, _| 1.0);
+    if signs.ties > 0 {
+        return 0.0;
+    }
+    signs.risk.recip() * (1.0 - 1e-9)
+}
+
+/// The last number of guard bits without errors on the way down from the derived one, and the errors with one bit less.
+fn count_down(derived: i32, count: &dyn Fn(i32) -> u64) -> (Option<i32>, u64) {
+    let mut last = None;
+    for guards in (FEWEST..=derived).rev() {
+        let errors = count(guards);
+        if errors > 0 {
+            return (last, errors);
+        }
+        last = Some(guards);
+    }
+    (last, 0)
+}
+
+/// The least g with `risk < 2^g`, up to a last bit of the risk that is counted as one more.
+fn bits_above(risk: f64) -> i32 {
+    let risk = risk * (1.0 + 1e-9);
+    let mut bits = FEWEST;
+    while f64::exp2(f64::from(bits)) <= risk {
+        bits += 1;
+    }
+    bits
+}
+
+/// One object with its true signs.
+struct Subject<'a> {
+    object: &'a PreparedQuadric,
+    window: ScreenBox,
+    anchor: Anchor,
+    signs: TrueSigns,
+}
+
+impl Subject<'_> {
+    fn new(object: &PreparedQuadric) -> Subject<'_> {
+        let window = object.words.screen_box;
+        let anchor = object.anchor;
+        let signs = true_signs(&object.exact.f2, &window, |x, y| {
+            let (u, v) = ((x - anchor.x).abs() as f64, (y - anchor.y).abs() as f64);
+            0.5 * (u * u + v * v + u * v + u + v + 1.0)
+        });
+        Subject {
+            object,
+            window,
+            anchor,
+            signs,
+        }
+    }
+
+    /// Pixels at which f2 rounded with this many guard bits has the wrong sign.
+    fn errors(&self, guards: i32) -> u64 {
+        let rounded = rounded_with(&self.object.exact.f2, self.anchor, guards);
+        let window = &self.window;
+        let width = (window.x1 - window.x0 + 1) as usize;
+        self.signs
+            .present
+            .par_chunks(width)
+            .enumerate()
+            .map(|(row, line)| {
+                let y = window.y0 + row as i64;
+                let at = |x: i64| rounded.wrapped_at(x, y, 127);
+                let mut value = at(window.x0);
+                let mut step = at(window.x0 + 1) - value;
+                let mut errors = 0;
+                for &present in line {
+                    errors += u64::from((value >= 0) != present);
+                    value += step;
+                    step += 2 * rounded.a;
+                }
+                errors
+            })
+            .sum()
+    }
+}
+
+/// f2 rounded with guard bits; below zero, with that many bits dropped.
+fn rounded_with(exact: &QuadraticForm, anchor: Anchor, guards: i32) -> Quadratic {
+    let unit = power_of_two(guards.unsigned_abs());
+    let unit = if guards < 0 { unit.recip() } else { unit };
+    round_quadratic(&exact.scaled(&unit), anchor).expect("prepared words leave room")
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,268 @@
+//! What is proven of every object of a scene at every pixel, whatever processor draws it.
+
+use super::depth::Range;
+use super::outline::Silhouette;
+use super::truth::{True, Truth, around};
+use super::verdict::{Contest, Verdict, decide};
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::unit::interval::FACE_PLANE;
+use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
+use imogene_scene::{FramedObject, FramedScene};
+use rayon::prelude::*;
+
+/// What is proven of the objects of a scene: which pixels of its picture rounding leaves open.
+pub struct Jury<'a> {
+    prepared: &'a PreparedScene,
+    judges: Vec<Judge<'a>>,
+}
+
+/// What is proven of one object.
+pub(super) enum Judge<'a> {
+    /// From the rounding bounds of its words.
+    Words(&'a PreparedQuadric, Format),
+    /// Nothing of it is on the screen.
+    Nothing,
+    /// From the truth at each pixel.
+    Truth(Box<Comparison>),
+}
+
+/// The words of processors without bounds, and the truth beside them.
+pub(super) struct Comparison {
+    words: Vec<ProcessorWords>,
+    window: ScreenBox,
+    truth: Truth,
+    format: Format,
+    /// Numbers of the two plane faces of the first generation, which counts them as front and back.
+    plane_faces: Option<[u8; 2]>,
+}
+
+/// The golden face at a pixel, if there is one, and the true one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Compared {
+    golden: Option<(u8, i64)>,
+    truth: True,
+}
+
+impl<'a> Jury<'a> {
+    /// `prepared` must come from `scene`.
+    pub fn new(scene: &FramedScene, prepared: &'a PreparedScene) -> Jury<'a> {
+        let objects = scene.objects.par_iter().zip(&prepared.objects);
+        let judge = |(framed, object): (&FramedObject, &'a PreparedObject)| {
+            Judge::new(framed, object, scene, &prepared.format)
+        };
+        Jury {
+            prepared,
+            judges: objects.map(judge).collect(),
+        }
+    }
+
+    /// By the rounding bounds of the words alone: objects of other processors than quadric and patch are left out.
+    pub fn of_words(prepared: &'a PreparedScene) -> Jury<'a> {
+        let judge = |object: &'a PreparedObject| match object.quadric() {
+            Some(quadric) => Judge::Words(quadric, prepared.format),
+            None => Judge::Nothing,
+        };
+        Jury {
+            prepared,
+            judges: prepared.objects.iter().map(judge).collect(),
+        }
+    }
+
+    pub(super) fn judge(&self, id: usize) -> &Judge<'a> {
+        &self.judges[id]
+    }
+
+    /// For every pixel of the picture, row-major, whether rounding could change the visible object or face;
+    /// everywhere else golden and true picture are proven to show the same face of the same object.
+    pub fn undecided(&self) -> Vec<bool> {
+        (0..i64::from(self.prepared.height))
+            .into_par_iter()
+            .flat_map_iter(|y| {
+                let line = self.line(y);
+                line.into_iter().map(|contest| !contest.is_decided())
+            })
+            .collect()
+    }
+
+    /// The same for one pixel.
+    pub fn is_undecided(&self, x: i64, y: i64) -> bool {
+        !self.contest(x, y).is_decided()
+    }
+
+    /// Who is seen at a pixel.
+    pub(super) fn contest(&self, x: i64, y: i64) -> Contest {
+        let mut contest = Contest::EMPTY;
+        for (id, judge) in self.judges.iter().enumerate() {
+            judge.for_each(y, x..=x, |_, verdict| contest.enter(id, &verdict));
+        }
+        contest
+    }
+
+    /// The pixels at which an outline is adrift and not hidden behind something else.
+    pub(super) fn adrift(&self, silhouette: &Silhouette) -> Vec<(i64, i64)> {
+        let adrift = silhouette.adrift();
+        let open = |&(x, y): &(i64, i64)| self.is_undecided(x, y);
+        adrift.into_iter().filter(open).collect()
+    }
+
+    pub(super) fn line(&self, y: i64) -> Vec<Contest> {
+        let width = i64::from(self.prepared.width);
+        let mut line = vec![Contest::EMPTY; width as usize];
+        for (id, judge) in self.judges.iter().enumerate() {
+            judge.for_each(y, 0..=width - 1, |x, verdict| {
+                line[x as usize].enter(id, &verdict)
+            });
+        }
+        line
+    }
+}
+
+impl<'a> Judge<'a> {
+    fn new(
+        framed: &FramedObject,
+        object: &'a PreparedObject,
+        scene: &FramedScene,
+        format: &Format,
+    ) -> Judge<'a> {
+        if let Some(quadric) = object.quadric() {
+            return Judge::Words(quadric, *format);
+        }
+        let words = object.words();
+        if framed.is_unseen() {
+            return Judge::Nothing;
+        }
+        // A mesh may be there where its rounded facets are not; any other object is nowhere beside its box.
+        let is_mesh = matches!(framed, FramedObject::Mesh(_));
+        if words.is_empty() && !is_mesh {
+            return Judge::Nothing;
+        }
+        let truth = Truth::new(framed, scene, format);
+        let window = match truth.window() {
+            Some(own) => {
+                let (width, height) = (i64::from(scene.width), i64::from(scene.height));
+                let both = around(&own, object.screen_box());
+                both.in_zone(0, 0, width, height)
+            }
+            None => *object.screen_box(),
+        };
+        let is_first_generation = matches!(words.first(), Some(ProcessorWords::FirstGeneration(_)));
+        let face = |index: Option<usize>| FACE_PLANE + index.unwrap_or(0) as u8;
+        Judge::Truth(Box::new(Comparison {
+            plane_faces: is_first_generation.then(|| truth.front_and_back().map(face)),
+            words,
+            window,
+            truth,
+            format: *format,
+        }))
+    }
+
+    /// Where the object can be; beside it is absent.
+    pub fn window(&self) -> ScreenBox {
+        match self {
+            Judge::Words(object, _) => object.words.screen_box,
+            Judge::Nothing => ScreenBox::EMPTY,
+            Judge::Truth(comparison) => comparison.window,
+        }
+    }
+
+    /// Calls `sink` for the pixels of a line between two columns that lie in the window.
+    pub fn for_each(
+        &self,
+        y: i64,
+        columns: std::ops::RangeInclusive<i64>,
+        mut sink: impl FnMut(i64, Verdict),
+    ) {
+        let window = self.window();
+        if window.is_empty() || !(window.y0..=window.y1).contains(&y) {
+            return;
+        }
+        let columns = window.x0.max(*columns.start())..=window.x1.min(*columns.end());
+        match self {
+            Judge::Nothing => {}
+            Judge::Words(object, format) => {
+                columns.for_each(|x| sink(x, decide(object, format, x, y)));
+            }
+            Judge::Truth(comparison) => {
+                let first = *columns.start();
+                let line = comparison.line(y, columns).into_iter();
+                line.zip(first..)
+                    .for_each(|(found, x)| sink(x, found.verdict()));
+            }
+        }
+    }
+}
+
+impl Comparison {
+    /// Golden and true picture of a part of a line.
+    pub fn line(&self, y: i64, columns: std::ops::RangeInclusive<i64>) -> Vec<Compared> {
+        let first = *columns.start();
+        let truth = self.truth.line(y, columns).into_iter();
+        let apart = |truth| Compared {
+            golden: None,
+            truth,
+        };
+        let mut line: Vec<Compared> = truth.map(apart).collect();
+        for words in &self.words {
+            words.for_each_present(&self.format, y, |x, pixel| {
+                let index = usize::try_from(x - first).ok();
+                let Some(found) = index.and_then(|index| line.get_mut(index)) else {
+                    return;
+                };
+                if found.golden.is_none_or(|(_, z)| pixel.zf < z) {
+                    found.golden = Some((self.number(pixel.number), pixel.zf));
+                }
+            });
+        }
+        line
+    }
+
+    fn number(&self, number: u8) -> u8 {
+        let index = number.checked_sub(FACE_PLANE).map(usize::from);
+        match (self.plane_faces, index) {
+            (Some(faces), Some(index)) => faces[index],
+            _ => number,
+        }
+    }
+}
+
+impl Compared {
+    /// The object is absent or shows one face in both pictures, or the pixel is open.
+    pub fn verdict(&self) -> Verdict {
+        match (self.golden, self.truth) {
+            (None, True::Absent) => Verdict::Absent,
+            (Some((number, z)), True::Face(face, depth)) if number == face => {
+                let z = z as f64;
+                Verdict::Face(face, Range::new(depth.low.min(z), depth.high.max(z)))
+            }
+            (golden, truth) => {
+                let golden = golden.map_or(f64::INFINITY, |(_, z)| z as f64);
+                let (truth, silhouette) = match truth {
+                    True::Absent => (f64::INFINITY, true),
+                    True::Face(_, depth) => (depth.low, golden.is_infinite()),
+                };
+                Verdict::Undecided {
+                    nearest: golden.min(truth),
+                    silhouette,
+                }
+            }
+        }
+    }
+
+    /// How far the golden depth is from the true one at most, where both pictures show one face.
+    pub fn depth_error(&self) -> Option<f64> {
+        match (self.golden, self.truth) {
+            (Some((number, z)), True::Face(face, depth)) if number == face => {
+                let z = z as f64;
+                Some((z - depth.low).max(depth.high - z))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the golden picture shows it.
+    pub fn is_drawn(&self) -> bool {
+        self.golden.is_some()
+    }
+}

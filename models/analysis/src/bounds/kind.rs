@@ -1,0 +1,141 @@
+//! The type of a quadric, from the signs of its exact coefficients (source: Table 2.1).
+//!
+//! By Sylvester's law the numbers of positive and negative squares of the quadratic part, and of the whole 4 x 4 matrix, do not depend
+//! on the frame; together they name the type.
+
+use imogene_scene::Quadric;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+/// The type of the surface Q = 0, named as in scene files where they have a name for it.
+pub fn quadric_kind(quadric: &Quadric) -> &'static str {
+    let q = quadric;
+    let row = |v: [&BigRational; 4]| v.map(Clone::clone).to_vec();
+    let matrix = vec![
+        row([&q.a, &q.d, &q.e, &q.g]),
+        row([&q.d, &q.b, &q.f, &q.h]),
+        row([&q.e, &q.f, &q.c, &q.i]),
+        row([&q.g, &q.h, &q.i, &q.j]),
+    ];
+    let part: Vec<Vec<BigRational>> = matrix[..3].iter().map(|r| r[..3].to_vec()).collect();
+    named(unsigned(inertia(part)), unsigned(inertia(matrix)))
+}
+
+/// The surface is the same for -Q: the greater count first.
+fn unsigned((positive, negative): (usize, usize)) -> (usize, usize) {
+    (positive.max(negative), positive.min(negative))
+}
+
+fn named(part: (usize, usize), whole: (usize, usize)) -> &'static str {
+    match (part, whole) {
+        ((3, 0), (3, 1)) => "ellipsoid",
+        ((2, 1), (2, 2)) => "hyperboloid_one_sheet",
+        ((2, 1), (3, 1)) => "hyperboloid_two_sheets",
+        ((2, 1), (2, 1)) => "cone",
+        ((2, 0), (3, 1)) => "elliptic_paraboloid",
+        ((1, 1), (2, 2)) => "hyperbolic_paraboloid",
+        ((2, 0), (2, 1)) => "elliptic_cylinder",
+        ((1, 1), (2, 1)) => "hyperbolic_cylinder",
+        ((1, 0), (2, 1)) => "parabolic_cylinder",
+        ((1, 1), (1, 1)) | ((1, 0), (1, 1)) => "plane_pair",
+        ((1, 0), (1, 0)) => "double_plane",
+        ((3, 0), (3, 0)) => "point",
+        ((2, 0), (2, 0)) => "line",
+        ((0, 0), _) => "plane",
+        _ => "empty",
+    }
+}
+
+/// Numbers of positive and negative squares of a symmetric matrix, by symmetric elimination.
+fn inertia(mut m: Vec<Vec<BigRational>>) -> (usize, usize) {
+    let mut counts = (0, 0);
+    while !m.is_empty() {
+        let n = m.len();
+        let Some(pivot) = (0..n).find(|&k| !m[k][k].is_zero()) else {
+            // Without a square, a product x_i x_j becomes two by x_i := x_i + x_j.
+            let Some((i, j)) = first_product(&m) else {
+                return counts;
+            };
+            add_row_and_column(&mut m, i, j);
+            continue;
+        };
+        if m[pivot][pivot].is_positive() {
+            counts.0 += 1;
+        } else {
+            counts.1 += 1;
+        }
+        m = schur_complement(&m, pivot);
+    }
+    counts
+}
+
+fn first_product(m: &[Vec<BigRational>]) -> Option<(usize, usize)> {
+    let pairs = (0..m.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    pairs.into_iter().find(|&(i, j)| !m[i][j].is_zero())
+}
+
+fn add_row_and_column(m: &mut [Vec<BigRational>], i: usize, j: usize) {
+    let row = m[j].clone();
+    for (to, from) in m[i].iter_mut().zip(&row) {
+        *to += from;
+    }
+    for row in m.iter_mut() {
+        let from = row[j].clone();
+        row[i] += from;
+    }
+}
+
+fn schur_complement(m: &[Vec<BigRational>], pivot: usize) -> Vec<Vec<BigRational>> {
+    let rest: Vec<usize> = (0..m.len()).filter(|&k| k != pivot).collect();
+    let entry = |i: usize, j: usize| &m[i][j] - &m[i][pivot] * &m[pivot][j] / &m[pivot][pivot];
+    rest.iter()
+        .map(|&i| rest.iter().map(|&j| entry(i, j)).collect())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_scene::{Shape, Transform};
+
+    #[test]
+    fn every_shape_of_scene_files_is_recognised_in_any_frame() {
+        let r3 = [1.5, 2.0, 0.75];
+        let r2 = [1.5, 2.0];
+        let shapes = [
+            (Shape::Ellipsoid { radii: r3 }, "ellipsoid"),
+            (Shape::Sphere { radius: 2.0 }, "ellipsoid"),
+            (Shape::EllipticCylinder { radii: r2 }, "elliptic_cylinder"),
+            (
+                Shape::HyperbolicCylinder { radii: r2 },
+                "hyperbolic_cylinder",
+            ),
+            (Shape::ParabolicCylinder { radii: r2 }, "parabolic_cylinder"),
+            (Shape::Cone { radii: r3 }, "cone"),
+            (
+                Shape::HyperboloidOneSheet { radii: r3 },
+                "hyperboloid_one_sheet",
+            ),
+            (
+                Shape::HyperboloidTwoSheets { radii: r3 },
+                "hyperboloid_two_sheets",
+            ),
+            (
+                Shape::EllipticParaboloid { radii: r3 },
+                "elliptic_paraboloid",
+            ),
+            (
+                Shape::HyperbolicParaboloid { radii: r3 },
+                "hyperbolic_paraboloid",
+            ),
+        ];
+        let turn = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
+        for (shape, name) in shapes {
+            let quadric = Quadric::from_shape(&shape).expect("a quadric");
+            assert_eq!(quadric_kind(&quadric), name);
+            let moved = Transform::translation([3, -5, 7].map(imogene_algebra::rational::integer));
+            let frame = Transform::linear(turn).after(&moved);
+            assert_eq!(quadric_kind(&quadric.transformed(&frame)), name);
+        }
+    }
+}

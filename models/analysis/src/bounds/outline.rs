@@ -1,0 +1,174 @@
+//! Whether the pixels that rounding leaves open let the outline of an object move by a pixel or more.
+//!
+//! The outline of either picture separates the pixels at which the object certainly is from those at which it
+//! certainly is not. At an open pixel that has both kinds among its eight neighbours, both outlines pass within a
+//! pixel. A group of open pixels that is one pixel wide is no wider than a pixel either, whatever is around it. What
+//! is left are open pixels of a square of four that lack one of the two: there a part of the object may be missing,
+//! or be there where nothing is, that is wider than a pixel.
+
+use super::verdict::Verdict;
+use imogene_golden::object::quadric::ScreenBox;
+
+/// Whether an object is at a pixel, as far as is proven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Presence {
+    Absent,
+    Present,
+    /// Rounding decides whether the line of sight meets it.
+    Open,
+    /// Rounding decides something else: a comparison with a plane or an end.
+    Unclear,
+}
+
+impl Presence {
+    pub fn of(verdict: &Verdict) -> Presence {
+        match verdict {
+            Verdict::Absent => Presence::Absent,
+            Verdict::Face(..) => Presence::Present,
+            Verdict::Undecided { silhouette, .. } if *silhouette => Presence::Open,
+            Verdict::Undecided { .. } => Presence::Unclear,
+        }
+    }
+}
+
+/// An object on its screen box, row-major; beside the box it is absent.
+pub(super) struct Silhouette<'a> {
+    pub window: ScreenBox,
+    pub presence: &'a [Presence],
+    /// Columns and lines of the picture, beyond which nothing is known.
+    pub size: (u32, u32),
+}
+
+impl Silhouette<'_> {
+    /// The pixels at which the outline may be a pixel or more away from the true one.
+    pub fn adrift(&self) -> Vec<(i64, i64)> {
+        let window = self.window;
+        let lines = window.y0..=window.y1;
+        let all = lines.flat_map(|y| (window.x0..=window.x1).map(move |x| (x, y)));
+        all.filter(|&at| self.is_adrift(at)).collect()
+    }
+
+    fn is_adrift(&self, at: (i64, i64)) -> bool {
+        if self.at(at) != Some(Presence::Open) {
+            return false;
+        }
+        let has = |what| {
+            self.around(at)
+                .any(|found| found.is_none_or(|found| found == what))
+        };
+        self.is_of_a_square(at) && !(has(Presence::Absent) && has(Presence::Present))
+    }
+
+    /// Whether one of the four squares of four pixels that hold this one is all open.
+    fn is_of_a_square(&self, (x, y): (i64, i64)) -> bool {
+        let open = |u: i64, v: i64| self.at((x + u, y + v)) == Some(Presence::Open);
+        let squares = [(-1, -1), (-1, 1), (1, -1), (1, 1)];
+        squares
+            .iter()
+            .any(|&(u, v)| open(u, 0) && open(0, v) && open(u, v))
+    }
+
+    fn around(&self, (x, y): (i64, i64)) -> impl Iterator<Item = Option<Presence>> + '_ {
+        let steps = (-1..=1).flat_map(|v| (-1..=1).map(move |u| (u, v)));
+        let steps = steps.filter(|&step| step != (0, 0));
+        steps.map(move |(u, v)| self.at((x + u, y + v)))
+    }
+
+    /// Nothing beyond the picture.
+    fn at(&self, (x, y): (i64, i64)) -> Option<Presence> {
+        let (width, height) = self.size;
+        let on_screen = (0..i64::from(width)).contains(&x) && (0..i64::from(height)).contains(&y);
+        if !on_screen {
+            return None;
+        }
+        let window = &self.window;
+        if !window.contains(x, y) {
+            return Some(Presence::Absent);
+        }
+        let columns = window.x1 - window.x0 + 1;
+        Some(self.presence[((y - window.y0) * columns + x - window.x0) as usize])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pixels adrift in a drawing of 8 columns: `.` absent, `#` present, `?` open, `:` unclear.
+    fn adrift(drawing: [&str; 4]) -> Vec<(i64, i64)> {
+        let presence: Vec<Presence> = drawing
+            .concat()
+            .chars()
+            .map(|c| match c {
+                '.' => Presence::Absent,
+                '#' => Presence::Present,
+                '?' => Presence::Open,
+                _ => Presence::Unclear,
+            })
+            .collect();
+        let window = ScreenBox {
+            x0: 1,
+            x1: 8,
+            y0: 1,
+            y1: 4,
+        };
+        Silhouette {
+            window,
+            presence: &presence,
+            size: (10, 6),
+        }
+        .adrift()
+    }
+
+    #[test]
+    fn an_outline_between_neighbours_is_held() {
+        assert_eq!(adrift(["........", "..????..", ".?####?.", "########"]), []);
+        assert_eq!(adrift(["###.....", ".###....", "..#?#...", "....###."]), []);
+    }
+
+    #[test]
+    fn a_group_one_pixel_wide_is_no_wider_than_a_pixel() {
+        assert_eq!(adrift(["........", "...?....", "........", "........"]), []);
+        assert_eq!(adrift(["########", "###?####", "########", "########"]), []);
+        assert_eq!(adrift(["........", ".????...", ".....?..", "......?."]), []);
+    }
+
+    #[test]
+    fn a_part_that_may_vanish_is_adrift() {
+        let all = [(3, 2), (4, 2), (3, 3), (4, 3)];
+        assert_eq!(
+            adrift(["........", "..??....", "..??....", "........"]),
+            all
+        );
+        assert_eq!(
+            adrift(["########", "##??####", "##??####", "########"]),
+            all
+        );
+        // A band of three, of whose pixels only those at two corners see both sides.
+        assert_eq!(
+            adrift(["...???##", "...???##", "...???##", "...???##"]).len(),
+            10
+        );
+    }
+
+    #[test]
+    fn nothing_is_known_beyond_the_picture() {
+        let presence = [Presence::Open; 4];
+        let window = ScreenBox {
+            x0: 0,
+            x1: 3,
+            y0: 0,
+            y1: 0,
+        };
+        let size = (4, 1);
+        assert!(
+            Silhouette {
+                window,
+                presence: &presence,
+                size
+            }
+            .adrift()
+            .is_empty()
+        );
+    }
+}

@@ -1,0 +1,218 @@
+//! Whether a check would fail, in a small part of the time of drawing: no bounds, and only the pixels that rounding
+//! can leave open.
+//!
+//! On a line of the picture f2 is of second degree in the column, so the columns at which it is within its error of
+//! zero follow from its roots. Mostly there are none; an object whose outline is steep everywhere is passed over
+//! whole.
+
+use super::accumulators::plane_bits;
+use super::contour::{displacement, steep_everywhere};
+use super::jury::Jury;
+use super::object::adrift_problem;
+use super::outline::{Presence, Silhouette};
+use super::verdict::decide;
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_prepare::{PreparedQuadric, PreparedScene};
+use imogene_scene::FramedScene;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::sync::OnceLock;
+
+/// Columns by which an interval is widened, for roots in `f64`; every pixel in it is decided in integers.
+const SPARE: f64 = 1e-3;
+
+/// An object for which a check fails.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Failing {
+    /// Name in the scene.
+    pub object: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// The objects of quadric and patch processors for which a check of the scene fails; `prepared` must come from `scene`.
+///
+/// Objects of other processors are compared with the truth at every pixel by [`super::check`] alone.
+pub fn failing(scene: &FramedScene, prepared: &PreparedScene) -> Vec<Failing> {
+    let jury = OnceLock::new();
+    let jury = || jury.get_or_init(|| Jury::new(scene, prepared));
+    let quadrics: Vec<&PreparedQuadric> = prepared.quadrics().map(|(_, object)| object).collect();
+    let found = quadrics.into_par_iter().filter_map(|object| {
+        let reason = wraps(object, &prepared.format).or_else(|| {
+            let silhouette = open_part(object, prepared)?;
+            let adrift = jury().adrift(&silhouette.as_ref());
+            let is_far = || displacement(object, &prepared.format).pixels >= 1.0;
+            adrift_problem(&adrift).filter(|_| is_far())
+        });
+        Some(Failing {
+            object: object.name.clone(),
+            reason: reason?,
+        })
+    });
+    found.collect()
+}
+
+fn wraps(object: &PreparedQuadric, format: &Format) -> Option<String> {
+    let needed = &object.needed;
+    let fits = needed.sum <= format.sum
+        && needed.quadratic <= format.quadratic
+        && plane_bits(&object.words)
+            .iter()
+            .all(|&bits| bits <= format.plane);
+    (!fits).then(|| "a word does not fit and wraps".to_owned())
+}
+
+/// The part of an object around its open pixels.
+struct Part {
+    window: ScreenBox,
+    presence: Vec<Presence>,
+    size: (u32, u32),
+}
+
+impl Part {
+    fn as_ref(&self) -> Silhouette<'_> {
+        Silhouette {
+            window: self.window,
+            presence: &self.presence,
+            size: self.size,
+        }
+    }
+}
+
+/// Nothing if too few pixels are open for a square of four.
+fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part> {
+    let format = &prepared.format;
+    let window = object.words.screen_box;
+    if window.is_empty() || steep_everywhere(object, format) {
+        return None;
+    }
+    let at = |x, y| Presence::of(&decide(object, format, x, y));
+    let mut around: Option<ScreenBox> = None;
+    let mut pixels = 0;
+    for y in window.y0..=window.y1 {
+        for [first, last] in near_zero(object, format, y) {
+            for x in (first..=last).filter(|&x| at(x, y) == Presence::Open) {
+                pixels += 1;
+                let one = ScreenBox {
+                    x0: x,
+                    x1: x,
+                    y0: y,
+                    y1: y,
+                };
+                around = Some(around.map_or(one, |found| found.around(&one)));
+            }
+        }
+    }
+    let around = around.filter(|_| pixels > 3)?;
+    // One more on each side, where the neighbours are.
+    let window = ScreenBox {
+        x0: around.x0 - 1,
+        x1: around.x1 + 1,
+        y0: around.y0 - 1,
+        y1: around.y1 + 1,
+    };
+    let window = window.in_zone(0, 0, prepared.width.into(), prepared.height.into());
+    let lines = window.y0..=window.y1;
+    Some(Part {
+        window,
+        presence: lines
+            .flat_map(|y| (window.x0..=window.x1).map(move |x| at(x, y)))
+            .collect(),
+        size: (prepared.width, prepared.height),
+    })
+}
+
+/// Intervals of the columns of a line that hold all pixels at which f2 may be within its error of zero.
+fn near_zero(object: &PreparedQuadric, format: &Format, y: i64) -> Vec<[i64; 2]> {
+    let words = &object.words;
+    let ScreenBox { x0, x1, .. } = words.screen_box;
+    // About the middle of the box, so that no digits are lost.
+    let middle = (x0 + x1).div_euclid(2);
+    let along = words.f2.from_zone(middle, y);
+    let [a, b, c] = [along.a, along.d, along.f].map(|v| v as f64);
+    let unit = f64::from(1u32 << format.guard_quadratic);
+    let error = (object.bounds.f2 + 1.0) * unit;
+    let (first, last) = ((x0 - middle) as f64, (x1 - middle) as f64);
+    let mut ends = vec![first, last];
+    for level in [-error, error] {
+        ends.extend(
+            real_roots(a, b, c - level)
+                .into_iter()
+                .filter(|u| (first..last).contains(u)),
+        );
+    }
+    ends.sort_by(f64::total_cmp);
+    let scale = (a.abs() * last.max(-first) + b.abs()) * last.max(-first) + c.abs();
+    let near = |u: f64| ((a * u + b) * u + c).abs() <= error + 1e-12 * scale;
+    let gaps = ends.windows(2).filter(|gap| near(0.5 * (gap[0] + gap[1])));
+    let inner = gaps.map(|gap| [gap[0], gap[1]]);
+    // A root by itself, where the band is narrower than two roots can tell.
+    let alone = ends.iter().map(|&u| [u, u]);
+    inner
+        .chain(alone)
+        .filter_map(|[low, high]| {
+            let low = (low - SPARE).ceil() as i64 + middle;
+            let high = (high + SPARE).floor() as i64 + middle;
+            (low <= high).then_some([low.max(x0), high.min(x1)])
+        })
+        .collect()
+}
+
+/// The real roots of `a u^2 + b u + c`; a pair that is barely complex counts as double.
+fn real_roots(a: f64, b: f64, c: f64) -> [f64; 2] {
+    let discriminant = b * b - 4.0 * a * c;
+    let spare = 1e-9 * (b * b + (4.0 * a * c).abs());
+    if discriminant < -spare {
+        return [f64::NAN; 2];
+    }
+    let sum = -0.5 * (b + discriminant.max(0.0).sqrt().copysign(b));
+    [sum / a, c / sum]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_golden::unit::interval::Class;
+    use imogene_golden::unit::pe2::Quadratic;
+    use imogene_prepare::rounding::Anchor;
+    use imogene_prepare::{ExactForms, NeededWidths, RoundingBounds, forms};
+    use proptest::prelude::*;
+
+    proptest! {
+        /// No open pixel is passed over, wherever the roots lie.
+        #[test]
+        fn every_open_pixel_is_among_the_candidates(
+            v in proptest::array::uniform6(-40i128..40), scale in 0u32..24, e2 in 0.0f64..3000.0, x0 in 0i64..600, y0 in 0i64..400
+        ) {
+            let unit = 1i128 << scale;
+            let about = Quadratic { a: v[0] * unit, b: v[1] * unit, c: v[2] * unit, d: v[3] * unit, e: v[4] * unit, f: v[5] * unit };
+            let window = ScreenBox { x0, x1: x0 + 20, y0, y1: y0 + 14 };
+            let words = imogene_golden::object::quadric::QuadricWords {
+                class: Class::Side,
+                screen_box: window,
+                f1: Default::default(),
+                f2: about.from_zone(-x0 - 9, -y0 - 7),
+                normal: Default::default(),
+                planes: vec![],
+            };
+            let object = PreparedQuadric {
+                name: "any".into(),
+                words,
+                exact: ExactForms { f1: forms::LinearForm::zero(), f2: forms::QuadraticForm::zero(), planes: vec![] },
+                anchor: Anchor::ORIGIN,
+                bounds: RoundingBounds { f2: e2, ..RoundingBounds::of_format(&Format::BASE) },
+                needed: NeededWidths::default(),
+                notes: vec![],
+            };
+            for y in window.y0..=window.y1 {
+                let candidates = near_zero(&object, &Format::BASE, y);
+                for x in window.x0..=window.x1 {
+                    let open = object.words.f2_at(x, y, &Format::BASE).abs() as f64 <= e2;
+                    let found = candidates.iter().any(|[low, high]| (*low..=*high).contains(&x));
+                    prop_assert!(!open || found, "({x}, {y})");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! What a scene needs and has, in short: the machine, and the objects that a person may want to know of.
+
+use super::ObjectReport;
+use super::guards::{ExactGuards, exact_guards};
+use super::needs::{MachineNeeds, machine_needs};
+use super::object::QuadricReport;
+use imogene_golden::machine::beam;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
+use serde::Serialize;
+
+/// Whether the golden picture shows an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Shows {
+    /// At one pixel at least.
+    Visible,
+    /// Others are before it at all its pixels.
+    Hidden,
+    /// Its screen box has pixels, but none shows it: it falls between them, or its planes leave nothing.
+    BetweenPixels,
+    /// Its screen box holds no pixel: off the screen or its depth range, edge-on, cut away, or so small that it lies between the pixels.
+    EmptyBox,
+}
+
+impl Shows {
+    pub(super) fn of(window: &ScreenBox, pixels: usize, visible: usize) -> Shows {
+        match (pixels, visible) {
+            _ if window.is_empty() => Shows::EmptyBox,
+            (0, _) => Shows::BetweenPixels,
+            (_, 0) => Shows::Hidden,
+            _ => Shows::Visible,
+        }
+    }
+}
+
+/// The scene in short; objects by their names.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// The narrowest machine; nothing if there are objects of other processors than quadric and patch.
+    pub machine: Option<MachineNeeds>,
+    /// Guard bits from which on rounding adds at most a depth word to a quadric's face and leaves no silhouette pixel open; nothing where none do.
+    pub guards: Option<ExactGuards>,
+    /// Objects that need the front-view path.
+    pub front_view: Vec<String>,
+    /// Prisms.
+    pub prisms: Vec<String>,
+    /// Quadrics that are no curved surface.
+    pub degenerate: Vec<String>,
+    /// Objects with planes that are half-planes of the screen.
+    pub perpendicular_planes: Vec<String>,
+    /// Objects with planes that change no pixel.
+    pub planes_without_effect: Vec<String>,
+    /// Objects that no pixel of the picture shows.
+    pub never_shown: Vec<String>,
+    /// Objects whose material does not mirror light.
+    pub without_highlights: Vec<String>,
+}
+
+pub(super) fn summary(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    objects: &[ObjectReport],
+) -> Summary {
+    let quadrics = |is: fn(&QuadricReport) -> bool| -> Vec<String> {
+        let quadrics = objects.iter().filter_map(ObjectReport::quadric);
+        let found = quadrics.filter(|o| is(o));
+        found.map(|o| o.name.clone()).collect()
+    };
+    let all = |is: fn(&ObjectReport) -> bool| -> Vec<String> {
+        let found = objects.iter().filter(|o| is(o));
+        found.map(|o| o.name().to_owned()).collect()
+    };
+    Summary {
+        machine: machine_needs(scene, prepared),
+        guards: exact_guards(prepared),
+        front_view: quadrics(|o| o.front_view),
+        prisms: quadrics(|o| o.prism),
+        degenerate: quadrics(|o| o.degenerate),
+        perpendicular_planes: quadrics(|o| !o.perpendicular_planes.is_empty()),
+        planes_without_effect: quadrics(|o| !o.planes_without_effect.is_empty()),
+        never_shown: all(|o| o.shows() != Shows::Visible),
+        without_highlights: all(|o| !o.highlights()),
+    }
+}
+
+/// Pixels of the golden picture that show each object.
+pub(super) fn visible_pixels(prepared: &PreparedScene) -> Vec<usize> {
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let frame = beam::render(&prepared.slots(), &prepared.format, width, height, || ());
+    let mut pixels = vec![0; prepared.objects.len()];
+    for id in frame.id {
+        if let Ok(id) = usize::try_from(id) {
+            pixels[id] += 1;
+        }
+    }
+    pixels
+}

@@ -1,0 +1,98 @@
+//! Where objects end along a line of sight, behind the point at which they are first seen.
+
+use super::ray::{Hit, RayObject, ordered_roots};
+use super::real::SurdReal;
+use super::render::{DEPTH_FRACTION, ExactPixel};
+use imogene_golden::format::Format;
+use imogene_golden::unit::interval::FACE_FAR;
+use imogene_scene::{FramedScene, Surface};
+use num_bigint::BigInt;
+use num_traits::{Signed, ToPrimitive, Zero};
+use rayon::prelude::*;
+
+/// The true back of a visible object of the quadric or the patch processor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExactBack {
+    /// Depth in depth words with [`DEPTH_FRACTION`] fraction bits.
+    pub depth: i64,
+    /// False where the back is the same point as the front: one face of a patch alone.
+    pub is_apart: bool,
+}
+
+impl RayObject {
+    /// The end of the solid part that begins at the first visible point, or the last kept face of a patch.
+    pub fn back_of(&self, hit: &Hit, x: i64, y: i64) -> SurdReal {
+        let [a, b, c] = self.polynomial(x, y);
+        let roots = ordered_roots(&a, &b, &c);
+        match self.surface {
+            Surface::Patch => {
+                let kept = |w: &SurdReal| self.is_visible(w) && self.planes_keep(w, x, y);
+                let last = roots.and_then(|roots| roots.into_iter().rev().find(kept));
+                last.unwrap_or_else(|| hit.w.clone())
+            }
+            Surface::Solid => {
+                let (_, high) = self
+                    .kept_interval(x, y)
+                    .expect("a solid that is seen has an interval");
+                let end = SurdReal::ratio(high.0, high.1);
+                match left_at(&a, &b, &c, roots, hit) {
+                    Some(leaving) if leaving < end => leaving,
+                    _ => end,
+                }
+            }
+        }
+    }
+}
+
+/// Where the line of sight leaves the unbounded quadric that it is in at the first visible point, if it does.
+fn left_at(
+    a: &BigInt,
+    b: &BigInt,
+    c: &BigInt,
+    roots: Option<[SurdReal; 2]>,
+    hit: &Hit,
+) -> Option<SurdReal> {
+    match roots {
+        Some([_, second]) if a.is_positive() => Some(second),
+        // Outside between the roots: behind the second one it is inside for ever.
+        Some([first, _]) => (hit.number != FACE_FAR && hit.w <= first).then_some(first),
+        None if a.is_zero() && b.is_positive() => Some(SurdReal::ratio(-c, b.clone())),
+        None => None,
+    }
+}
+
+/// The true back at every pixel that shows an object of the quadric or the patch processor.
+pub fn backs(
+    pixels: &[Option<ExactPixel>],
+    scene: &FramedScene,
+    format: &Format,
+) -> Vec<Option<ExactBack>> {
+    let (width, height) = (scene.width, scene.height);
+    let rays: Vec<Option<RayObject>> = scene
+        .objects
+        .iter()
+        .map(|o| {
+            Some(RayObject::new(
+                o.quadric()?,
+                &scene.projection,
+                width,
+                height,
+            ))
+        })
+        .collect();
+    let full = BigInt::from(format.z_max());
+    let back = |(index, pixel): (usize, &Option<ExactPixel>)| {
+        let pixel = pixel.as_ref()?;
+        let object = rays[pixel.id as usize].as_ref()?;
+        let (x, y) = (index % width as usize, index / width as usize);
+        let (x, y) = (x as i64, y as i64);
+        let hit = object.first_hit(x, y)?;
+        let w = object.back_of(&hit, x, y);
+        let depth = w.fixed(&full, &full, DEPTH_FRACTION).to_i64();
+        Some(ExactBack {
+            depth: depth.expect("visible depths lie in the depth word"),
+            is_apart: w != hit.w,
+        })
+    };
+    pixels.par_iter().enumerate().map(back).collect()
+}

@@ -1,0 +1,221 @@
+//! A mesh along one line of sight: flat facets with corners where they truly are, in exact integers.
+
+use super::ray::{Affine, Hit, common_integers, dot, first_degree, ray_points};
+use super::real::SurdReal;
+use imogene_algebra::rational::{integer, to_f64};
+use imogene_golden::object::facet::FACE_FACET;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{FramedFacet, FramedMesh, Projection};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
+
+type Point = [BigRational; 3];
+
+/// The facets of a mesh along the rays of a screen.
+#[derive(Clone, Debug)]
+pub struct RayMesh {
+    pub(crate) facets: Vec<RayFacet>,
+}
+
+/// One facet: on its inner side no edge is negative, and its plane is met where `slope w + constant` is zero.
+#[derive(Clone, Debug)]
+pub(crate) struct RayFacet {
+    index: usize,
+    pub window: ScreenBox,
+    pub edges: Vec<[BigInt; 3]>,
+    pub plane: [[BigInt; 3]; 2],
+}
+
+impl RayMesh {
+    /// Sets up the rays of a screen of `width` x `height` pixels. A facet with a corner that is not before the viewer, which the preparation refuses, is left
+    /// out, as is one that is a line on the screen.
+    pub fn new(mesh: &FramedMesh, projection: &Projection, width: u32, height: u32) -> RayMesh {
+        let rays = ray_points(projection, width, height);
+        let first = [width, height].map(|n| -integer(i64::from(n)) / integer(2));
+        let seen: Vec<Option<[BigRational; 2]>> = mesh
+            .vertices
+            .iter()
+            .map(|vertex| on_screen(vertex, projection, &first))
+            .collect();
+        let facet = |(index, facet): (usize, &FramedFacet)| {
+            let corners: Option<Vec<[BigRational; 2]>> =
+                facet.corners.iter().map(|&k| seen[k].clone()).collect();
+            let [p, q, r] = [0, 1, 2].map(|k| &mesh.vertices[facet.corners[k]]);
+            let plane = plane_through(p, q, r);
+            let factors = plane.each_ref();
+            let (constant, slope) = &rays;
+            Some(RayFacet {
+                index,
+                edges: edges(corners.as_ref()?)?,
+                window: window(corners.as_ref()?),
+                plane: common_integers([dot(&factors, slope), dot(&factors, constant)]),
+            })
+        };
+        RayMesh {
+            facets: mesh.facets.iter().enumerate().filter_map(facet).collect(),
+        }
+    }
+
+    /// The first visible point of the mesh at a pixel; edges belong to their facets.
+    pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        for facet in &self.facets {
+            if let Some(hit) = facet.hit(x, y)
+                && nearest.as_ref().is_none_or(|best| hit.w < best.w)
+            {
+                nearest = Some(hit);
+            }
+        }
+        nearest
+    }
+}
+
+impl RayFacet {
+    /// The visible point of this facet alone.
+    pub fn hit(&self, x: i64, y: i64) -> Option<Hit> {
+        let hit = |w| Hit {
+            w,
+            number: FACE_FACET,
+            part: self.index,
+        };
+        self.met(x, y).map(hit)
+    }
+
+    fn met(&self, x: i64, y: i64) -> Option<SurdReal> {
+        let inside = self.window.contains(x, y)
+            && self
+                .edges
+                .iter()
+                .all(|edge| !first_degree(edge, x, y).is_negative());
+        if !inside {
+            return None;
+        }
+        let [slope, constant] = self.plane.each_ref().map(|p| first_degree(p, x, y));
+        if slope.is_zero() {
+            return None;
+        }
+        let w = SurdReal::ratio(-constant, slope);
+        let visible = w.cmp_ratio(&BigInt::from(-2), &BigInt::from(1)) != Ordering::Less
+            && w.signum() == Ordering::Less;
+        visible.then_some(w)
+    }
+}
+
+/// Column and line at which a point is seen; nothing if it is not before the viewer.
+fn on_screen(
+    point: &Point,
+    projection: &Projection,
+    first: &[BigRational; 2],
+) -> Option<[BigRational; 2]> {
+    let [x, y, z] = point;
+    let closer = match projection {
+        Projection::Perspective { distance } if !(distance + z).is_positive() => return None,
+        Projection::Perspective { distance } => distance / (distance + z),
+        Projection::Orthographic { .. } => integer(1),
+    };
+    Some([x * &closer - &first[0], y * &closer - &first[1]])
+}
+
+/// The sides, not negative inside; nothing if the corners are in a line.
+fn edges(corners: &[[BigRational; 2]]) -> Option<Vec<[BigInt; 3]>> {
+    let n = corners.len();
+    let side = |k: usize| -> Affine {
+        let ([px, py], [qx, qy]) = (&corners[k], &corners[(k + 1) % n]);
+        [py - qy, qx - px, px * qy - qx * py]
+    };
+    let [x, y] = &corners[2];
+    let [a, b, c] = side(0);
+    let turn = a * x + b * y + c;
+    if turn.is_zero() {
+        return None;
+    }
+    let inner = |k: usize| {
+        let [form] = common_integers([side(k)]);
+        form.map(|v| if turn.is_negative() { -v } else { v })
+    };
+    Some((0..n).map(inner).collect())
+}
+
+/// The pixels about the corners, a pixel more on each side.
+fn window(corners: &[[BigRational; 2]]) -> ScreenBox {
+    let at = |value: &BigRational| value.floor().to_integer().to_i64();
+    let bound = |axis: usize| {
+        let all = || corners.iter().map(|c| &c[axis]);
+        let (least, greatest) = (all().min(), all().max());
+        (
+            least.and_then(at).unwrap_or(i64::MIN),
+            greatest
+                .and_then(at)
+                .map_or(i64::MAX, |v| v.saturating_add(1)),
+        )
+    };
+    let ((x0, x1), (y0, y1)) = (bound(0), bound(1));
+    ScreenBox { x0, x1, y0, y1 }
+}
+
+/// The factors of the plane through three points.
+fn plane_through(p: &Point, q: &Point, r: &Point) -> [BigRational; 4] {
+    let minus = |s: &Point| -> Point { std::array::from_fn(|k| &s[k] - &p[k]) };
+    let (u, v) = (minus(q), minus(r));
+    let n = |i: usize, j: usize| &u[i] * &v[j] - &u[j] * &v[i];
+    let [a, b, c] = [n(1, 2), n(2, 0), n(0, 1)];
+    let d = -(&a * &p[0] + &b * &p[1] + &c * &p[2]);
+    [a, b, c, d]
+}
+
+/// Normals of a mesh in floating point: those of its corners, weighted by the place within the facet, or the facet's own.
+pub(super) struct MeshNormals<'a> {
+    mesh: &'a FramedMesh,
+    vertices: Vec<[f64; 3]>,
+}
+
+impl MeshNormals<'_> {
+    pub fn new(mesh: &FramedMesh) -> MeshNormals<'_> {
+        MeshNormals {
+            mesh,
+            vertices: mesh
+                .vertices
+                .iter()
+                .map(|v| v.each_ref().map(to_f64))
+                .collect(),
+        }
+    }
+
+    /// The direction at a point of a facet.
+    pub fn at(&self, facet: usize, point: [f64; 3]) -> [f64; 3] {
+        let facet = &self.mesh.facets[facet];
+        let Some(normals) = &self.mesh.normals else {
+            return facet.normal.map(f64::from);
+        };
+        let weigh = |triangle: [usize; 3]| {
+            let corners = triangle.map(|k| facet.corners[k]);
+            let weights = barycentric(corners.map(|k| self.vertices[k]), point);
+            let least = weights.into_iter().fold(f64::INFINITY, f64::min);
+            let sum = std::array::from_fn(|axis| {
+                let terms = corners.iter().zip(weights);
+                terms.map(|(&k, w)| w * f64::from(normals[k][axis])).sum()
+            });
+            (least, sum)
+        };
+        let (least, sum) = weigh([0, 1, 2]);
+        if facet.corners.len() == 4 {
+            let (other, other_sum) = weigh([0, 2, 3]);
+            if other > least {
+                return other_sum;
+            }
+        }
+        sum
+    }
+}
+
+fn barycentric([p, q, r]: [[f64; 3]; 3], point: [f64; 3]) -> [f64; 3] {
+    let minus = |u: [f64; 3], v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| u[k] - v[k]) };
+    let dot = |u: [f64; 3], v: [f64; 3]| -> f64 { u.iter().zip(v).map(|(a, b)| a * b).sum() };
+    let (u, v, w) = (minus(q, p), minus(r, p), minus(point, p));
+    let (uu, uv, vv, wu, wv) = (dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v));
+    let area = uu * vv - uv * uv;
+    let (b, c) = ((vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area);
+    [1.0 - b - c, b, c]
+}

@@ -1,0 +1,304 @@
+//! One object along one line of sight, in exact integers.
+//!
+//! The ray parameter `w` grows with the depth and is the same in both projections: `z_p = full * (1 + w)`, visible for -2 <= w < 0. In perspective
+//! `w = -1/t` for the point `eye + t (pixel - eye)`; in an orthographic view `z = half_depth (1 + w)`.
+
+use super::real::SurdReal;
+use imogene_algebra::rational::integer;
+use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use imogene_scene::{FramedQuadric, Projection, Surface};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use std::cmp::Ordering;
+
+/// The first point of an object along a ray.
+#[derive(Clone, Debug)]
+pub struct Hit {
+    /// Ray parameter.
+    pub w: SurdReal,
+    /// Number of the face that is met, numbered as in the hardware.
+    pub number: u8,
+    /// Index of the facet of a mesh; 0 for any other object.
+    pub part: usize,
+}
+
+/// An object's equation along the rays of a screen: polynomials in pixel column and line with integer coefficients.
+#[derive(Clone, Debug)]
+pub struct RayObject {
+    pub(crate) surface: Surface,
+    /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator dropped.
+    pub(crate) along: [[BigInt; 6]; 3],
+    /// Per plane the factors of w and 1, each `a x + b y + c`; kept where their sum is not positive.
+    pub(crate) planes: Vec<[[BigInt; 3]; 2]>,
+}
+
+/// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in w.
+pub(super) type Affine = [BigRational; 3];
+
+impl RayObject {
+    /// Sets up the rays of a screen of `width` x `height` pixels.
+    pub fn new(
+        object: &FramedQuadric,
+        projection: &Projection,
+        width: u32,
+        height: u32,
+    ) -> RayObject {
+        let (constant, slope) = ray_points(projection, width, height);
+        let q = &object.quadric;
+        let matrix = [
+            [&q.a, &q.d, &q.e, &q.g],
+            [&q.d, &q.b, &q.f, &q.h],
+            [&q.e, &q.f, &q.c, &q.i],
+            [&q.g, &q.h, &q.i, &q.j],
+        ];
+        let form = |u: &[Affine; 4], v: &[Affine; 4]| bilinear(&matrix, u, v);
+        let mixed = form(&constant, &slope);
+        let along = [
+            form(&slope, &slope),
+            mixed.map(|c| c * integer(2)),
+            form(&constant, &constant),
+        ];
+        let planes = object.planes.iter().map(|p| {
+            let factors = [&p.a, &p.b, &p.c, &p.d];
+            common_integers([dot(&factors, &slope), dot(&factors, &constant)])
+        });
+        RayObject {
+            surface: object.surface,
+            along: common_integers(along),
+            planes: planes.collect(),
+        }
+    }
+
+    /// Factors of w^2, w and 1 at a pixel.
+    pub(super) fn polynomial(&self, x: i64, y: i64) -> [BigInt; 3] {
+        self.along.each_ref().map(|p| second_degree(p, x, y))
+    }
+
+    /// The first visible point of the object at a pixel.
+    pub fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
+        let [a, b, c] = self.polynomial(x, y);
+        match self.surface {
+            Surface::Solid => self.solid_hit(&a, &b, &c, x, y),
+            Surface::Patch => self.patch_hit(&a, &b, &c, x, y),
+        }
+    }
+
+    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, such as a non-planar facet, has a near face alone.
+    fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
+        if a.is_zero() && !b.is_zero() {
+            let w = SurdReal::ratio(-c, b.clone());
+            let there = self.is_visible(&w) && self.planes_keep(&w, x, y);
+            return there.then_some(Hit {
+                w,
+                number: FACE_NEAR,
+                part: 0,
+            });
+        }
+        ordered_roots(a, b, c)?
+            .into_iter()
+            .zip([FACE_NEAR, FACE_FAR])
+            .find(|(w, _)| self.is_visible(w) && self.planes_keep(w, x, y))
+            .map(|(w, number)| Hit { w, number, part: 0 })
+    }
+
+    pub(super) fn is_visible(&self, w: &SurdReal) -> bool {
+        w.cmp_ratio(&BigInt::from(-2), &BigInt::one()) != Ordering::Less
+            && w.signum() == Ordering::Less
+    }
+
+    pub(super) fn planes_keep(&self, w: &SurdReal, x: i64, y: i64) -> bool {
+        self.planes.iter().all(|plane| {
+            let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
+            match slope.is_zero() {
+                true => !constant.is_positive(),
+                // slope * w + constant <= 0
+                false => {
+                    let order = w.cmp_ratio(&(-&constant * slope.signum()), &slope.abs());
+                    if slope.is_positive() {
+                        order != Ordering::Greater
+                    } else {
+                        order != Ordering::Less
+                    }
+                }
+            }
+        })
+    }
+
+    /// A solid: the planes leave an interval of the ray; the solid begins at its start if that is inside the quadric, else where
+    /// the ray next enters the quadric.
+    fn solid_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
+        let (low, high) = self.kept_interval(x, y)?;
+        let (start, end) = (&low.w, &high);
+        if at_ratio(a, b, c, start) <= Ordering::Equal {
+            return Some(Hit {
+                w: SurdReal::ratio(start.0.clone(), start.1.clone()),
+                number: low.number,
+                part: 0,
+            });
+        }
+        let kept = |w: &SurdReal| {
+            w.cmp_ratio(&start.0, &start.1) != Ordering::Less
+                && w.cmp_ratio(&end.0, &end.1) != Ordering::Greater
+                && w.signum() == Ordering::Less
+        };
+        if a.is_zero() && !b.is_zero() {
+            // A line of sight that meets the quadric once enters it there.
+            let w = SurdReal::ratio(-c, b.clone());
+            return kept(&w).then_some(Hit {
+                w,
+                number: FACE_NEAR,
+                part: 0,
+            });
+        }
+        let roots = ordered_roots(a, b, c)?;
+        roots
+            .into_iter()
+            .zip([FACE_NEAR, FACE_FAR])
+            .find(|(w, _)| kept(w))
+            .map(|(w, number)| Hit { w, number, part: 0 })
+    }
+
+    /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and an end.
+    pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<(Start, Ratio)> {
+        let mut low = Start {
+            w: (BigInt::from(-2), BigInt::one()),
+            number: FACE_NEAR_END,
+        };
+        let mut high: Ratio = (BigInt::zero(), BigInt::one());
+        for (i, plane) in self.planes.iter().enumerate() {
+            let [slope, constant] = plane.each_ref().map(|p| first_degree(p, x, y));
+            if slope.is_zero() {
+                if constant.is_positive() {
+                    return None;
+                }
+                continue;
+            }
+            let bound: Ratio = (-&constant * slope.signum(), slope.abs());
+            if slope.is_positive() {
+                if less(&bound, &high) {
+                    high = bound;
+                }
+            } else if less(&low.w, &bound) {
+                low = Start {
+                    w: bound,
+                    number: FACE_PLANE + i as u8,
+                };
+            }
+        }
+        // The end is closed at a plane and open at infinity.
+        let zero = (BigInt::zero(), BigInt::one());
+        (!less(&high, &low.w) && less(&low.w, &zero)).then_some((low, high))
+    }
+}
+
+/// A rational with positive denominator.
+pub(super) type Ratio = (BigInt, BigInt);
+
+pub(super) struct Start {
+    w: Ratio,
+    number: u8,
+}
+
+fn less(a: &Ratio, b: &Ratio) -> bool {
+    &a.0 * &b.1 < &b.0 * &a.1
+}
+
+/// Sign of `a w^2 + b w + c` at a rational.
+fn at_ratio(a: &BigInt, b: &BigInt, c: &BigInt, w: &Ratio) -> Ordering {
+    let value = (a * &w.0 + b * &w.1) * &w.0 + c * &w.1 * &w.1;
+    value.cmp(&BigInt::zero())
+}
+
+/// The real roots of `a w^2 + b w + c` in ascending order; none if there are no two (or one double).
+pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdReal; 2]> {
+    if a.is_zero() {
+        return None;
+    }
+    let discriminant = b * b - BigInt::from(4) * a * c;
+    if discriminant.is_negative() {
+        return None;
+    }
+    let double = BigInt::from(2) * a;
+    let first = if a.is_positive() { -1 } else { 1 };
+    let root = |s: i32| SurdReal::new(-b, s, discriminant.clone(), double.clone());
+    Some([root(first), root(-first)])
+}
+
+/// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column and line.
+pub(super) fn ray_points(
+    projection: &Projection,
+    width: u32,
+    height: u32,
+) -> ([Affine; 4], [Affine; 4]) {
+    let zero = || [integer(0), integer(0), integer(0)];
+    let only = |c: BigRational| [integer(0), integer(0), c];
+    let half = |n: u32| -integer(i64::from(n)) / integer(2);
+    let column = [integer(1), integer(0), half(width)];
+    let line = [integer(0), integer(1), half(height)];
+    match projection {
+        // (eye + t direction) / t with 1/t = -w: direction (x, y, D, 0), eye (0, 0, -D, 1).
+        Projection::Perspective { distance } => (
+            [column, line, only(distance.clone()), zero()],
+            [zero(), zero(), only(distance.clone()), only(integer(-1))],
+        ),
+        Projection::Orthographic { half_depth } => (
+            [column, line, only(half_depth.clone()), only(integer(1))],
+            [zero(), zero(), only(half_depth.clone()), zero()],
+        ),
+    }
+}
+
+/// u' M v as `a x^2 + b y^2 + c xy + d x + e y + f`.
+fn bilinear(matrix: &[[&BigRational; 4]; 4], u: &[Affine; 4], v: &[Affine; 4]) -> [BigRational; 6] {
+    let mut sum: [BigRational; 6] = std::array::from_fn(|_| integer(0));
+    for (row, p) in matrix.iter().zip(u) {
+        for (factor, q) in row.iter().zip(v) {
+            let product = [
+                &p[0] * &q[0],
+                &p[1] * &q[1],
+                &p[0] * &q[1] + &p[1] * &q[0],
+                &p[0] * &q[2] + &p[2] * &q[0],
+                &p[1] * &q[2] + &p[2] * &q[1],
+                &p[2] * &q[2],
+            ];
+            for (total, term) in sum.iter_mut().zip(product) {
+                *total += term * *factor;
+            }
+        }
+    }
+    sum
+}
+
+pub(super) fn dot(factors: &[&BigRational; 4], point: &[Affine; 4]) -> Affine {
+    std::array::from_fn(|k| factors.iter().zip(point).map(|(f, p)| *f * &p[k]).sum())
+}
+
+/// Brings coefficients to integers by one common positive factor.
+pub(super) fn common_integers<const N: usize, const M: usize>(
+    forms: [[BigRational; N]; M],
+) -> [[BigInt; N]; M] {
+    let all = || forms.iter().flatten();
+    let denominator = all().fold(BigInt::one(), |acc, c| acc.lcm(c.denom()));
+    let content = all().fold(BigInt::zero(), |acc, c| {
+        acc.gcd(&(c.numer() * (&denominator / c.denom())))
+    });
+    let content = if content.is_zero() {
+        BigInt::one()
+    } else {
+        content
+    };
+    forms.each_ref().map(|form| {
+        form.each_ref()
+            .map(|c| c.numer() * (&denominator / c.denom()) / &content)
+    })
+}
+
+fn second_degree(p: &[BigInt; 6], x: i64, y: i64) -> BigInt {
+    (&p[0] * x + &p[2] * y + &p[3]) * x + (&p[1] * y + &p[4]) * y + &p[5]
+}
+
+pub(super) fn first_degree(p: &[BigInt; 3], x: i64, y: i64) -> BigInt {
+    &p[0] * x + &p[1] * y + &p[2]
+}

@@ -1,0 +1,251 @@
+//! A whole picture from the exact reference.
+
+use super::facet::{MeshNormals, RayMesh};
+use super::ray::{Hit, RayObject};
+use imogene_algebra::rational::{integer, to_f64};
+use imogene_golden::format::Format;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::normal::NEAR_END_NORMAL;
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Projection};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+use rayon::prelude::*;
+
+/// Fraction bits of an exact depth in depth words.
+pub const DEPTH_FRACTION: u32 = 20;
+
+/// What is truly seen at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExactPixel {
+    /// Depth in depth words with [`DEPTH_FRACTION`] fraction bits, exact to one unit of the last.
+    pub depth: i64,
+    /// Index of the visible object.
+    pub id: u32,
+    /// Number of the visible face.
+    pub number: u8,
+    /// Index of the visible facet of a mesh; 0 for any other object.
+    pub part: u32,
+}
+
+/// An object along the rays of a screen.
+pub(super) enum Rays {
+    Cut(Box<RayObject>),
+    Mesh(RayMesh),
+    /// Nowhere to be seen.
+    Unseen,
+}
+
+impl Rays {
+    pub(super) fn new(object: &FramedObject, scene: &FramedScene) -> Rays {
+        let (projection, width, height) = (&scene.projection, scene.width, scene.height);
+        match (object, object.cut_quadric()) {
+            (FramedObject::Mesh(mesh), _) => {
+                Rays::Mesh(RayMesh::new(mesh, projection, width, height))
+            }
+            (_, Some(cut)) => Rays::Cut(Box::new(RayObject::new(&cut, projection, width, height))),
+            (_, None) => Rays::Unseen,
+        }
+    }
+
+    fn first_hit(&self, x: i64, y: i64) -> Option<Hit> {
+        match self {
+            Rays::Cut(object) => object.first_hit(x, y),
+            Rays::Mesh(mesh) => mesh.first_hit(x, y),
+            Rays::Unseen => None,
+        }
+    }
+}
+
+/// The exact picture, row-major; `None` is background. `line_done` is called once a line, from any thread.
+pub fn render(
+    scene: &FramedScene,
+    format: &Format,
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
+    render_some(scene, format, |_| true, line_done)
+}
+
+/// The same for the pixels that are wanted, row-major, alone; the others are `None`.
+pub fn render_where(
+    scene: &FramedScene,
+    format: &Format,
+    wanted: &[bool],
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
+    render_some(scene, format, |index| wanted[index], line_done)
+}
+
+fn render_some(
+    scene: &FramedScene,
+    format: &Format,
+    wanted: impl Fn(usize) -> bool + Sync,
+    line_done: impl Fn() + Sync,
+) -> Vec<Option<ExactPixel>> {
+    let objects: Vec<Rays> = scene.objects.iter().map(|o| Rays::new(o, scene)).collect();
+    let full = BigInt::from(format.z_max());
+    let width = i64::from(scene.width);
+    let line = |y: i64| {
+        let pixels: Vec<_> = (0..width)
+            .map(|x| {
+                if !wanted((y * width + x) as usize) {
+                    return None;
+                }
+                let (id, hit) = visible(&objects, x, y)?;
+                let depth = hit.w.fixed(&full, &full, DEPTH_FRACTION);
+                Some(ExactPixel {
+                    depth: depth
+                        .to_i64()
+                        .expect("visible depths lie in the depth word"),
+                    id,
+                    number: hit.number,
+                    part: hit.part as u32,
+                })
+            })
+            .collect();
+        line_done();
+        pixels
+    };
+    (0..i64::from(scene.height))
+        .into_par_iter()
+        .flat_map_iter(line)
+        .collect()
+}
+
+/// The nearest hit; the smaller id where two are exactly equal.
+pub(super) fn visible(objects: &[Rays], x: i64, y: i64) -> Option<(u32, Hit)> {
+    let mut nearest: Option<(u32, Hit)> = None;
+    for (id, object) in objects.iter().enumerate() {
+        if let Some(hit) = object.first_hit(x, y)
+            && nearest.as_ref().is_none_or(|(_, best)| hit.w < best.w)
+        {
+            nearest = Some((id as u32, hit));
+        }
+    }
+    nearest
+}
+
+/// The exact picture rounded to a frame, for shading and comparison: depths floored, normals in full 16-bit words.
+pub fn to_frame(pixels: &[Option<ExactPixel>], scene: &FramedScene, format: &Format) -> Frame {
+    let width = scene.width as usize;
+    let mut frame = Frame::background(width, scene.height as usize, format.z_max());
+    let directions = directions(pixels, scene, format);
+    for (index, pixel) in pixels.iter().enumerate() {
+        let Some(pixel) = pixel else { continue };
+        frame.depth[index] = pixel.depth >> DEPTH_FRACTION;
+        frame.id[index] = pixel.id as i32;
+        frame.number[index] = pixel.number;
+        frame.normal[index] = full_length(directions[index]);
+    }
+    frame
+}
+
+/// The direction of the true normal at every pixel, of any length; zero where nothing is seen.
+pub fn directions(
+    pixels: &[Option<ExactPixel>],
+    scene: &FramedScene,
+    format: &Format,
+) -> Vec<[f64; 3]> {
+    let width = scene.width as usize;
+    let full = full_depth(&scene.projection);
+    let unit = (1i64 << DEPTH_FRACTION) as f64 * format.z_max() as f64;
+    let normals: Vec<Normals> = scene.objects.iter().map(Normals::new).collect();
+    let direction = |(index, pixel): (usize, &Option<ExactPixel>)| {
+        let Some(pixel) = pixel else { return [0.0; 3] };
+        let depth = pixel.depth as f64 / unit * full;
+        let point = scene
+            .projection
+            .antecedent(scene.pixel_centre(index % width, index / width), depth);
+        normals[pixel.id as usize].at(pixel, point)
+    };
+    pixels.iter().enumerate().map(direction).collect()
+}
+
+fn full_depth(projection: &Projection) -> f64 {
+    to_f64(match projection {
+        Projection::Perspective { distance } => distance,
+        Projection::Orthographic { half_depth } => half_depth,
+    })
+}
+
+/// Where the normals of an object come from.
+enum Normals<'a> {
+    Cut(Box<Gradient>),
+    Mesh(MeshNormals<'a>),
+    Unseen,
+}
+
+impl Normals<'_> {
+    fn new(object: &FramedObject) -> Normals<'_> {
+        match (object, object.cut_quadric()) {
+            (FramedObject::Mesh(mesh), _) => Normals::Mesh(MeshNormals::new(mesh)),
+            (_, Some(cut)) => Normals::Cut(Box::new(Gradient::new(&cut))),
+            (_, None) => Normals::Unseen,
+        }
+    }
+
+    fn at(&self, pixel: &ExactPixel, point: [f64; 3]) -> [f64; 3] {
+        match self {
+            Normals::Cut(gradient) => gradient.direction(pixel.number, point),
+            Normals::Mesh(mesh) => mesh.at(pixel.part as usize, point),
+            Normals::Unseen => unreachable!("no pixel shows it"),
+        }
+    }
+}
+
+fn full_length(direction: [f64; 3]) -> [i16; 3] {
+    let length = direction.iter().map(|v| v * v).sum::<f64>().sqrt();
+    direction.map(|v| (v / length * 32767.0).round() as i16)
+}
+
+/// An object's equation in floating point, for the direction of its normal only.
+struct Gradient {
+    quadric: [f64; 10],
+    planes: Vec<[f64; 3]>,
+}
+
+impl Gradient {
+    fn new(object: &FramedQuadric) -> Gradient {
+        let scaled = |coefficients: &[&BigRational]| -> Vec<f64> {
+            let greatest = coefficients
+                .iter()
+                .map(|c| c.abs())
+                .max()
+                .filter(|c| !c.is_zero())
+                .unwrap_or_else(|| integer(1));
+            coefficients
+                .iter()
+                .map(|c| to_f64(&(*c / &greatest)))
+                .collect()
+        };
+        let q = scaled(&object.quadric.coefficients());
+        Gradient {
+            quadric: std::array::from_fn(|k| q[k]),
+            planes: object
+                .planes
+                .iter()
+                .map(|p| {
+                    let n = scaled(&[&p.a, &p.b, &p.c]);
+                    [n[0], n[1], n[2]]
+                })
+                .collect(),
+        }
+    }
+
+    fn direction(&self, number: u8, point: [f64; 3]) -> [f64; 3] {
+        match number {
+            FACE_NEAR_END => NEAR_END_NORMAL.map(f64::from),
+            n if n >= FACE_PLANE => self.planes[usize::from(n - FACE_PLANE)],
+            _ => {
+                let [a, b, c, d, e, f, g, h, i, _] = self.quadric;
+                let [x, y, z] = point;
+                [
+                    a * x + d * y + e * z + g,
+                    d * x + b * y + f * z + h,
+                    e * x + f * y + c * z + i,
+                ]
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What the golden model draws: everything that is compared with the truth.
+
+use crate::phong::shade;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::slot::Slot;
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
+
+/// A golden picture with all that was decided at every pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Format of its words.
+    pub format: Format,
+    /// What is seen.
+    pub frame: Frame,
+    /// Back depth of the visible object, `z_max` where nothing is seen.
+    pub backs: Vec<i64>,
+    /// Of each object, whether its face numbers are those of the true object: quadric and patch processors alone.
+    pub numbered: Vec<bool>,
+    /// The picture, 8-bit red, green and blue.
+    pub rgb: Vec<u8>,
+}
+
+/// A rectangle of the screen with the scene as it was prepared for it.
+pub struct ZoneScene {
+    /// First column and line.
+    pub first: (usize, usize),
+    /// Columns and lines.
+    pub size: (usize, usize),
+    /// Words for the whole screen.
+    pub prepared: PreparedScene,
+}
+
+impl Drawing {
+    /// The picture of a prepared scene.
+    pub fn of(prepared: &PreparedScene, scene: &FramedScene) -> Drawing {
+        let size = (prepared.width as usize, prepared.height as usize);
+        let (frame, backs) =
+            beam::render_with_backs(&prepared.slots(), &prepared.format, size.0, size.1, || ());
+        Drawing::decided(frame, backs, prepared, scene)
+    }
+
+    /// The picture of a scene that was prepared anew for each zone; shadow and light volumes are those of the first zone.
+    pub fn in_zones(zones: &[ZoneScene], scene: &FramedScene) -> Drawing {
+        let whole = &zones[0].prepared;
+        let (width, height) = (scene.width as usize, scene.height as usize);
+        let mut frame = Frame::background(width, height, whole.format.z_max());
+        let mut backs = frame.depth.clone();
+        for zone in zones {
+            paste(zone, &mut frame, &mut backs);
+        }
+        Drawing::decided(frame, backs, whole, scene)
+    }
+
+    fn decided(
+        frame: Frame,
+        backs: Vec<i64>,
+        prepared: &PreparedScene,
+        scene: &FramedScene,
+    ) -> Drawing {
+        let lighting = prepared.light(&frame, || ());
+        let rgb = shade(&frame, &lighting, scene, &prepared.format);
+        Drawing {
+            format: prepared.format,
+            frame,
+            backs,
+            numbered: prepared
+                .objects
+                .iter()
+                .map(|o| o.quadric().is_some())
+                .collect(),
+            rgb,
+        }
+    }
+}
+
+/// Draws a zone and puts it in its place.
+fn paste(zone: &ZoneScene, frame: &mut Frame, backs: &mut [i64]) {
+    let ((x0, y0), (columns, lines)) = (zone.first, zone.size);
+    let corner = (x0 as i64, y0 as i64);
+    let slots: Vec<Slot> = zone
+        .prepared
+        .slots()
+        .iter()
+        .map(|slot| Slot {
+            object: slot.object,
+            words: slot
+                .words
+                .for_zone(corner.0, corner.1, columns as i64, lines as i64),
+        })
+        .collect();
+    let (part, part_backs) =
+        beam::render_with_backs(&slots, &zone.prepared.format, columns, lines, || ());
+    for line in 0..lines {
+        let (from, to) = (line * columns, (y0 + line) * frame.width + x0);
+        let (from, to) = (from..from + columns, to..to + columns);
+        frame.depth[to.clone()].copy_from_slice(&part.depth[from.clone()]);
+        frame.id[to.clone()].copy_from_slice(&part.id[from.clone()]);
+        frame.number[to.clone()].copy_from_slice(&part.number[from.clone()]);
+        frame.normal[to.clone()].copy_from_slice(&part.normal[from.clone()]);
+        backs[to].copy_from_slice(&part_backs[from]);
+    }
+}

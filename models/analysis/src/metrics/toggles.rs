@@ -1,0 +1,266 @@
+//! The energy proxy: how many register bits change from clock to clock, counted in the incremental golden models.
+//!
+//! Counted are the registers that a pixel changes: the values of PE1 and the values and pixel increments of PE2 with all guard bits, every register stage of the
+//! root network (digits found, remainder, rest of the radicand), and the depth words: root, both sums, both depths handed on. Registers that change once a
+//! line or once a zone are left out, and so is combinational logic.
+
+use imogene_golden::format::{Format, word_max};
+use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords};
+use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::pe2::{Pe2, Quadratic};
+use serde::{Deserialize, Serialize};
+
+/// Bits that change per pixel clock, all slots together; the keys are stable.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Toggles {
+    /// Lines of the screen on which they were counted.
+    pub lines: Vec<u32>,
+    /// In the first-degree processors: depth, planes, normals.
+    pub pe1: f64,
+    /// In the second-degree processors.
+    pub pe2: f64,
+    /// In the register stages of the root networks.
+    pub root: f64,
+    /// In root, sums and depths handed on.
+    pub depth: f64,
+    /// All of these.
+    pub total: f64,
+}
+
+/// Lines that are counted at most.
+const SAMPLE: u32 = 8;
+
+/// The lines of the sample: the middles of eight bands of equal height, or all lines of a picture of no more.
+pub fn sample(height: u32) -> Vec<u32> {
+    if height <= SAMPLE {
+        return (0..height).collect();
+    }
+    let middle = |band: u32| ((2 * band + 1) * height) / (2 * SAMPLE);
+    (0..SAMPLE).map(middle).collect()
+}
+
+/// A rectangle of the screen and the words with which the slots of a machine draw it.
+pub struct Part<'a> {
+    /// Words for the whole screen.
+    pub slots: Vec<&'a QuadricWords>,
+    /// First column and line.
+    pub first: (usize, usize),
+    /// Columns and lines.
+    pub size: (usize, usize),
+}
+
+/// Counts the slots of a machine on the sample of lines of a screen of so many lines, which its parts cover.
+pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) -> Toggles {
+    let lines = sample(height);
+    let mut sums = Sums::default();
+    // A line of n pixels has n - 1 changes.
+    let mut changes = 0;
+    for part in parts {
+        let ((x, y), (width, height)) = (part.first, part.size);
+        for line in lines
+            .iter()
+            .filter(|l| (y..y + height).contains(&(**l as usize)))
+        {
+            changes += width - 1;
+            for words in &part.slots {
+                let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
+                sums.count_line(&zone, format, rows_per_stage, width as u32);
+            }
+        }
+    }
+    let per_pixel = |bits: u64| bits as f64 / changes.max(1) as f64;
+    Toggles {
+        pe1: per_pixel(sums.pe1),
+        pe2: per_pixel(sums.pe2),
+        root: per_pixel(sums.root),
+        depth: per_pixel(sums.depth),
+        total: per_pixel(sums.pe1 + sums.pe2 + sums.root + sums.depth),
+        lines,
+    }
+}
+
+#[derive(Default)]
+struct Sums {
+    pe1: u64,
+    pe2: u64,
+    root: u64,
+    depth: u64,
+}
+
+impl Sums {
+    fn count_line(&mut self, words: &QuadricWords, format: &Format, rows: u32, width: u32) {
+        self.pe1 += first_degree(&words.f1, format.pe1_width(), width);
+        for plane in &words.planes {
+            self.pe1 += first_degree(&plane.depth, format.plane, width);
+        }
+        for g in &words.normal.g {
+            self.pe1 += first_degree(g, format.normal_linear, width);
+        }
+        self.pe2 += second_degree(&words.f2, format.pe2_width(), width);
+        let mut processor = QuadricProcessor::zone_start(words, format);
+        let mut stages = Bits::default();
+        let mut depths = Bits::default();
+        for _ in 0..width {
+            let probe = processor.probe();
+            self.root += stages.change(root_stages(probe.f2, probe.root, format, rows));
+            let output = probe.output;
+            let own = [
+                (probe.root, format.root),
+                (probe.near, format.sum),
+                (probe.far, format.sum),
+                (output.zf, format.depth),
+                (output.zb, format.depth),
+            ];
+            self.depth += depths.change(own.map(|(v, width)| masked(i128::from(v), width)).into());
+        }
+    }
+}
+
+fn first_degree(coefficients: &Linear, width: u32, pixels: u32) -> u64 {
+    let mut pe = Pe1::object_start(coefficients, width);
+    let mut bits = Bits::default();
+    (0..pixels)
+        .map(|_| bits.change(vec![masked(pe.pixel(), width)]))
+        .sum()
+}
+
+fn second_degree(coefficients: &Quadratic, width: u32, pixels: u32) -> u64 {
+    let mut pe = Pe2::object_start(coefficients, width);
+    let mut bits = Bits::default();
+    let mut value = masked(pe.pixel(), width);
+    (0..pixels)
+        .map(|_| {
+            let next = masked(pe.pixel(), width);
+            // The increment is the difference of two values, modulo the word.
+            let increment = next.wrapping_sub(value) & masked(-1, width);
+            bits.change(vec![std::mem::replace(&mut value, next), increment])
+        })
+        .sum()
+}
+
+/// What the register stages of a root network hold of one pixel: digits found, remainder and the rest of the radicand after each stage but the last, whose
+/// digits are the root.
+fn root_stages(f2: i64, root: i64, format: &Format, rows_per_stage: u32) -> Vec<u128> {
+    let rows = format.root_rows();
+    let dropped = format.dropped_rows;
+    let radicand = masked(i128::from(f2), format.quadratic) >> (2 * dropped);
+    let digits = (root as u128) >> dropped;
+    let mut held = vec![];
+    let mut done = rows_per_stage;
+    while done < rows {
+        let left = rows - done;
+        let found = digits >> left;
+        held.push(found);
+        held.push((radicand >> (2 * left)) - found * found);
+        held.push(radicand & ((1 << (2 * left)) - 1));
+        done += rows_per_stage;
+    }
+    held
+}
+
+/// A word as its register holds it.
+fn masked(value: i128, width: u32) -> u128 {
+    value as u128 & (word_max(width + 1) as u128)
+}
+
+/// Registers over time.
+#[derive(Default)]
+struct Bits {
+    last: Option<Vec<u128>>,
+}
+
+impl Bits {
+    /// Bits that differ from the clock before; none at the first.
+    fn change(&mut self, words: Vec<u128>) -> u64 {
+        let last = self.last.replace(words);
+        let (Some(last), Some(now)) = (last, &self.last) else {
+            return 0;
+        };
+        last.iter()
+            .zip(now)
+            .map(|(a, b)| u64::from((a ^ b).count_ones()))
+            .sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_golden::object::quadric::ScreenBox;
+    use imogene_golden::unit::interval::Class;
+    use imogene_golden::unit::normal::NormalWords;
+
+    #[test]
+    fn the_sample_is_spread_over_the_screen() {
+        assert_eq!(sample(3), [0, 1, 2]);
+        assert_eq!(sample(240), [15, 45, 75, 105, 135, 165, 195, 225]);
+        assert!(sample(9).iter().all(|line| *line < 9));
+    }
+
+    /// 0, 1, 2, 3: one bit, two bits, one bit.
+    #[test]
+    fn a_counter_toggles_as_counters_do() {
+        assert_eq!(first_degree(&Linear::new(1, 0, 0), 8, 4), 4);
+        // All eight bits from -1 to 0.
+        assert_eq!(first_degree(&Linear::new(1, 0, -1), 8, 2), 8);
+    }
+
+    /// Values 0, 1, 4 and increments 1, 3, 5: bits 1 and 2 of the values, 1 and 2 of the increments.
+    #[test]
+    fn squares_toggle_in_value_and_increment() {
+        let square = Quadratic {
+            a: 1,
+            ..Default::default()
+        };
+        assert_eq!(second_degree(&square, 8, 3), (1 + 2) + (1 + 2));
+    }
+
+    /// 13 = 0b1101 in two rows of one digit: after the first, digit 1, remainder 3 - 1, rest 0b01; the root is 3.
+    #[test]
+    fn the_root_holds_digits_remainder_and_rest() {
+        let format = Format {
+            quadratic: 4,
+            root: 2,
+            ..Format::BASE
+        };
+        assert_eq!(root_stages(13, 3, &format, 1), [1, 2, 1]);
+        assert_eq!(root_stages(13, 3, &format, 2), [0u128; 0]);
+    }
+
+    #[test]
+    fn words_that_never_change_toggle_nothing() {
+        let still = Linear::new(0, 0, 77);
+        let words = QuadricWords {
+            class: Class::Patch,
+            screen_box: ScreenBox::EMPTY,
+            f1: still,
+            f2: Quadratic {
+                f: 1 << 20,
+                ..Default::default()
+            },
+            normal: NormalWords {
+                g: [still; 3],
+                ..Default::default()
+            },
+            planes: vec![],
+        };
+        let counted = |slots: Vec<&QuadricWords>, width, height| {
+            let whole = Part {
+                slots,
+                first: (0, 0),
+                size: (width, height),
+            };
+            count(&[whole], &Format::BASE, 1, height as u32)
+        };
+        let toggles = counted(vec![&words], 16, 12);
+        assert_eq!(toggles.total, 0.0);
+        let moving = QuadricWords {
+            f1: Linear::new(1, 0, 0),
+            ..words.clone()
+        };
+        let toggles = counted(vec![&moving, &moving], 3, 1);
+        // Two slots of 0, 1, 2: three changes of bits in two clocks each; the sums are the same less and more 1024.
+        assert_eq!((toggles.pe1, toggles.pe2, toggles.root), (3.0, 0.0, 0.0));
+        assert_eq!(toggles.depth, toggles.total - 3.0);
+    }
+}

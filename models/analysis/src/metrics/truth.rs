@@ -1,0 +1,67 @@
+//! The truth of a scene at a size, computed once.
+
+use crate::exact::back::{ExactBack, backs};
+use crate::exact::render::{ExactPixel, directions, render, to_frame};
+use crate::exact::shadow;
+use crate::phong::shade;
+use imogene_algebra::rational::{integer, to_f64};
+use imogene_golden::format::Format;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_prepare::perspective::full_depth;
+use imogene_scene::FramedScene;
+
+/// What is truly seen, in words of the base format.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// Pixels per line.
+    pub width: usize,
+    /// Lines.
+    pub height: usize,
+    /// Depth with its fraction, object and face of every pixel; nothing where the background is seen.
+    pub pixels: Vec<Option<ExactPixel>>,
+    /// Back of the visible object, where its processor is one that hands a back on.
+    pub backs: Vec<Option<ExactBack>>,
+    /// Direction of the normal, of any length.
+    pub normals: Vec<[f64; 3]>,
+    /// The picture, 8-bit red, green and blue.
+    pub rgb: Vec<u8>,
+    /// Words of the base format to the pixel of depth.
+    pub words_per_pixel: f64,
+}
+
+impl Truth {
+    /// The format whose words the depths are in.
+    pub const FORMAT: Format = Format::BASE;
+
+    /// Solves a scene; `line_done` is called once a line, from any thread.
+    pub fn new(scene: &FramedScene, line_done: impl Fn() + Sync) -> Truth {
+        let format = Self::FORMAT;
+        let pixels = render(scene, &format, line_done);
+        let frame = to_frame(&pixels, scene, &format);
+        let rgb = shade(&frame, &lighting(scene, &frame), scene, &format);
+        let scale = integer(format.z_max()) / full_depth(&scene.projection);
+        Truth {
+            width: scene.width as usize,
+            height: scene.height as usize,
+            backs: backs(&pixels, scene, &format),
+            normals: directions(&pixels, scene, &format),
+            rgb,
+            words_per_pixel: to_f64(&scale),
+            pixels,
+        }
+    }
+
+    /// Pixels that show an object.
+    pub fn covered(&self) -> usize {
+        self.pixels.iter().flatten().count()
+    }
+}
+
+fn lighting(scene: &FramedScene, frame: &Frame) -> Lighting {
+    if scene.sources.iter().any(|s| s.shadows || s.cone.is_some()) {
+        shadow::lighting(scene, || ())
+    } else {
+        Lighting::full(frame)
+    }
+}

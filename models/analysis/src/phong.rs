@@ -1,0 +1,102 @@
+//! Phong shading of a decided frame, in software (source: 1.2.4).
+//!
+//! `I = ka Ia C + sum_j Ij (kd C (N.L_j) + ks (R_j.V)^n)` with unit vectors in the camera frame, at the point before
+//! perspective. Surfaces are two-sided: the normal is turned towards the viewer.
+
+use imogene_golden::format::Format;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_scene::{FramedLight, FramedScene, Material};
+use rayon::prelude::*;
+
+type Vector = [f64; 3];
+
+/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
+/// nothing there.
+pub fn shade(frame: &Frame, lighting: &Lighting, scene: &FramedScene, format: &Format) -> Vec<u8> {
+    let scale = scene.projection.full_depth() / format.z_max() as f64;
+    let pixel = |index: usize| -> [u8; 3] {
+        let Ok(id) = usize::try_from(frame.id[index]) else {
+            return scene.background;
+        };
+        let [x, y] = scene.pixel_centre(index % frame.width, index / frame.width);
+        let [u, v] = scene.sample_at;
+        let point = scene
+            .projection
+            .antecedent([x + u, y + v], frame.depth[index] as f64 * scale);
+        let material = &scene.materials[scene.objects[id].material()];
+        let normal = scene.upright(frame.normal[index].map(f64::from));
+        let flags = lighting.flags[index];
+        colour(scene, material, point, normal, flags)
+            .map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8)
+    };
+    (0..frame.depth.len())
+        .into_par_iter()
+        .flat_map_iter(pixel)
+        .collect()
+}
+
+fn colour(
+    scene: &FramedScene,
+    material: &Material,
+    point: Vector,
+    normal: Vector,
+    flags: u16,
+) -> Vector {
+    let viewer = unit(scene.projection.towards_viewer(point));
+    let normal = facing(unit(normal), viewer);
+    let mut sum: Vector =
+        std::array::from_fn(|k| material.ambient * scene.ambient[k] * material.colour[k]);
+    for (source, light) in scene.lights.iter().enumerate() {
+        if flags >> source & 1 == 0 {
+            continue;
+        }
+        let (direction, intensity) = light_at(light, point);
+        let lambert = dot(normal, direction);
+        if lambert <= 0.0 {
+            continue;
+        }
+        let mirrored: Vector = std::array::from_fn(|k| 2.0 * lambert * normal[k] - direction[k]);
+        let highlight = dot(mirrored, viewer)
+            .max(0.0)
+            .powi(material.exponent as i32);
+        for k in 0..3 {
+            sum[k] += intensity[k]
+                * (material.diffuse * material.colour[k] * lambert + material.specular * highlight);
+        }
+    }
+    sum
+}
+
+/// Unit vector towards a light, and its intensity.
+fn light_at(light: &FramedLight, point: Vector) -> (Vector, Vector) {
+    match light {
+        FramedLight::Directional { towards, colour } => (unit(*towards), *colour),
+        FramedLight::Point { position, colour } => (
+            unit(std::array::from_fn(|k| position[k] - point[k])),
+            *colour,
+        ),
+    }
+}
+
+fn facing(normal: Vector, viewer: Vector) -> Vector {
+    if dot(normal, viewer) < 0.0 {
+        normal.map(|v| -v)
+    } else {
+        normal
+    }
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// The vector at length one; the zero vector stays as it is (the apex of a cone has no normal).
+fn unit(v: Vector) -> Vector {
+    let length = dot(v, v).sqrt();
+    if length == 0.0 {
+        v
+    } else {
+        v.map(|x| x / length)
+    }
+}

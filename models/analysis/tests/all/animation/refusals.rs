@@ -1,0 +1,376 @@
+//! What an author of groups, cameras and images is told.
+
+use super::{CAMERA, CHAIN, ball, scene};
+use imogene_scene::animation::{MAX_MOVES, Playback};
+use imogene_scene::{MAX_NESTING, SceneFile};
+
+/// Asserts that a scene is refused with all of these parts of a message.
+fn refused(top: &str, rest: &str, parts: &[&str]) {
+    let refusal = SceneFile::parse(&scene(top, rest), "test.toml").expect_err("a refusal");
+    let message = refusal.to_string();
+    for part in parts {
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
+    assert!(message.starts_with("test.toml"));
+}
+
+/// Line and column of a text in a scene, as messages give them.
+fn place_of(text: &str, top: &str, rest: &str) -> String {
+    let scene = scene(top, rest);
+    let offset = scene.find(text).expect("the text is there");
+    let before = &scene[..offset];
+    let line = before.matches('\n').count() + 1;
+    let column = before.rsplit('\n').next().unwrap().len() + 1;
+    format!("test.toml:{line}:{column}:")
+}
+
+fn with_group(name: &str, parent: Option<&str>) -> String {
+    let parent = parent.map_or(String::new(), |p| format!("group = \"{p}\"\n"));
+    format!("[[groups]]\nname = \"{name}\"\n{parent}")
+}
+
+fn with_image(keys: &str) -> String {
+    ball("") + "[[images]]\nname = \"one\"\n" + keys + "\n"
+}
+
+fn with_action(action: &str) -> String {
+    with_image(&format!("actions = [{action}]"))
+}
+
+#[test]
+fn groups_that_do_not_exist() {
+    let none = ball("group = \"arm\"");
+    refused(
+        CAMERA,
+        &none,
+        &[
+            "object `ball`, group",
+            "`arm` is not a group",
+            "no `[[groups]]` yet",
+        ],
+    );
+    let other = with_group("leg", None) + &none;
+    refused(CAMERA, &other, &["the scene has `leg`"]);
+    let parent = with_group("leg", Some("hip")) + &ball("");
+    refused(
+        CAMERA,
+        &parent,
+        &["group `leg`, group", "`hip` is not a group"],
+    );
+    let camera = format!("{CAMERA}group = \"rig\"\n");
+    refused(&camera, &ball(""), &["camera `eye`, group", "`rig`"]);
+    let light =
+        format!("{CAMERA}[[lights]]\nkind = \"point\"\nposition = [0, 5, 0]\ngroup = \"rig\"\n");
+    refused(&light, &ball(""), &["lights[0], group", "`rig`"]);
+}
+
+#[test]
+fn groups_within_themselves() {
+    let circle =
+        with_group("a", Some("b")) + &with_group("b", Some("c")) + &with_group("c", Some("a"));
+    let parts = [
+        "group `a`, group",
+        "the group is within itself: `a` in `b` in `c` in `a`",
+    ];
+    refused(CAMERA, &(circle.clone() + &ball("")), &parts);
+    let own = with_group("a", Some("a")) + &ball("");
+    refused(CAMERA, &own, &["`a` in `a`", "outside it"]);
+    // A group that leads into a circle it is not part of.
+    let beside = with_group("z", Some("a")) + &circle + &ball("");
+    refused(CAMERA, &beside, &["group `z`", "circle"]);
+}
+
+#[test]
+fn groups_nested_too_deeply() {
+    let chain = |depth: usize| {
+        let one = |i: usize| {
+            with_group(
+                &format!("g{i}"),
+                (i > 0).then(|| format!("g{}", i - 1)).as_deref(),
+            )
+        };
+        (0..depth).map(one).collect::<String>() + &ball("")
+    };
+    assert!(SceneFile::parse(&scene(CAMERA, &chain(MAX_NESTING)), "test.toml").is_ok());
+    refused(
+        CAMERA,
+        &chain(MAX_NESTING + 2),
+        &["64 groups", "at most 64"],
+    );
+}
+
+#[test]
+fn names_taken_by_another_class() {
+    let parts = ["group `ball`", "taken by an earlier object", "unique"];
+    refused(CAMERA, &(with_group("ball", None) + &ball("")), &parts);
+    let light =
+        format!("{CAMERA}[[lights]]\nname = \"ball\"\nkind = \"point\"\nposition = [0, 5, 0]\n");
+    refused(&light, &ball(""), &["light `ball`", "earlier object"]);
+    let light = light.replace("\"ball\"", "\"eye\"");
+    refused(&light, &ball(""), &["camera `eye`", "earlier light"]);
+    let twice = ball("") + CHAIN + "[[images]]\nname = \"moved\"\n";
+    refused(CAMERA, &twice, &["image `moved`", "earlier image"]);
+}
+
+#[test]
+fn cameras_that_cannot_be() {
+    refused(
+        "",
+        &ball(""),
+        &["test.toml:1:1:", "missing field `camera`", "[[cameras]]"],
+    );
+    let nameless = CAMERA.replace("[camera]\nname = \"eye\"", "[[cameras]]");
+    refused(&nameless, &ball(""), &["cameras[0] has no `name`"]);
+    let unknown = format!("active_camera = \"top\"\n{CAMERA}");
+    refused(
+        &unknown,
+        &ball(""),
+        &[
+            "active_camera",
+            "`top` is not a camera",
+            "the scene has `eye`",
+        ],
+    );
+    let both = CAMERA.to_owned() + "focal = 50\n";
+    let table = place_of("[camera]", &both, "");
+    refused(
+        &both,
+        &ball(""),
+        &[
+            &table,
+            "one of `view_height`, `focal`, `field_of_view`; found several",
+        ],
+    );
+    let lens = |keys: &str| CAMERA.replace("view_height = 6", keys);
+    refused(
+        &lens("focal = 0.5"),
+        &ball(""),
+        &["focal: 0.5 is out of range", "from 1 to 10000 millimetres"],
+    );
+    refused(
+        &lens("focal = nan"),
+        &ball(""),
+        &["focal: NaN is out of range"],
+    );
+    refused(
+        &lens("field_of_view = 175"),
+        &ball(""),
+        &["field_of_view: 175", "0.1 to 170 degrees"],
+    );
+    let parallel = CAMERA
+        .replace("perspective", "orthographic")
+        .replace("viewer_distance", "half_depth");
+    let parallel = parallel.replace("view_height = 6", "focal = 50");
+    refused(
+        &parallel,
+        &ball(""),
+        &["an orthographic camera has no `focal`"],
+    );
+}
+
+#[test]
+fn actions_on_what_does_not_exist_or_cannot_do_it() {
+    let parts = [
+        "image `one`, actions[0].target",
+        "nothing of this scene has the name `bal`",
+        "`ball`, `eye`",
+    ];
+    refused(
+        CAMERA,
+        &with_action("{ target = \"bal\", translate = [1, 0, 0] }"),
+        &parts,
+    );
+    let parts = [
+        "actions[0].target",
+        "`eye` is a camera",
+        "object or group or light is needed",
+    ];
+    refused(
+        CAMERA,
+        &with_action("{ target = \"eye\", show = false }"),
+        &parts,
+    );
+    let parts = ["actions[0].light", "`ball` is an object"];
+    refused(
+        CAMERA,
+        &with_action("{ light = \"ball\", intensity = 0.5 }"),
+        &parts,
+    );
+    let parts = [
+        "actions[0].camera",
+        "`ball` is not a camera",
+        "the scene has `eye`",
+    ];
+    refused(
+        CAMERA,
+        &with_action("{ camera = \"ball\", focal = 50 }"),
+        &parts,
+    );
+    let parts = ["actions[0].active_camera", "`top` is not a camera"];
+    refused(CAMERA, &with_action("{ active_camera = \"top\" }"), &parts);
+    let parallel = CAMERA
+        .replace("perspective", "orthographic")
+        .replace("viewer_distance", "half_depth");
+    let parts = ["`eye` is an orthographic camera and has no lens"];
+    refused(
+        &parallel,
+        &with_action("{ camera = \"eye\", focal = 50 }"),
+        &parts,
+    );
+    refused(
+        CAMERA,
+        &with_action("{ camera = \"eye\", focal = 1e9 }"),
+        &["focal", "millimetres is possible"],
+    );
+    refused(
+        CAMERA,
+        &with_action("{ target = \"ball\", scale = 0 }"),
+        &["actions[0].scale", "singular"],
+    );
+}
+
+#[test]
+fn actions_that_say_nothing_or_too_much() {
+    for (action, part) in [
+        ("{ target = \"ball\" }", "the action on `ball` is empty"),
+        ("{ translate = [1, 0, 0] }", "does not name what it changes"),
+        (
+            "{ target = \"ball\", translate = [1, 0, 0], scale = 2 }",
+            "several steps in one table",
+        ),
+        (
+            "{ target = \"ball\", show = true, scale = 2 }",
+            "moves and shows at once",
+        ),
+        (
+            "{ target = \"ball\", focal = 50 }",
+            "an action with `target` has no `focal`",
+        ),
+        ("{ light = \"ball\" }", "needs `intensity`"),
+        (
+            "{ camera = \"eye\", intensity = 1 }",
+            "an action with `camera` has no `intensity`",
+        ),
+        (
+            "{ active_camera = \"eye\", show = true }",
+            "an action with `active_camera` has no `show`",
+        ),
+        (
+            "{ target = \"ball\", translate = [1, 0] }",
+            "2 numbers found",
+        ),
+        (
+            "{ target = \"ball\", scale = 2, frame = \"scene\" }",
+            "unknown variant `scene`",
+        ),
+        ("{ target = \"ball\", sclae = 2 }", "unknown field `sclae`"),
+    ] {
+        let rest = with_action(action);
+        let line = place_of("actions = [", CAMERA, &rest);
+        let line = line.rsplit_once(':').unwrap().0.rsplit_once(':').unwrap().0;
+        refused(CAMERA, &rest, &[part, &format!("{line}:")]);
+    }
+    let rest = with_action("{ target = \"ball\", sclae = 2 }");
+    refused(CAMERA, &rest, &[&place_of("sclae", CAMERA, &rest)]);
+    let rest = with_image("lasts = 3");
+    refused(
+        CAMERA,
+        &rest,
+        &[
+            &place_of("lasts", CAMERA, &rest),
+            "unknown field `lasts`",
+            "`duration`",
+        ],
+    );
+}
+
+#[test]
+fn images_that_cannot_be_played() {
+    refused(
+        CAMERA,
+        &with_image("duration = 0"),
+        &["image `one`, duration", "0.001 to 60"],
+    );
+    refused(CAMERA, &with_image("duration = nan"), &["duration", "NaN"]);
+    refused(
+        CAMERA,
+        &with_image("steps = 0"),
+        &["image `one`, steps", "1 to 100000"],
+    );
+    let rest = with_image("steps = -1");
+    refused(
+        CAMERA,
+        &rest,
+        &["test.toml:", "whole number that is not negative"],
+    );
+    let many = with_image("steps = 100000") + "[[images]]\nname = \"two\"\n";
+    refused(
+        CAMERA,
+        &many,
+        &["images", "100001 frames", "at most 100000"],
+    );
+    let mirror = with_image("steps = 2\nactions = [{ target = \"ball\", scale = [-1, 1, 1] }]");
+    refused(
+        CAMERA,
+        &mirror,
+        &["actions[0].scale", "mirrors", "steps = 1"],
+    );
+    refused(
+        CAMERA,
+        &with_image("parent = \"zero\""),
+        &["image `one`, parent", "`zero` is not an image", "`one`"],
+    );
+    let circle = with_image("parent = \"two\"") + "[[images]]\nname = \"two\"\nparent = \"one\"\n";
+    refused(
+        CAMERA,
+        &circle,
+        &["image `one`, parent", "`one` from `two` from `one`"],
+    );
+}
+
+#[test]
+fn placements_do_not_grow_without_end() {
+    // Two axes in turn, so that no two turns are one.
+    let pair = "{ target = \"ball\", rotate = { axis = \"x\", degrees = 1 } }, { target = \"ball\", rotate = { axis = \"y\", degrees = 1 } },";
+    let file = |pairs: usize| {
+        let rest = with_action(&pair.repeat(pairs));
+        SceneFile::parse(&scene(CAMERA, &rest), "test.toml").expect("valid")
+    };
+    let (most, beyond) = (file(MAX_MOVES / 2), file(MAX_MOVES / 2 + 1));
+    assert!(Playback::new(&most).unwrap().scene(0).is_ok());
+    let refusal = Playback::new(&beyond)
+        .unwrap()
+        .scene(0)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refusal.contains("image `one`: the placement of `ball` has more than 64 steps"),
+        "{refusal}"
+    );
+}
+
+#[test]
+fn nothing_to_play() {
+    let inactive = with_image("active = false");
+    let file = SceneFile::parse(&scene(CAMERA, &inactive), "test.toml").expect("valid");
+    let refusal = Playback::new(&file).err().expect("a refusal").to_string();
+    assert!(refusal.contains("no images to play"));
+}
+
+/// The messages shown on the page of the format are the real ones.
+#[test]
+fn documented_messages_are_real() {
+    let page = include_str!("../../../../../docs/scene-format.md");
+    let circle = with_group("a", Some("b")) + &with_group("b", Some("a")) + &ball("");
+    let camera = CAMERA.replace("name = \"eye\"\n", "");
+    let image = |keys: &str| with_image(keys).replace("\"one\"", "\"reach\"");
+    for rest in [
+        circle,
+        image("actions = [{ target = \"forarm\", scale = 2 }]"),
+        image("parent = \"rest\""),
+    ] {
+        let refusal = SceneFile::parse(&scene(&camera, &rest), "demo.toml").expect_err("a refusal");
+        let message = refusal.to_string();
+        assert!(page.contains(&message), "not on the page: {message}");
+    }
+}

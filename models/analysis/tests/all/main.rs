@@ -1,0 +1,18 @@
+//! All tests of the crate that need it from outside, as one program.
+
+mod animation;
+mod bounds;
+mod check;
+mod check_kinds;
+mod exact_reference;
+mod eye_on_quadric;
+mod golden_against_exact;
+mod golden_vectors;
+mod hazards;
+mod hazards_normal;
+mod machine_needs;
+mod metrics;
+mod processors;
+mod shader;
+mod shadows;
+mod unseen;

@@ -1,0 +1,289 @@
+//! Coefficient registers as a processor holds them, and what their bits mean.
+
+use super::beat::{ID_ADDRESS, OBJECT_PLANES, VOLUME_PLANES};
+use crate::format::{Format, wrap};
+use crate::object::load;
+use crate::object::load_volume;
+use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use crate::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::Class;
+use crate::unit::normal::NormalWords;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::{PreconditionedWords, Quadratic};
+
+/// Words of one processor; they hold until written again.
+#[derive(Clone, Debug)]
+pub struct Registers {
+    words: Vec<u64>,
+    id: u64,
+    control: u16,
+    has_id: bool,
+    /// The control word was written since the last pass that took it.
+    present: bool,
+}
+
+impl Registers {
+    /// Of an object processor.
+    pub fn of_object(planes: usize) -> Registers {
+        Registers::new(OBJECT_PLANES, planes, load::CONTROL, true)
+    }
+
+    /// Of a volume processor.
+    pub fn of_volume(planes: usize) -> Registers {
+        Registers::new(VOLUME_PLANES, planes, load_volume::CONTROL, false)
+    }
+
+    fn new([first, each]: [u8; 2], planes: usize, control: u8, has_id: bool) -> Registers {
+        Registers {
+            words: vec![0; usize::from(first) + usize::from(each) * planes],
+            id: 0,
+            control: control.into(),
+            has_id,
+            present: false,
+        }
+    }
+
+    /// Writes a word; false if there is none at this address.
+    pub fn write(&mut self, address: u16, data: u64) -> bool {
+        if self.has_id && address == ID_ADDRESS {
+            self.id = data & ((1 << super::ID_BITS) - 1);
+            return true;
+        }
+        let Some(word) = self.words.get_mut(usize::from(address)) else {
+            return false;
+        };
+        *word = data;
+        self.present |= address == self.control;
+        true
+    }
+
+    /// Was the control word written since this was asked last?
+    pub fn take(&mut self) -> bool {
+        std::mem::take(&mut self.present)
+    }
+
+    /// Id of the object.
+    pub fn id(&self) -> u16 {
+        self.id as u16
+    }
+
+    /// The object.
+    pub fn object(&self, format: &Format) -> QuadricWords {
+        let [first, each] = OBJECT_PLANES.map(usize::from);
+        let planes = self.words[first..].chunks(each).map(|words| PlaneWords {
+            kind: plane_kind(words[0]),
+            depth: linear(&words[1..4], format.plane),
+            normal: triple(&words[4..7], |word| signed(word, format.normal) as i16),
+        });
+        let control = self.words[usize::from(load::CONTROL)];
+        QuadricWords {
+            class: class(control),
+            screen_box: window(&self.words[21..23]),
+            f1: linear(&self.words[0..3], format.pe1_width()),
+            f2: quadratic(&self.words[3..9], format.pe2_width()),
+            normal: NormalWords {
+                g: std::array::from_fn(|k| {
+                    linear(&self.words[9 + 3 * k..12 + 3 * k], format.normal_linear)
+                }),
+                k: triple(&self.words[18..21], |word| {
+                    signed(word, format.normal) as i16
+                }),
+                shift: (control >> 2 & 31) as u8,
+            },
+            planes: planes.collect(),
+        }
+    }
+
+    /// The volume.
+    pub fn volume(&self, format: &Format) -> VolumeWords {
+        let [first, each] = VOLUME_PLANES.map(usize::from);
+        let planes = self.words[first..].chunks(each).map(|words| VolumePlane {
+            kind: plane_kind(words[0]),
+            depth: linear(&words[1..4], format.plane),
+        });
+        let control = self.words[usize::from(load_volume::CONTROL)];
+        VolumeWords {
+            kind: if control >> 6 & 1 == 1 {
+                VolumeKind::Light
+            } else {
+                VolumeKind::Shadow
+            },
+            source: (control >> 7 & 15) as u8,
+            screen_box: window(&self.words[9..11]),
+            margin: (self.words[12] & ((1 << format.depth) - 1)) as u32,
+            quadric: Some(VolumeQuadric {
+                class: class(control),
+                f1: linear(&self.words[0..3], format.pe1_width()),
+                f2: quadratic(&self.words[3..9], format.pe2_width()),
+                shift: (control >> 2 & 15) as u8,
+            }),
+            planes: planes.collect(),
+        }
+    }
+}
+
+fn signed(word: u64, width: u32) -> i128 {
+    wrap(word.into(), width)
+}
+
+fn triple<T>(words: &[u64], of: impl Fn(u64) -> T) -> [T; 3] {
+    std::array::from_fn(|k| of(words[k]))
+}
+
+fn linear(words: &[u64], width: u32) -> Linear {
+    let [a, b, c] = triple(words, |word| signed(word, width));
+    Linear { a, b, c }
+}
+
+fn quadratic(words: &[u64], width: u32) -> Quadratic {
+    let word = |index: usize| signed(words[index], width);
+    Quadratic::of_preconditioned(&PreconditionedWords {
+        a2: word(0),
+        b2: word(1),
+        c: word(2),
+        i0: word(3),
+        p0: word(4),
+        f: word(5),
+    })
+}
+
+fn window(words: &[u64]) -> ScreenBox {
+    let [x, y] = [words[0], words[1]];
+    let side = |word: u64, from: u32| (word >> from & 0xfff) as i64;
+    ScreenBox {
+        x0: side(x, 0),
+        x1: side(x, 12),
+        y0: side(y, 0),
+        y1: side(y, 12),
+    }
+}
+
+fn class(word: u64) -> Class {
+    match word & 3 {
+        0 => Class::Side,
+        1 => Class::Front,
+        2 => Class::Patch,
+        _ => Class::Prism,
+    }
+}
+
+fn plane_kind(word: u64) -> PlaneKind {
+    match word & 3 {
+        0 => PlaneKind::None,
+        1 => PlaneKind::Front,
+        2 => PlaneKind::Back,
+        _ => PlaneKind::Perpendicular,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::object::load::load_words;
+    use crate::object::load_volume::load_volume;
+    use crate::object::quadric::MAX_PLANES;
+    use proptest::prelude::*;
+
+    fn linears() -> impl Strategy<Value = Linear> {
+        any::<[i64; 3]>().prop_map(|v| {
+            let [a, b, c] = v.map(i128::from);
+            Linear { a, b, c }
+        })
+    }
+
+    fn quadratics() -> impl Strategy<Value = Quadratic> {
+        any::<[i64; 6]>().prop_map(|v| {
+            let [a, b, c, d, e, f] = v.map(i128::from);
+            Quadratic { a, b, c, d, e, f }
+        })
+    }
+
+    fn boxes() -> impl Strategy<Value = ScreenBox> {
+        let side = || 0i64..4096;
+        (side(), side(), side(), side()).prop_map(|(x0, x1, y0, y1)| {
+            let found = ScreenBox { x0, x1, y0, y1 };
+            if found.is_empty() {
+                ScreenBox::EMPTY
+            } else {
+                found
+            }
+        })
+    }
+
+    fn formats() -> impl Strategy<Value = Format> {
+        (
+            prop_oneof![Just(16u32), Just(24), Just(28)],
+            0u32..=8,
+            0u32..=8,
+        )
+            .prop_map(|(w, g1, g2)| Format::new(w).unwrap().with_guards(g1, g2).unwrap())
+    }
+
+    proptest! {
+        /// What is sent is what is held: the same words, as far as registers of their widths can tell them apart.
+        #[test]
+        fn objects_survive_the_stream(
+            format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in linears(), f2 in quadratics(),
+            g in [linears(), linears(), linears()], k in any::<[i16; 3]>(), shift in 0u8..32,
+            planes in prop::collection::vec((0u64..4, linears(), any::<[i16; 3]>()), 0..=MAX_PLANES)
+        ) {
+            let plane = |(kind, depth, normal)| PlaneWords { kind: plane_kind(kind), depth, normal };
+            let words = QuadricWords {
+                class: class(class_bits),
+                screen_box,
+                f1,
+                f2,
+                normal: NormalWords { g, k, shift },
+                planes: planes.into_iter().map(plane).collect(),
+            };
+            let mut registers = Registers::of_object(words.planes.len());
+            prop_assert!(!registers.take());
+            for word in load_words(&words, &format, words.planes.len()) {
+                prop_assert!(registers.write(word.address.into(), word.bits));
+            }
+            prop_assert!(registers.take() && !registers.take());
+            let held = registers.object(&format);
+            prop_assert_eq!(held.f2.preconditioned(format.pe2_width()), words.f2.preconditioned(format.pe2_width()));
+            let wanted = QuadricWords { f2: held.f2, ..words.wrapped(&format) };
+            prop_assert_eq!(held, wanted);
+        }
+
+        #[test]
+        fn volumes_survive_the_stream(
+            format in formats(), class_bits in 0u64..4, screen_box in boxes(), f1 in linears(), f2 in quadratics(),
+            shift in 0u8..=8, margin in 0u32..1 << 15, source in 0u8..16, light in any::<bool>(),
+            planes in prop::collection::vec((0u64..4, linears()), 0..=10)
+        ) {
+            let plane = |(kind, depth)| VolumePlane { kind: plane_kind(kind), depth };
+            let words = VolumeWords {
+                kind: if light { VolumeKind::Light } else { VolumeKind::Shadow },
+                source,
+                screen_box,
+                margin,
+                quadric: Some(VolumeQuadric { class: class(class_bits), f1, f2, shift }),
+                planes: planes.into_iter().map(plane).collect(),
+            };
+            let mut registers = Registers::of_volume(words.planes.len());
+            for word in load_volume(&words, &format, words.planes.len()) {
+                prop_assert!(registers.write(word.address.into(), word.bits));
+            }
+            let held = registers.volume(&format);
+            let [held_f2, f2] = [&held, &words].map(|w| w.quadric.expect("one").f2);
+            prop_assert_eq!(held_f2.preconditioned(format.pe2_width()), f2.preconditioned(format.pe2_width()));
+            let mut wanted = words.wrapped(&format);
+            wanted.quadric.as_mut().expect("one").f2 = held_f2;
+            prop_assert_eq!(held, wanted);
+        }
+    }
+
+    #[test]
+    fn there_are_as_many_words_as_planes_need() {
+        let mut registers = Registers::of_object(2);
+        assert!(registers.write(37, 1) && !registers.write(38, 1));
+        assert!(registers.write(ID_ADDRESS, 0x1fff) && registers.id() == 0xfff);
+        let mut registers = Registers::of_volume(1);
+        assert!(registers.write(16, 1) && !registers.write(17, 1));
+        assert!(!registers.write(ID_ADDRESS, 1));
+    }
+}

@@ -1,0 +1,504 @@
+//! The golden zone machine: it knows nothing but the beats that it is sent.
+
+use super::ZoneMachine;
+use super::beat::{Beat, command, kind};
+use super::decode::Registers;
+use super::sample::Sample;
+use crate::format::Format;
+use crate::machine::frame::Frame;
+use crate::machine::lighting::{ALL_SOURCES, Lighting};
+use crate::object::line::for_each_present;
+use crate::object::volume_line::for_each_inside;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use thiserror::Error;
+
+/// A stream that no host should send.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum StreamError {
+    /// No such word, command or unit.
+    #[error("beat {kind}: unit {unit}, address {address} does not exist in this machine")]
+    Address {
+        /// Kind of the beat.
+        kind: u8,
+        /// Its unit.
+        unit: u8,
+        /// Its address.
+        address: u16,
+    },
+    /// Commands in an order that has no meaning.
+    #[error("{0}")]
+    Order(&'static str),
+    /// A pixel beside the picture.
+    #[error("pixel ({0}, {1}) is shown outside the picture")]
+    Outside(u16, u16),
+    /// Two zones overlap.
+    #[error("pixel ({0}, {1}) is shown twice")]
+    Twice(u16, u16),
+    /// Zones do not cover the screen.
+    #[error("{0} pixels of the picture are not shown")]
+    Missing(usize),
+}
+
+/// A pixel as it leaves for shading and the frame store.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ShownPixel {
+    /// Column of the screen.
+    pub x: u16,
+    /// Line of the screen.
+    pub y: u16,
+    /// Which sample of the pixel it is.
+    pub sample: Sample,
+    /// Visible depth; the format's `z_max` where nothing is seen. There id and normal are 0 and all flags are set.
+    pub depth: i64,
+    /// Index of the object.
+    pub id: u16,
+    /// Normal of the visible face.
+    pub normal: [i16; 3],
+    /// Sources that reach the point.
+    pub flags: u16,
+    /// The last pixel of the zone.
+    pub pass_ends: bool,
+    /// The last pixel of the frame.
+    pub last: bool,
+}
+
+/// What the buffer keeps of a pixel.
+#[derive(Clone, Copy, Debug)]
+struct Kept {
+    depth: i64,
+    id: u16,
+    normal: [i16; 3],
+    flags: u16,
+}
+
+/// What has been done to the zone.
+#[derive(Clone, Copy, Debug, Default)]
+struct Progress {
+    placed: bool,
+    sized: bool,
+    drawn: bool,
+    lit: bool,
+}
+
+/// The machine.
+#[derive(Clone, Debug)]
+pub struct ZoneMachineModel {
+    format: Format,
+    objects: Vec<Registers>,
+    volumes: Vec<Registers>,
+    materials: BTreeMap<u16, u64>,
+    shading: BTreeMap<u16, u64>,
+    origin: [u16; 2],
+    size: [u16; 2],
+    progress: Progress,
+    samples: u32,
+    buffer: Vec<Kept>,
+}
+
+impl ZoneMachineModel {
+    /// The machine before the first beat. The size of its zones is in the stream.
+    pub fn new(format: &Format, machine: &ZoneMachine) -> ZoneMachineModel {
+        let objects = Registers::of_object(machine.planes);
+        let volumes = Registers::of_volume(machine.volume_planes);
+        ZoneMachineModel {
+            format: *format,
+            objects: vec![objects; machine.object_processors],
+            volumes: vec![volumes; machine.volume_processors],
+            materials: BTreeMap::new(),
+            shading: BTreeMap::new(),
+            origin: [0; 2],
+            size: [0; 2],
+            progress: Progress::default(),
+            samples: machine.samples,
+            buffer: vec![],
+        }
+    }
+
+    /// Index of the material of an object, as the stream gave it; 0 before.
+    pub fn material(&self, object: u16) -> u64 {
+        self.materials.get(&object).copied().unwrap_or(0)
+    }
+
+    /// Words of the shading processor, by address.
+    pub fn shading(&self) -> &BTreeMap<u16, u64> {
+        &self.shading
+    }
+
+    /// One beat; the pixels that it shows go to `sink`.
+    pub fn beat(&mut self, beat: &Beat, sink: impl FnMut(ShownPixel)) -> Result<(), StreamError> {
+        let unknown = StreamError::Address {
+            kind: beat.kind,
+            unit: beat.unit,
+            address: beat.address,
+        };
+        let (unit, address, data) = (usize::from(beat.unit), beat.address, beat.data);
+        let write =
+            |units: &mut [Registers]| units.get_mut(unit)?.write(address, data).then_some(());
+        match beat.kind {
+            kind::OBJECT => write(&mut self.objects).ok_or(unknown),
+            kind::VOLUME => write(&mut self.volumes).ok_or(unknown),
+            kind::SHADING => {
+                self.shading.insert(address, data);
+                Ok(())
+            }
+            kind::MATERIAL if address < 1 << super::ID_BITS => {
+                self.materials.insert(address, data);
+                Ok(())
+            }
+            kind::COMMAND => match address {
+                command::ORIGIN => self.place(data),
+                command::SIZE => self.resize(data),
+                command::DRAW => self.draw(data),
+                command::LIGHT => self.light(data),
+                command::SHOW => self.show(data, sink),
+                _ => Err(unknown),
+            },
+            _ => Err(unknown),
+        }
+    }
+
+    /// A whole frame of `width x height` samples: the beats up to the one that says it is the last. Face numbers are not kept, so they are 0.
+    pub fn frame(
+        &mut self,
+        beats: impl IntoIterator<Item = Beat>,
+        width: usize,
+        height: usize,
+    ) -> Result<(Frame, Lighting), StreamError> {
+        let mut frame = Frame::background(width, height, self.format.z_max());
+        let mut lighting = Lighting::full(&frame);
+        let mut shown = vec![false; width * height];
+        let mut pixels = vec![];
+        for beat in beats {
+            self.beat(&beat, |pixel| pixels.push(pixel))?;
+            for pixel in pixels.drain(..) {
+                let Sample { of, column, line } = pixel.sample;
+                let place = |pixel: u16, sample| usize::from(pixel) * of as usize + sample as usize;
+                let (x, y) = (place(pixel.x, column), place(pixel.y, line));
+                if x >= width || y >= height {
+                    return Err(StreamError::Outside(pixel.x, pixel.y));
+                }
+                let at = y * width + x;
+                if std::mem::replace(&mut shown[at], true) {
+                    return Err(StreamError::Twice(pixel.x, pixel.y));
+                }
+                if pixel.depth != self.format.z_max() {
+                    frame.depth[at] = pixel.depth;
+                    frame.id[at] = pixel.id.into();
+                    frame.normal[at] = pixel.normal;
+                    lighting.flags[at] = pixel.flags;
+                }
+            }
+            if beat.last {
+                break;
+            }
+        }
+        match shown.iter().filter(|&&shown| !shown).count() {
+            0 => Ok((frame, lighting)),
+            missing => Err(StreamError::Missing(missing)),
+        }
+    }
+
+    fn place(&mut self, data: u64) -> Result<(), StreamError> {
+        self.not_begun()?;
+        self.origin = pair(data);
+        self.progress.placed = true;
+        Ok(())
+    }
+
+    fn resize(&mut self, data: u64) -> Result<(), StreamError> {
+        self.not_begun()?;
+        self.size = pair(data);
+        self.progress.sized = true;
+        if self.size.contains(&0) {
+            return Err(StreamError::Order("a zone without pixels"));
+        }
+        Ok(())
+    }
+
+    fn not_begun(&self) -> Result<(), StreamError> {
+        if self.progress.drawn {
+            return Err(StreamError::Order("a zone moves after its first pass"));
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, data: u64) -> Result<(), StreamError> {
+        self.has_zone()?;
+        let first = data & command::FIRST != 0;
+        if first == self.progress.drawn {
+            return Err(StreamError::Order(
+                "the first draw pass of a zone says so, and no other one",
+            ));
+        }
+        if self.progress.lit {
+            return Err(StreamError::Order("a draw pass after a light pass"));
+        }
+        if first {
+            self.buffer = vec![self.background(); self.pixels()];
+        }
+        for index in 0..self.objects.len() {
+            if self.objects[index].take() {
+                self.draw_object(index);
+            }
+        }
+        self.progress.drawn = true;
+        Ok(())
+    }
+
+    /// The nearer stays; at equal depth the smaller id, and of two parts of one object the one that came first.
+    fn draw_object(&mut self, index: usize) {
+        let id = self.objects[index].id();
+        let mut words = self.objects[index].object(&self.format);
+        let [width, height] = self.size.map(i64::from);
+        words.screen_box = words.screen_box.in_zone(0, 0, width, height);
+        for y in 0..height {
+            let line = &mut self.buffer[(y * width) as usize..];
+            for_each_present(&words, &self.format, y, |x, pixel| {
+                let kept = &mut line[x as usize];
+                if (pixel.zf, id) < (kept.depth, kept.id) {
+                    kept.depth = pixel.zf;
+                    kept.id = id;
+                    kept.normal = pixel.normal;
+                }
+            });
+        }
+    }
+
+    fn light(&mut self, data: u64) -> Result<(), StreamError> {
+        if !self.progress.drawn {
+            return Err(StreamError::Order("a light pass before a draw pass"));
+        }
+        let first = data & command::FIRST != 0;
+        if first == self.progress.lit {
+            return Err(StreamError::Order(
+                "the first light pass of a zone says so, and no other one",
+            ));
+        }
+        if first {
+            for kept in &mut self.buffer {
+                kept.flags = ALL_SOURCES;
+            }
+        }
+        for index in 0..self.volumes.len() {
+            if self.volumes[index].take() {
+                self.apply_volume(index);
+            }
+        }
+        self.progress.lit = true;
+        Ok(())
+    }
+
+    fn apply_volume(&mut self, index: usize) {
+        let mut words = self.volumes[index].volume(&self.format);
+        let [width, height] = self.size.map(i64::from);
+        words.screen_box = words.screen_box.in_zone(0, 0, width, height);
+        let width = usize::from(self.size[0]);
+        for (y, line) in self.buffer.chunks_mut(width).enumerate() {
+            let depths: Vec<i64> = line.iter().map(|kept| kept.depth).collect();
+            let mut inside = vec![false; width];
+            for_each_inside(&words, &self.format, y as i64, &depths, |x| {
+                inside[x] = true
+            });
+            for (kept, inside) in line.iter_mut().zip(inside) {
+                kept.flags = words.after(kept.flags, inside);
+            }
+        }
+    }
+
+    fn show(&mut self, data: u64, mut sink: impl FnMut(ShownPixel)) -> Result<(), StreamError> {
+        self.has_zone()?;
+        let [lit, drawn, last] =
+            [command::LIT, command::DRAWN, command::LAST_ZONE].map(|bit| data & bit != 0);
+        if (lit, drawn) != (self.progress.lit, self.progress.drawn) {
+            return Err(StreamError::Order(
+                "a show pass whose bits are not the passes that there were",
+            ));
+        }
+        let sample = Sample::of_bits(data, self.samples).ok_or(StreamError::Order(
+            "a show pass of a sample that the machine's pixels have not",
+        ))?;
+        let pixels = self.pixels();
+        let width = usize::from(self.size[0]);
+        for index in 0..pixels {
+            let background = self.background();
+            let kept = self
+                .buffer
+                .get(index)
+                .filter(|kept| drawn && kept.depth != background.depth);
+            let kept = kept.copied().unwrap_or(background);
+            sink(ShownPixel {
+                x: self.origin[0] + (index % width) as u16,
+                y: self.origin[1] + (index / width) as u16,
+                depth: kept.depth,
+                id: kept.id,
+                normal: kept.normal,
+                flags: if lit { kept.flags } else { ALL_SOURCES },
+                sample,
+                pass_ends: index + 1 == pixels,
+                last: last && index + 1 == pixels,
+            });
+        }
+        self.progress = Progress::default();
+        Ok(())
+    }
+
+    fn has_zone(&self) -> Result<(), StreamError> {
+        if self.progress.placed && self.progress.sized {
+            Ok(())
+        } else {
+            Err(StreamError::Order(
+                "a pass before origin and size of the zone",
+            ))
+        }
+    }
+
+    fn pixels(&self) -> usize {
+        self.size.map(usize::from).iter().product()
+    }
+
+    fn background(&self) -> Kept {
+        Kept {
+            depth: self.format.z_max(),
+            id: 0,
+            normal: [0; 3],
+            flags: ALL_SOURCES,
+        }
+    }
+}
+
+fn pair(data: u64) -> [u16; 2] {
+    [data & 0xfff, data >> 12 & 0xfff].map(|word| word as u16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn machine() -> ZoneMachine {
+        ZoneMachine {
+            object_processors: 2,
+            planes: 1,
+            volume_processors: 1,
+            volume_planes: 1,
+            zone_width: 4,
+            zone_height: 4,
+            samples: 1,
+        }
+    }
+
+    fn run(beats: &[Beat]) -> Result<Vec<ShownPixel>, StreamError> {
+        let mut model = ZoneMachineModel::new(&Format::BASE, &machine());
+        let mut shown = vec![];
+        for beat in beats {
+            model.beat(beat, |pixel| shown.push(pixel))?;
+        }
+        Ok(shown)
+    }
+
+    fn zone(x: u64, y: u64, width: u64, height: u64) -> [Beat; 2] {
+        [
+            Beat::command(command::ORIGIN, x | y << 12),
+            Beat::command(command::SIZE, width | height << 12),
+        ]
+    }
+
+    /// An object that is everywhere at a depth: a patch whose root is 0.
+    fn sheet(unit: u8, depth: u64, id: u64) -> Vec<Beat> {
+        let word = |address, data| Beat::new(kind::OBJECT, unit, address, data);
+        let mut beats: Vec<Beat> = (0..31).map(|address| word(address, 0)).collect();
+        beats.extend([
+            word(2, depth),
+            word(21, 3 << 12),
+            word(22, 3 << 12),
+            word(23, 2),
+        ]);
+        beats.push(word(crate::machine::zone::beat::ID_ADDRESS, id));
+        beats
+    }
+
+    const DRAW_FIRST: Beat = Beat::command(command::DRAW, 1);
+    const DRAW: Beat = Beat::command(command::DRAW, 0);
+    const SHOW: Beat = Beat::command(command::SHOW, command::DRAWN);
+
+    #[test]
+    fn an_undrawn_zone_is_background() {
+        let mut beats = zone(8, 12, 2, 2).to_vec();
+        beats.push(Beat::command(command::SHOW, command::LAST_ZONE));
+        let shown = run(&beats).unwrap();
+        let places: Vec<_> = shown.iter().map(|p| (p.x, p.y, p.last)).collect();
+        assert_eq!(
+            places,
+            [
+                (8, 12, false),
+                (9, 12, false),
+                (8, 13, false),
+                (9, 13, true)
+            ]
+        );
+        assert!(shown.iter().all(|p| p.depth == Format::BASE.z_max()));
+    }
+
+    #[test]
+    fn equal_depths_go_to_the_smaller_id_in_any_batch() {
+        for (ids, wanted) in [([5, 9], 5), ([9, 5], 5)] {
+            let one_batch = [
+                &zone(0, 0, 1, 1)[..],
+                &sheet(0, 77, ids[0]),
+                &sheet(1, 77, ids[1]),
+                &[DRAW_FIRST, SHOW],
+            ];
+            let two_batches = [
+                &zone(0, 0, 1, 1)[..],
+                &sheet(0, 77, ids[0]),
+                &[DRAW_FIRST],
+                &sheet(0, 77, ids[1]),
+                &[DRAW, SHOW],
+            ];
+            for beats in [one_batch.concat(), two_batches.concat()] {
+                let shown = run(&beats).unwrap();
+                assert_eq!((shown[0].id, shown[0].depth), (wanted, 77));
+            }
+        }
+    }
+
+    #[test]
+    fn a_processor_that_is_not_loaded_again_is_absent() {
+        let beats = [
+            &zone(0, 0, 1, 1)[..],
+            &sheet(0, 50, 1),
+            &sheet(1, 60, 2),
+            &[DRAW_FIRST, SHOW],
+            &zone(1, 0, 1, 1),
+            &sheet(1, 60, 2),
+            &[DRAW_FIRST, SHOW],
+        ];
+        let ids: Vec<u16> = run(&beats.concat()).unwrap().iter().map(|p| p.id).collect();
+        assert_eq!(ids, [1, 2]);
+    }
+
+    #[test]
+    fn streams_without_a_meaning_are_refused() {
+        let refused = |beats: &[Beat]| run(beats).unwrap_err().to_string();
+        let [origin, size] = zone(0, 0, 1, 1);
+        assert!(refused(&[origin, DRAW_FIRST]).contains("before origin and size"));
+        assert!(refused(&[origin, size, DRAW]).contains("first draw pass"));
+        assert!(refused(&[origin, size, DRAW_FIRST, DRAW_FIRST]).contains("first draw pass"));
+        assert!(refused(&[origin, size, DRAW_FIRST, size]).contains("moves"));
+        assert!(refused(&[origin, size, SHOW]).contains("show pass"));
+        let light = Beat::command(command::LIGHT, 1);
+        assert!(refused(&[origin, size, light]).contains("before a draw pass"));
+        assert!(refused(&[origin, size, DRAW_FIRST, light, DRAW]).contains("after a light pass"));
+        let stray = [
+            Beat::new(kind::OBJECT, 2, 0, 0),
+            Beat::new(kind::OBJECT, 0, 31, 0),
+            Beat::new(kind::VOLUME, 0, 17, 0),
+            Beat::new(kind::MATERIAL, 0, 4096, 0),
+            Beat::command(5, 0),
+            Beat::new(5, 0, 0, 0),
+        ];
+        for beat in stray {
+            assert!(refused(&[beat]).contains("does not exist"), "{beat:?}");
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! The zone machine: few processors that draw many objects, zone by zone (`docs/zone-machine.md`).
+//!
+//! K quadric object processors and V volume processors are loaded again and again with the objects and volumes of one zone of the screen; a buffer keeps what is
+//! seen so far at each pixel of the zone. The host cuts the screen and sends a stream of words and commands ([`beat`]). The
+//! golden machine ([`golden`]) is driven by that stream alone.
+
+pub mod beat;
+mod decode;
+pub mod golden;
+pub mod sample;
+
+use crate::object::quadric::MAX_PLANES;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Bits of an object's id in the zone buffer.
+pub const ID_BITS: u32 = 12;
+/// Most processors of a kind: a unit number has 8 bits.
+pub const MAX_PROCESSORS: usize = imogene_contract::words::MOST_OBJECTS as usize;
+/// Most pixels along a side of the screen: coordinates have 12 bits.
+pub const MAX_PICTURE: u32 = 4096;
+/// Most pixels along a side of a zone: its width and height have 12 bits.
+pub const MAX_ZONE: u32 = 4095;
+
+/// Samples of a pixel along each side that there are machines for.
+pub const SAMPLES: [u32; 3] = [1, 2, 4];
+
+/// What a zone machine is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ZoneMachine {
+    /// K: quadric object processors, at least 1.
+    pub object_processors: usize,
+    /// N: cut planes of each.
+    pub planes: usize,
+    /// V: volume processors with a quadric; none in a machine without shadows and spots.
+    pub volume_processors: usize,
+    /// M: planes of each.
+    pub volume_planes: usize,
+    /// Columns of a zone; zones at the right edge can be narrower.
+    pub zone_width: u32,
+    /// Lines of a zone; zones at the lower edge can be lower.
+    pub zone_height: u32,
+    /// Samples of a pixel along each side: 1, or 2 or 4 in a machine that supersamples.
+    pub samples: u32,
+}
+
+/// No zone machine is like this.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ZoneMachineError {
+    /// A number is out of its range.
+    #[error("a zone machine with {value} {what}: accepted are {least} to {most}")]
+    Range {
+        /// What of it.
+        what: &'static str,
+        /// Asked for.
+        value: usize,
+        /// Fewest.
+        least: usize,
+        /// Most.
+        most: usize,
+    },
+    /// No machine has so many samples.
+    #[error("{0} x {0} samples of a pixel: accepted are 1, 2 or 4 along each side")]
+    Samples(u32),
+}
+
+impl ZoneMachine {
+    /// Is there such a machine?
+    pub fn check(&self) -> Result<(), ZoneMachineError> {
+        let range = |what, value: usize, least: usize, most: usize| {
+            if (least..=most).contains(&value) {
+                Ok(())
+            } else {
+                Err(ZoneMachineError::Range {
+                    what,
+                    value,
+                    least,
+                    most,
+                })
+            }
+        };
+        let side = MAX_ZONE as usize;
+        range(
+            "object processors",
+            self.object_processors,
+            1,
+            MAX_PROCESSORS,
+        )?;
+        range("planes", self.planes, 0, MAX_PLANES)?;
+        range(
+            "volume processors",
+            self.volume_processors,
+            0,
+            MAX_PROCESSORS,
+        )?;
+        range("planes of a volume", self.volume_planes, 0, MAX_PLANES)?;
+        range("zone width", self.zone_width as usize, 1, side)?;
+        range("zone height", self.zone_height as usize, 1, side)?;
+        if SAMPLES.contains(&self.samples) {
+            Ok(())
+        } else {
+            Err(ZoneMachineError::Samples(self.samples))
+        }
+    }
+}

@@ -1,0 +1,333 @@
+//! The cylinder processor of the first machine: body and front disc in one exact outline, a parabolic body (source: Chaillou, IV.2.5).
+
+use super::paraboloid::{
+    Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, one_face,
+    plane_guard, second_degree,
+};
+use super::quadric::{ObjectPixel, ScreenBox};
+use crate::format::Format;
+use crate::unit::interval::{FACE_NEAR, FACE_PLANE};
+use crate::unit::pe1::{Linear, Pe1};
+use crate::unit::pe2::{Pe2, Quadratic};
+use imogene_algebra::rational::{integer, round_half_up};
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+use serde::{Deserialize, Serialize};
+
+/// A cylinder of an orthographic view, neither end-on nor side-on.
+///
+/// Its unit axis, from the front disc to the back, is `(level cos, level sin, deep)` with cos^2 + sin^2 = 1 and level^2 + deep^2 = 1, all rational,
+/// level and deep positive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CylinderShape {
+    /// Centre of the front disc: column, line, depth in pixels.
+    pub centre: [BigRational; 3],
+    /// Direction of the axis on the screen: cosine and sine.
+    pub direction: [BigRational; 2],
+    /// Part of the unit axis in the screen plane.
+    pub level: BigRational,
+    /// Part of the unit axis away from the viewer.
+    pub deep: BigRational,
+    /// Radius in pixels, positive.
+    pub radius: BigRational,
+    /// Length in pixels, positive.
+    pub length: BigRational,
+    /// Depth words per pixel, positive.
+    pub scale: BigRational,
+}
+
+/// All coefficient words of one cylinder for one zone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CylinderWords {
+    /// Where the cylinder can be on the screen.
+    pub screen_box: ScreenBox,
+    /// Sides of the rectangle between the discs, P bits, not negative inside.
+    pub sides: [Linear; 4],
+    /// Outlines of the front and the back disc, F bits, not negative inside.
+    pub discs: [Quadratic; 2],
+    /// Depth of the body, in units of `2^-(W-2)` depth words.
+    pub body: Quadratic,
+    /// Normal of the body, F bits.
+    pub normal: [Quadratic; 3],
+    /// Depth of the front disc, in units of `2^-10` depth words.
+    pub disc: Linear,
+    /// Normal of the front disc.
+    pub disc_normal: [i16; 3],
+}
+
+/// `p x + q y + r`.
+type Affine = [BigRational; 3];
+
+fn affine(parts: [(&BigRational, &Affine); 2], constant: BigRational) -> Affine {
+    let mut sum = [integer(0), integer(0), constant];
+    for (factor, part) in parts {
+        for (total, term) in sum.iter_mut().zip(part) {
+            *total += factor * term;
+        }
+    }
+    sum
+}
+
+/// `factor p^2 + q` as an expression of degree two.
+fn square_and(factor: &BigRational, p: &Affine, q: &Affine) -> Exact {
+    let two = integer(2) * factor;
+    [
+        factor * &p[0] * &p[0],
+        factor * &p[1] * &p[1],
+        &two * &p[0] * &p[1],
+        &two * &p[0] * &p[2] + &q[0],
+        &two * &p[1] * &p[2] + &q[1],
+        factor * &p[2] * &p[2] + &q[2],
+    ]
+}
+
+fn plus(mut sum: Exact, other: &Exact) -> Exact {
+    for (total, term) in sum.iter_mut().zip(other) {
+        *total += term;
+    }
+    sum
+}
+
+impl CylinderShape {
+    /// Pixels along the axis on the screen from the centre of the front disc.
+    fn along(&self) -> Affine {
+        let [cos, sin] = &self.direction;
+        let offset = -(cos * &self.centre[0] + sin * &self.centre[1]);
+        [cos.clone(), sin.clone(), offset]
+    }
+
+    /// Pixels across the axis.
+    fn across(&self) -> Affine {
+        let [cos, sin] = &self.direction;
+        let offset = sin * &self.centre[0] - cos * &self.centre[1];
+        [-sin, cos.clone(), offset]
+    }
+
+    /// The half height of the parabolic body, `a R - b t^2 / R`, times a factor, plus a first-degree rest.
+    fn bulge_and(&self, factor: &BigRational, rest: &Affine) -> Exact {
+        let (a, b) = bulge();
+        let mut rest = rest.clone();
+        rest[2] += a * &self.radius * factor;
+        square_and(&(-b * factor / &self.radius), &self.across(), &rest)
+    }
+
+    /// The parabolic body's front depth in depth words.
+    pub fn body(&self) -> Exact {
+        let zero = integer(0);
+        let slope = &self.scale * &self.deep / &self.level;
+        let middle = &self.scale * &self.centre[2];
+        let axis = affine([(&slope, &self.along()), (&zero, &self.across())], middle);
+        self.bulge_and(&(-&self.scale / &self.level), &axis)
+    }
+
+    /// `R^2 deep^2 - deep^2 t^2 - (a - shift)^2`.
+    fn ellipse(&self, shift: BigRational) -> Exact {
+        let mut along = self.along();
+        along[2] -= shift;
+        let square = &self.deep * &self.deep;
+        let constant = [
+            integer(0),
+            integer(0),
+            &square * &self.radius * &self.radius,
+        ];
+        plus(
+            square_and(&-square, &self.across(), &constant),
+            &square_and(&integer(-1), &along, &[integer(0), integer(0), integer(0)]),
+        )
+    }
+
+    /// Sides of the rectangle between the discs' centres, not negative inside.
+    pub fn sides(&self) -> [[BigRational; 3]; 4] {
+        let (one, minus, zero) = (integer(1), integer(-1), integer(0));
+        let (a, t) = (self.along(), self.across());
+        let of = |p: &BigRational, q: &BigRational, c: &BigRational| {
+            affine([(p, &a), (q, &t)], c.clone())
+        };
+        [
+            of(&one, &zero, &zero),
+            of(&minus, &zero, &(&self.length * &self.level)),
+            of(&zero, &one, &self.radius),
+            of(&zero, &minus, &self.radius),
+        ]
+    }
+
+    /// Outlines of the front and the back disc, not negative inside.
+    pub fn discs(&self) -> [Exact; 2] {
+        [
+            self.ellipse(integer(0)),
+            self.ellipse(&self.length * &self.level),
+        ]
+    }
+
+    /// Normal of the body, outward, of length [`NORMAL_LENGTH`] where it is exact: t across the axis, and the bulge times (deep cos, deep sin, -level).
+    pub fn body_normal(&self) -> [Exact; 3] {
+        let [cos, sin] = &self.direction;
+        let per_radius = integer(NORMAL_LENGTH) / &self.radius;
+        let normal = |across: BigRational, bulge: BigRational| {
+            let zero = integer(0);
+            let along = self.along();
+            let rest = affine([(&across, &self.across()), (&zero, &along)], integer(0));
+            self.bulge_and(&bulge, &rest)
+        };
+        [
+            normal(-sin * &per_radius, &self.deep * cos * &per_radius),
+            normal(cos * &per_radius, &self.deep * sin * &per_radius),
+            normal(integer(0), -&self.level * &per_radius),
+        ]
+    }
+
+    /// Depth of the front disc in depth words.
+    pub fn disc(&self) -> [BigRational; 3] {
+        let slope = -&self.scale * &self.level / &self.deep;
+        let middle = &self.scale * &self.centre[2];
+        affine(
+            [(&slope, &self.along()), (&integer(0), &self.across())],
+            middle,
+        )
+    }
+
+    /// Normal of the front disc.
+    pub fn disc_normal(&self) -> [i16; 3] {
+        let [cos, sin] = &self.direction;
+        let component = |v: &BigRational| {
+            round_half_up(&(-v * integer(NORMAL_LENGTH)))
+                .to_i16()
+                .expect("a unit vector's component")
+        };
+        [
+            component(&(&self.level * cos)),
+            component(&(&self.level * sin)),
+            component(&self.deep),
+        ]
+    }
+
+    /// The coefficient words.
+    pub fn words(&self, screen_box: ScreenBox, format: &Format) -> CylinderWords {
+        let conic = |exact: &Exact| {
+            let [a, b, c, d, e, f] = contour(exact);
+            Quadratic { a, b, c, d, e, f }
+        };
+        let side = |exact: &Affine| {
+            let [a, b, c] = contour(exact);
+            Linear::new(a, b, c)
+        };
+        let normal = |exact: &Exact| second_degree(exact, normal_guard(format));
+        CylinderWords {
+            screen_box,
+            sides: self.sides().each_ref().map(side),
+            discs: self.discs().each_ref().map(conic),
+            body: second_degree(&self.body(), depth_guard(format)),
+            normal: self.body_normal().each_ref().map(normal),
+            disc: first_degree(&self.disc(), plane_guard(format)),
+            disc_normal: self.disc_normal(),
+        }
+    }
+}
+
+impl CylinderWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> CylinderWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        words.sides = self.sides.map(|s| s.from_zone(x0, y0));
+        words.discs = self.discs.map(|d| d.from_zone(x0, y0));
+        words.body = self.body.from_zone(x0, y0);
+        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
+        words.disc = self.disc.from_zone(x0, y0);
+        words
+    }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> CylinderWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        words.sides = self.sides.map(|s| s.every_line(step, first));
+        words.discs = self.discs.map(|d| d.every_line(step, first));
+        words.body = self.body.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words.disc = self.disc.every_line(step, first);
+        words
+    }
+}
+
+/// Latency in clocks from the raster flags to the outputs: processors, selection of the part, ends of the depth word.
+pub const LATENCY: u32 = 3;
+/// Number of the front disc among the faces.
+pub const FACE_DISC: u8 = FACE_PLANE;
+
+/// The processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct CylinderProcessor {
+    format: Format,
+    words: CylinderWords,
+    sides: [Pe1; 4],
+    discs: [Pe2; 2],
+    body: Pe2,
+    normal: [Pe2; 3],
+    disc: Pe1,
+    x: i64,
+    y: i64,
+}
+
+impl CylinderProcessor {
+    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+    pub fn zone_start(words: &CylinderWords, format: &Format) -> CylinderProcessor {
+        let pe1 = |l: Linear| Pe1::object_start(&l, format.plane);
+        let pe2 = |q: Quadratic| Pe2::object_start(&q, format.quadratic);
+        CylinderProcessor {
+            format: *format,
+            words: words.clone(),
+            sides: words.sides.map(pe1),
+            discs: words.discs.map(pe2),
+            body: pe2(words.body),
+            normal: words.normal.map(pe2),
+            disc: pe1(words.disc),
+            x: 0,
+            y: 0,
+        }
+    }
+
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        self.sides.iter_mut().for_each(Pe1::line_step);
+        self.discs.iter_mut().for_each(Pe2::line_step);
+        self.body.line_step();
+        self.normal.iter_mut().for_each(Pe2::line_step);
+        self.disc.line_step();
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// What the processor hands on for the next pixel of the line; front and back depth are the same, that of the visible part.
+    pub fn pixel(&mut self) -> ObjectPixel {
+        let format = self.format;
+        let in_box = self.words.screen_box.contains(self.x, self.y);
+        let sides = self.sides.each_mut().map(Pe1::pixel);
+        let [front, back] = self.discs.each_mut().map(|pe| pe.pixel() >= 0);
+        let body = (self.body.pixel() >> depth_guard(&format)) as i64;
+        let disc = (self.disc.pixel() >> plane_guard(&format)) as i64;
+        let guard = normal_guard(&format);
+        let body_normal = self
+            .normal
+            .each_mut()
+            .map(|pe| (pe.pixel() >> guard) as i16);
+        self.x += 1;
+        let between = sides.iter().all(|&v| v >= 0);
+        let (z, number, normal) = if front {
+            (disc, FACE_DISC, self.words.disc_normal)
+        } else {
+            (body, FACE_NEAR, body_normal)
+        };
+        let face = one_face(z, number, in_box && (front || between || back), &format);
+        ObjectPixel {
+            zf: face.zf,
+            zb: face.zb,
+            number: face.nf,
+            normal: if face.is_present(&format) {
+                normal
+            } else {
+                [0; 3]
+            },
+        }
+    }
+}

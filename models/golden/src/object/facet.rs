@@ -1,0 +1,255 @@
+//! The facet processor: a flat facet of three or four sides with Phong's interpolated normals (source: Chaillou, IV.2.2; Nyiri, 4.1.2).
+
+use super::paraboloid::{first_degree, one_face, plane_guard};
+use super::quadric::{ObjectPixel, ScreenBox};
+use crate::format::Format;
+use crate::unit::interval::FACE_PLANE;
+use crate::unit::normal::LINEAR_WIDTH;
+use crate::unit::pe1::{Linear, Pe1};
+use imogene_algebra::rational::{fraction, integer};
+use num_rational::BigRational;
+use num_traits::Zero;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Bits of a corner's place below a pixel.
+pub const SUBPIXEL: u32 = 4;
+/// Largest component of a corner's normal; the rest of the word is for rounding.
+pub const MAX_COMPONENT: i16 = 32_000;
+/// Number of the facet among the faces.
+pub const FACE_FACET: u8 = FACE_PLANE;
+
+/// A corner of a facet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Corner {
+    /// Column in units of `2^-SUBPIXEL` pixels.
+    pub x: i64,
+    /// Line, likewise.
+    pub y: i64,
+    /// Depth in depth words.
+    pub z: BigRational,
+    /// Normal.
+    pub normal: [i16; 3],
+}
+
+/// Corners that are no facet.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum FacetError {
+    /// Neither three nor four.
+    #[error("a facet of {0} corners; accepted: 3 or 4")]
+    Corners(usize),
+    /// No area on the screen, or corners that do not go round once.
+    #[error("the corners of the facet do not go round a convex area of the screen")]
+    NotConvex,
+    /// The fourth corner is elsewhere.
+    #[error(
+        "the four corners of the facet have no common {0}; draw it as two facets of three corners"
+    )]
+    NotLinear(&'static str),
+    /// A normal that is too long for its word.
+    #[error("component {0} of a corner's normal; accepted: -{MAX_COMPONENT} to {MAX_COMPONENT}")]
+    Component(i16),
+}
+
+/// All coefficient words of one facet for one zone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FacetWords {
+    /// Where the facet can be on the screen.
+    pub screen_box: ScreenBox,
+    /// Its three or four sides, P bits, not negative inside.
+    pub edges: Vec<Linear>,
+    /// Its depth, P bits, in units of `2^-10` depth words.
+    pub depth: Linear,
+    /// Its normal, 24 bits.
+    pub normal: [Linear; 3],
+}
+
+/// The side from one corner to the next, not negative on its left (clockwise as lines grow downwards), in whole pixels.
+///
+/// A pixel exactly on a side belongs to the facet that has the side's left at a slightly greater column, or, if the side runs along a line, at a slightly
+/// greater line. The neighbour has the same side the other way round, so exactly one of them has the pixel; and all sides of a corner agree, because the rule
+/// is to look at the pixel moved by an infinitely small step.
+fn edge(from: &Corner, to: &Corner) -> Linear {
+    let (a, b) = (i128::from(from.y - to.y), i128::from(to.x - from.x));
+    let c = i128::from(from.x) * i128::from(to.y) - i128::from(to.x) * i128::from(from.y);
+    let owned = a > 0 || (a == 0 && b > 0);
+    // (a, b) multiply whole pixels, c is finer: its floor keeps every sign.
+    let constant = (c - i128::from(!owned)) >> SUBPIXEL;
+    Linear::new(a, b, constant)
+}
+
+fn doubled_area(p: &Corner, q: &Corner, r: &Corner) -> i128 {
+    let [ux, uy] = [q.x - p.x, q.y - p.y].map(i128::from);
+    let [vx, vy] = [r.x - p.x, r.y - p.y].map(i128::from);
+    ux * vy - vx * uy
+}
+
+/// The first-degree expression in pixels with the values `w` at three corners.
+fn through(corners: [&Corner; 3], w: [&BigRational; 3]) -> [BigRational; 3] {
+    let [p, q, r] = corners;
+    let unit = |v: i64| fraction(v, 1 << SUBPIXEL);
+    let [ux, uy, vx, vy] = [q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y].map(unit);
+    let (dq, dr) = (w[1] - w[0], w[2] - w[0]);
+    let area = &ux * &vy - &vx * &uy;
+    let a = (&dq * &vy - &dr * &uy) / &area;
+    let b = (&ux * &dr - &vx * &dq) / &area;
+    let c = w[0] - &a * unit(p.x) - &b * unit(p.y);
+    [a, b, c]
+}
+
+fn linear_value(
+    corners: &[Corner],
+    of: impl Fn(&Corner) -> BigRational,
+    name: &'static str,
+) -> Result<[BigRational; 3], FacetError> {
+    let w: Vec<BigRational> = corners.iter().map(&of).collect();
+    let exact = through(
+        [&corners[0], &corners[1], &corners[2]],
+        [&w[0], &w[1], &w[2]],
+    );
+    if let [_, _, _, fourth] = corners {
+        let [a, b, c] = &exact;
+        let [x, y] = [fourth.x, fourth.y].map(|v| fraction(v, 1 << SUBPIXEL));
+        if !(a * x + b * y + c - &w[3]).is_zero() {
+            return Err(FacetError::NotLinear(name));
+        }
+    }
+    Ok(exact)
+}
+
+impl FacetWords {
+    /// The words of the facet with these corners, in either sense of rotation.
+    pub fn new(
+        corners: &[Corner],
+        screen_box: ScreenBox,
+        format: &Format,
+    ) -> Result<FacetWords, FacetError> {
+        let n = corners.len();
+        if !(3..=4).contains(&n) {
+            return Err(FacetError::Corners(n));
+        }
+        let components = corners.iter().flat_map(|c| c.normal);
+        if let Some(bad) = components
+            .into_iter()
+            .find(|v| v.unsigned_abs() > MAX_COMPONENT as u16)
+        {
+            return Err(FacetError::Component(bad));
+        }
+        let corner = |i: usize| &corners[i % n];
+        let turns: Vec<i128> = (0..n)
+            .map(|i| doubled_area(corner(i), corner(i + 1), corner(i + 2)))
+            .collect();
+        let left = turns.iter().all(|&t| t > 0);
+        if !left && !turns.iter().all(|&t| t < 0) {
+            return Err(FacetError::NotConvex);
+        }
+        let side = |i: usize| {
+            let (from, to) = (corner(i), corner(i + 1));
+            if left { edge(from, to) } else { edge(to, from) }
+        };
+        let depth = linear_value(corners, |c| c.z.clone(), "plane")?;
+        let mut normal = [Linear::default(); 3];
+        for (k, words) in normal.iter_mut().enumerate() {
+            let exact = linear_value(
+                corners,
+                |c| integer(c.normal[k].into()),
+                "interpolation of normals",
+            )?;
+            *words = first_degree(&exact, LINEAR_WIDTH - format.normal);
+        }
+        Ok(FacetWords {
+            screen_box,
+            edges: (0..n).map(side).collect(),
+            depth: first_degree(&depth, plane_guard(format)),
+            normal,
+        })
+    }
+
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> FacetWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        for edge in &mut words.edges {
+            *edge = edge.from_zone(x0, y0);
+        }
+        words.depth = self.depth.from_zone(x0, y0);
+        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
+        words
+    }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> FacetWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        for edge in &mut words.edges {
+            *edge = edge.every_line(step, first);
+        }
+        words.depth = self.depth.every_line(step, first);
+        words.normal = self.normal.map(|n| n.every_line(step, first));
+        words
+    }
+}
+
+/// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.
+pub const LATENCY: u32 = 2;
+
+/// The processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct FacetProcessor {
+    format: Format,
+    screen_box: ScreenBox,
+    edges: Vec<Pe1>,
+    depth: Pe1,
+    normal: [Pe1; 3],
+    x: i64,
+    y: i64,
+}
+
+impl FacetProcessor {
+    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+    pub fn zone_start(words: &FacetWords, format: &Format) -> FacetProcessor {
+        let pe1 = |l: &Linear| Pe1::object_start(l, format.plane);
+        FacetProcessor {
+            format: *format,
+            screen_box: words.screen_box,
+            edges: words.edges.iter().map(pe1).collect(),
+            depth: pe1(&words.depth),
+            normal: words.normal.map(|n| Pe1::object_start(&n, LINEAR_WIDTH)),
+            x: 0,
+            y: 0,
+        }
+    }
+
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        self.edges.iter_mut().for_each(Pe1::line_step);
+        self.depth.line_step();
+        self.normal.iter_mut().for_each(Pe1::line_step);
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// What the processor hands on for the next pixel of the line; front and back depth are the same.
+    pub fn pixel(&mut self) -> ObjectPixel {
+        let values: Vec<i128> = self.edges.iter_mut().map(Pe1::pixel).collect();
+        let z = (self.depth.pixel() >> plane_guard(&self.format)) as i64;
+        let normal = self
+            .normal
+            .each_mut()
+            .map(|pe| (pe.pixel() >> (LINEAR_WIDTH - 16)) as i16);
+        let in_box = self.screen_box.contains(self.x, self.y);
+        self.x += 1;
+        let inside = in_box && values.iter().all(|&v| v >= 0);
+        let face = one_face(z, FACE_FACET, inside, &self.format);
+        ObjectPixel {
+            zf: face.zf,
+            zb: face.zb,
+            number: face.nf,
+            normal: if face.is_present(&self.format) {
+                normal
+            } else {
+                [0; 3]
+            },
+        }
+    }
+}

@@ -1,0 +1,366 @@
+//! The polyhedron processor: a convex solid of planes with its front and back depth and both faces (source: annex A; Chaillou: IV.2.3).
+
+use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
+use crate::format::Format;
+use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
+use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
+use crate::unit::normal::NEAR_END_NORMAL;
+use crate::unit::pe1::Pe1;
+use crate::unit::plane_depth::saturate;
+use serde::{Deserialize, Serialize};
+
+/// Planes of the source's polyhedron.
+pub const DEFAULT_PLANES: usize = 6;
+
+/// All coefficient words of one polyhedron for one zone; at least one plane, at most [`super::quadric::MAX_PLANES`].
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PolyhedronWords {
+    /// Where the object can be on the screen.
+    pub screen_box: ScreenBox,
+    /// Its planes, each with the outward normal.
+    pub planes: Vec<PlaneWords>,
+}
+
+impl PolyhedronWords {
+    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
+    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> PolyhedronWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.from_zone(x0, y0);
+        }
+        words
+    }
+
+    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
+    pub fn every_line(&self, step: i64, first: i64) -> PolyhedronWords {
+        let mut words = self.clone();
+        words.screen_box = self.screen_box.every_line(step, first);
+        for plane in &mut words.planes {
+            plane.depth = plane.depth.every_line(step, first);
+        }
+        words
+    }
+}
+
+/// What the processor hands on for one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct PolyhedronPixel {
+    /// Depths and face numbers.
+    pub interval: Interval,
+    /// Outward normal of the front face.
+    pub front_normal: [i16; 3],
+    /// Outward normal of the back face.
+    pub back_normal: [i16; 3],
+}
+
+impl PolyhedronPixel {
+    /// What a decider needs: both depths, and number and normal of the front face.
+    pub fn front(&self) -> ObjectPixel {
+        ObjectPixel {
+            zf: self.interval.zf,
+            zb: self.interval.zb,
+            number: self.interval.nf,
+            normal: self.front_normal,
+        }
+    }
+}
+
+/// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, normals.
+pub fn latency(planes: usize) -> u32 {
+    tree_levels(planes) + 4
+}
+
+/// The processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct PolyhedronProcessor {
+    format: Format,
+    words: PolyhedronWords,
+    planes: Vec<Pe1>,
+    x: i64,
+    y: i64,
+}
+
+impl PolyhedronProcessor {
+    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+    ///
+    /// # Panics
+    ///
+    /// If there is no plane.
+    pub fn zone_start(words: &PolyhedronWords, format: &Format) -> PolyhedronProcessor {
+        assert!(
+            !words.planes.is_empty(),
+            "a polyhedron has at least one plane"
+        );
+        let start = |p: &PlaneWords| Pe1::object_start(&p.depth, format.plane);
+        PolyhedronProcessor {
+            format: *format,
+            words: words.clone(),
+            planes: words.planes.iter().map(start).collect(),
+            x: 0,
+            y: 0,
+        }
+    }
+
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        self.planes.iter_mut().for_each(Pe1::line_step);
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// What the processor hands on for the next pixel of the line.
+    pub fn pixel(&mut self) -> PolyhedronPixel {
+        let format = self.format;
+        let planes = self.words.planes.iter().zip(&mut self.planes).enumerate();
+        let leaves = planes.map(|(i, (plane, pe))| {
+            let zp = saturate(pe.pixel() as i64, &format);
+            leaf(plane.kind, zp, i, &format)
+        });
+        let all = tree(leaves.collect()).expect("there is a plane");
+        let there = self.words.screen_box.contains(self.x, self.y);
+        let interval = close(all, there, &format);
+        self.x += 1;
+        PolyhedronPixel {
+            interval,
+            front_normal: self.normal(interval, interval.nf, NEAR_END_NORMAL),
+            back_normal: self.normal(interval, interval.nb, FAR_END_NORMAL),
+        }
+    }
+
+    fn normal(&self, interval: Interval, number: u8, end: [i16; 3]) -> [i16; 3] {
+        if !interval.is_present(&self.format) {
+            [0; 3]
+        } else if number == FACE_NEAR_END {
+            end
+        } else {
+            self.words.planes[usize::from(number - FACE_PLANE)].normal
+        }
+    }
+}
+
+/// Normal of a back face that no plane bounds before the far end: away from the viewer.
+pub const FAR_END_NORMAL: [i16; 3] = [0, 0, 32767];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::object::quadric::{QuadricProcessor, QuadricWords};
+    use crate::unit::cut_plane::PlaneKind;
+    use crate::unit::interval::Class;
+    use crate::unit::normal::NormalWords;
+    use crate::unit::pe1::Linear;
+    use crate::unit::pe2::Quadratic;
+    use imogene_algebra::rational::{integer, round_half_up};
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use num_traits::{Signed, ToPrimitive, Zero};
+    use proptest::prelude::*;
+
+    const SIDE: i64 = 20;
+
+    /// A half-space `a x + b y + c z + d <= 0` in pixels and depth words.
+    type HalfSpace = [i64; 4];
+
+    fn value([a, b, c, d]: &HalfSpace, x: i64, y: i64, z: &BigRational) -> BigRational {
+        integer(a * x + b * y + d) + integer(*c) * z
+    }
+
+    /// The words of a half-space, its depth coefficients rounded to integers.
+    fn plane_words(h: &HalfSpace, normal: [i16; 3]) -> PlaneWords {
+        let [a, b, c, d] = *h;
+        let kind = match c.signum() {
+            0 => PlaneKind::Perpendicular,
+            1 => PlaneKind::Back,
+            _ => PlaneKind::Front,
+        };
+        let scale = if c == 0 { 1 } else { c };
+        let word = |n: i64| {
+            let quotient = -integer(n) / integer(scale);
+            round_half_up(&quotient).to_i128().unwrap()
+        };
+        PlaneWords {
+            kind,
+            depth: Linear::new(word(a), word(b), word(d)),
+            normal,
+        }
+    }
+
+    fn words(spaces: &[HalfSpace]) -> PolyhedronWords {
+        let planes = spaces.iter().enumerate();
+        PolyhedronWords {
+            screen_box: ScreenBox {
+                x0: 0,
+                x1: SIDE - 1,
+                y0: 0,
+                y1: SIDE - 1,
+            },
+            planes: planes
+                .map(|(i, h)| plane_words(h, [i as i16 + 1; 3]))
+                .collect(),
+        }
+    }
+
+    /// A half-space that holds the middle of the zone at depth 0 more often than not; `c` is -1, 0 or 1, so its words are exact.
+    fn half_space() -> impl Strategy<Value = HalfSpace> {
+        let slope = -60i64..=60;
+        (slope.clone(), slope, -1i64..=1, -500i64..=100)
+            .prop_map(|(a, b, c, d)| [a, b, c, d - (a + b) * SIDE / 2])
+    }
+
+    fn inside(spaces: &[HalfSpace], x: i64, y: i64, z: i64) -> bool {
+        let z = integer(z);
+        spaces.iter().all(|h| !value(h, x, y, &z).is_positive())
+    }
+
+    fn each_pixel(
+        words: &PolyhedronWords,
+        format: &Format,
+        mut visit: impl FnMut(i64, i64, PolyhedronPixel),
+    ) {
+        let mut processor = PolyhedronProcessor::zone_start(words, format);
+        for y in 0..SIDE {
+            if y > 0 {
+                processor.line_step();
+            }
+            for x in 0..SIDE {
+                visit(x, y, processor.pixel());
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        /// With words that are not rounded the interval is exactly the set of depths inside all half-spaces.
+        #[test]
+        fn interval_is_the_intersection_of_the_half_spaces(
+            spaces in prop::collection::vec(half_space(), 1..=12)
+        ) {
+            let format = Format::BASE;
+            let mut failed = None;
+            each_pixel(&words(&spaces), &format, |x, y, pixel| {
+                let Interval { zf, zb, nf, nb } = pixel.interval;
+                let present = pixel.interval.is_present(&format);
+                let on_face = |number: u8, z: i64| {
+                    value(&spaces[usize::from(number - FACE_PLANE)], x, y, &integer(z)).is_zero()
+                };
+                let face = |number: u8, z: i64, end: i64, normal: [i16; 3], cap: [i16; 3]| {
+                    if number == FACE_NEAR_END {
+                        z == end && normal == cap
+                    } else {
+                        on_face(number, z) && normal == [i16::from(number) - 1; 3]
+                    }
+                };
+                let right = if present {
+                    inside(&spaces, x, y, zf)
+                        && inside(&spaces, x, y, zb)
+                        && (zf == format.z_low() || !inside(&spaces, x, y, zf - 1))
+                        && (zb == format.z_max() || !inside(&spaces, x, y, zb + 1))
+                        && face(nf, zf, format.z_low(), pixel.front_normal, NEAR_END_NORMAL)
+                        && face(nb, zb, format.z_max(), pixel.back_normal, FAR_END_NORMAL)
+                } else {
+                    // Depths are integers here, so an empty interval has no integer inside: the planes' own depths are enough to try.
+                    let depths = spaces.iter().filter(|h| h[2] != 0);
+                    pixel == PolyhedronPixel {
+                        interval: Interval::absent(&format),
+                        front_normal: [0; 3],
+                        back_normal: [0; 3],
+                    } && depths
+                        .map(|[a, b, c, d]| -c * (a * x + b * y + d))
+                        .chain([0])
+                        .all(|z| !inside(&spaces, x, y, z))
+                };
+                if !right && failed.is_none() {
+                    failed = Some((x, y, pixel));
+                }
+            });
+            prop_assert_eq!(failed, None);
+        }
+
+        /// Any slopes: the rounding of the words moves a plane by at most (x + y + 1) / 2 counts, and nothing else is lost.
+        #[test]
+        fn rounded_planes_are_within_their_bound(
+            spaces in prop::collection::vec(half_space(), 2..=6),
+            thickness in prop::collection::vec(2i64..=19, 6)
+        ) {
+            let format = Format::BASE;
+            let spaces: Vec<HalfSpace> = spaces
+                .iter()
+                .zip(thickness)
+                .map(|(&[a, b, c, d], t)| [7 * a + 1, 5 * b - 1, c * t, 11 * d])
+                .collect();
+            let mut failed = None;
+            each_pixel(&words(&spaces), &format, |x, y, pixel| {
+                let ends = [format.z_low(), format.z_max()].map(integer);
+                let depth = |h: &HalfSpace| value(h, x, y, &BigRational::zero()) / integer(-h[2]);
+                let of = |sign: i64| spaces.iter().filter(move |h| h[2].signum() == sign).map(depth);
+                let front = of(-1).fold(ends[0].clone(), BigRational::max);
+                let back = of(1).fold(ends[1].clone(), BigRational::min);
+                let kept = spaces
+                    .iter()
+                    .filter(|h| h[2] == 0)
+                    .all(|h| !value(h, x, y, &BigRational::zero()).is_positive());
+                let bound = BigRational::new(BigInt::from(x + y + 1), BigInt::from(2));
+                let gap = &back - &front;
+                let near = |word: i64, exact: &BigRational| (integer(word) - exact).abs() <= bound;
+                let right = if pixel.interval.is_present(&format) {
+                    kept && near(pixel.interval.zf, &front)
+                        && near(pixel.interval.zb, &back)
+                        && gap >= -(&bound + &bound)
+                } else {
+                    !kept || gap <= &bound + &bound
+                };
+                if !right && failed.is_none() {
+                    failed = Some((x, y, pixel));
+                }
+            });
+            prop_assert_eq!(failed, None);
+        }
+    }
+
+    /// A prism that is the whole line of sight everywhere, cut by the same planes, is the same solid in the quadric processor.
+    #[test]
+    fn equals_a_quadric_that_is_everywhere() {
+        let cube = [
+            [0, 3, -1, -60],
+            [2, 0, -1, -40],
+            [-5, -4, 1, -30],
+            [0, -9, 1, -20],
+            [1, 0, 0, -15],
+            [-1, -1, 0, 7],
+        ];
+        let polyhedron = words(&cube);
+        let quadric = QuadricWords {
+            class: Class::Prism,
+            screen_box: polyhedron.screen_box,
+            f1: Linear::default(),
+            f2: Quadratic::default(),
+            normal: NormalWords::default(),
+            planes: polyhedron.planes.clone(),
+        };
+        let format = Format::BASE;
+        let mut other = QuadricProcessor::zone_start(&quadric, &format);
+        let (mut line, mut present) = (0, 0);
+        each_pixel(&polyhedron, &format, |x, y, pixel| {
+            if y > line {
+                other.line_step();
+                line = y;
+            }
+            let theirs = other.pixel();
+            assert_eq!(
+                (pixel.interval.zf, pixel.interval.zb, pixel.front_normal),
+                (theirs.zf, theirs.zb, theirs.normal),
+                "pixel ({x}, {y})"
+            );
+            present += u32::from(pixel.interval.is_present(&format));
+        });
+        assert!((60..340).contains(&present), "{present}");
+    }
+
+    #[test]
+    fn six_planes_take_seven_clocks() {
+        assert_eq!(latency(DEFAULT_PLANES), 7);
+        assert_eq!((latency(1), latency(12)), (4, 8));
+    }
+}

@@ -1,0 +1,6 @@
+//! All tests of the crate that need it from outside, as one program.
+
+mod elementary;
+mod facets;
+mod first_generation;
+mod round_objects;

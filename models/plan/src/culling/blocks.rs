@@ -1,0 +1,76 @@
+//! A statement about a window that is tried on the whole and then on its quarters (source: Claux, III.3.2.2).
+
+use imogene_golden::object::quadric::ScreenBox;
+
+/// Pixels along the side of a window that is not divided any further.
+pub const BLOCK: i64 = 4;
+
+/// Does `holds` say so of the window, or of each of its quarters, or of theirs, down to blocks of [`BLOCK`] pixels? `holds` must be sound for the window it is given; an
+/// empty window needs no saying.
+pub fn everywhere(window: &ScreenBox, holds: &impl Fn(&ScreenBox) -> bool) -> bool {
+    if window.is_empty() || holds(window) {
+        return true;
+    }
+    let columns = halves(window.x0, window.x1);
+    let lines = halves(window.y0, window.y1);
+    if columns[1].is_none() && lines[1].is_none() {
+        return false;
+    }
+    let lines = lines.into_iter().flatten();
+    lines.into_iter().all(|(y0, y1)| {
+        let mut columns = columns.into_iter().flatten();
+        columns.all(|(x0, x1)| everywhere(&ScreenBox { x0, x1, y0, y1 }, holds))
+    })
+}
+
+/// The first and the second half of some pixels, or all of them.
+fn halves(first: i64, last: i64) -> [Option<(i64, i64)>; 2] {
+    if last - first < BLOCK {
+        return [Some((first, last)), None];
+    }
+    let middle = first + (last - first) / 2;
+    [Some((first, middle)), Some((middle + 1, last))]
+}
+
+/// The pixels that two windows share.
+pub fn shared(p: &ScreenBox, q: &ScreenBox) -> ScreenBox {
+    ScreenBox {
+        x0: p.x0.max(q.x0),
+        x1: p.x1.min(q.x1),
+        y0: p.y0.max(q.y0),
+        y1: p.y1.min(q.y1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn the_last_windows_cover_each_pixel_once() {
+        for (columns, lines) in [(1, 1), (8, 8), (9, 3), (64, 64), (83, 61), (200, 2)] {
+            let window = ScreenBox {
+                x0: 5,
+                x1: 4 + columns,
+                y0: 7,
+                y1: 6 + lines,
+            };
+            let seen = RefCell::new(vec![0; (columns * lines) as usize]);
+            let small = |w: &ScreenBox| {
+                let small = w.x1 - w.x0 < BLOCK && w.y1 - w.y0 < BLOCK;
+                for y in w.y0..=w.y1 {
+                    for x in w.x0..=w.x1 {
+                        let at = ((y - 7) * columns + x - 5) as usize;
+                        seen.borrow_mut()[at] += u32::from(small);
+                    }
+                }
+                small
+            };
+            assert!(everywhere(&window, &small));
+            assert!(seen.borrow().iter().all(|&n| n == 1), "{columns} x {lines}");
+            assert!(!everywhere(&window, &|_| false));
+        }
+        assert!(everywhere(&ScreenBox::EMPTY, &|_| false));
+    }
+}

@@ -1,0 +1,141 @@
+//! The bits that an object needs where it is drawn: the narrowest words with which every pixel stays what it is (source: Claux, 13.7).
+
+use super::range::Range;
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords};
+use imogene_golden::unit::interval::Class;
+use serde::Serialize;
+
+/// Bits of the words of one object; two's complement, guard bits not counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Bits {
+    /// Of `f1 - r` and `f1 + r`, where f2 is not negative.
+    pub sum: u32,
+    /// Of f2, everywhere in the box: its sign is the silhouette.
+    pub quadratic: u32,
+    /// Of the root, unsigned: digits of the root network.
+    pub root: u32,
+    /// Of the widest plane before saturation, where the quadric is; 0 without planes.
+    pub plane: u32,
+}
+
+impl Bits {
+    /// What an object of the quadric or the patch processor needs on its screen box, from every pixel of it; nothing if the box is empty.
+    pub fn of(words: &QuadricWords, format: &Format) -> Bits {
+        let window = words.screen_box;
+        if window.is_empty() {
+            return Bits::default();
+        }
+        let (columns, lines) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
+        let own = words.for_zone(window.x0, window.y0, columns, lines);
+        let mut processor = QuadricProcessor::zone_start(&own, format);
+        let mut found = Found::default();
+        for y in 0..lines {
+            if y > 0 {
+                processor.line_step();
+            }
+            for x in 0..columns {
+                found.visit(&own, format, x, y, &mut processor);
+            }
+        }
+        found.bits()
+    }
+
+    /// The greater of each.
+    pub fn or(self, other: Bits) -> Bits {
+        Bits {
+            sum: self.sum.max(other.sum),
+            quadratic: self.quadratic.max(other.quadratic),
+            root: self.root.max(other.root),
+            plane: self.plane.max(other.plane),
+        }
+    }
+
+    /// A format with these words and everything else as it was: what the object's own processor could be.
+    pub fn narrowed(&self, format: &Format) -> Format {
+        Format {
+            sum: self.sum.max(2),
+            quadratic: self.quadratic.max(2),
+            root: self.root.max(format.dropped_rows + 1),
+            plane: self.plane.max(2),
+            ..*format
+        }
+    }
+}
+
+/// Values at the pixels visited so far.
+#[derive(Default)]
+struct Found {
+    sums: Option<Range>,
+    radicands: Option<Range>,
+    root: i64,
+    planes: Option<Range>,
+}
+
+fn join(range: &mut Option<Range>, value: i128) {
+    *range = Some(range.map_or(Range::one(value), |range| range.with(value)));
+}
+
+impl Found {
+    fn visit(
+        &mut self,
+        words: &QuadricWords,
+        format: &Format,
+        x: i64,
+        y: i64,
+        processor: &mut QuadricProcessor,
+    ) {
+        let probe = processor.probe();
+        join(&mut self.radicands, probe.f2.into());
+        if probe.f2 >= 0 {
+            self.root = self.root.max(probe.root);
+            join(&mut self.sums, probe.near.into());
+            join(&mut self.sums, probe.far.into());
+        }
+        if probe.f2 >= 0 || words.class == Class::Front {
+            for plane in &words.planes {
+                join(&mut self.planes, plane.depth.wrapped_at(x, y, format.plane));
+            }
+        }
+    }
+
+    fn bits(&self) -> Bits {
+        let bits = |range: &Option<Range>| range.map_or(0, |range| range.bits());
+        Bits {
+            sum: bits(&self.sums),
+            quadratic: bits(&self.radicands),
+            root: 64 - self.root.leading_zeros(),
+            plane: bits(&self.planes),
+        }
+    }
+}
+
+/// Guard bits of f1 and f2 with which rounding the coefficients of an object `pixels` wide moves neither by more than half a count: `log2 n + 1` and `2 log2 n + 1`.
+pub const fn guard_bits(pixels: u64) -> [u32; 2] {
+    let log = pixels.next_power_of_two().trailing_zeros();
+    [log + 1, 2 * log + 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_algebra::rational::{fraction, integer};
+    use num_rational::BigRational;
+
+    /// Coefficients about the middle of the box, each rounded to half of its last bit, at the pixel farthest from it, exactly.
+    #[test]
+    fn rounding_with_guard_bits_moves_less_than_half_a_count() {
+        for pixels in (1..=130).chain([719, 720, 1023, 1024, 1025, 4096]) {
+            // A box of n pixels about a pixel in its middle.
+            let far = integer(pixels / 2);
+            let [linear, quadratic] = guard_bits(pixels as u64);
+            let last = |guards: u32| fraction(1, 1 << guards) / integer(2);
+            let one = integer(1);
+            let of_f1: BigRational = (&far + &far + &one) * last(linear);
+            let square = &far * &far;
+            let of_f2 = (integer(3) * &square + integer(2) * &far + &one) * last(quadratic);
+            assert!(of_f1 <= fraction(1, 2), "{pixels}: {of_f1}");
+            assert!(of_f2 <= fraction(1, 2), "{pixels}: {of_f2}");
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! What can be said of an object on a window of pixels without visiting them: that it is absent, that a plane cuts nothing, between which depths it lies.
+//!
+//! Every sentence is about the words as the processor computes with them, so it is exact or on the safe side: first-degree expressions are taken at the corners, the
+//! discriminant line by line, and a register is believed only where the true value fits it at every pixel of the window (source: Claux, III.3.2.2; Nyiri, 5.5).
+
+use super::range::Range;
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::unit::root::fast_root;
+
+/// Which of an object's planes are there: bit i is set for plane i.
+pub type Planes = u16;
+
+/// All of so many planes.
+pub const fn all_planes(count: usize) -> Planes {
+    (1 << count) - 1
+}
+
+/// Linear part and greatest root of a quadric on a window, in units of `2^-g1` depth words, where both depths fit their words.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Roots {
+    /// Linear part.
+    pub f1: Linear,
+    /// Greatest root.
+    pub root: i128,
+    /// Least root.
+    pub least: i128,
+}
+
+/// Where the depth of an object lies on a window, by first-degree expressions in units of `2^-g1` depth words.
+#[derive(Clone, Debug)]
+pub(super) struct DepthBounds {
+    /// It is nowhere before any of these.
+    pub before: Vec<Linear>,
+    /// It is nowhere behind any of these.
+    pub behind: Vec<Linear>,
+    /// At every pixel it is nowhere behind the farthest of these: the faces that can be seen. None if that is not known.
+    pub fronts: Option<Vec<Linear>>,
+}
+
+impl Roots {
+    /// Of the quadric `f1 -+ sqrt(f2)`; nothing if a register could wrap.
+    pub fn of(f1: &Linear, radicand: &Range, window: &ScreenBox, format: &Format) -> Option<Roots> {
+        let range = Range::of_linear(f1, window);
+        let root_of = |value: i128| {
+            let value = i64::try_from(value.max(0)).ok()?;
+            Some(i128::from(format.keep_rows(fast_root(value))))
+        };
+        let (root, least) = (root_of(radicand.high)?, root_of(radicand.low)?);
+        let guard = format.guard_linear;
+        let sums = Range {
+            low: (range.low >> guard) - root,
+            high: (range.high >> guard) + root,
+        };
+        let fits = range.fits(format.pe1_width()) && sums.fits(format.sum);
+        fits.then_some(Roots {
+            f1: *f1,
+            root: root << guard,
+            least: least << guard,
+        })
+    }
+
+    /// Not above `near`, in units of `2^-g1`: what the guard bits drop is at most one unit less than a depth word.
+    pub fn below_near(&self, format: &Format) -> Linear {
+        let dropped = (1 << format.guard_linear) - 1;
+        plus(&self.f1, -self.root - dropped)
+    }
+
+    /// Not below `near`.
+    pub fn above_near(&self) -> Linear {
+        plus(&self.f1, -self.least)
+    }
+
+    /// Not below `far`.
+    pub fn above_far(&self) -> Linear {
+        plus(&self.f1, self.root)
+    }
+}
+
+/// A first-degree expression and a constant.
+pub(super) fn plus(form: &Linear, constant: i128) -> Linear {
+    Linear {
+        c: form.c + constant,
+        ..*form
+    }
+}
+
+/// A first-degree expression times a factor.
+pub(super) fn times(form: &Linear, factor: i128) -> Linear {
+    Linear::new(form.a * factor, form.b * factor, form.c * factor)
+}
+
+/// The difference of two first-degree expressions on a window.
+pub(super) fn difference(p: &Linear, q: &Linear, window: &ScreenBox) -> Range {
+    Range::of_linear(&Linear::new(p.a - q.a, p.b - q.b, p.c - q.c), window)
+}
+
+/// The radicand on a window, guard bits dropped; nothing if its register could wrap.
+pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> Option<Range> {
+    let range = Range::of_quadratic(f2, window);
+    range.fits(format.pe2_width()).then_some(Range {
+        low: range.low >> format.guard_quadratic,
+        high: range.high >> format.guard_quadratic,
+    })
+}
+
+/// An object on a window.
+pub(super) struct Surface<'a> {
+    words: &'a QuadricWords,
+    format: &'a Format,
+    window: ScreenBox,
+    radicand: Option<Range>,
+    roots: Option<Roots>,
+    /// Depth of each plane on the window; none if its register could wrap.
+    planes: Vec<Option<Range>>,
+}
+
+impl<'a> Surface<'a> {
+    /// The object on a window that is not empty and lies in its screen box.
+    pub fn new(words: &'a QuadricWords, format: &'a Format, window: &ScreenBox) -> Surface<'a> {
+        let radicand = radicand(&words.f2, window, format);
+        let has_depths = matches!(words.class, Class::Side | Class::Patch);
+        let roots = radicand
+            .filter(|_| has_depths)
+            .and_then(|range| Roots::of(&words.f1, &range, window, format));
+        let plane = |plane: &imogene_golden::object::quadric::PlaneWords| {
+            let range = Range::of_linear(&plane.depth, window);
+            range.fits(format.plane).then_some(range)
+        };
+        Surface {
+            words,
+            format,
+            window: *window,
+            radicand,
+            roots,
+            planes: words.planes.iter().map(plane).collect(),
+        }
+    }
+
+    fn plane(&self, index: usize) -> (PlaneKind, Linear) {
+        let plane = &self.words.planes[index];
+        let scaled = times(&plane.depth, 1 << self.format.guard_linear);
+        (plane.kind, scaled)
+    }
+
+    fn listed(&self, planes: Planes) -> impl Iterator<Item = usize> + use<> {
+        (0..self.words.planes.len()).filter(move |index| planes >> index & 1 == 1)
+    }
+
+    /// True only if the object with these planes is at no pixel of the window.
+    pub fn is_absent(&self, planes: Planes) -> bool {
+        let outside = self.words.class != Class::Front && self.radicand.is_some_and(|r| r.high < 0);
+        outside
+            || self.listed(planes).any(|index| self.removes_all(index))
+            || self.are_apart(planes)
+    }
+
+    fn removes_all(&self, index: usize) -> bool {
+        let Some(range) = self.planes[index] else {
+            return false;
+        };
+        let (kind, plane) = self.plane(index);
+        let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
+        let beyond = |roots: &Roots| match kind {
+            PlaneKind::Front => difference(&plane, &roots.above_far(), &self.window).low > 0,
+            PlaneKind::Back => {
+                difference(&plane, &roots.below_near(self.format), &self.window).high < 0
+            }
+            _ => false,
+        };
+        let at_the_ends = match kind {
+            PlaneKind::None => false,
+            PlaneKind::Front => range.low >= high,
+            PlaneKind::Back => range.high < low,
+            PlaneKind::Perpendicular => range.high < 0,
+        };
+        at_the_ends || self.roots.as_ref().is_some_and(beyond)
+    }
+
+    /// A front plane lies behind a back plane at every pixel: nothing is between them.
+    fn are_apart(&self, planes: Planes) -> bool {
+        let of_kind = |wanted| {
+            let known = self.listed(planes).filter(|&i| self.planes[i].is_some());
+            known
+                .map(|i| self.plane(i))
+                .filter(move |(kind, _)| *kind == wanted)
+        };
+        of_kind(PlaneKind::Front).any(|(_, front)| {
+            of_kind(PlaneKind::Back)
+                .any(|(_, back)| difference(&front, &back, &self.window).low > 0)
+        })
+    }
+
+    /// True only if the object with these planes is the same without plane `index`, which is not among them, at every pixel of the window.
+    pub fn is_idle(&self, index: usize, planes: Planes) -> bool {
+        let Some(range) = self.planes[index] else {
+            return self.words.planes[index].kind == PlaneKind::None;
+        };
+        let (kind, plane) = self.plane(index);
+        let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
+        let before = |roots: &Roots| match kind {
+            PlaneKind::Front => {
+                difference(&plane, &roots.below_near(self.format), &self.window).high <= 0
+            }
+            PlaneKind::Back => difference(&plane, &roots.above_far(), &self.window).low >= 0,
+            _ => false,
+        };
+        let at_the_ends = match kind {
+            PlaneKind::None => true,
+            PlaneKind::Front => range.high <= low,
+            PlaneKind::Back => range.low >= high,
+            PlaneKind::Perpendicular => range.low >= 0,
+        };
+        at_the_ends
+            || self.roots.as_ref().is_some_and(before)
+            || self
+                .listed(planes)
+                .any(|other| self.is_behind(other, index))
+    }
+
+    /// Plane `other` cuts at least as much as plane `index` of the same kind at every pixel. At equal depths the face is that of the first one in the chain.
+    fn is_behind(&self, other: usize, index: usize) -> bool {
+        let [(kind, plane), (other_kind, stronger)] = [index, other].map(|i| self.plane(i));
+        if kind != other_kind || self.planes[other].is_none() {
+            return false;
+        }
+        let range = difference(&stronger, &plane, &self.window);
+        let tie = i128::from(other > index);
+        match kind {
+            PlaneKind::Front => range.low >= tie,
+            PlaneKind::Back => -range.high >= tie,
+            _ => false,
+        }
+    }
+
+    /// Bounds of the depth at which the object is seen.
+    pub fn depth_bounds(&self) -> DepthBounds {
+        let mut bounds = DepthBounds {
+            before: vec![self.constant(self.format.z_low())],
+            behind: vec![self.constant(self.format.z_max())],
+            fronts: self.fronts(),
+        };
+        if let Some(roots) = &self.roots {
+            bounds.before.push(roots.below_near(self.format));
+            bounds.behind.push(roots.above_far());
+        }
+        for index in 0..self.words.planes.len() {
+            if self.planes[index].is_some() {
+                match self.plane(index) {
+                    (PlaneKind::Front, depth) => bounds.before.push(depth),
+                    (PlaneKind::Back, depth) => bounds.behind.push(depth),
+                    _ => {}
+                }
+            }
+        }
+        bounds
+    }
+
+    fn constant(&self, depth: i64) -> Linear {
+        Linear::new(0, 0, i128::from(depth) << self.format.guard_linear)
+    }
+
+    /// A solid is seen at its near root or at a front plane, whichever is farther; a patch at its near root if no plane takes that away.
+    fn fronts(&self) -> Option<Vec<Linear>> {
+        let near_end = self.constant(self.format.z_low());
+        let mut fronts = match self.words.class {
+            Class::Side => vec![near_end, self.roots.as_ref()?.above_near()],
+            Class::Prism => vec![near_end],
+            Class::Patch => vec![self.near_of_patch()?],
+            Class::Front => return None,
+        };
+        for index in 0..self.words.planes.len() {
+            match self.words.planes[index].kind {
+                PlaneKind::Front => {
+                    self.planes[index]?;
+                    fronts.push(self.plane(index).1);
+                }
+                PlaneKind::None | PlaneKind::Back | PlaneKind::Perpendicular => {}
+            }
+        }
+        Some(fronts)
+    }
+
+    fn near_of_patch(&self) -> Option<Linear> {
+        let roots = self.roots.as_ref()?;
+        let near_end = self.constant(self.format.z_low());
+        let cuts = |plane: &imogene_golden::object::quadric::PlaneWords| {
+            matches!(plane.kind, PlaneKind::Front | PlaneKind::Back)
+        };
+        let is_there = difference(&roots.below_near(self.format), &near_end, &self.window).low >= 0;
+        (is_there && !self.words.planes.iter().any(cuts)).then(|| roots.above_near())
+    }
+}

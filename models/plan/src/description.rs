@@ -1,0 +1,357 @@
+//! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
+
+mod check;
+
+use imogene_contract::video::{Span, VideoMode};
+use imogene_contract::{object, volume};
+use imogene_golden::format::{FittedError, Format};
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::machine::post_filter::Kernel;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::slots::Slots;
+use imogene_golden::widths::OwnWidths;
+use imogene_scene::{in_plain_words, line_and_column};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use thiserror::Error;
+
+/// Which machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MachineKind {
+    /// A processor for each object, no frame memory.
+    Beam,
+    /// Processors shared by the objects of one zone after another, two frames of memory.
+    Zone,
+}
+
+/// Smoothing of the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Smoothing {
+    /// None.
+    #[default]
+    #[serde(rename = "none")]
+    None,
+    /// Mean of 2 x 2 pixels.
+    #[serde(rename = "2x2")]
+    Box,
+    /// Binomial of 3 x 3 pixels.
+    #[serde(rename = "3x3")]
+    Binomial,
+}
+
+impl Smoothing {
+    /// The filter.
+    pub fn kernel(self) -> Kernel {
+        match self {
+            Smoothing::None => Kernel::Pass,
+            Smoothing::Box => Kernel::Box,
+            Smoothing::Binomial => Kernel::Binomial,
+        }
+    }
+}
+
+/// Where the pixels go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Output {
+    /// To the pins of a screen, with its synchronisation.
+    #[default]
+    Pins,
+    /// Over AXI4-Stream, as fast as they are taken.
+    Stream,
+}
+
+/// Columns and lines of a zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ZoneSize {
+    /// Columns.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+}
+
+/// A mode of one's own: shown, front porch, synchronisation, back porch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OwnMode {
+    /// Of a line, in clocks.
+    pub columns: [u64; 4],
+    /// Of a frame, in lines.
+    pub lines: [u64; 4],
+    /// `hsync` is high in the synchronisation.
+    #[serde(default)]
+    pub hsync_high: bool,
+    /// `vsync` is high in the synchronisation.
+    #[serde(default)]
+    pub vsync_high: bool,
+}
+
+/// The video mode.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Mode {
+    /// One of the published modes, as `640x480`.
+    Named(String),
+    /// Numbers of one's own.
+    Own(OwnMode),
+}
+
+/// A machine with a screen.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MachineDescription {
+    /// Which machine.
+    pub machine: MachineKind,
+    /// Depth word.
+    #[serde(default = "base_depth_word")]
+    pub depth_word: u32,
+    /// Widths that do not follow from it.
+    #[serde(default, skip_serializing_if = "OwnWidths::is_none")]
+    pub widths: OwnWidths,
+    /// Rows of the root networks between registers.
+    #[serde(default = "one")]
+    pub rows_per_stage: u32,
+    /// Object processors; in a beam machine one for each part of an object.
+    #[serde(default)]
+    pub objects: usize,
+    /// Cut planes of each.
+    #[serde(default)]
+    pub planes: usize,
+    /// Object processors of a beam machine that are not all alike, in place of `objects` and `planes`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slots: Option<Slots>,
+    /// Volume processors; in a beam machine one for each volume.
+    #[serde(default)]
+    pub volumes: usize,
+    /// Planes of each.
+    #[serde(default = "volume_planes")]
+    pub volume_planes: usize,
+    /// Lights of the shading processor.
+    #[serde(default = "one_light")]
+    pub lights: usize,
+    /// Zone of a zone machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zone: Option<ZoneSize>,
+    /// Words that a beam machine keeps for the next frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loader_words: Option<usize>,
+    /// Video mode; of a machine that streams its shown part alone counts.
+    pub mode: Mode,
+    /// Where the pixels go.
+    #[serde(default)]
+    pub output: Output,
+    /// Samples of a pixel along each side, in a zone machine: the mean of 1, 2 x 2 or 4 x 4 is shown.
+    #[serde(default = "one")]
+    pub supersampling: u32,
+    /// Smoothing.
+    #[serde(default)]
+    pub smoothing: Smoothing,
+    /// An overlay plane.
+    #[serde(default)]
+    pub overlay: bool,
+}
+
+fn base_depth_word() -> u32 {
+    24
+}
+
+fn one() -> u32 {
+    1
+}
+
+fn one_light() -> usize {
+    1
+}
+
+fn volume_planes() -> usize {
+    4
+}
+
+/// Why a description is refused.
+#[derive(Debug, Error)]
+pub enum DescriptionError {
+    /// The file cannot be read.
+    #[error(
+        "{file}: the machine description cannot be read ({source}); give the path of a readable TOML file"
+    )]
+    Unreadable {
+        /// Path as given.
+        file: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// Not a description.
+    #[error("{file}:{line}:{column}: {problem}")]
+    Syntax {
+        /// Path as given.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the parser says.
+        problem: String,
+    },
+    /// A width out of its range.
+    #[error("{file}: {problem}")]
+    Widths {
+        /// Path as given.
+        file: String,
+        /// Which, and what would be accepted.
+        problem: FittedError,
+    },
+    /// A value out of its range.
+    #[error("{file}: {key} is {value}; accepted: {accepted}")]
+    Value {
+        /// Path as given.
+        file: String,
+        /// Key.
+        key: &'static str,
+        /// Value.
+        value: String,
+        /// What would be accepted.
+        accepted: String,
+    },
+}
+
+/// Most bytes of a description, which has a dozen lines.
+const MAX_BYTES: u64 = 1 << 20;
+
+impl MachineDescription {
+    /// Reads and checks a description.
+    ///
+    /// # Errors
+    ///
+    /// When the file cannot be read, is no description, or a value is out of its range.
+    pub fn read(path: &Path) -> Result<MachineDescription, DescriptionError> {
+        let file = path.display().to_string();
+        let text = imogene_files::read_text(path, MAX_BYTES).map_err(|source| {
+            DescriptionError::Unreadable {
+                file: file.clone(),
+                source,
+            }
+        })?;
+        Self::parse(&text, &file)
+    }
+
+    /// The same of a text; `file` is the name that messages give it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::read`].
+    pub fn parse(text: &str, file: &str) -> Result<MachineDescription, DescriptionError> {
+        let mut description: Self = toml::from_str(text).map_err(|error| {
+            let start = error.span().map_or(0, |span| span.start);
+            let (line, column) = line_and_column(text, start);
+            DescriptionError::Syntax {
+                file: file.into(),
+                line,
+                column,
+                problem: in_plain_words(error.message()),
+            }
+        })?;
+        description.count_slots();
+        description.check(file)?;
+        Ok(description)
+    }
+
+    /// Counts objects and planes where they are not given.
+    fn count_slots(&mut self) {
+        let slots = self.slots();
+        if self.objects == 0 {
+            self.objects = slots.len();
+        }
+        if self.planes == 0 {
+            self.planes = slots
+                .iter()
+                .map(|slot| slot.planes as usize)
+                .max()
+                .unwrap_or(0);
+        }
+    }
+
+    /// Its object processors.
+    pub fn slots(&self) -> Vec<FittedSlot> {
+        let alike = FittedSlot {
+            planes: self.planes as u32,
+            two_volumes: true,
+        };
+        match &self.slots {
+            Some(Slots(slots)) => slots.clone(),
+            None => vec![alike; self.objects],
+        }
+    }
+
+    /// The format of its words.
+    ///
+    /// # Errors
+    ///
+    /// When a width is out of its range, which no description has that was checked.
+    pub fn format(&self) -> Result<Format, FittedError> {
+        Format::fitted(&self.widths.beside(self.depth_word))
+    }
+
+    /// Columns and lines of the samples that it draws; none if its mode is not one.
+    pub fn drawn_size(&self) -> Option<(u32, u32)> {
+        let mode = self.video_mode()?;
+        let size = |pixels: u64| pixels as u32 * self.supersampling;
+        Some((size(mode.line.active), size(mode.frame.active)))
+    }
+
+    /// The numbers of the video mode; none if it is not a mode.
+    pub fn video_mode(&self) -> Option<VideoMode> {
+        match &self.mode {
+            Mode::Named(name) => VideoMode::ALL
+                .into_iter()
+                .find(|m| *name == format!("{}x{}", m.line.active, m.frame.active)),
+            Mode::Own(own) => {
+                let span = |[active, front, sync, back]: [u64; 4]| {
+                    let total = active
+                        .checked_add(front)?
+                        .checked_add(sync)?
+                        .checked_add(back)?;
+                    let is_mode = (1..4096).contains(&active) && sync >= 1 && total <= 8192;
+                    is_mode.then_some(Span {
+                        active,
+                        front,
+                        sync,
+                        back,
+                    })
+                };
+                Some(VideoMode {
+                    line: span(own.columns)?,
+                    frame: span(own.lines)?,
+                    hsync_high: own.hsync_high,
+                    vsync_high: own.vsync_high,
+                })
+            }
+        }
+    }
+
+    /// Words that the loader of a beam machine keeps: if not given, enough for all its processors and their tables.
+    pub fn loader_words(&self) -> usize {
+        let objects = self.objects * (object::words(self.planes) + 1 + 4);
+        let volumes = self.volumes * volume::words(self.volume_planes);
+        let words = objects + volumes + 8 + 16 * self.lights;
+        self.loader_words.unwrap_or(words.next_power_of_two())
+    }
+
+    /// The deciding part of a zone machine.
+    pub fn zone_machine(&self) -> ZoneMachine {
+        let zone = self.zone.unwrap_or(ZoneSize {
+            width: 1,
+            height: 1,
+        });
+        ZoneMachine {
+            object_processors: self.objects,
+            planes: self.planes,
+            volume_processors: self.volumes,
+            volume_planes: self.volume_planes,
+            zone_width: zone.width,
+            zone_height: zone.height,
+            samples: self.supersampling,
+        }
+    }
+}

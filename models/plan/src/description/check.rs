@@ -1,0 +1,245 @@
+//! What a machine description may say.
+
+use super::{DescriptionError, MachineDescription, MachineKind, Output, Smoothing};
+use imogene_contract::video::VideoMode;
+use imogene_golden::machine::shader::MOST_LIGHTS;
+use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
+use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::slots::Slots;
+
+/// Pixels of a zone at most.
+const MAX_ZONE_PIXELS: u32 = 1 << 14;
+/// Pixels of a screen at most.
+const MAX_SCREEN_PIXELS: u64 = 1 << 22;
+/// Pixels of a line at most that a smoothing filter keeps.
+const MAX_FILTERED_LINE: u64 = 2048;
+
+/// Key, value and what would be accepted.
+struct Refusal(&'static str, String, String);
+
+type Checked = Result<(), Refusal>;
+
+fn refuse(key: &'static str, value: impl ToString, accepted: impl Into<String>) -> Checked {
+    Err(Refusal(key, value.to_string(), accepted.into()))
+}
+
+fn range(key: &'static str, value: usize, least: usize, most: usize) -> Checked {
+    match (least..=most).contains(&value) {
+        true => Ok(()),
+        false => refuse(key, value, format!("{least} to {most}")),
+    }
+}
+
+impl MachineDescription {
+    /// Checks that every value is in its range; `file` is the name that messages give the description.
+    pub(crate) fn check(&self, file: &str) -> Result<(), DescriptionError> {
+        let format = self.format().map_err(|problem| DescriptionError::Widths {
+            file: file.into(),
+            problem,
+        })?;
+        let checks = || {
+            self.check_counts(format.root_rows() as usize)?;
+            let mode = self.check_mode()?;
+            self.check_slots()?;
+            self.check_samples(&mode)?;
+            self.check_output(&mode)?;
+            self.check_kind()
+        };
+        checks().map_err(|Refusal(key, value, accepted)| DescriptionError::Value {
+            file: file.into(),
+            key,
+            value,
+            accepted,
+        })
+    }
+
+    fn check_counts(&self, rows: usize) -> Checked {
+        let counts = [
+            ("rows_per_stage", self.rows_per_stage as usize, 1, rows),
+            ("objects", self.objects, 1, 256),
+            ("planes", self.planes, 0, MAX_PLANES),
+            ("volumes", self.volumes, 0, 256),
+            ("volume_planes", self.volume_planes, 0, MAX_PLANES),
+            ("lights", self.lights, 1, MOST_LIGHTS),
+        ];
+        counts
+            .into_iter()
+            .try_for_each(|(key, value, least, most)| range(key, value, least, most))
+    }
+
+    fn check_slots(&self) -> Checked {
+        let Some(Slots(slots)) = &self.slots else {
+            return Ok(());
+        };
+        if self.machine == MachineKind::Zone {
+            return refuse("slots", "given", "slots in a beam machine alone");
+        }
+        let planes = slots.iter().map(|slot| slot.planes as usize).max();
+        let counts = [
+            ("objects", self.objects, slots.len()),
+            ("planes", self.planes, planes.unwrap_or(0)),
+        ];
+        let counted = |(key, value, counted)| match value == counted {
+            true => Ok(()),
+            false => refuse(
+                key,
+                value,
+                format!("{counted}, as slots has, or none given"),
+            ),
+        };
+        counts.into_iter().try_for_each(counted)
+    }
+
+    fn check_mode(&self) -> Result<VideoMode, Refusal> {
+        let Some(mode) = self.video_mode() else {
+            let names = VideoMode::ALL.map(|m| format!("\"{}x{}\"", m.line.active, m.frame.active));
+            let accepted = format!(
+                "{}, or {{ columns = [shown, front, sync, back], lines = [..] }} with 1 to 4095 shown, a sync of 1 at least, 8192 in all",
+                names.join(", ")
+            );
+            return Err(Refusal("mode", format!("{:?}", self.mode), accepted));
+        };
+        let pixels = mode.line.active * mode.frame.active;
+        if pixels > MAX_SCREEN_PIXELS {
+            let accepted = format!("screens of up to {MAX_SCREEN_PIXELS} pixels");
+            return Err(Refusal("mode", format!("{pixels} pixels"), accepted));
+        }
+        Ok(mode)
+    }
+
+    fn check_samples(&self, mode: &VideoMode) -> Checked {
+        let samples = self.supersampling;
+        let refuse = |accepted: &str| refuse("supersampling", samples, accepted);
+        if !SAMPLES.contains(&samples) {
+            return refuse("1, 2 or 4");
+        }
+        if self.machine == MachineKind::Beam && samples != 1 {
+            return refuse("1 in a beam machine; a zone machine has the memory for more");
+        }
+        let most = u64::from(MAX_PICTURE / samples);
+        if mode.line.active.max(mode.frame.active) > most {
+            return refuse(&format!("on a screen of up to {most} x {most} pixels"));
+        }
+        Ok(())
+    }
+
+    fn check_output(&self, mode: &VideoMode) -> Checked {
+        let (width, is_smoothed) = (mode.line.active, self.smoothing != Smoothing::None);
+        if width > MAX_FILTERED_LINE && is_smoothed {
+            let accepted = format!("lines of up to {MAX_FILTERED_LINE} pixels");
+            return refuse("smoothing", format!("on lines of {width} pixels"), accepted);
+        }
+        if self.output == Output::Stream && (is_smoothed || self.overlay) {
+            let accepted = "neither smoothing nor overlay, or output = \"pins\"";
+            return refuse("output", "stream", accepted);
+        }
+        Ok(())
+    }
+
+    fn check_kind(&self) -> Checked {
+        match (self.machine, self.zone, self.loader_words) {
+            (MachineKind::Zone, Some(zone), None) => {
+                let pixels = zone.width.saturating_mul(zone.height);
+                if (1..=MAX_ZONE_PIXELS).contains(&pixels) {
+                    return Ok(());
+                }
+                let accepted = format!("zones of 1 to {MAX_ZONE_PIXELS} pixels");
+                refuse(
+                    "zone",
+                    format!("{} x {}", zone.width, zone.height),
+                    accepted,
+                )
+            }
+            (MachineKind::Zone, None, _) => {
+                let accepted = "zone = { width = 32, height = 32 }, in a zone machine";
+                refuse("zone", "missing", accepted)
+            }
+            (MachineKind::Zone, _, Some(_)) => refuse(
+                "loader_words",
+                "given",
+                "loader_words in a beam machine alone",
+            ),
+            (MachineKind::Beam, Some(_), _) => {
+                refuse("zone", "given", "a zone in a zone machine alone")
+            }
+            (MachineKind::Beam, None, _) => range("loader_words", self.loader_words(), 2, 65_536),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_golden::format::Format;
+    use imogene_golden::slots::print;
+
+    const BEAM: &str = "machine = \"beam\"\nobjects = 10\nplanes = 3\nmode = \"640x480\"\n";
+
+    fn refusal(text: &str) -> String {
+        MachineDescription::parse(text, "m.toml")
+            .unwrap_err()
+            .to_string()
+    }
+
+    #[test]
+    fn a_description_needs_little() {
+        let beam = MachineDescription::parse(BEAM, "m.toml").unwrap();
+        assert_eq!(
+            (beam.depth_word, beam.rows_per_stage, beam.lights),
+            (24, 1, 1)
+        );
+        assert_eq!(beam.format(), Ok(Format::BASE));
+        assert_eq!(beam.loader_words(), 1024);
+        assert_eq!(beam.video_mode().unwrap().clocks(), 800 * 525);
+        let own = BEAM.replace(
+            "\"640x480\"",
+            "{ columns = [160, 4, 4, 4], lines = [120, 2, 2, 12] }",
+        );
+        let own = MachineDescription::parse(&own, "m.toml").unwrap();
+        assert_eq!(own.video_mode().unwrap().clocks(), 172 * 136);
+    }
+
+    #[test]
+    fn what_is_refused_names_the_key_and_what_is_accepted() {
+        let refused = |old: &str, new: &str| refusal(&BEAM.replace(old, new));
+        assert!(refused("10", "0").contains("objects is 0; accepted: 1 to 256"));
+        assert!(refused("640x480", "640x481").contains("\"1280x720\""));
+        assert!(refused("beam", "zone").contains("zone is missing"));
+        assert!(refused("planes", "plans").starts_with("m.toml:3:1: unknown field `plans`"));
+        assert!(
+            refusal(&format!("{BEAM}output = \"stream\"\noverlay = true\n"))
+                .contains("output is stream")
+        );
+        assert!(refused("= 3", "= 13").contains("0 to 12"));
+        for word in [7, 33, 40] {
+            let text = refusal(&format!("{BEAM}depth_word = {word}\n"));
+            let accepted = format!("depth word of {word} bits: accepted are 8 to 32");
+            assert!(text.contains(&accepted), "{text}");
+        }
+        let widths = |list: &str| refusal(&format!("{BEAM}widths = {{ {list} }}\n"));
+        assert!(widths("g1 = 17").contains("at most 16 each are accepted"));
+        assert!(widths("root = 30").contains("root of 30 bits: accepted are 4 to 24"));
+        assert!(widths("g3 = 1").contains("unknown field `g3`"));
+        let slotted = BEAM.replace("objects = 10\nplanes = 3", "slots = \"3,0v,2\"");
+        let beam = MachineDescription::parse(&slotted, "m.toml").unwrap();
+        assert_eq!((beam.objects, beam.planes), (3, 3));
+        assert_eq!(print(&beam.slots()), "3,0v,2");
+        assert!(refusal(&slotted.replace("0v", "13")).contains("'13' is no slot"));
+        assert!(refusal(&format!("{slotted}objects = 4\n")).contains("accepted: 3, as slots has"));
+        assert!(refusal(&slotted.replace("beam", "zone")).contains("beam machine alone"));
+        let rows = "widths = { root = 16, dropped = 4 }\nrows_per_stage = 13\n";
+        assert!(refusal(&format!("{BEAM}{rows}")).contains("accepted: 1 to 12"));
+        let text = format!("{BEAM}depth_word = 30\nwidths = {{ g2 = 5 }}\n");
+        assert!(refusal(&text).contains("a depth word of 30 bits accepts at most 4"));
+        assert!(
+            refusal(&format!("{BEAM}zone = {{ width = 8, height = 8 }}\n"))
+                .contains("zone machine alone")
+        );
+        assert!(refusal(&format!("{BEAM}loader_words = 1\n")).contains("2 to 65536"));
+        assert!(refusal(&format!("{BEAM}supersampling = 2\n")).contains("1 in a beam machine"));
+        let zone = BEAM.replace("beam", "zone") + "zone = { width = 8, height = 8 }\n";
+        assert!(refusal(&format!("{zone}supersampling = 3\n")).contains("1, 2 or 4"));
+        let wide = zone.replace("640x480", "1280x720");
+        assert!(refusal(&format!("{wide}supersampling = 4\n")).contains("up to 1024 x 1024"));
+    }
+}

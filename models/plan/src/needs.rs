@@ -1,0 +1,156 @@
+//! Has a machine what scenes need? If not, the lines of a description that has.
+
+use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
+use super::display::{DisplayError, beam_words, parts, volumes};
+use super::zone::plan::PlanError;
+use imogene_golden::machine::fitted::FittedSlot;
+use imogene_golden::machine::shader::MOST_LIGHTS;
+use imogene_golden::machine::zone::ID_BITS;
+use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_golden::slots::Slots;
+use imogene_prepare::PreparedScene;
+use imogene_prepare::shader::ShaderError;
+use imogene_scene::FramedScene;
+
+/// Zone of a machine that takes the place of a beam machine.
+const ZONE: ZoneSize = ZoneSize {
+    width: 32,
+    height: 32,
+};
+
+/// Checks that a machine can show scenes, one after the other.
+///
+/// # Errors
+///
+/// When it has too few processors, planes, lights or words: the error has the lines that would do for all of the
+/// scenes. When no machine shows one of them.
+pub fn check(
+    machine: &MachineDescription,
+    scenes: &[(&FramedScene, &PreparedScene)],
+) -> Result<(), DisplayError> {
+    let mut enough = machine.clone();
+    for (framed, prepared) in scenes {
+        add(&mut enough, framed, prepared)?;
+    }
+    if enough.machine == MachineKind::Beam {
+        for (framed, prepared) in scenes {
+            make_room(&mut enough, framed, prepared)?;
+        }
+        if enough.check("").is_err() {
+            share_processors(&mut enough, machine);
+        }
+    }
+    match enough == *machine {
+        true => Ok(()),
+        false => Err(DisplayError::Needs(lines(machine, &enough))),
+    }
+}
+
+/// Gives a machine the processors, planes and lights that it lacks for a scene.
+fn add(
+    machine: &mut MachineDescription,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(), DisplayError> {
+    let lights = framed.lights.len();
+    if lights > MOST_LIGHTS {
+        return Err(ShaderError::Lights(lights).into());
+    }
+    if prepared.objects.len() > 1 << ID_BITS {
+        return Err(PlanError::Objects(prepared.objects.len()).into());
+    }
+    let parts = parts(prepared, MAX_PLANES)?;
+    let volumes = volumes(prepared, MAX_PLANES)?;
+    let (objects, bodies) = match machine.machine {
+        MachineKind::Beam => (parts.len(), volumes.len()),
+        MachineKind::Zone => (1, volumes.len().min(1)),
+    };
+    if let Some(Slots(slots)) = &mut machine.slots {
+        let none = FittedSlot {
+            planes: 0,
+            two_volumes: false,
+        };
+        slots.resize(slots.len().max(parts.len()), none);
+        for (slot, (_, words)) in slots.iter_mut().zip(&parts) {
+            *slot = slot.or(&FittedSlot::of(words));
+        }
+    }
+    let planes = parts.iter().map(|(_, words)| words.planes.len()).max();
+    let volume_planes = volumes.iter().map(|words| words.planes.len()).max();
+    for (given, needed) in [
+        (&mut machine.objects, objects),
+        (&mut machine.planes, planes.unwrap_or(0)),
+        (&mut machine.volumes, bodies),
+        (&mut machine.volume_planes, volume_planes.unwrap_or(0)),
+        (&mut machine.lights, lights),
+    ] {
+        *given = needed.max(*given);
+    }
+    Ok(())
+}
+
+/// Gives a beam machine room for the words of a scene, in its loader and in the vertical blanking in which they are
+/// copied.
+fn make_room(
+    machine: &mut MachineDescription,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(), DisplayError> {
+    let words = beam_words(framed, prepared, machine)?.len();
+    if machine.loader_words() < words {
+        machine.loader_words = Some(words);
+    }
+    let Some(mode) = machine
+        .video_mode()
+        .filter(|_| machine.output == Output::Pins)
+    else {
+        return Ok(());
+    };
+    let (line, frame) = (mode.line, mode.frame);
+    let clocks = line.active + line.front + line.sync + line.back;
+    let blank = frame.front + frame.sync + frame.back;
+    // What the pipeline and a smoothing filter look ahead is less than two lines and a few hundred clocks.
+    let needed = (words as u64 + 300).div_ceil(clocks) + 2;
+    if needed > blank {
+        let back = frame.back + needed - blank;
+        machine.mode = Mode::Own(OwnMode {
+            columns: [line.active, line.front, line.sync, line.back],
+            lines: [frame.active, frame.front, frame.sync, back],
+            hsync_high: mode.hsync_high,
+            vsync_high: mode.vsync_high,
+        });
+    }
+    Ok(())
+}
+
+/// No beam machine is large enough: the zone machine of its processors, which share the objects.
+fn share_processors(enough: &mut MachineDescription, beam: &MachineDescription) {
+    *enough = MachineDescription {
+        machine: MachineKind::Zone,
+        objects: beam.objects,
+        volumes: beam.volumes.max(enough.volumes.min(1)),
+        zone: Some(ZONE),
+        loader_words: None,
+        slots: None,
+        mode: beam.mode.clone(),
+        ..enough.clone()
+    };
+}
+
+/// The lines in which two descriptions differ, each with what it was.
+fn lines(machine: &MachineDescription, enough: &MachineDescription) -> String {
+    let [was, is] = [machine, enough].map(|description| {
+        toml::Table::try_from(description).expect("a description is a table of plain values")
+    });
+    let changed = is
+        .iter()
+        .filter(|(key, value)| was.get(*key) != Some(value));
+    let line = |(key, value): (&String, &toml::Value)| match was.get(key) {
+        Some(was) => format!("{key} = {value} # was {was}"),
+        None => format!("{key} = {value}"),
+    };
+    let left_out = was.keys().filter(|key| !is.contains_key(*key));
+    let left_out = left_out.map(|key| format!("# and no {key}"));
+    let lines: Vec<String> = changed.map(line).chain(left_out).collect();
+    lines.join("\n")
+}

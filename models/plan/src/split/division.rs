@@ -1,0 +1,225 @@
+//! How a screen is divided, as text and as pieces.
+
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::volume::VolumeWords;
+use serde::Serialize;
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// Most columns or lines of a zone, and most groups of lines.
+pub const MOST: u32 = 4096;
+/// Fewest columns or lines of a zone that text can ask for: smaller ones are more work to count than to draw.
+pub const LEAST_ZONE: u32 = 8;
+
+/// How a screen is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Division {
+    /// Rectangles, line of zones by line of zones; those at the right and lower edge can be smaller.
+    Zones {
+        /// Columns, at least 1.
+        width: u32,
+        /// Lines, at least 1.
+        height: u32,
+    },
+    /// So many groups of lines, at least 1: group i has the lines i, i + n, i + 2 n, ..
+    Lines(u32),
+}
+
+/// Text that is no division of the screen.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error(
+    "'{0}' is no split of the screen; expected zones:WxH or lines:N, such as zones:64x64 or lines:3; sides of zones from {LEAST_ZONE} to {MOST}, groups of lines from 1 to {MOST}"
+)]
+pub struct DivisionError(String);
+
+impl FromStr for Division {
+    type Err = DivisionError;
+
+    fn from_str(text: &str) -> Result<Division, DivisionError> {
+        let from = |least: u32, text: &str| {
+            let value: Option<u32> = text.parse().ok();
+            value.filter(|value| (least..=MOST).contains(value))
+        };
+        let division = match text.split_once(':') {
+            Some(("zones", size)) => size.split_once('x').and_then(|(width, height)| {
+                Some(Division::Zones {
+                    width: from(LEAST_ZONE, width)?,
+                    height: from(LEAST_ZONE, height)?,
+                })
+            }),
+            Some(("lines", groups)) => from(1, groups).map(Division::Lines),
+            _ => None,
+        };
+        division.ok_or_else(|| DivisionError(text.to_owned()))
+    }
+}
+
+impl fmt::Display for Division {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Division::Zones { width, height } => write!(f, "zones:{width}x{height}"),
+            Division::Lines(groups) => write!(f, "lines:{groups}"),
+        }
+    }
+}
+
+impl Serialize for Division {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// A piece of the screen, at least one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// First column of the screen.
+    pub x0: u32,
+    /// First line of the screen.
+    pub y0: u32,
+    /// Columns.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// Lines of the screen from one of its lines to the next; 1 in a zone.
+    pub step: u32,
+}
+
+impl Division {
+    /// The pieces of a screen, which cover each pixel exactly once.
+    pub fn pieces(&self, width: u32, height: u32) -> Vec<Piece> {
+        match *self {
+            Division::Zones {
+                width: columns,
+                height: lines,
+            } => {
+                let zone = |x0: u32, y0: u32| Piece {
+                    x0,
+                    y0,
+                    width: columns.min(width - x0),
+                    height: lines.min(height - y0),
+                    step: 1,
+                };
+                let along = (0..width).step_by(columns as usize);
+                (0..height)
+                    .step_by(lines as usize)
+                    .flat_map(|y0| along.clone().map(move |x0| zone(x0, y0)))
+                    .collect()
+            }
+            Division::Lines(groups) => (0..groups.min(height))
+                .map(|first| Piece {
+                    x0: 0,
+                    y0: first,
+                    width,
+                    height: (height - first).div_ceil(groups),
+                    step: groups,
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Piece {
+    /// Where pixel (x, y) of the piece is on a screen of so many columns, row-major.
+    pub fn place(&self, x: usize, y: usize, screen_width: usize) -> usize {
+        let line = self.y0 as usize + y * self.step as usize;
+        line * screen_width + self.x0 as usize + x
+    }
+
+    /// The part of a screen box in the piece, in pixels of the piece.
+    pub fn part_of(&self, screen_box: &ScreenBox) -> ScreenBox {
+        let [x0, y0, width, height] = self.numbers();
+        screen_box
+            .every_line(self.step.into(), y0)
+            .in_zone(x0, 0, width, height)
+    }
+
+    /// The words of an object for the piece.
+    pub fn words(&self, words: &ProcessorWords) -> ProcessorWords {
+        let [x0, y0, width, height] = self.numbers();
+        match self.step {
+            1 => words.for_zone(x0, y0, width, height),
+            step => words
+                .every_line(step.into(), y0)
+                .for_zone(x0, 0, width, height),
+        }
+    }
+
+    /// The words of a volume for the piece.
+    pub fn volume(&self, words: &VolumeWords) -> VolumeWords {
+        let [x0, y0, width, height] = self.numbers();
+        match self.step {
+            1 => words.for_zone(x0, y0, width, height),
+            step => words
+                .every_line(step.into(), y0)
+                .for_zone(x0, 0, width, height),
+        }
+    }
+
+    fn numbers(&self) -> [i64; 4] {
+        [self.x0, self.y0, self.width, self.height].map(i64::from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_and_division_are_each_other() {
+        for text in ["zones:64x48", "lines:3", "zones:8x4096", "lines:1"] {
+            let division: Division = text.parse().unwrap();
+            assert_eq!(division.to_string(), text);
+        }
+        for text in [
+            "",
+            "zones",
+            "zones:",
+            "zones:64",
+            "zones:7x8",
+            "zones:3x",
+            "lines:",
+            "lines:0",
+            "lines:-1",
+            "lines:4097",
+            "rows:3",
+            "zones:64x64x64",
+            "lines:3x3",
+        ] {
+            let error = text.parse::<Division>().unwrap_err().to_string();
+            assert!(error.contains("zones:WxH or lines:N"), "{text}");
+        }
+    }
+
+    #[test]
+    fn pieces_cover_each_pixel_once() {
+        let divisions = [
+            Division::Zones {
+                width: 5,
+                height: 3,
+            },
+            Division::Zones {
+                width: 40,
+                height: 1,
+            },
+            Division::Lines(1),
+            Division::Lines(4),
+            Division::Lines(30),
+        ];
+        for division in divisions {
+            for (width, height) in [(13, 11), (1, 1), (10, 9)] {
+                let mut seen = vec![0; (width * height) as usize];
+                for piece in division.pieces(width, height) {
+                    assert!(piece.width > 0 && piece.height > 0);
+                    for y in 0..piece.height as usize {
+                        for x in 0..piece.width as usize {
+                            seen[piece.place(x, y, width as usize)] += 1;
+                        }
+                    }
+                }
+                assert!(seen.iter().all(|&n| n == 1), "{division} {width}x{height}");
+            }
+        }
+    }
+}

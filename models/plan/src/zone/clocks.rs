@@ -1,0 +1,139 @@
+//! Clocks of a frame, counted from the plan alone.
+//!
+//! While a pass runs, the words of the next pass are loaded, a beat a clock, once all processors have started; a command waits until the pass before it has ended. So
+//! a pass of `T` clocks before one that needs `L` words takes `max(T, S + L)` clocks and those of the commands in between.
+
+use super::plan::{Pass, Zone, ZonePlan};
+use super::stream::{beats_of_part, beats_of_volume};
+use imogene_golden::machine::zone::beat::BEAT_BYTES;
+use serde::{Deserialize, Serialize};
+
+/// What the machine takes beside one clock for each pixel and each beat.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ZoneTiming {
+    /// D_o: clocks of a draw pass after its last pixel has started, until the next command can be obeyed.
+    pub draw_drain: u32,
+    /// D_v: the same of a light pass.
+    pub light_drain: u32,
+    /// D_s: the same of a show pass.
+    pub show_drain: u32,
+    /// S: clocks of a draw or light pass, from its command, in which no word is taken because not all processors have started.
+    pub settle: u32,
+    /// C: clocks of a command, from the end of loading and of the pass before to the first pixel or the next beat; at least 1.
+    pub command: u32,
+}
+
+/// Clocks and beats of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct FrameClocks {
+    /// All of them: the sum of the next six.
+    pub total: u64,
+    /// Shading words and materials before the first zone.
+    pub set_up: u64,
+    /// Of all draw passes with their drain.
+    pub draw: u64,
+    /// Of all light passes with their drain.
+    pub light: u64,
+    /// Of all show passes with their drain.
+    pub show: u64,
+    /// Of commands.
+    pub commands: u64,
+    /// In which no pass runs because words are still being loaded.
+    pub waiting: u64,
+    /// Draw passes.
+    pub draw_passes: u64,
+    /// Light passes.
+    pub light_passes: u64,
+    /// Zones, each of which is shown once.
+    pub zones: u64,
+    /// Beats of the stream.
+    pub beats: u64,
+    /// Bytes of the stream.
+    pub bytes: u64,
+}
+
+/// Commands before a pass: the pass itself, and origin and size before the first one of a zone.
+const fn commands(first_of_zone: bool) -> u64 {
+    if first_of_zone { 3 } else { 1 }
+}
+
+/// The clocks of a frame.
+pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
+    let set_up = (plan.shading.len() + plan.materials.len()) as u64;
+    let mut clocks = FrameClocks {
+        set_up,
+        zones: plan.zones.len() as u64,
+        beats: set_up,
+        ..FrameClocks::default()
+    };
+    // Clocks of the pass that runs while the next words are loaded; before the first one there is none.
+    let mut running = 0;
+    let mut settling = 0;
+    for zone in &plan.zones {
+        for (index, pass) in plan.passes(zone, false).enumerate() {
+            let words = words_of(plan, zone, &pass);
+            if words > 0 {
+                clocks.waiting += (settling + words).saturating_sub(running);
+            }
+            let commands = commands(index == 0);
+            clocks.commands += commands * u64::from(timing.command);
+            clocks.beats += words + commands;
+            running = clocks.add_pass(&pass, zone, timing);
+            settling = match pass {
+                Pass::Show { .. } => 0,
+                Pass::Draw { .. } | Pass::Light { .. } => u64::from(timing.settle),
+            };
+        }
+    }
+    let passes = clocks.draw + clocks.light + clocks.show;
+    clocks.total = clocks.set_up + passes + clocks.commands + clocks.waiting;
+    clocks.bytes = clocks.beats * BEAT_BYTES;
+    clocks
+}
+
+impl FrameClocks {
+    /// Counts a pass; the clocks that it takes.
+    fn add_pass(&mut self, pass: &Pass, zone: &Zone, timing: &ZoneTiming) -> u64 {
+        let pixels = u64::from(zone.width) * u64::from(zone.height);
+        match pass {
+            Pass::Draw { .. } => {
+                let clocks = pixels + u64::from(timing.draw_drain);
+                self.draw += clocks;
+                self.draw_passes += 1;
+                clocks
+            }
+            Pass::Light { .. } => {
+                let clocks = pixels + u64::from(timing.light_drain);
+                self.light += clocks;
+                self.light_passes += 1;
+                clocks
+            }
+            Pass::Show { .. } => {
+                let clocks = pixels + u64::from(timing.show_drain);
+                self.show += clocks;
+                clocks
+            }
+        }
+    }
+}
+
+/// Words of a pass.
+fn words_of(plan: &ZonePlan, zone: &Zone, pass: &Pass) -> u64 {
+    match pass {
+        Pass::Draw { parts, .. } => {
+            let beats = |&index: &u32| {
+                let planes = plan.used_planes_of_part(zone, index);
+                beats_of_part(planes, plan.machine.planes)
+            };
+            parts.iter().map(beats).sum()
+        }
+        Pass::Light { volumes, .. } => {
+            let beats = |&index: &u32| {
+                let planes = plan.used_planes_of_volume(zone, index);
+                beats_of_volume(planes, plan.machine.volume_planes)
+            };
+            volumes.iter().map(beats).sum()
+        }
+        Pass::Show { .. } => 0,
+    }
+}

@@ -1,0 +1,317 @@
+//! Leaving out of a plan what changes no pixel: objects, planes and volumes that the screen box alone sends to a zone (source: 1.3.2, 5.5).
+
+use super::plan::{Zone, ZonePlan};
+use crate::culling::part::{Matter, matter, with_planes};
+use crate::culling::volume::{Seen, VolumeMatter, matter_of_volume, volume_with_planes};
+use crate::culling::{Planes, all_planes, shared};
+use imogene_golden::machine::zone::sample::Sample;
+use imogene_golden::object::line::for_each_present;
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::volume_line::for_each_inside;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How the host decides what goes to a zone. The picture is the same whatever it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Refinement {
+    /// By screen boxes.
+    #[default]
+    Box,
+    /// By bounds of what the words say on the zone and on blocks of it.
+    Bounds,
+    /// By drawing the zone: the least that can be sent, at the price of a picture in software.
+    Pixels,
+}
+
+impl ZonePlan {
+    /// The same frame from less: every zone without the objects, planes and volumes that change none of its pixels.
+    pub fn refined(mut self, refinement: Refinement) -> ZonePlan {
+        if refinement == Refinement::Box {
+            return self;
+        }
+        let zones = std::mem::take(&mut self.zones);
+        let samples: Vec<Sample> = Sample::all(self.machine.samples).collect();
+        let plans: Vec<ZonePlan> = samples.iter().map(|&s| self.at_sample(s)).collect();
+        let one = |zone: Zone| {
+            let place = zone.sample.line * zone.sample.of + zone.sample.column;
+            ZoneRefiner::new(&plans[place as usize], zone).refine(refinement)
+        };
+        self.zones = zones.into_par_iter().map(one).collect();
+        self
+    }
+}
+
+impl ZonePlan {
+    /// The plan without zones, with the words of one sample of the pixels.
+    fn at_sample(&self, sample: Sample) -> ZonePlan {
+        let [of, column, line] = [sample.of, sample.column, sample.line].map(i64::from);
+        let mut plan = self.clone();
+        for part in &mut plan.parts {
+            part.words = part.words.every_sample(of, column, line);
+        }
+        for volume in &mut plan.volumes {
+            *volume = volume.every_sample(of, column, line);
+        }
+        plan
+    }
+}
+
+/// A zone while it is refined.
+struct ZoneRefiner<'a> {
+    plan: &'a ZonePlan,
+    zone: Zone,
+    /// Its pixels on the screen.
+    window: ScreenBox,
+}
+
+impl<'a> ZoneRefiner<'a> {
+    fn new(plan: &'a ZonePlan, zone: Zone) -> Self {
+        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
+        let window = ScreenBox {
+            x0,
+            x1: x0 + width - 1,
+            y0,
+            y1: y0 + height - 1,
+        };
+        ZoneRefiner { plan, zone, window }
+    }
+
+    fn refine(mut self, refinement: Refinement) -> Zone {
+        self.refine_parts(refinement);
+        if self.zone.parts.is_empty() {
+            self.zone.volumes.clear();
+        }
+        if self.zone.volumes.is_empty() {
+            return self.zone;
+        }
+        self.bound_volumes();
+        if refinement == Refinement::Pixels {
+            self.try_volumes();
+        }
+        self.zone
+    }
+
+    fn words(&self, index: u32) -> &'a QuadricWords {
+        &self.plan.parts[index as usize].words
+    }
+
+    fn volume(&self, index: u32) -> &'a VolumeWords {
+        &self.plan.volumes[index as usize]
+    }
+
+    /// The pixels of a part in the zone.
+    fn pixels_of(&self, index: u32) -> ScreenBox {
+        shared(&self.words(index).screen_box, &self.window)
+    }
+
+    fn refine_parts(&mut self, refinement: Refinement) {
+        let mut left = vec![];
+        for index in std::mem::take(&mut self.zone.parts) {
+            let window = self.pixels_of(index);
+            let Matter::With(planes) = matter(self.words(index), &window, &self.plan.format) else {
+                continue;
+            };
+            if refinement == Refinement::Pixels && !self.is_drawn(index, window) {
+                continue;
+            }
+            left.push(index);
+            if planes != all_planes(self.words(index).planes.len()) {
+                self.zone.part_planes.insert(index, planes);
+            }
+        }
+        self.zone.parts = left;
+    }
+
+    /// Is the part at any pixel of the window?
+    fn is_drawn(&self, index: u32, window: ScreenBox) -> bool {
+        let words = QuadricWords {
+            screen_box: window,
+            ..self.words(index).clone()
+        };
+        (window.y0..=window.y1).any(|y| {
+            let mut drawn = false;
+            for_each_present(&words, &self.plan.format, y, |_, _| drawn = true);
+            drawn
+        })
+    }
+
+    fn bound_volumes(&mut self) {
+        let seen: Vec<Seen> = self
+            .zone
+            .parts
+            .iter()
+            .map(|&index| {
+                let planes = self.zone.planes_of_part(index);
+                let all = all_planes(self.words(index).planes.len());
+                Seen::new(self.words(index), planes & all, self.pixels_of(index))
+            })
+            .collect();
+        let matters = |index: u32| {
+            let matter = matter_of_volume(self.volume(index), &seen, &self.plan.format);
+            (index, matter)
+        };
+        let matters: Vec<(u32, VolumeMatter)> =
+            self.zone.volumes.iter().map(|&v| matters(v)).collect();
+        self.keep(&matters);
+    }
+
+    /// Keeps the volumes that matter. A source whose light reaches nothing here has no shadows to draw.
+    fn keep(&mut self, matters: &[(u32, VolumeMatter)]) {
+        let is_light = |index| self.volume(index).kind == VolumeKind::Light;
+        let dark: BTreeSet<u8> = matters
+            .iter()
+            .filter(|(index, matter)| is_light(*index) && *matter == VolumeMatter::AllOutside)
+            .map(|(index, _)| self.volume(*index).source)
+            .collect();
+        let mut left = vec![];
+        let mut masks: Vec<(u32, Planes)> = vec![];
+        for &(index, matter) in matters {
+            let words = self.volume(index);
+            match (words.kind, matter) {
+                (VolumeKind::Shadow, VolumeMatter::AllOutside) => continue,
+                (VolumeKind::Shadow, _) if dark.contains(&words.source) => continue,
+                (VolumeKind::Light, VolumeMatter::AllOutside) => {}
+                (_, VolumeMatter::With(planes)) => {
+                    if planes != all_planes(words.planes.len()) {
+                        masks.push((index, planes));
+                    }
+                }
+            }
+            left.push(index);
+        }
+        self.zone.volumes = left;
+        self.zone.volume_planes.extend(masks);
+    }
+
+    /// Draws the zone and leaves out the volumes that take no source from a visible point that another one has not taken already: lights first, then shadows by the number of
+    /// points inside, the most first.
+    fn try_volumes(&mut self) {
+        let depths = self.depths();
+        let z_max = self.plan.format.z_max();
+        let is_surface: Vec<bool> = depths.iter().map(|&z| z != z_max).collect();
+        let volumes = std::mem::take(&mut self.zone.volumes);
+        let mut darkened: Vec<(u32, Vec<bool>)> = volumes
+            .iter()
+            .map(|&index| (index, self.darkened(index, &depths, &is_surface)))
+            .collect();
+        darkened.sort_by_key(|(index, points)| {
+            let count = points.iter().filter(|&&dark| dark).count();
+            let is_shadow = self.volume(*index).kind == VolumeKind::Shadow;
+            (is_shadow, Reverse(count), *index)
+        });
+        let mut dark: BTreeMap<u8, Vec<bool>> = BTreeMap::new();
+        let mut left = vec![];
+        for (index, points) in darkened {
+            let known = dark
+                .entry(self.volume(index).source)
+                .or_insert_with(|| vec![false; points.len()]);
+            let mut adds = false;
+            for (known, point) in known.iter_mut().zip(points) {
+                adds |= point && !*known;
+                *known |= point;
+            }
+            if adds {
+                left.push(index);
+            }
+        }
+        left.sort_unstable();
+        self.zone.volumes = left;
+    }
+
+    /// The visible points that a volume takes its source from.
+    fn darkened(&self, index: u32, depths: &[i64], is_surface: &[bool]) -> Vec<bool> {
+        let inside = self.inside(index, depths);
+        let dark = match self.volume(index).kind {
+            VolumeKind::Shadow => true,
+            VolumeKind::Light => false,
+        };
+        let points = inside.into_iter().zip(is_surface);
+        points
+            .map(|(inside, &surface)| surface && inside == dark)
+            .collect()
+    }
+
+    /// Visible depths of the zone, line by line.
+    fn depths(&self) -> Vec<i64> {
+        let (width, height) = (self.zone.width as usize, self.zone.height as usize);
+        let mut depths = vec![self.plan.format.z_max(); width * height];
+        for &index in &self.zone.parts {
+            let words = self.in_zone(self.words(index));
+            for (y, line) in depths.chunks_mut(width).enumerate() {
+                for_each_present(&words, &self.plan.format, y as i64, |x, pixel| {
+                    let depth = &mut line[x as usize];
+                    *depth = pixel.zf.min(*depth);
+                });
+            }
+        }
+        depths
+    }
+
+    fn in_zone(&self, words: &QuadricWords) -> QuadricWords {
+        let zone = &self.zone;
+        let [width, height] = [zone.width, zone.height].map(i64::from);
+        words.for_zone(zone.x0.into(), zone.y0.into(), width, height)
+    }
+
+    /// The visible points of the zone inside a volume.
+    fn inside(&self, index: u32, depths: &[i64]) -> Vec<bool> {
+        let zone = &self.zone;
+        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
+        let words = volume_with_planes(self.volume(index), zone.planes_of_volume(index));
+        let words = words.for_zone(x0, y0, width, height);
+        let width = zone.width as usize;
+        let mut inside = vec![false; depths.len()];
+        let lines = inside.chunks_mut(width).zip(depths.chunks(width));
+        for (y, (inside, line)) in lines.enumerate() {
+            for_each_inside(&words, &self.plan.format, y as i64, line, |x| {
+                inside[x] = true;
+            });
+        }
+        inside
+    }
+}
+
+impl Zone {
+    /// The planes of a part that are sent to the zone: all ones if nothing was left out.
+    pub fn planes_of_part(&self, index: u32) -> Planes {
+        self.part_planes.get(&index).copied().unwrap_or(Planes::MAX)
+    }
+
+    /// The same of a volume.
+    pub fn planes_of_volume(&self, index: u32) -> Planes {
+        self.volume_planes
+            .get(&index)
+            .copied()
+            .unwrap_or(Planes::MAX)
+    }
+}
+
+impl ZonePlan {
+    /// The words of a part for a zone, before they are moved there.
+    pub(super) fn part_words(&self, zone: &Zone, index: u32) -> QuadricWords {
+        let words = &self.parts[index as usize].words;
+        with_planes(words, zone.planes_of_part(index))
+    }
+
+    /// How many planes of a part are sent to a zone.
+    pub(super) fn used_planes_of_part(&self, zone: &Zone, index: u32) -> usize {
+        let all = all_planes(self.parts[index as usize].words.planes.len());
+        (zone.planes_of_part(index) & all).count_ones() as usize
+    }
+
+    /// The same of a volume.
+    pub(super) fn used_planes_of_volume(&self, zone: &Zone, index: u32) -> usize {
+        let all = all_planes(self.volumes[index as usize].planes.len());
+        (zone.planes_of_volume(index) & all).count_ones() as usize
+    }
+
+    /// The same of a volume.
+    pub(super) fn volume_words(&self, zone: &Zone, index: u32) -> VolumeWords {
+        let words = &self.volumes[index as usize];
+        volume_with_planes(words, zone.planes_of_volume(index))
+    }
+}

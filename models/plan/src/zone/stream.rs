@@ -1,0 +1,119 @@
+//! The command stream of a plan, beat by beat.
+
+use super::plan::{Pass, Zone, ZonePlan};
+use imogene_golden::machine::zone::beat::{
+    Beat, ID_ADDRESS, OBJECT_PLANES, VOLUME_PLANES, command, kind,
+};
+use imogene_golden::object::load::{LoadWord, load_words};
+use imogene_golden::object::load_volume::load_volume;
+use imogene_golden::object::unused;
+
+impl ZonePlan {
+    /// The beats of the frame. The words of a pass come before the commands of its zone, so that they can be loaded while the pass before is running.
+    pub fn beats(&self) -> impl Iterator<Item = Beat> + '_ {
+        let last = self.zones.len() - 1;
+        let zones = self.zones.iter().enumerate();
+        self.set_up()
+            .chain(zones.flat_map(move |(index, zone)| self.zone_beats(zone, index == last)))
+    }
+
+    /// Shading words and materials.
+    fn set_up(&self) -> impl Iterator<Item = Beat> + '_ {
+        let word =
+            |&(address, data): &(u16, u32)| Beat::new(kind::SHADING, 0, address, data.into());
+        let material =
+            |(id, &index): (usize, &u32)| Beat::new(kind::MATERIAL, 0, id as u16, index.into());
+        let materials = self.materials.iter().enumerate();
+        self.shading.iter().map(word).chain(materials.map(material))
+    }
+
+    /// All beats of one zone.
+    pub fn zone_beats(&self, zone: &Zone, last: bool) -> Vec<Beat> {
+        let mut beats = vec![];
+        for (index, pass) in self.passes(zone, last).enumerate() {
+            self.words_of(&pass, zone, &mut beats);
+            if index == 0 {
+                let pair = |a: u32, b: u32| u64::from(a) | u64::from(b) << 12;
+                beats.push(Beat::command(command::ORIGIN, pair(zone.x0, zone.y0)));
+                beats.push(Beat::command(command::SIZE, pair(zone.width, zone.height)));
+            }
+            beats.push(command_of(&pass, zone));
+        }
+        if let Some(beat) = beats.last_mut() {
+            beat.last = last;
+        }
+        beats
+    }
+
+    fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
+        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
+        let sample = zone.sample;
+        let [of, column, line] = [sample.of, sample.column, sample.line].map(i64::from);
+        match pass {
+            Pass::Draw { parts, .. } => {
+                for (unit, &index) in parts.iter().enumerate() {
+                    let object = self.parts[index as usize].object;
+                    let words = self.part_words(zone, index);
+                    let words = words.every_sample(of, column, line);
+                    let words = words.for_zone(x0, y0, width, height);
+                    let list = load_words(&words, &self.format, words.planes.len());
+                    let unused = words.planes.len()..self.machine.planes;
+                    let unused = unused.map(unused::object_plane);
+                    push(beats, kind::OBJECT, unit, list, unused);
+                    let id = u64::from(object);
+                    beats.push(Beat::new(kind::OBJECT, unit as u8, ID_ADDRESS, id));
+                }
+            }
+            Pass::Light { volumes, .. } => {
+                for (unit, &index) in volumes.iter().enumerate() {
+                    let words = self.volume_words(zone, index);
+                    let words = words.every_sample(of, column, line);
+                    let words = words.for_zone(x0, y0, width, height);
+                    let list = load_volume(&words, &self.format, words.planes.len());
+                    let unused = words.planes.len()..self.machine.volume_planes;
+                    let unused = unused.map(unused::volume_plane);
+                    push(beats, kind::VOLUME, unit, list, unused);
+                }
+            }
+            Pass::Show { .. } => {}
+        }
+    }
+}
+
+fn push(
+    beats: &mut Vec<Beat>,
+    kind: u8,
+    unit: usize,
+    words: Vec<LoadWord>,
+    unused: impl Iterator<Item = LoadWord>,
+) {
+    let words = words.into_iter().chain(unused);
+    beats.extend(words.map(|w| Beat::new(kind, unit as u8, w.address.into(), w.bits)));
+}
+
+fn command_of(pass: &Pass, zone: &Zone) -> Beat {
+    let bit = |set: bool, mask: u64| if set { mask } else { 0 };
+    match *pass {
+        Pass::Draw { first, .. } => Beat::command(command::DRAW, bit(first, command::FIRST)),
+        Pass::Light { first, .. } => Beat::command(command::LIGHT, bit(first, command::FIRST)),
+        Pass::Show { lit, drawn, last } => Beat::command(
+            command::SHOW,
+            bit(lit, command::LIT)
+                | bit(drawn, command::DRAWN)
+                | bit(last, command::LAST_ZONE)
+                | zone.sample.bits(),
+        ),
+    }
+}
+
+/// Beats of the words of a part with `used` planes in a machine of `planes` planes: all but those of unused planes, which send their kind, and the id.
+pub fn beats_of_part(used: usize, planes: usize) -> u64 {
+    let [first, each] = OBJECT_PLANES.map(usize::from);
+    (first + each * used + (planes - used) + 1) as u64
+}
+
+/// Beats of the words of a volume with `used` planes in a machine of `planes` planes of a volume.
+pub fn beats_of_volume(used: usize, planes: usize) -> u64 {
+    let [first, each] = VOLUME_PLANES.map(usize::from);
+    (first + each * used + (planes - used)) as u64
+}

@@ -1,0 +1,332 @@
+//! The zone machine: what its stream draws is what the beam machine and the volumes of the whole screen draw, however the work is divided.
+
+mod clocks;
+mod conversion;
+mod refine;
+mod refusals;
+
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_golden::machine::zone::golden::ZoneMachineModel;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::slot::Slot;
+use imogene_golden::object::volume::VolumeKind;
+use imogene_plan::zone::plan::ZonePlan;
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::SceneFile;
+use proptest::prelude::*;
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// Twelve planes and ten of a volume: enough for every scene.
+const MACHINE: ZoneMachine = ZoneMachine {
+    object_processors: 4,
+    planes: 12,
+    volume_processors: 2,
+    volume_planes: 10,
+    zone_width: 32,
+    zone_height: 32,
+    samples: 1,
+};
+
+/// The base format with the guard bits that the depth of a facet needs.
+fn with_facets() -> Format {
+    Format::BASE.with_guards(10, 0).expect("guard bits")
+}
+
+fn scene(path: &str, (width, height): (u32, u32), format: Format) -> PreparedScene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let file = SceneFile::read(&path).expect("a valid scene");
+    let framed = file.frame(width, height).expect("a valid size");
+    prepare(&framed, format).expect("fits the format")
+}
+
+/// The polyhedra of the collection with shadows, which are volumes of planes alone.
+fn polyhedra_with_shadows(size: (u32, u32)) -> PreparedScene {
+    let path =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/processors/polyhedron.toml");
+    let text = std::fs::read_to_string(path).expect("a readable file");
+    let shadows = text.replace("[[lights]]\n", "[[lights]]\nshadows = true\n");
+    let file = SceneFile::parse(&shadows, "polyhedra with shadows").expect("a valid scene");
+    let framed = file.frame(size.0, size.1).expect("a valid size");
+    prepare(&framed, Format::BASE).expect("fits the format")
+}
+
+/// What the machine is measured against.
+struct Truth {
+    frame: Frame,
+    lighting: Lighting,
+}
+
+impl Truth {
+    fn of(prepared: &PreparedScene, slots: &[Slot]) -> Truth {
+        let (width, height) = (prepared.width as usize, prepared.height as usize);
+        let frame = beam::render(slots, &prepared.format, width, height, || ());
+        let mut lighting = prepared.light(&frame, || ());
+        // Flags of the background mean nothing; a zone without objects is never lit.
+        for (flags, id) in lighting.flags.iter_mut().zip(&frame.id) {
+            if *id < 0 {
+                *flags = ALL_SOURCES;
+            }
+        }
+        Truth { frame, lighting }
+    }
+
+    /// The picture of a plan is this one; face numbers are not kept by the machine.
+    fn assert_is_drawn(&self, plan: &ZonePlan) {
+        let mut model = ZoneMachineModel::new(&plan.format, &plan.machine);
+        self.assert_is(&mut model, plan.beats(), &format!("{:?}", plan.machine));
+    }
+
+    fn assert_is(
+        &self,
+        model: &mut ZoneMachineModel,
+        beats: impl IntoIterator<Item = Beat>,
+        what: &str,
+    ) {
+        let (width, height) = (self.frame.width, self.frame.height);
+        let (frame, lighting) = model.frame(beats, width, height).expect("a valid stream");
+        assert!(frame.depth == self.frame.depth, "depths, {what}");
+        assert!(frame.id == self.frame.id, "objects, {what}");
+        assert!(frame.normal == self.frame.normal, "normals, {what}");
+        assert!(lighting == self.lighting, "flags, {what}");
+    }
+}
+
+/// Zones of every size and shape, also greater than the picture; one processor to more than there are objects.
+const MACHINES: [[u32; 4]; 6] = [
+    // Width and height of a zone, K, V.
+    [8, 8, 1, 1],
+    [16, 16, 4, 2],
+    [33, 7, 3, 5],
+    [64, 64, 16, 4],
+    [1, 200, 2, 1],
+    [128, 128, 256, 256],
+];
+
+fn assert_same_on_every_machine(prepared: &PreparedScene) -> Truth {
+    let truth = Truth::of(prepared, &prepared.slots());
+    for [zone_width, zone_height, k, v] in MACHINES {
+        let machine = ZoneMachine {
+            zone_width,
+            zone_height,
+            object_processors: k as usize,
+            volume_processors: v as usize,
+            ..MACHINE
+        };
+        truth.assert_is_drawn(&ZonePlan::of(prepared, machine).expect("fits the machine"));
+    }
+    truth
+}
+
+#[test]
+fn scenes_without_shadows_are_drawn() {
+    for path in [
+        "../../../scenes/teapot.toml",
+        "../../../scenes/molecule.toml",
+        "../../../scenes/cut-sphere.toml",
+        "../../../scenes/front-view.toml",
+        "../../../scenes/orthographic.toml",
+    ] {
+        let truth = assert_same_on_every_machine(&scene(path, (83, 61), Format::BASE));
+        assert!(truth.frame.covered() > 300, "{path}");
+    }
+}
+
+/// S x S passes over every zone draw what one draws on a grid that is S times finer, bit for bit.
+#[test]
+fn samples_are_the_pixels_of_a_finer_picture() {
+    for path in [
+        "../../../scenes/teapot.toml",
+        "../../../scenes/shadows/robot.toml",
+    ] {
+        let prepared = scene(path, (88, 68), Format::BASE);
+        let truth = Truth::of(&prepared, &prepared.slots());
+        assert!(truth.frame.covered() > 300, "{path}");
+        for (samples, side) in [(2, 16), (2, 7), (4, 64), (4, 5)] {
+            let machine = ZoneMachine {
+                zone_width: side,
+                zone_height: side + 1,
+                samples,
+                ..MACHINE
+            };
+            truth.assert_is_drawn(&ZonePlan::of(&prepared, machine).expect("fits the machine"));
+        }
+    }
+}
+
+/// A scene of many more objects than processors.
+#[test]
+fn four_hundred_and_eighty_spheres_are_drawn() {
+    let prepared = scene(
+        "../../../scenes/zones/molecule-480.toml",
+        (320, 240),
+        Format::BASE,
+    );
+    let truth = Truth::of(&prepared, &prepared.slots());
+    let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+    truth.assert_is_drawn(&plan);
+    let mut seen: Vec<i32> = truth.frame.id.clone();
+    seen.sort_unstable();
+    seen.dedup();
+    assert!(seen.len() > 400, "{} objects are seen", seen.len());
+}
+
+#[test]
+fn scenes_of_other_processors_are_drawn() {
+    for name in ["polyhedron", "patch-processor", "tetrahedra", "mesh"] {
+        let path = format!("../../../scenes/processors/{name}.toml");
+        let truth = assert_same_on_every_machine(&scene(&path, (83, 61), with_facets()));
+        assert!(truth.frame.covered() > 300, "{name}");
+    }
+}
+
+#[test]
+fn scenes_with_shadows_are_drawn() {
+    let of_file = |path| (path, scene(path, (72, 54), Format::BASE));
+    for (path, prepared) in [
+        of_file("../../../scenes/shadows/robot.toml"),
+        of_file("../../../scenes/shadows/dna.toml"),
+        of_file("../testkit/scenes/shadows.toml"),
+        ("polyhedra with shadows", polyhedra_with_shadows((72, 54))),
+    ] {
+        let truth = assert_same_on_every_machine(&prepared);
+        let dark = truth.lighting.flags.iter().filter(|&&f| f != ALL_SOURCES);
+        let dark = dark.count();
+        assert!(dark > 60, "{path}: {dark} pixels");
+    }
+}
+
+/// Outside its box a spot is dark: also in zones that the box does not touch.
+#[test]
+fn a_spot_is_dark_in_all_other_zones() {
+    let mut prepared = scene("../testkit/scenes/shadows.toml", (72, 54), Format::BASE);
+    let volumes = prepared.volumes.iter_mut().map(|volume| &mut volume.words);
+    let spot = volumes
+        .into_iter()
+        .find(|words| words.kind == VolumeKind::Light);
+    spot.expect("a spot").screen_box = ScreenBox {
+        x0: 30,
+        x1: 45,
+        y0: 20,
+        y1: 33,
+    };
+    assert_same_on_every_machine(&prepared);
+}
+
+#[test]
+fn other_formats_are_drawn() {
+    let formats = [
+        Format::new(16).expect("in the catalogue").with_guards(3, 5),
+        Format::new(32).expect("in the catalogue").with_guards(2, 0),
+    ];
+    for format in formats {
+        let format = format.expect("guard bits");
+        let prepared = scene("../../../scenes/shadows/robot.toml", (60, 45), format);
+        assert_same_on_every_machine(&prepared);
+    }
+}
+
+/// One machine draws frame after frame: nothing of one frame is left in the next.
+#[test]
+fn a_machine_is_used_again() {
+    let mut model = ZoneMachineModel::new(&Format::BASE, &MACHINE);
+    for path in [
+        "../../../scenes/shadows/robot.toml",
+        "../../../scenes/teapot.toml",
+        "../testkit/scenes/shadows.toml",
+    ] {
+        let prepared = scene(path, (72, 54), Format::BASE);
+        let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+        let truth = Truth::of(&prepared, &prepared.slots());
+        truth.assert_is(&mut model, plan.beats(), path);
+    }
+}
+
+#[test]
+fn the_last_beat_and_the_last_pixel_say_so() {
+    let prepared = scene("../../../scenes/teapot.toml", (83, 61), Format::BASE);
+    let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+    let objects = prepared.objects.len();
+    let materials: Vec<u32> = (0..objects as u32).map(|id| 7 * id % 256).collect();
+    let shading = vec![(3, 0xffff_ffff), (700, 5)];
+    let plan = plan
+        .shaded(shading, materials)
+        .expect("one for each object");
+    let beats: Vec<Beat> = plan.beats().collect();
+    assert_eq!(beats.iter().filter(|b| b.last).count(), 1);
+    assert!(beats.last().expect("beats").last);
+    assert_eq!(beats[0], Beat::new(kind::SHADING, 0, 3, 0xffff_ffff));
+
+    let mut model = ZoneMachineModel::new(&plan.format, &plan.machine);
+    let mut shown = vec![];
+    for beat in &beats {
+        let sink = |pixel| shown.push(pixel);
+        model.beat(beat, sink).expect("a valid stream");
+    }
+    assert_eq!(shown.len(), 83 * 61);
+    assert_eq!(shown.iter().filter(|p| p.last).count(), 1);
+    let last = shown.last().expect("pixels");
+    assert_eq!((last.last, last.x, last.y), (true, 82, 60));
+    // A zone goes out line by line: the first one has 32 columns.
+    assert_eq!(
+        (shown[31].x, shown[31].y, shown[32].x, shown[32].y),
+        (31, 0, 0, 1)
+    );
+    for id in 0..objects as u16 {
+        assert_eq!(model.material(id), u64::from(id) * 7 % 256);
+    }
+    assert_eq!(
+        model.shading().iter().collect::<Vec<_>>(),
+        [(&3, &0xffff_ffff), (&700, &5)]
+    );
+}
+
+/// Two scenes with many ties: the same objects twice, under two ids.
+static PERMUTED: LazyLock<Vec<(ZonePlan, Truth)>> = LazyLock::new(|| {
+    let twice = |path: &str| {
+        let mut prepared = scene(path, (60, 45), Format::BASE);
+        prepared.objects.extend(prepared.objects.clone());
+        let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
+        let truth = Truth::of(&prepared, &prepared.slots());
+        (plan, truth)
+    };
+    vec![
+        twice("../../../scenes/shadows/robot.toml"),
+        twice("../../../scenes/molecule.toml"),
+    ]
+});
+
+fn shuffle(list: &mut [u32], random: &mut u64) {
+    for i in (1..list.len()).rev() {
+        *random = random
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        list.swap(i, (*random >> 33) as usize % (i + 1));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_order_over_processors_and_batches_gives_the_same_picture(
+        which in 0usize..2, seed in any::<u64>(), k in 1usize..=9, v in 1usize..=5
+    ) {
+        let (plan, truth) = &PERMUTED[which];
+        let mut plan = plan.clone();
+        let mut random = seed;
+        plan.machine.object_processors = k;
+        plan.machine.volume_processors = v;
+        for zone in &mut plan.zones {
+            shuffle(&mut zone.parts, &mut random);
+            shuffle(&mut zone.volumes, &mut random);
+        }
+        truth.assert_is_drawn(&plan);
+    }
+}

@@ -1,0 +1,234 @@
+//! The preparation of one scene after another, of an animation: what is the same as before is not prepared again.
+//!
+//! The words of an object depend on the object in the camera frame, on what all objects share (picture size, format
+//! and projection), and on the boxes of objects with which it has planes or a quadric in common. Those of a shadow
+//! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where
+//! all of this is equal are words taken over, so that they are those of a preparation from scratch.
+
+use super::error::PrepareError;
+use super::located::Located;
+use super::screen_box::Cell;
+use super::seams::Place;
+use super::volume::{Bounds, PreparedVolume, Volumes, prepare_volumes};
+use super::{Context, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene};
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{FramedObject, FramedScene};
+use num_rational::BigRational;
+use serde::Serialize;
+use std::collections::HashMap;
+
+/// What one preparation leaves for the next.
+#[derive(Default)]
+pub struct Kept {
+    context: Option<Context>,
+    receivers: Option<Cell>,
+    objects: HashMap<String, KeptObject>,
+}
+
+struct KeptObject {
+    framed: FramedObject,
+    place: Option<Box<Place>>,
+    /// Without the notes on its shadow.
+    prepared: PreparedObject,
+    /// Where it is seen, if that was asked for.
+    seen: Option<Option<Bounds>>,
+    shadows: Vec<KeptShadow>,
+}
+
+struct KeptShadow {
+    source: usize,
+    point: [BigRational; 4],
+    volumes: Vec<PreparedVolume>,
+}
+
+/// How much of a scene was prepared, and how much taken over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Reuse {
+    /// Objects whose words were computed.
+    pub objects_prepared: usize,
+    /// Objects whose words are those of the scene before.
+    pub objects_reused: usize,
+    /// Shadow volumes whose words were computed, and the cones of spots.
+    pub volumes_prepared: usize,
+    /// Shadow volumes whose words are those of the scene before.
+    pub volumes_reused: usize,
+}
+
+/// What is known of a scene before it is prepared.
+pub(super) struct Known<'a> {
+    objects: Vec<Option<&'a KeptObject>>,
+    receivers: Option<Cell>,
+}
+
+impl Known<'_> {
+    /// Nothing.
+    pub fn nothing(scene: &FramedScene) -> Known<'static> {
+        Known {
+            objects: scene.objects.iter().map(|_| None).collect(),
+            receivers: None,
+        }
+    }
+
+    /// The screen box of a cut quadric.
+    pub fn window(&self, index: usize) -> Option<ScreenBox> {
+        let place = self.objects[index]?.place.as_ref();
+        place.map(|place| place.window)
+    }
+
+    /// Forgets the objects whose expressions now count in other boxes than before.
+    fn forget_moved(&mut self, places: &[Option<Box<Place>>]) {
+        for (known, place) in self.objects.iter_mut().zip(places) {
+            *known = known.filter(|kept| kept.place == *place);
+        }
+    }
+
+    /// The words of an object.
+    pub fn object(&self, index: usize) -> Option<&PreparedObject> {
+        self.objects[index].map(|kept| &kept.prepared)
+    }
+
+    /// Where an object is seen.
+    pub fn seen(&self, index: usize) -> Option<Option<Bounds>> {
+        self.objects[index]?.seen
+    }
+
+    /// The shadow of an object from a source, if what is seen takes the same room.
+    pub fn shadow(
+        &self,
+        source: usize,
+        object: usize,
+        point: &[BigRational; 4],
+        receivers: &Cell,
+    ) -> Option<Vec<PreparedVolume>> {
+        if self.receivers.as_ref() != Some(receivers) {
+            return None;
+        }
+        let mut shadows = self.objects[object]?.shadows.iter();
+        let same = shadows.find(|kept| kept.source == source && kept.point == *point)?;
+        let mut volumes = same.volumes.clone();
+        for volume in &mut volumes {
+            // Objects before it may have been hidden or shown.
+            if let Some((caster, _)) = &mut volume.caster {
+                *caster = object;
+            }
+        }
+        Some(volumes)
+    }
+}
+
+impl Kept {
+    /// The object of a name as it was framed.
+    pub(crate) fn framed(&self, name: &str) -> Option<&FramedObject> {
+        self.objects.get(name).map(|kept| &kept.framed)
+    }
+
+    fn known(&self, scene: &FramedScene, context: &Context) -> Known<'_> {
+        if self.context.as_ref() != Some(context) {
+            return Known::nothing(scene);
+        }
+        let known = |object: &FramedObject| {
+            let kept = self.objects.get(object.name())?;
+            (kept.framed == *object).then_some(kept)
+        };
+        Known {
+            objects: scene.objects.iter().map(known).collect(),
+            receivers: self.receivers,
+        }
+    }
+
+    /// Keeps a prepared scene in place of the one before.
+    fn keep(
+        &mut self,
+        scene: &FramedScene,
+        places: Vec<Option<Box<Place>>>,
+        fresh: Vec<Option<PreparedObject>>,
+        volumes: &Volumes,
+        context: &Context,
+    ) {
+        let mut before = std::mem::take(&mut self.objects);
+        let each = scene.objects.iter().zip(fresh).zip(places);
+        for (index, ((object, fresh), place)) in each.enumerate() {
+            let (framed, prepared) = match fresh {
+                Some(prepared) => (object.clone(), prepared),
+                None => {
+                    let kept = before.remove(object.name());
+                    let kept = kept.expect("what is not fresh was kept");
+                    (kept.framed, kept.prepared)
+                }
+            };
+            let kept = KeptObject {
+                framed,
+                place,
+                prepared,
+                seen: volumes.seen.get(index).copied(),
+                shadows: vec![],
+            };
+            self.objects.insert(object.name().to_owned(), kept);
+        }
+        for shadow in &volumes.shadows {
+            let name = scene.objects[shadow.object].name();
+            let object = self.objects.get_mut(name).expect("kept above");
+            object.shadows.push(KeptShadow {
+                source: shadow.source,
+                point: scene.sources[shadow.source].point.clone(),
+                volumes: shadow.volumes.clone(),
+            });
+        }
+        self.context = Some(context.clone());
+        self.receivers = volumes.receivers;
+    }
+}
+
+/// Prepares a scene whose objects have unique names with what is kept of the one before, and keeps it for the next;
+/// the words are those of [`prepare_with`](super::prepare_with). `done` is called about once for each of
+/// [`steps`](super::steps), from any thread.
+///
+/// # Errors
+///
+/// Those of a preparation from scratch; then what was kept stays.
+pub fn prepare_again(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+    kept: &mut Kept,
+    done: &(impl Fn() + Sync),
+) -> Result<(PreparedScene, Reuse), PrepareError> {
+    let context = Context::of(scene, format, options);
+    let mut known = kept.known(scene, &context);
+    let located = Located::new(scene, &context, &known);
+    known.forget_moved(&located.places);
+    let mut missing = vec![];
+    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
+    let fresh: Vec<Option<PreparedObject>> = objects
+        .iter()
+        .zip(&known.objects)
+        .map(|(object, known)| known.is_none().then(|| object.clone()))
+        .collect();
+    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
+    let reuse = Reuse::of(&fresh, &volumes);
+    if missing.is_empty() {
+        kept.keep(scene, located.places, fresh, &volumes, &context);
+    } else {
+        // What is left out must be named again.
+        *kept = Kept::default();
+    }
+    let prepared = prepared_scene(scene, context, objects, volumes, missing);
+    Ok((prepared, reuse))
+}
+
+impl Reuse {
+    fn of(fresh: &[Option<PreparedObject>], volumes: &Volumes) -> Reuse {
+        let objects_prepared = fresh.iter().flatten().count();
+        let (reused, prepared): (Vec<_>, Vec<_>) = volumes.shadows.iter().partition(|s| s.reused);
+        let count = |shadows: Vec<&super::volume::Shadow>| -> usize {
+            shadows.iter().map(|shadow| shadow.volumes.len()).sum()
+        };
+        Reuse {
+            objects_prepared,
+            objects_reused: fresh.len() - objects_prepared,
+            volumes_prepared: volumes.spots.len() + count(prepared),
+            volumes_reused: count(reused),
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! The extent of a closed quadric from its tangent planes: exact, without a search.
+//!
+//! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
+//! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
+
+use super::screen_box::Cell;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{Quadric, cofactor};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// Least and greatest x, y and z of an ellipsoid, each as `(middle -+ sqrt(radicand)) / scale` with whole numbers.
+#[derive(Clone, Debug)]
+pub struct Extent {
+    scale: BigInt,
+    middle: [BigInt; 3],
+    radicand: [BigInt; 3],
+}
+
+/// An integer beyond this, halved and added to another, may be rounded in `f64`.
+const FARTHEST: f64 = (1u64 << 50) as f64;
+
+type Matrix = [[BigInt; 4]; 4];
+
+impl Extent {
+    /// The extent of the inside of a quadric; nothing unless that is an ellipsoid.
+    pub fn of(quadric: &Quadric) -> Option<Extent> {
+        let primitive = quadric.clone().primitive();
+        Extent::of_whole(primitive.coefficients().map(|value| value.to_integer()))
+    }
+
+    /// The same of whole coefficients a to j.
+    pub fn of_whole([a, b, c, d, e, f, g, h, i, j]: [BigInt; 10]) -> Option<Extent> {
+        let matrix = [
+            [&a, &d, &e, &g],
+            [&d, &b, &f, &h],
+            [&e, &f, &c, &i],
+            [&g, &h, &i, &j],
+        ]
+        .map(|row| row.map(BigInt::clone));
+        let last = is_positive_definite(&matrix).then(|| cofactor(&matrix, 3, 3))?;
+        let middle: [BigInt; 3] = std::array::from_fn(|k| cofactor(&matrix, k, 3));
+        let radicand: [BigInt; 3] =
+            std::array::from_fn(|k| &middle[k] * &middle[k] - &last * cofactor(&matrix, k, k));
+        // Without a real point the radicands are negative.
+        let is_real = radicand.iter().all(|r| !r.is_negative());
+        is_real.then_some(Extent {
+            scale: last,
+            middle,
+            radicand,
+        })
+    }
+
+    /// The least integer not below, and the greatest not above, the extent along an axis moved by `halves / 2`.
+    fn integers_within(&self, axis: usize, halves: i64) -> (BigInt, BigInt) {
+        let (middle, root) = self.doubled(axis, halves);
+        let scale = &self.scale * 2;
+        // n scale >= middle - sqrt(r) with whole numbers iff n scale >= middle - floor(sqrt(r)).
+        (
+            (&middle - &root).div_ceil(&scale),
+            (&middle + &root).div_floor(&scale),
+        )
+    }
+
+    fn doubled(&self, axis: usize, halves: i64) -> (BigInt, BigInt) {
+        let middle = &self.middle[axis] * 2 + &self.scale * halves;
+        (middle, (&self.radicand[axis] * 4u32).sqrt())
+    }
+
+    /// Integers around the extent along an axis.
+    fn integers_around(&self, axis: usize) -> (f64, f64) {
+        let (middle, root) = self.doubled(axis, 0);
+        let (scale, root): (BigInt, BigInt) = (&self.scale * 2, root + 1);
+        let float = |value: BigInt| value.to_f64().unwrap_or(f64::INFINITY);
+        (
+            float((&middle - &root).div_floor(&scale)),
+            float((&middle + &root).div_ceil(&scale)),
+        )
+    }
+
+    /// The pixels of a screen at which the quadric, given in screen coordinates, can be met; nothing if it passes a
+    /// side of the screen or an end of the depths `-depth .. depth`, where only a part of it counts.
+    pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> Option<ScreenBox> {
+        let (near, far) = self.integers_around(2);
+        if near < -depth || far > depth {
+            return None;
+        }
+        let columns = self.pixels(0, width)?;
+        let lines = self.pixels(1, height)?;
+        let (Side::Seen(x0, x1), Side::Seen(y0, y1)) = (columns, lines) else {
+            return Some(ScreenBox::EMPTY);
+        };
+        let found = ScreenBox { x0, x1, y0, y1 };
+        Some(if found.is_empty() {
+            ScreenBox::EMPTY
+        } else {
+            found
+        })
+    }
+
+    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; nothing if the extent passes a
+    /// side.
+    fn pixels(&self, axis: usize, size: u32) -> Option<Side> {
+        let (first, last) = self.integers_within(axis, i64::from(size));
+        let end = BigInt::from(size) - 1;
+        if last.is_negative() || first > end {
+            return Some(Side::Beyond);
+        }
+        if first.is_negative() || last > end {
+            return None;
+        }
+        Some(Side::Seen(first.to_i64()?, last.to_i64()?))
+    }
+
+    /// A cell around the quadric; nothing if it reaches so far that `f64` does not hold all integers and their halves.
+    pub fn cell(&self) -> Option<Cell> {
+        let around: [(f64, f64); 3] = std::array::from_fn(|axis| self.integers_around(axis));
+        let is_held = |(low, high): &(f64, f64)| low.abs().max(high.abs()) < FARTHEST;
+        around
+            .iter()
+            .all(is_held)
+            .then(|| Cell::between(around.map(|(low, _)| low), around.map(|(_, high)| high)))
+    }
+}
+
+enum Side {
+    Seen(i64, i64),
+    Beyond,
+}
+
+/// Sylvester's criterion on the second-degree part.
+fn is_positive_definite(m: &Matrix) -> bool {
+    let two = &m[0][0] * &m[1][1] - &m[0][1] * &m[1][0];
+    m[0][0].is_positive() && two.is_positive() && cofactor(m, 3, 3) > BigInt::zero()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_algebra::rational::integer;
+    use imogene_scene::Surface;
+    use proptest::prelude::*;
+
+    /// `k ((x - x0)^2 a + (y - y0)^2 b + (z - z0)^2 c + shear) = r`, an ellipsoid because the shear is smaller than
+    /// the squares.
+    fn ellipsoid() -> impl Strategy<Value = Quadric> {
+        (
+            [1i64..9, 1..9, 1..9],
+            [-1i64..=1, -1..=1, -1..=1],
+            [-60i64..60, -60..60, -40..40],
+            1i64..4000,
+        )
+            .prop_map(|([a, b, c], [d, e, f], [x, y, z], r)| {
+                let (a, b, c) = (a + 2, b + 2, c + 2);
+                let (g, h, i) = (
+                    -(a * x + d * y + e * z),
+                    -(d * x + b * y + f * z),
+                    -(e * x + f * y + c * z),
+                );
+                let j = -(g * x + h * y + i * z) - r;
+                Quadric::from_array([a, b, c, d, e, f, g, h, i, j].map(integer))
+            })
+    }
+
+    /// Does the line of sight through a point of the screen meet the ellipsoid: the discriminant of its equation in z.
+    fn is_met([a, b, c, d, e, f, g, h, i, j]: [i64; 10], x: i64, y: i64) -> bool {
+        let linear = e * x + f * y + i;
+        let rest = (a * x + 2 * (d * y + g)) * x + (b * y + 2 * h) * y + j;
+        linear * linear >= c * rest
+    }
+
+    proptest! {
+        /// The box is the smallest that holds every pixel at which the ellipsoid is met, and lies in the box of the
+        /// search.
+        #[test]
+        fn is_the_box_of_the_covered_pixels(q in ellipsoid()) {
+            let (width, height, depth) = (320u32, 260u32, 200.0);
+            let searched = crate::screen_box::Region::new(&q, &[], Surface::Solid)
+                .screen_box(width, height, depth);
+            let found = Extent::of(&q).expect("an ellipsoid").screen_box(width, height, depth);
+            let found = found.expect("on the screen and within the depths");
+            let (left, top) = (i64::from(width) / 2, i64::from(height) / 2);
+            let whole = q.coefficients().map(|v| v.to_integer().to_i64().expect("small"));
+            let mut tight: Option<ScreenBox> = None;
+            for y in 0..i64::from(height) {
+                for x in 0..i64::from(width) {
+                    if is_met(whole, x - left, y - top) {
+                        prop_assert!(found.contains(x, y));
+                        let b = tight.get_or_insert(ScreenBox { x0: x, x1: x, y0: y, y1: y });
+                        *b = ScreenBox { x0: b.x0.min(x), x1: b.x1.max(x), y0: b.y0.min(y), y1: b.y1.max(y) };
+                    }
+                }
+            }
+            // A side can touch the ellipsoid between two pixels of its column; then the box is one pixel larger there,
+            // never more.
+            if let Some(b) = tight {
+                prop_assert!(found.x0 >= b.x0 - 1 && found.x1 <= b.x1 + 1);
+                prop_assert!(found.y0 >= b.y0 - 1 && found.y1 <= b.y1 + 1);
+            }
+            if !found.is_empty() {
+                prop_assert!(searched.x0 <= found.x0 && found.x1 <= searched.x1);
+                prop_assert!(searched.y0 <= found.y0 && found.y1 <= searched.y1);
+                prop_assert!(searched.x0 >= found.x0 - 1 && searched.x1 <= found.x1 + 1);
+                prop_assert!(searched.y0 >= found.y0 - 1 && searched.y1 <= found.y1 + 1);
+            }
+        }
+    }
+
+    #[test]
+    fn sides_that_touch_pixel_centres_belong_to_the_box() {
+        let sphere = |x: i64, r: i64| {
+            let [one, zero] = [1, 0].map(integer);
+            let q = [
+                one.clone(),
+                one.clone(),
+                one,
+                zero.clone(),
+                zero.clone(),
+                zero.clone(),
+                integer(-x),
+                zero.clone(),
+                zero,
+                integer(x * x - r * r),
+            ];
+            Extent::of(&Quadric::from_array(q)).expect("an ellipsoid")
+        };
+        let on = |x, r| sphere(x, r).screen_box(100, 80, 40.0);
+        let boxed = |x0, x1, y0, y1| Some(ScreenBox { x0, x1, y0, y1 });
+        assert_eq!(on(0, 10), boxed(40, 60, 30, 50));
+        assert_eq!(on(-40, 10), boxed(0, 20, 30, 50));
+        // Past the left side, past the near end, and wholly off the screen.
+        assert_eq!(on(-41, 10), None);
+        assert_eq!(on(0, 41), None);
+        assert_eq!(on(90, 10), Some(ScreenBox::EMPTY));
+        // A paraboloid is not closed, and an ellipsoid without a point has no extent.
+        let open = [1, 1, 0, 0, 0, 0, 0, 0, 1, 0].map(integer);
+        assert!(Extent::of(&Quadric::from_array(open)).is_none());
+        let nowhere = [1, 1, 1, 0, 0, 0, 0, 0, 0, 1].map(integer);
+        assert!(Extent::of(&Quadric::from_array(nowhere)).is_none());
+    }
+}

@@ -1,0 +1,135 @@
+//! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of
+//! each other, then the words of each.
+
+use super::again::Known;
+use super::error::PrepareError;
+use super::object::{self, Projected};
+use super::parts::{PreparedObject, PreparedParts};
+use super::seams::{self, Place};
+use super::{Context, PreparedQuadric};
+use super::{curved_facet, first_generation, mesh, polyhedron, quotient, round};
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
+use rayon::prelude::*;
+
+/// A scene's objects on the screen, before any word of them is known.
+pub(super) struct Located {
+    /// Of the cut quadrics that are not known.
+    projected: Vec<Option<Box<Projected>>>,
+    /// Of all cut quadrics.
+    pub places: Vec<Option<Box<Place>>>,
+}
+
+impl Located {
+    pub fn new(scene: &FramedScene, context: &Context, known: &Known) -> Located {
+        let objects = scene.objects.par_iter().enumerate();
+        let projected: Vec<Option<Box<Projected>>> = objects
+            .map(|(index, object)| match known.window(index) {
+                Some(_) => None,
+                None => Some(Box::new(Projected::new(cut(object)?, context))),
+            })
+            .collect();
+        let windows = projected.iter().enumerate().map(|(index, projected)| {
+            let window = projected.as_ref().map(|projected| projected.window);
+            window.or_else(|| known.window(index))
+        });
+        let windows: Vec<Option<ScreenBox>> = windows.collect();
+        Located {
+            projected,
+            places: seams::places(&scene.objects, &windows),
+        }
+    }
+
+    pub fn prepare(
+        &self,
+        index: usize,
+        object: &FramedObject,
+        context: &Context,
+    ) -> Result<PreparedObject, PrepareError> {
+        if let FramedObject::Unseen(unseen) = object {
+            return Ok(PreparedObject::Unseen(unseen.clone()));
+        }
+        let (Some(quadric), Some(place)) = (cut(object), &self.places[index]) else {
+            return prepare_parts(object, context).map(parts);
+        };
+        let again;
+        let projected = match &self.projected[index] {
+            Some(projected) => projected,
+            // It is the same as before, but what it shares is not.
+            None => {
+                again = Projected::new(quadric, context);
+                &again
+            }
+        };
+        match object {
+            FramedObject::Polyhedron(_) => {
+                polyhedron::prepare_polyhedron(quadric, projected, place, context).map(parts)
+            }
+            FramedObject::Patch(_) => {
+                prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
+            }
+            _ => prepare_cut(quadric, projected, place, context, PreparedObject::Quadric),
+        }
+    }
+}
+
+fn parts(parts: PreparedParts) -> PreparedObject {
+    PreparedObject::Parts(Box::new(parts))
+}
+
+/// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
+pub(super) fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
+    match object {
+        FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => Some(q),
+        _ => None,
+    }
+}
+
+/// An object that is none of those.
+fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedParts, PrepareError> {
+    refuse_fitted(object.name(), context)?;
+    match object {
+        FramedObject::Quadric(_)
+        | FramedObject::Patch(_)
+        | FramedObject::Polyhedron(_)
+        | FramedObject::Unseen(_) => {
+            unreachable!("these are prepared where they are")
+        }
+        FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
+        FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context),
+        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context),
+        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context),
+        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context),
+        FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
+    }
+}
+
+/// Fitted machines have quadric and patch processors alone.
+pub(super) fn refuse_fitted(object: &str, context: &Context) -> Result<(), PrepareError> {
+    if context.format.follows_depth_word() {
+        return Ok(());
+    }
+    Err(PrepareError::NotFitted {
+        object: object.to_owned(),
+    })
+}
+
+/// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.
+fn prepare_cut(
+    object: &FramedQuadric,
+    projected: &Projected,
+    place: &Place,
+    context: &Context,
+    by_its_own: fn(Box<PreparedQuadric>) -> PreparedObject,
+) -> Result<PreparedObject, PrepareError> {
+    if let Some(parts) = quotient::prepare_on_eye(object, projected, place, context)? {
+        return Ok(PreparedObject::Parts(Box::new(parts)));
+    }
+    match object::prepare_quadric(object, projected, place, context) {
+        Err(problem @ PrepareError::TooLarge { .. }) => {
+            let near = quotient::prepare_near_eye(object, projected, place, context)?;
+            near.map(parts).ok_or(problem)
+        }
+        prepared => prepared.map(|prepared| by_its_own(Box::new(prepared))),
+    }
+}

@@ -1,0 +1,220 @@
+//! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4 replaced by a proof).
+
+use super::error::PrepareError;
+use super::forms::{LinearForm, inverse, times};
+use super::rounding::{linear_error, round_half_plane, round_linear};
+use super::screen_box::Region;
+use super::{Context, integer_scale};
+use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
+use imogene_golden::format::word_max;
+use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::pe1::Linear;
+use imogene_scene::Plane;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// A prepared plane with what is known of it.
+pub(super) struct PreparedPlane {
+    pub words: PlaneWords,
+    pub exact: LinearForm,
+    pub bound: f64,
+    pub needed: u32,
+    pub steep: bool,
+}
+
+impl PreparedPlane {
+    /// What a person should know of plane number `index`.
+    pub fn note(&self, index: usize) -> Option<String> {
+        self.steep.then(|| {
+            format!("cut {index} is so steep that its half-plane form is used, proven equal on every pixel of the box")
+        })
+    }
+}
+
+/// Prepares plane number `index` of an object: proven on its box, rounded and scaled for the box `shared` around all objects that have the plane; `projected` is after
+/// perspective, `original` before.
+pub(super) fn prepare_plane(
+    object: &str,
+    index: usize,
+    original: &Plane,
+    projected: &Plane,
+    (region, window, shared): (&Region, &ScreenBox, &ScreenBox),
+    context: &Context,
+) -> Result<PreparedPlane, PrepareError> {
+    let depths = || {
+        let full = to_f64(&context.full_depth);
+        region
+            .depth_range(context.width, context.height, full)
+            .unwrap_or((-full, full))
+    };
+    prepare_plane_between(
+        object,
+        index,
+        original,
+        projected,
+        depths,
+        (window, shared),
+        context,
+    )
+}
+
+/// The same where the plane has to decide between two depths (pixels), which are asked for only if the plane is steep.
+pub(super) fn prepare_plane_between(
+    object: &str,
+    index: usize,
+    original: &Plane,
+    projected: &Plane,
+    depths: impl FnOnce() -> (f64, f64),
+    (window, shared): (&ScreenBox, &ScreenBox),
+    context: &Context,
+) -> Result<PreparedPlane, PrepareError> {
+    let normal = constant_normal(original, context.format.greatest_normal());
+    // The half-plane value; kept where it is not negative.
+    let value = context.to_pixels_linear(&LinearForm::new(
+        -&projected.a,
+        -&projected.b,
+        -&projected.d,
+    ));
+    if projected.c.is_zero() {
+        let at = (window, shared);
+        return Ok(perpendicular(value, normal, at, context, false));
+    }
+    let depth = value.scaled(&times(&context.depth_scale, &inverse(&projected.c)));
+    let word = round_linear(&depth, context.anchor_of(shared)).ok();
+    let needed = bits_needed(&depth, word.as_ref(), window);
+    if let (Some(word), true) = (word, needed <= context.format.plane) {
+        let kind = if projected.c.is_negative() {
+            PlaneKind::Front
+        } else {
+            PlaneKind::Back
+        };
+        return Ok(PreparedPlane {
+            words: PlaneWords {
+                kind,
+                depth: word,
+                normal,
+            },
+            bound: to_f64_up(&linear_error(&word, &depth, 0, window)),
+            exact: depth,
+            needed,
+            steep: false,
+        });
+    }
+    let refusal = |(x, y)| PrepareError::SteepPlane {
+        object: object.to_string(),
+        plane: index,
+        needed,
+        available: context.format.plane,
+        x,
+        y,
+    };
+    let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
+        .map_err(refusal)?;
+    Ok(perpendicular(form, normal, (window, shared), context, true))
+}
+
+/// The plane's normal before perspective, its greatest component scaled to the greatest of its word.
+fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
+    let components = [&plane.a, &plane.b, &plane.c];
+    let greatest = components
+        .iter()
+        .map(|c| c.abs())
+        .max()
+        .expect("three components");
+    if greatest.is_zero() {
+        return [0; 3];
+    }
+    let scale = times(&integer(most.into()), &inverse(&greatest));
+    components.map(|c| {
+        round_half_up(&times(c, &scale))
+            .to_i16()
+            .expect("within its word")
+    })
+}
+
+/// Bits of an expression on the box: of the exact one, and of the rounded one, which in a short word and far from the anchor can be greater.
+fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) -> u32 {
+    let rounded = word.map(|word| LinearForm::of_words(word).max_abs_on(window));
+    let most = exact.max_abs_on(window);
+    signed_bits(&rounded.map_or(most.clone(), |rounded| rounded.max(most)))
+}
+
+/// The half-plane form. Its scale is free, so the exact integers are used whenever they fit the plane word.
+fn perpendicular(
+    value: LinearForm,
+    normal: [i16; 3],
+    (window, shared): (&ScreenBox, &ScreenBox),
+    context: &Context,
+    steep: bool,
+) -> PreparedPlane {
+    let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
+    let whole = value.scaled(&integer_scale([&value.a, &value.b, &value.c]));
+    let exact = if whole.max_abs_on(shared) <= limit {
+        whole
+    } else {
+        let scale = limit / (integer(2) * value.max_abs_on(shared));
+        value.scaled(&scale)
+    };
+    let anchor = context.anchor_of(shared);
+    let depth = round_half_plane(&exact, anchor).expect("scaled to the plane word");
+    PreparedPlane {
+        words: PlaneWords {
+            kind: PlaneKind::Perpendicular,
+            depth,
+            normal,
+        },
+        needed: bits_needed(&exact, Some(&depth), window),
+        bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
+        exact,
+        steep,
+    }
+}
+
+/// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels almost everywhere. If
+/// no pixel of the box lies in that strip, the half-plane form at the object's middle depth decides every pixel as the
+/// plane does; otherwise the first such pixel is returned.
+fn perpendicular_if_proven(
+    value: &LinearForm,
+    gamma: &BigRational,
+    (near, far): (f64, f64),
+    window: &ScreenBox,
+    context: &Context,
+) -> Result<LinearForm, (i64, i64)> {
+    let full = to_f64(&context.full_depth);
+    let middle = from_f64_exact(0.5 * (near + far));
+    let reach = from_f64_exact(0.5 * (far - near) + 1e-6 * full);
+    let form = LinearForm::new(value.a.clone(), value.b.clone(), &value.c - gamma * middle);
+    let strip = gamma.abs() * reach;
+    for y in window.y0..=window.y1 {
+        let line = integer(y);
+        for x in nearest_to_zero(&form, &line, window) {
+            if form.at(&integer(x), &line).abs() <= strip {
+                return Err((x, y));
+            }
+        }
+    }
+    Ok(form)
+}
+
+/// The pixels of a line between which the expression passes zero, or where it is smallest.
+fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) -> [i64; 2] {
+    if form.a.is_zero() {
+        return [window.x0, window.x1];
+    }
+    let crossing = -(&form.b * line + &form.c) / &form.a;
+    let below = floor(&crossing)
+        .to_i64()
+        .unwrap_or(if crossing.is_negative() {
+            i64::MIN / 2
+        } else {
+            i64::MAX / 2
+        });
+    [below, below + 1].map(|x| x.clamp(window.x0, window.x1))
+}
+
+/// Two's complement bits that hold every integer up to this magnitude, after rounding.
+pub(super) fn signed_bits(magnitude: &BigRational) -> u32 {
+    magnitude.ceil().to_integer().bits() as u32 + 1
+}

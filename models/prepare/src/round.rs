@@ -1,0 +1,266 @@
+//! Spheres and cylinders by paraboloids: orthographic views.
+
+use super::Context;
+use super::error::PrepareError;
+use super::forms::{LinearForm, QuadraticForm};
+use super::ledger::{Ledger, linear, most, outline_note};
+use super::parts::PreparedParts;
+use imogene_algebra::rational::{fraction, integer, round_half_up};
+use imogene_golden::object::curved_facet::CurvedFacetWords;
+use imogene_golden::object::cylinder::{CylinderShape, CylinderWords};
+use imogene_golden::object::paraboloid::{depth_guard, normal_guard, plane_guard};
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::sphere::{SphereShape, SphereWords};
+use imogene_golden::unit::normal::LINEAR_WIDTH;
+use imogene_scene::{FramedCylinder, FramedSphere, root};
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+const UNSEEN: &str = "outside the screen or its depth range: nothing to draw";
+
+const UNCAPPED: &str = "reaches nearer than the near end; it is absent there, without a cap";
+
+/// Words of the sphere processor.
+pub(super) fn prepare_sphere(
+    sphere: &FramedSphere,
+    context: &Context,
+) -> Result<PreparedParts, PrepareError> {
+    let Some((shape, window)) = on_screen(sphere, context) else {
+        return Ok(PreparedParts::unseen(&sphere.name, UNSEEN));
+    };
+    let format = &context.format;
+    let mut ledger = Ledger::new(&sphere.name, window, context);
+    let on_box = ledger.on_box();
+    let form = |exact| QuadraticForm::of_array(exact);
+    let (depth, full) = (form(shape.paraboloid()), format.quadratic);
+    let contour = ledger.sign("outline", &form(shape.outline()), full)?;
+    let front = ledger.value("depth", &depth, depth_guard(format), full, &on_box)?;
+    let twice = integer(2) * &shape.z;
+    let (least, greatest) = on_box(&depth);
+    let back = (&twice - least).abs().max((&twice - greatest).abs());
+    // One count for each of the two roundings.
+    ledger.prove("back depth", &(back + integer(2)), format.sum)?;
+    let guard = LINEAR_WIDTH - format.normal;
+    let [x, y] = shape.normal_across().map(linear_form);
+    let words = SphereWords {
+        screen_box: window,
+        contour,
+        front,
+        sum: round_half_up(&twice).to_i64().expect("proven to be short"),
+        normal: [
+            ledger.linear_value("normal x", &x, guard, LINEAR_WIDTH, &on_box)?,
+            ledger.linear_value("normal y", &y, guard, LINEAR_WIDTH, &on_box)?,
+        ],
+        normal_z: ledger.value(
+            "normal z",
+            &form(shape.normal_deep()),
+            normal_guard(format),
+            full,
+            &on_box,
+        )?,
+    };
+    Ok(parts(
+        &sphere.name,
+        window,
+        ProcessorWords::Sphere(words),
+        ledger,
+    ))
+}
+
+/// The same sphere as one facet with its outline for a side.
+pub(super) fn prepare_curved_sphere(
+    sphere: &FramedSphere,
+    context: &Context,
+) -> Result<PreparedParts, PrepareError> {
+    let Some((shape, window)) = on_screen(sphere, context) else {
+        return Ok(PreparedParts::unseen(&sphere.name, UNSEEN));
+    };
+    let format = &context.format;
+    let mut ledger = Ledger::new(&sphere.name, window, context);
+    let on_box = ledger.on_box();
+    let form = |exact| QuadraticForm::of_array(exact);
+    let full = format.quadratic;
+    let [x, y] = shape
+        .normal_across()
+        .map(|n| QuadraticForm::of_linear(&linear_form(n)));
+    let guard = normal_guard(format);
+    let words = CurvedFacetWords {
+        screen_box: window,
+        sides: vec![ledger.sign("outline", &form(shape.outline()), full)?],
+        depth: ledger.value(
+            "depth",
+            &form(shape.paraboloid()),
+            depth_guard(format),
+            full,
+            &on_box,
+        )?,
+        normal: [
+            ledger.value("normal x", &x, guard, full, &on_box)?,
+            ledger.value("normal y", &y, guard, full, &on_box)?,
+            ledger.value("normal z", &form(shape.normal_deep()), guard, full, &on_box)?,
+        ],
+    };
+    let mut parts = parts(
+        &sphere.name,
+        window,
+        ProcessorWords::CurvedFacet(words),
+        ledger,
+    );
+    if &sphere.centre[2] - &sphere.radius < -&context.full_depth {
+        parts.notes.push(UNCAPPED.into());
+    }
+    Ok(parts)
+}
+
+/// Words of the cylinder processor.
+///
+/// Depth and normal of body and disc count only where the cylinder is, so they are proven on the rectangle along its axis that it fills, not on the box.
+pub(super) fn prepare_cylinder(
+    cylinder: &FramedCylinder,
+    context: &Context,
+) -> Result<PreparedParts, PrepareError> {
+    let shape = cylinder_shape(cylinder, context);
+    let window = cylinder_box(&shape, context);
+    if window.is_empty() {
+        return Ok(PreparedParts::unseen(&cylinder.name, UNSEEN));
+    }
+    let format = &context.format;
+    let (full, plane) = (format.quadratic, format.plane);
+    let disc_length = &shape.deep * &shape.radius;
+    let reach = &shape.length * &shape.level + &disc_length;
+    let in_frame = |form: &QuadraticForm, end: &BigRational| {
+        let [cos, sin] = &shape.direction;
+        let minus_sin = -sin;
+        let along = form.in_frame(
+            [[cos, sin], [&minus_sin, cos]],
+            [&shape.centre[0], &shape.centre[1]],
+        );
+        let radius = &shape.radius;
+        along.range_between(&[-&disc_length, end.clone(), -radius, radius.clone()])
+    };
+    let on_body = |form: &QuadraticForm| in_frame(form, &reach);
+    let on_disc = |form: &QuadraticForm| in_frame(form, &disc_length);
+    let mut ledger = Ledger::new(&cylinder.name, window, context);
+    let form = |exact| QuadraticForm::of_array(exact);
+    let mut side = |exact| ledger.linear_sign("sides", &linear_form(exact), plane);
+    let [a, b, c, d] = shape.sides();
+    let sides = [side(a)?, side(b)?, side(c)?, side(d)?];
+    let [front, back] = shape.discs().map(form);
+    let discs = [
+        ledger.sign("outline of the front disc", &front, full)?,
+        ledger.sign("outline of the back disc", &back, full)?,
+    ];
+    let body = form(shape.body());
+    let body = ledger.value(
+        "depth of the body",
+        &body,
+        depth_guard(format),
+        full,
+        &on_body,
+    )?;
+    let guard = normal_guard(format);
+    let mut normal = |exact| ledger.value("normal", &form(exact), guard, full, &on_body);
+    let [x, y, z] = shape.body_normal();
+    let normal = [normal(x)?, normal(y)?, normal(z)?];
+    let disc = QuadraticForm::of_linear(&linear_form(shape.disc()));
+    let guard = plane_guard(format);
+    let disc = linear(&ledger.value("depth of the disc", &disc, guard, plane, &on_disc)?);
+    let words = CylinderWords {
+        screen_box: window,
+        sides,
+        discs,
+        body,
+        normal,
+        disc,
+        disc_normal: shape.disc_normal(),
+    };
+    let mut parts = parts(
+        &cylinder.name,
+        window,
+        ProcessorWords::Cylinder(words),
+        ledger,
+    );
+    if nearest(&shape) < -&context.full_depth {
+        parts.notes.push(UNCAPPED.into());
+    }
+    Ok(parts)
+}
+
+fn parts(name: &str, window: ScreenBox, words: ProcessorWords, ledger: Ledger) -> PreparedParts {
+    PreparedParts {
+        depth_bound: None,
+        name: name.to_owned(),
+        words: vec![words],
+        screen_box: window,
+        notes: outline_note(ledger.wrong_signs).into_iter().collect(),
+        needed: most(ledger.needed),
+    }
+}
+
+fn linear_form([a, b, c]: [BigRational; 3]) -> LinearForm {
+    LinearForm::new(a, b, c)
+}
+
+/// The sphere in pixel columns and lines and depth words, and its box if anything of it is on the screen.
+fn on_screen(sphere: &FramedSphere, context: &Context) -> Option<(SphereShape, ScreenBox)> {
+    let (x0, y0) = context.first_pixel();
+    let [x, y, z] = &sphere.centre;
+    let shape = SphereShape {
+        x: x - x0,
+        y: y - y0,
+        z: z * &context.depth_scale,
+        radius: sphere.radius.clone(),
+        scale: context.depth_scale.clone(),
+    };
+    let radius = &shape.radius;
+    let window = context.pixels_between([
+        &shape.x - radius,
+        &shape.x + radius,
+        &shape.y - radius,
+        &shape.y + radius,
+    ]);
+    let (near, far) = (z - radius, z + radius);
+    let seen = !window.is_empty() && near < context.full_depth && far >= -&context.full_depth;
+    seen.then_some((shape, window))
+}
+
+fn cylinder_shape(cylinder: &FramedCylinder, context: &Context) -> CylinderShape {
+    let (x0, y0) = context.first_pixel();
+    let [x, y, z] = &cylinder.centre;
+    CylinderShape {
+        centre: [x - x0, y - y0, z.clone()],
+        direction: cylinder.direction.clone(),
+        level: cylinder.level.clone(),
+        deep: cylinder.deep.clone(),
+        radius: cylinder.radius.clone(),
+        length: cylinder.length.clone(),
+        scale: context.depth_scale.clone(),
+    }
+}
+
+/// Depth in pixels that nothing of the cylinder is nearer than.
+fn nearest(shape: &CylinderShape) -> BigRational {
+    &shape.centre[2] - &shape.level * &shape.radius
+}
+
+/// The box around both discs; a thousandth of a pixel covers the roots that its sides take.
+fn cylinder_box(shape: &CylinderShape, context: &Context) -> ScreenBox {
+    let far = &shape.centre[2] + &shape.deep * &shape.length + &shape.level * &shape.radius;
+    if nearest(shape) >= context.full_depth || far < -&context.full_depth {
+        return ScreenBox::EMPTY;
+    }
+    let [cos, sin] = &shape.direction;
+    let across = |along: &BigRational, beside: &BigRational| {
+        let square = (&shape.deep * along).pow(2) + beside.pow(2);
+        &shape.radius * root(&square) + fraction(1, 1000)
+    };
+    let length = &shape.length * &shape.level;
+    let side = |axis: usize, along: &BigRational, beside: &BigRational| {
+        let (one, other) = (&shape.centre[axis], &shape.centre[axis] + &length * along);
+        let extent = across(along, beside);
+        (one.min(&other) - &extent, one.max(&other) + &extent)
+    };
+    let ((x0, x1), (y0, y1)) = (side(0, cos, sin), side(1, sin, cos));
+    context.pixels_between([x0, x1, y0, y1])
+}

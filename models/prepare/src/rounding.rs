@@ -1,0 +1,235 @@
+//! Rounding to coefficient words: once, about the middle of the screen box, where it does least harm; of what several objects share, about the middle of all their
+//! boxes, where it does the same to each.
+//!
+//! Factors are rounded in coordinates centred on an anchor pixel and then moved to the screen origin as exact integers. The error at a
+//! pixel therefore grows with its distance from the anchor, not from the screen's corner.
+//!
+//! Two bounds hold for that error on a box. [`Anchor::linear_bound`] and [`Anchor::quadratic_bound`] are known before any coefficient is: half a bit for
+//! each factor, times what it is multiplied with. [`linear_error`] and [`quadratic_error`] are the exact greatest error of given words:
+//! the residual, rounded minus exact factor, is itself an expression of the same degree, and its range on the box is known exactly.
+
+use super::forms::{LinearForm, QuadraticForm};
+use imogene_algebra::rational::{integer, power_of_two, round_half_up};
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// The pixel about which coefficients are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Anchor {
+    /// Column.
+    pub x: i64,
+    /// Line.
+    pub y: i64,
+}
+
+impl Anchor {
+    /// The screen's first pixel: the source's convention.
+    pub const ORIGIN: Anchor = Anchor { x: 0, y: 0 };
+
+    /// The middle of a box.
+    pub fn middle_of(window: &ScreenBox) -> Anchor {
+        Anchor {
+            x: (window.x0 + window.x1).div_euclid(2),
+            y: (window.y0 + window.y1).div_euclid(2),
+        }
+    }
+
+    /// Greatest distance (columns, lines) of a pixel of the box.
+    fn reach(&self, window: &ScreenBox) -> (f64, f64) {
+        let far = |low: i64, high: i64, at: i64| (at - low).abs().max((high - at).abs()) as f64;
+        (
+            far(window.x0, window.x1, self.x),
+            far(window.y0, window.y1, self.y),
+        )
+    }
+
+    /// Greatest rounding error of any first-degree expression on the box, in units of its last bit: half a bit for each factor,
+    /// times the distance it is multiplied with. If the box reaches N columns and N lines from the anchor this is the source's (2N + 1) / 2.
+    pub fn linear_bound(&self, window: &ScreenBox) -> f64 {
+        let (u, v) = self.reach(window);
+        0.5 * (u + v + 1.0)
+    }
+
+    /// Greatest rounding error of any second-degree expression on the box, in units of its last bit. If the box reaches N columns and N lines
+    /// from the anchor this is the source's (3 N^2 + 2N + 1) / 2.
+    pub fn quadratic_bound(&self, window: &ScreenBox) -> f64 {
+        let (u, v) = self.reach(window);
+        0.5 * (u * u + v * v + u * v + u + v + 1.0)
+    }
+}
+
+/// A coefficient beyond 127 bits: no word can hold it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unrepresentable {
+    /// The exact coefficient.
+    pub value: BigRational,
+}
+
+fn word(value: &BigRational) -> Result<i128, Unrepresentable> {
+    // Room is left so that moving the expression to another origin cannot overflow.
+    round_half_up(value)
+        .to_i128()
+        .filter(|v| v.unsigned_abs() < 1 << 95)
+        .ok_or_else(|| Unrepresentable {
+            value: value.clone(),
+        })
+}
+
+/// Rounds about the anchor and moves to the screen origin.
+pub fn round_linear(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
+    let centred = form.about(&integer(anchor.x), &integer(anchor.y));
+    let rounded = Linear::new(word(&centred.a)?, word(&centred.b)?, word(&centred.c)?);
+    Ok(rounded.from_zone(-anchor.x, -anchor.y))
+}
+
+/// Rounds about the anchor and moves to the screen origin.
+pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
+    let centred = form.about(&integer(anchor.x), &integer(anchor.y));
+    let rounded = Quadratic {
+        a: word(&centred.a)?,
+        b: word(&centred.b)?,
+        c: word(&centred.c)?,
+        d: word(&centred.d)?,
+        e: word(&centred.e)?,
+        f: word(&centred.f)?,
+    };
+    Ok(rounded.from_zone(-anchor.x, -anchor.y))
+}
+
+/// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a factor lies between two words.
+pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
+    if !leads_downwards([&form.a, &form.b, &form.c]) {
+        return round_linear(form, anchor);
+    }
+    let Linear { a, b, c } = round_linear(&form.scaled(&integer(-1)), anchor)?;
+    Ok(Linear::new(-a, -b, -c))
+}
+
+/// The same for an expression of second degree.
+pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
+    if !leads_downwards([&form.a, &form.b, &form.c, &form.d, &form.e, &form.f]) {
+        return round_quadratic(form, anchor);
+    }
+    let rounded = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
+    Ok(Quadratic {
+        a: -rounded.a,
+        b: -rounded.b,
+        c: -rounded.c,
+        d: -rounded.d,
+        e: -rounded.e,
+        f: -rounded.f,
+    })
+}
+
+fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {
+    let leading = factors.into_iter().find(|factor| !factor.is_zero());
+    leading.is_some_and(|factor| factor.is_negative())
+}
+
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+pub fn linear_error(
+    words: &Linear,
+    exact: &LinearForm,
+    guards: u32,
+    window: &ScreenBox,
+) -> BigRational {
+    let unit = power_of_two(guards).recip();
+    let residual = LinearForm::of_words(words).scaled(&unit).minus(exact);
+    residual.max_abs_on(window)
+}
+
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+pub fn quadratic_error(
+    words: &Quadratic,
+    exact: &QuadraticForm,
+    guards: u32,
+    window: &ScreenBox,
+) -> BigRational {
+    let unit = power_of_two(guards).recip();
+    let residual = QuadraticForm::of_words(words).scaled(&unit).minus(exact);
+    residual.max_abs_on(window)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_algebra::rational::fraction;
+    use proptest::prelude::*;
+
+    fn to_f64(value: &BigRational) -> f64 {
+        imogene_algebra::rational::to_f64(value)
+    }
+
+    #[test]
+    fn bounds_before_the_coefficients_are_those_of_the_source() {
+        for n in [720, 1024] {
+            let window = ScreenBox {
+                x0: 0,
+                x1: n,
+                y0: 0,
+                y1: n,
+            };
+            let n = n as f64;
+            assert_eq!(Anchor::ORIGIN.linear_bound(&window), (2.0 * n + 1.0) / 2.0);
+            assert_eq!(
+                Anchor::ORIGIN.quadratic_bound(&window),
+                (3.0 * n * n + 2.0 * n + 1.0) / 2.0
+            );
+        }
+    }
+
+    #[test]
+    fn two_sides_of_a_line_or_a_contour_have_opposite_words() {
+        let halves = |n: [i64; 6]| n.map(|n| fraction(n, 2));
+        let [a, b, c, d, e, f] = halves([-1, 3, 5, -7, 9, 1]);
+        let anchor = Anchor { x: 1, y: 2 };
+        let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
+        let other = linear.scaled(&integer(-1));
+        let [one, other] = [&linear, &other].map(|form| round_half_plane(form, anchor).unwrap());
+        assert_eq!([one.a, one.b, one.c], [-other.a, -other.b, -other.c]);
+        // Rounding halves upwards would not do it.
+        let [up, down] = [fraction(-1, 2), fraction(1, 2)].map(|v| word(&v).unwrap());
+        assert_ne!(up, -down);
+        let quadratic = QuadraticForm { a, b, c, d, e, f };
+        let other = quadratic.scaled(&integer(-1));
+        let [one, other] = [&quadratic, &other].map(|form| round_contour(form, anchor).unwrap());
+        let factors = |q: &Quadratic| [q.a, q.b, q.c, q.d, q.e, q.f];
+        assert_eq!(factors(&one), factors(&other).map(|v| -v));
+    }
+
+    proptest! {
+        /// At every pixel the error is at most the exact maximum, which is at most the bound known beforehand.
+        #[test]
+        fn rounding_stays_within_its_bounds_on_every_pixel(
+            n in proptest::array::uniform6(-1_000_000i64..1_000_000), d in 1i64..1000, guards in 0u32..=8,
+            x0 in 0i64..500, y0 in 0i64..500, w in 1i64..12, h in 1i64..12
+        ) {
+            let window = ScreenBox { x0, x1: x0 + w, y0, y1: y0 + h };
+            let anchor = Anchor::middle_of(&window);
+            let unit = power_of_two(guards);
+            let [a, b, c, dd, e, f] = n.map(|n| fraction(n, d));
+            let linear = LinearForm::new(a.clone(), b.clone(), c.clone());
+            let quadratic = QuadraticForm { a, b, c, d: dd, e, f };
+            let l = round_linear(&linear.scaled(&unit), anchor).unwrap();
+            let q = round_quadratic(&quadratic.scaled(&unit), anchor).unwrap();
+            let error = linear_error(&l, &linear, guards, &window);
+            let error2 = quadratic_error(&q, &quadratic, guards, &window);
+            prop_assert!(to_f64(&(&error * &unit)) <= anchor.linear_bound(&window));
+            prop_assert!(to_f64(&(&error2 * &unit)) <= anchor.quadratic_bound(&window));
+            let mut worst = integer(0);
+            for x in x0..=x0 + w {
+                for y in y0..=y0 + h {
+                    let (px, py) = (integer(x), integer(y));
+                    let off = BigRational::from_integer(l.exact_at(x, y)) / &unit - linear.at(&px, &py);
+                    worst = worst.max(off.abs());
+                    let off = BigRational::from_integer(q.exact_at(x, y)) / &unit - quadratic.at(&px, &py);
+                    prop_assert!(off.abs() <= error2);
+                }
+            }
+            prop_assert_eq!(worst, error);
+        }
+    }
+}

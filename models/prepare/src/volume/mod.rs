@@ -1,0 +1,349 @@
+//! The volumes of a scene: the shadows of its objects, and what its spots light (source: 3.2.1).
+//!
+//! Their words are needed only where something is seen, so they are proven there: on the screen boxes and between the
+//! depths of the objects.
+
+mod shadow;
+mod words;
+
+pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
+
+use super::again::Known;
+use super::error::PrepareError;
+use super::extent::Extent;
+use super::perspective::{ScreenQuadric, on_screen};
+use super::screen_box::{Cell, Region, Search, screen_domain};
+use super::{
+    Context, ExactForms, Missing, NeededWidths, PreparedObject, RoundingBounds, leave_out,
+};
+use imogene_algebra::rational::to_f64;
+use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};
+use rayon::prelude::*;
+use words::{Shape, volume_words};
+
+/// One volume: words, and what is known of them.
+#[derive(Clone, Debug)]
+pub struct PreparedVolume {
+    /// Whose it is, as messages say it: `the shadow of object 'lid' from lights[0], part 1 of 3`.
+    pub name: String,
+    /// Index of the object whose shadow it is, and where it begins; nothing for a spot.
+    pub caster: Option<(usize, Beginning)>,
+    /// Coefficient words for the whole screen.
+    pub words: VolumeWords,
+    /// The unrounded expressions, before any margin.
+    pub exact: ExactForms,
+    /// Greatest error of each expression on the screen box, the margin not counted.
+    pub bounds: RoundingBounds,
+    /// Bits that each accumulator needs on the screen box.
+    pub needed: NeededWidths,
+    /// What a person should know.
+    pub notes: Vec<String>,
+}
+
+/// Pairs of a source and an object that a scene's preparation has to look at for shadows.
+pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
+    let sources = scene.sources.iter().enumerate().filter(|(_, s)| s.shadows);
+    sources
+        .flat_map(|(source, _)| {
+            let casters = scene.objects.iter().enumerate();
+            let casters = casters.filter(|(_, object)| object.caster().is_some());
+            casters.map(move |(object, _)| (source, object))
+        })
+        .collect()
+}
+
+/// Least and greatest x, y and z of screen space at which an object is seen.
+pub(super) type Bounds = ([f64; 3], [f64; 3]);
+
+/// The shadow of one object from one source.
+#[derive(Clone, Debug)]
+pub(super) struct Shadow {
+    pub source: usize,
+    pub object: usize,
+    pub volumes: Vec<PreparedVolume>,
+    /// Taken over from the preparation before.
+    pub reused: bool,
+}
+
+/// The volumes of a scene, and what the next preparation asks of them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Volumes {
+    pub spots: Vec<PreparedVolume>,
+    pub shadows: Vec<Shadow>,
+    /// Where each object is seen; empty if no volume asks for it.
+    pub seen: Vec<Option<Bounds>>,
+    pub receivers: Option<Cell>,
+}
+
+impl Volumes {
+    /// In the order of sources and objects, spots first.
+    pub fn into_list(self) -> Vec<PreparedVolume> {
+        let shadows = self.shadows.into_iter().flat_map(|shadow| shadow.volumes);
+        self.spots.into_iter().chain(shadows).collect()
+    }
+}
+
+/// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for
+/// each of [`pairs`].
+pub(super) fn prepare_volumes(
+    scene: &FramedScene,
+    objects: &mut [PreparedObject],
+    context: &Context,
+    known: &Known,
+    missing: &mut Vec<Missing>,
+    done: &(impl Fn() + Sync),
+) -> Result<Volumes, PrepareError> {
+    note_what_casts_none(scene, objects, context);
+    let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
+    let pairs = pairs(scene);
+    if pairs.is_empty() && !has_spot {
+        return Ok(Volumes::default());
+    }
+    let seen = seen(scene, objects, context, known);
+    let receivers = around(&seen);
+    let spots = spots(scene, receivers.as_ref(), context, missing)?;
+    let mut volumes = Volumes {
+        spots,
+        shadows: vec![],
+        seen,
+        receivers,
+    };
+    let Some(receivers) = receivers else {
+        return Ok(volumes);
+    };
+    let prepared: &[PreparedObject] = objects;
+    // Collected before the first error is taken, so that the same volume is named in every run.
+    let shadows: Vec<Result<Shadow, PrepareError>> = pairs
+        .par_iter()
+        .filter_map(|&(source, object)| {
+            let framed = scene.objects[object].caster()?;
+            let caster = Caster {
+                framed,
+                object,
+                prepared: &prepared[object],
+            };
+            let casts = why_no_shadow(framed, context).is_none();
+            let found = casts.then(|| {
+                let point = &scene.sources[source].point;
+                let kept = known.shadow(source, object, point, &receivers);
+                let reused = kept.is_some();
+                let volumes = match kept {
+                    Some(volumes) => Ok(volumes),
+                    None => shadow(scene, source, &caster, &receivers, context),
+                };
+                volumes.map(|volumes| Shadow {
+                    source,
+                    object,
+                    volumes,
+                    reused,
+                })
+            });
+            done();
+            found
+        })
+        .collect();
+    for shadow in shadows {
+        match shadow {
+            Ok(shadow) => volumes.shadows.push(shadow),
+            Err(reason) => leave_out(context, missing, true, reason)?,
+        }
+    }
+    Ok(volumes)
+}
+
+/// Where a source has shadows, says of every object that casts none, and was not told so, why.
+fn note_what_casts_none(scene: &FramedScene, objects: &mut [PreparedObject], context: &Context) {
+    if !scene.sources.iter().any(|source| source.shadows) {
+        return;
+    }
+    for (object, prepared) in scene.objects.iter().zip(objects) {
+        let why = match object {
+            FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => {
+                why_no_shadow(q, context)
+            }
+            FramedObject::FirstGeneration(q) | FramedObject::CurvedFacet(q) if !q.casts_shadow => {
+                None
+            }
+            _ => Some(
+                "casts no shadow: there are no shadow volumes of what its processor draws; \
+                 quadrics, patches and polyhedra cast shadows",
+            ),
+        };
+        if let Some(why) = why {
+            prepared.add_note(why);
+        }
+    }
+}
+
+/// Why a quadric, a patch or a polyhedron that should cast a shadow casts none.
+fn why_no_shadow(object: &FramedQuadric, context: &Context) -> Option<&'static str> {
+    if !object.casts_shadow || object.surface == Surface::Solid {
+        return None;
+    }
+    if !object.planes.is_empty() {
+        return Some(
+            "casts no shadow: the shadow of a cut patch is no union of volumes; \
+             mode = \"solid\" casts one, casts_shadow = false says that none is wanted",
+        );
+    }
+    let quadric = ScreenQuadric::new(&object.quadric, &context.inverse_distance);
+    let outside = num_traits::Signed::is_positive(quadric.eye_value());
+    (!outside).then_some("casts no shadow: the viewer is inside this patch")
+}
+
+/// An object that casts a shadow.
+struct Caster<'a> {
+    framed: &'a FramedQuadric,
+    object: usize,
+    prepared: &'a PreparedObject,
+}
+
+fn shadow(
+    scene: &FramedScene,
+    source: usize,
+    caster: &Caster,
+    receivers: &Cell,
+    context: &Context,
+) -> Result<Vec<PreparedVolume>, PrepareError> {
+    let framed = caster.framed;
+    let parts = shadow_parts(framed, &scene.sources[source].point).map_err(|SourceInside| {
+        PrepareError::SourceInside {
+            object: framed.name.clone(),
+            source_index: source,
+        }
+    })?;
+    let count = parts.len();
+    let mut volumes = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        let shape = Shape {
+            name: format!(
+                "the shadow of object '{}' from lights[{source}], part {} of {count}",
+                framed.name,
+                index + 1
+            ),
+            kind: VolumeKind::Shadow,
+            source: source as u8,
+            quadric: &part.quadric,
+            planes: &part.planes,
+            caster: Some((caster.object, part.beginning)),
+            face_error: face_error(part.beginning, caster.prepared),
+        };
+        let volume = volume_words(&shape, receivers, context)?;
+        if !volume.words.screen_box.is_empty() {
+            volumes.push(volume);
+        }
+    }
+    Ok(volumes)
+}
+
+/// How far the depth at which the object is drawn can be from the true one where its shadow begins, in counts: on the
+/// cut plane, or on the quadric, whose root is at most the square root of its error off, and below the true one by
+/// another count.
+fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
+    let Some(quadric) = object.quadric() else {
+        // Words of a plane alone, each rounded by half a bit at most about a pixel that is nowhere farther than the
+        // size of the box.
+        let b = object.screen_box();
+        return 0.5 * ((b.x1 - b.x0) + (b.y1 - b.y0) + 1) as f64;
+    };
+    let bounds = &quadric.bounds;
+    match beginning {
+        Beginning::Cut(index) => bounds.planes.get(index).copied().unwrap_or(0.0),
+        Beginning::PolarPlane => {
+            bounds.f1 + bounds.dropped_f1 + (bounds.f2 + bounds.dropped_f2).sqrt() + 1.0
+        }
+    }
+}
+
+fn spots(
+    scene: &FramedScene,
+    receivers: Option<&Cell>,
+    context: &Context,
+    missing: &mut Vec<Missing>,
+) -> Result<Vec<PreparedVolume>, PrepareError> {
+    let mut volumes = Vec::new();
+    for (source, framed) in scene.sources.iter().enumerate() {
+        let (Some(cone), Some(receivers)) = (&framed.cone, receivers) else {
+            continue;
+        };
+        let shape = Shape {
+            name: format!("the cone of the spot lights[{source}]"),
+            kind: VolumeKind::Light,
+            source: source as u8,
+            quadric: &cone.quadric,
+            planes: std::slice::from_ref(&cone.plane),
+            caster: None,
+            face_error: 0.0,
+        };
+        match volume_words(&shape, receivers, context) {
+            Ok(volume) => volumes.push(volume),
+            Err(reason) => leave_out(context, missing, true, reason)?,
+        }
+    }
+    Ok(volumes)
+}
+
+/// Where each object is seen, those that are known taken over.
+fn seen(
+    scene: &FramedScene,
+    prepared: &[PreparedObject],
+    context: &Context,
+    known: &Known,
+) -> Vec<Option<Bounds>> {
+    let full = to_f64(&context.full_depth);
+    let domain = screen_domain(context.width, context.height, full);
+    let objects = scene.objects.par_iter().zip(prepared).enumerate();
+    objects
+        .map(|(index, (object, p))| {
+            if let Some(known) = known.seen(index) {
+                return known;
+            }
+            if p.screen_box().is_empty() {
+                return None;
+            }
+            let (near, far) = depths(object, domain, context)?;
+            let b = p.screen_box();
+            let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
+            let low = [at(b.x0, context.width), at(b.y0, context.height), near];
+            let high = [at(b.x1, context.width), at(b.y1, context.height), far];
+            Some((low, high))
+        })
+        .collect()
+}
+
+/// The cell of screen space that holds everything seen; nothing if nothing is.
+fn around(seen: &[Option<Bounds>]) -> Option<Cell> {
+    let seen = seen.iter().flatten().copied();
+    seen.reduce(|(low, high), (l, h)| {
+        (
+            std::array::from_fn(|k| f64::min(low[k], l[k])),
+            std::array::from_fn(|k| f64::max(high[k], h[k])),
+        )
+    })
+    .map(|(low, high)| Cell::between(low, high))
+}
+
+/// The depths, in pixels, between which an object is seen, a pixel wider on both sides.
+fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64, f64)> {
+    let full = domain.half[2];
+    let (FramedObject::Quadric(object) | FramedObject::Patch(object)) = object else {
+        // Facets and approximated surfaces: their depths are not those of a quadric.
+        return Some((-full, full));
+    };
+    let (quadric, planes) = on_screen(object, &context.inverse_distance);
+    let clamped = |(near, far): (f64, f64)| ((near - 1.0).max(-full), (far + 1.0).min(full));
+    if planes.is_empty()
+        && let Some(cell) = Extent::of(&quadric.q).and_then(|extent| extent.cell())
+    {
+        let (near, far) = (cell.centre[2] - cell.half[2], cell.centre[2] + cell.half[2]);
+        // Beyond an end of the depths an ellipsoid may reach behind the eye.
+        if near >= -full && far <= full {
+            return Some(clamped((near, far)));
+        }
+    }
+    let region = Region::new(&quadric.q, &planes, object.surface);
+    region
+        .depth_range_within(domain, Search::COARSE)
+        .map(clamped)
+}

@@ -1,0 +1,282 @@
+//! From a volume in the camera frame to words, with the proofs that objects have.
+
+use super::{Beginning, PreparedVolume};
+use crate::error::PrepareError;
+use crate::forms::LinearForm;
+use crate::object::depth_words;
+use crate::perspective::{ScreenQuadric, project_plane};
+use crate::planes::{PreparedPlane, prepare_plane_between, signed_bits};
+use crate::screen_box::{Cell, Region, Search};
+use crate::{Context, ExactForms, NeededWidths, RoundingBounds};
+use imogene_algebra::rational::power_of_two;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::volume::{
+    MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords,
+};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::interval::Class;
+use imogene_scene::{Plane, Quadric, Surface};
+use num_traits::{Signed, Zero};
+
+/// A volume in the camera frame.
+pub(super) struct Shape<'a> {
+    pub name: String,
+    pub kind: VolumeKind,
+    pub source: u8,
+    pub quadric: &'a Quadric,
+    /// The volume begins at the first.
+    pub planes: &'a [Plane],
+    pub caster: Option<(usize, Beginning)>,
+    /// Most that the depth of a face can be off, in counts, which the volume begins at; for shadows.
+    pub face_error: f64,
+}
+
+/// The words of a volume where objects can be seen; nothing of it may be there, then its box is empty.
+pub(super) fn volume_words(
+    shape: &Shape,
+    receivers: &Cell,
+    context: &Context,
+) -> Result<PreparedVolume, PrepareError> {
+    let quadric = ScreenQuadric::new(shape.quadric, &context.inverse_distance);
+    let planes: Vec<Plane> = shape
+        .planes
+        .iter()
+        .map(|plane| project_plane(plane, &context.inverse_distance))
+        .collect();
+    let region = Region::new(&quadric.q, &planes, Surface::Solid);
+    let window = region.box_within(*receivers, context.width, context.height, Search::COARSE);
+    if window.is_empty() {
+        return Ok(empty(shape));
+    }
+    let in_volume = |error| error_in_volume(shape, error);
+    let mut prepared = if shape.quadric.is_everywhere() {
+        PreparedVolume {
+            notes: vec![],
+            ..empty(shape)
+        }
+    } else {
+        with_quadric(shape, &quadric, &window, context)?
+    };
+    prepared.words.screen_box = window;
+    let reach = receivers.half[2];
+    let depths = (receivers.centre[2] - reach, receivers.centre[2] + reach);
+    for (index, (original, projected)) in shape.planes.iter().zip(&planes).enumerate() {
+        let plane = prepare_plane_between(
+            &shape.name,
+            index,
+            original,
+            projected,
+            || depths,
+            (&window, &window),
+            context,
+        )
+        .map_err(in_volume)?;
+        add_plane(&mut prepared, plane, index);
+    }
+    if shape.kind == VolumeKind::Shadow {
+        keep_off_beginning(&mut prepared, shape.face_error);
+        prove_planes(&mut prepared, context).map_err(in_volume)?;
+    }
+    Ok(prepared)
+}
+
+/// The volume with the words of its quadric, without planes.
+fn with_quadric(
+    shape: &Shape,
+    quadric: &ScreenQuadric,
+    window: &ScreenBox,
+    context: &Context,
+) -> Result<PreparedVolume, PrepareError> {
+    let class = class_of(quadric).ok_or_else(|| PrepareError::ViewerOnVolume {
+        volume: shape.name.clone(),
+    })?;
+    let (shift, core) = finest(|shift| {
+        let coarse = Context {
+            depth_scale: &context.depth_scale / power_of_two(u32::from(shift)),
+            ..context.clone()
+        };
+        depth_words(&shape.name, quadric, class, (window, window), &coarse).map(|(core, _)| core)
+    })
+    .map_err(|error| error_in_volume(shape, error))?;
+    let without = empty(shape);
+    Ok(PreparedVolume {
+        words: VolumeWords {
+            quadric: Some(VolumeQuadric {
+                class,
+                f1: core.words.f1,
+                f2: core.words.f2,
+                shift,
+            }),
+            ..without.words
+        },
+        exact: core.exact,
+        bounds: core.bounds,
+        needed: core.needed,
+        notes: unit_note(shift),
+        ..without
+    })
+}
+
+/// The finest unit in which the quadric fits its words; the refusal is that of the coarsest.
+fn finest<T>(words: impl Fn(u8) -> Result<T, PrepareError>) -> Result<(u8, T), PrepareError> {
+    for shift in 0..MAX_SHIFT {
+        match words(shift) {
+            Err(PrepareError::TooLarge { .. }) => {}
+            other => return other.map(|found| (shift, found)),
+        }
+    }
+    words(MAX_SHIFT).map(|found| (MAX_SHIFT, found))
+}
+
+fn unit_note(shift: u8) -> Vec<String> {
+    if shift == 0 {
+        return vec![];
+    }
+    vec![format!(
+        "passes near the viewer: the depths of its quadric are in units of 2^{shift} depth words"
+    )]
+}
+
+fn empty(shape: &Shape) -> PreparedVolume {
+    PreparedVolume {
+        name: shape.name.clone(),
+        caster: shape.caster,
+        words: VolumeWords {
+            kind: shape.kind,
+            source: shape.source,
+            screen_box: ScreenBox::EMPTY,
+            margin: 0,
+            quadric: None,
+            planes: vec![],
+        },
+        exact: ExactForms {
+            f1: LinearForm::zero(),
+            f2: crate::forms::QuadraticForm::zero(),
+            planes: vec![],
+        },
+        bounds: RoundingBounds::default(),
+        needed: NeededWidths::default(),
+        notes: vec!["meets nothing that can be seen".into()],
+    }
+}
+
+/// How the unbounded quadric lies to the viewer; nothing if its depth is no square root.
+fn class_of(quadric: &ScreenQuadric) -> Option<Class> {
+    let eye = quadric.eye_value();
+    if eye.is_zero() {
+        quadric.is_free_of_depth().then_some(Class::Prism)
+    } else if eye.is_positive() {
+        Some(Class::Side)
+    } else {
+        Some(Class::Front)
+    }
+}
+
+fn add_plane(prepared: &mut PreparedVolume, plane: PreparedPlane, index: usize) {
+    prepared.words.planes.push(VolumePlane {
+        kind: plane.words.kind,
+        depth: plane.words.depth,
+    });
+    prepared.exact.planes.push(plane.exact);
+    prepared.bounds.planes.push(plane.bound);
+    prepared.needed.plane = prepared.needed.plane.max(plane.needed);
+    if plane.steep {
+        prepared.notes.push(format!(
+            "plane {index} is so steep that its half-plane form is used, proven equal at every depth of the objects on every pixel of the box"
+        ));
+    }
+}
+
+/// The margin keeps a lit face out of the volume that begins at it; it is one more than the words of face and volume can be apart. Seen from its dark
+/// side a face lies at the end of such a volume, which is moved away by as much, so that the face is all inside. Planes through the
+/// source separate parts of one shadow, where a margin would leave a gap: it is taken off their constants again. On a
+/// perpendicular plane the margin has no hold; where the volume begins at one, 1 off its constant makes it open.
+fn keep_off_beginning(prepared: &mut PreparedVolume, face_error: f64) {
+    let own = prepared.bounds.planes.first().copied().unwrap_or(0.0);
+    let at_cut = matches!(prepared.caster, Some((_, Beginning::Cut(_))));
+    let [first, others @ ..] = prepared.words.planes.as_mut_slice() else {
+        return;
+    };
+    let own = match first.kind {
+        PlaneKind::Perpendicular => {
+            first.depth.c -= 1;
+            0.0
+        }
+        _ => own,
+    };
+    let margin = (own + face_error).floor() as u32 + 1;
+    if first.kind == PlaneKind::Back && at_cut {
+        first.depth.c += i128::from(margin);
+    }
+    for plane in others {
+        if plane.kind == PlaneKind::Front {
+            plane.depth.c -= i128::from(margin);
+        }
+    }
+    prepared.words.margin = margin;
+}
+
+/// Once more, for the words as they are after the margin.
+fn prove_planes(prepared: &mut PreparedVolume, context: &Context) -> Result<(), PrepareError> {
+    let window = prepared.words.screen_box;
+    for plane in &prepared.words.planes {
+        let magnitude = LinearForm::of_words(&plane.depth).max_abs_on(&window);
+        prepared.needed.plane = prepared.needed.plane.max(signed_bits(&magnitude));
+        if prepared.needed.plane > context.format.plane {
+            return Err(crate::object::too_large(
+                &prepared.name,
+                "a plane",
+                &magnitude,
+                context.format.plane,
+                &window,
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The refusal of an object's words, said of a volume.
+fn error_in_volume(shape: &Shape, error: PrepareError) -> PrepareError {
+    let volume = shape.name.clone();
+    match error {
+        PrepareError::TooLarge {
+            word,
+            log2,
+            needed,
+            available,
+            x0,
+            x1,
+            y0,
+            y1,
+            remedy,
+            ..
+        } => PrepareError::VolumeTooLarge {
+            volume,
+            word,
+            log2,
+            needed,
+            available,
+            x0,
+            x1,
+            y0,
+            y1,
+            remedy,
+        },
+        PrepareError::SteepPlane {
+            plane,
+            needed,
+            available,
+            x,
+            y,
+            ..
+        } => PrepareError::VolumeSteepPlane {
+            volume,
+            plane,
+            needed,
+            available,
+            x,
+            y,
+        },
+        other => other,
+    }
+}

@@ -1,0 +1,11 @@
+//! Animations: the frames of a scene with key images (source: animator).
+//!
+//! [`Playback`] says which frames there are and what the scene is in each of them, again as a [`SceneFile`](crate::SceneFile).
+
+mod parts;
+mod placement;
+mod playback;
+mod state;
+
+pub use playback::{FrameOf, Playback, PlaybackError};
+pub use state::MAX_MOVES;

@@ -1,0 +1,172 @@
+//! What can be wrong with a scene, said so that its author sees at once what to change.
+
+use std::ops::Range;
+
+use thiserror::Error;
+
+/// A scene that is refused. Every message says what is wrong, where, and what would be accepted.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// The file cannot be opened or read.
+    #[error(
+        "{file}: the scene file cannot be read ({source}); give the path of a readable TOML scene file"
+    )]
+    Unreadable {
+        /// Path as given by the caller.
+        file: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// The file is not text.
+    #[error("{file}:{line}: byte {offset} is not UTF-8 text; a scene file is a TOML text in UTF-8")]
+    NotText {
+        /// Path as given by the caller.
+        file: String,
+        /// Line that holds the first bad byte, from 1.
+        line: usize,
+        /// Position of the first bad byte in the file, from 0.
+        offset: usize,
+    },
+    /// The text is not TOML, or a key or a value is not one of the format.
+    #[error("{file}:{line}:{column}: {problem}\n  {line} | {text}")]
+    Syntax {
+        /// Path as given by the caller.
+        file: String,
+        /// Line of the first character concerned, from 1.
+        line: usize,
+        /// Column of that character, from 1.
+        column: usize,
+        /// What is wrong and what would be accepted.
+        problem: String,
+        /// The line itself.
+        text: String,
+    },
+    /// A value is of the right type and cannot be used.
+    #[error("{place}: {problem}; {accepted}")]
+    Value {
+        /// The part of the scene and its key, for instance ``object `lid`, cuts[0].normal``.
+        place: String,
+        /// What is wrong, with the value.
+        problem: String,
+        /// What would be accepted.
+        accepted: String,
+    },
+    /// An error inside a named file.
+    #[error("{file}: {error}")]
+    InFile {
+        /// Path as given by the caller.
+        file: String,
+        /// The error itself.
+        error: Box<SceneError>,
+    },
+    /// The scene cannot be written as TOML.
+    #[error("the scene cannot be written as TOML ({source})")]
+    Unwritable {
+        /// The writer's reason.
+        source: toml::ser::Error,
+    },
+}
+
+impl SceneError {
+    /// A value that cannot be used at `place`.
+    pub(super) fn value(
+        place: impl Into<String>,
+        problem: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Self::Value {
+            place: place.into(),
+            problem: problem.into(),
+            accepted: accepted.into(),
+        }
+    }
+
+    /// The same error with the name of the file it was found in.
+    pub(super) fn in_file(self, file: &str) -> Self {
+        match self {
+            Self::Value { .. } => Self::InFile {
+                file: file.to_owned(),
+                error: Box::new(self),
+            },
+            located => located,
+        }
+    }
+
+    /// The TOML reader's error, placed on its line.
+    pub(super) fn syntax(file: &str, text: &str, error: &toml::de::Error) -> Self {
+        let start = error.span().map_or(0, |Range { start, .. }| start);
+        let (line, column) = line_and_column(text, start);
+        Self::Syntax {
+            file: file.to_owned(),
+            line,
+            column,
+            problem: in_plain_words(error.message()),
+            text: around(text.lines().nth(line - 1).unwrap_or(""), column),
+        }
+    }
+}
+
+/// Characters of a line that are shown.
+const SHOWN: usize = 160;
+
+/// The part of a line around a column, from 1; a short line is shown whole.
+fn around(line: &str, column: usize) -> String {
+    let count = line.chars().count();
+    if count <= SHOWN {
+        return line.to_owned();
+    }
+    let first = column.saturating_sub(SHOWN / 2).min(count - SHOWN);
+    let shown: String = line.chars().skip(first).take(SHOWN).collect();
+    let before = if first > 0 { ".. " } else { "" };
+    let after = if first + SHOWN < count { " .." } else { "" };
+    format!("{before}{shown}{after}")
+}
+
+/// The reader's message on one line, with its names of Rust types put into words.
+pub fn in_plain_words(message: &str) -> String {
+    message
+        .trim_end()
+        .replace('\n', ", ")
+        .replace(
+            "expected usize",
+            "expected a whole number that is not negative",
+        )
+        .replace("expected f64", "expected a number")
+        .replace(
+            "expected u32",
+            "expected a whole number that is not negative",
+        )
+        .replace("expected a sequence", "expected an array of numbers [...]")
+}
+
+/// Line and column, from 1, of the character at byte `offset` of `text`.
+pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+    let mut end = offset.min(text.len());
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let before = &text[..end];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = before.matches('\n').count() + 1;
+    (line, before[line_start..].chars().count() + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_long_line_the_part_around_the_column_is_shown() {
+        assert_eq!(around("radius = x", 10), "radius = x");
+        let line = format!("{}ä{}", "a".repeat(500), "b".repeat(500));
+        let shown = around(&line, 501);
+        assert!(
+            shown.starts_with(".. aaa") && shown.ends_with("bbb .."),
+            "{shown}"
+        );
+        assert!(shown.contains("aäb") && shown.chars().count() == SHOWN + 6);
+        assert!(around(&line, 1).starts_with("aaa") && around(&line, 1).ends_with("aaa .."));
+        let end = around(&line, 1001);
+        assert!(end.starts_with(".. bbb") && end.ends_with("bbb"), "{end}");
+    }
+}

@@ -1,0 +1,398 @@
+//! A scene in the camera frame, in exact rationals.
+//!
+//! The camera frame has its origin in the middle of the picture, x to the right, y *down* the screen and z away from
+//! the observer; its unit is one pixel. The screen plane is z = 0. A perspective eye stands at (0, 0, -D); an
+//! orthographic one looks along +z. The pixel of column i and line j samples x = i - width/2, y = j - height/2. For a
+//! camera that samples elsewhere in its pixels the whole frame is moved there: parallel to the screen plane, and so
+//! far at each depth that the screen moves by as much. In perspective that is a shear about the eye.
+//!
+//! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries
+//! are then taken as exact, so that everything derived from them is exact.
+
+use num_rational::BigRational;
+use num_traits::Zero;
+use rayon::prelude::*;
+
+use super::check::{check_image_size, check_up};
+use super::error::SceneError;
+use super::file::{Camera, Light, Material, Object, Processor, SceneFile, Shape};
+use super::framed::{FramedObject, FramedQuadric};
+use super::mesh::FramedMesh;
+use super::plane::Plane;
+use super::quadric::Quadric;
+use super::range::DepthRange;
+use super::round::{FramedCylinder, FramedSphere};
+use super::source::FramedSource;
+use super::tetrahedron::implicit;
+use super::transform::{Transform, WholeTransform, cross, normalised};
+use imogene_algebra::rational::{from_decimal, integer, to_f64};
+
+/// A scene prepared for one picture size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FramedScene {
+    /// Title of the picture.
+    pub title: String,
+    /// Columns.
+    pub width: u32,
+    /// Lines.
+    pub height: u32,
+    /// How depth is projected.
+    pub projection: Projection,
+    /// Which distances the depth word tells apart.
+    pub range: DepthRange,
+    /// Where pixels are sampled: columns and lines from whole coordinates. Objects and sources are moved by as much,
+    /// the other way.
+    pub sample_at: [f64; 2],
+    /// Objects in the order of the file.
+    pub objects: Vec<FramedObject>,
+    /// Materials in the order of the file.
+    pub materials: Vec<Material>,
+    /// Light sources in the order of the file.
+    pub lights: Vec<FramedLight>,
+    /// The same sources for shadows: exactly where they stand, and what they reach.
+    pub sources: Vec<FramedSource>,
+    /// Ambient light, 0 to 1 for each of red, green, blue.
+    pub ambient: [f64; 3],
+    /// Colour of a pixel without object, 8 bits for each of red, green, blue.
+    pub background: [u8; 3],
+}
+
+/// How the camera frame is projected on the screen plane z = 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// From the eye (0, 0, -D).
+    Perspective {
+        /// D in pixels.
+        distance: BigRational,
+    },
+    /// Along z.
+    Orthographic {
+        /// Depth in pixels covered on each side of the screen plane.
+        half_depth: BigRational,
+    },
+}
+
+/// A light source in the camera frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FramedLight {
+    /// Parallel light.
+    Directional {
+        /// Unit vector towards the source.
+        towards: [f64; 3],
+        /// Colour times intensity.
+        colour: [f64; 3],
+    },
+    /// Light from one point.
+    Point {
+        /// Position in pixels.
+        position: [f64; 3],
+        /// Colour times intensity.
+        colour: [f64; 3],
+    },
+}
+
+impl SceneFile {
+    /// A checked and flattened scene in the camera frame of a picture of `width` by `height` pixels, with the depth
+    /// word of a range, taking over the objects that `kept` hands out for the index of an object and its material.
+    pub fn frame_within(
+        &self,
+        range: &DepthRange,
+        (width, height): (u32, u32),
+        kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    ) -> Result<FramedScene, SceneError> {
+        check_image_size(width, height)?;
+        let (upright, projection) = camera_frame(&self.camera, height, range)?;
+        let sample_at = self.camera.sample_at();
+        let camera = match sample_at {
+            [0.0, 0.0] => upright.clone(),
+            _ => moved(sample_at, &projection).after(&upright),
+        };
+        Ok(FramedScene {
+            title: self.title.clone(),
+            width,
+            height,
+            projection,
+            range: range.clone(),
+            sample_at,
+            objects: self.framed_objects(&camera, kept)?,
+            materials: self.materials.clone(),
+            lights: self
+                .lights
+                .iter()
+                .map(|light| framed_light(light, &upright))
+                .collect(),
+            sources: self
+                .lights
+                .iter()
+                .map(|light| FramedSource::new(light, &camera))
+                .collect(),
+            ambient: self.ambient,
+            background: self.background.map(|value| (value * 255.0).round() as u8),
+        })
+    }
+
+    fn framed_objects(
+        &self,
+        camera: &Transform,
+        kept: impl Fn(usize, usize) -> Result<Option<FramedObject>, SceneError> + Sync,
+    ) -> Result<Vec<FramedObject>, SceneError> {
+        let whole = WholeTransform::new(camera);
+        // Collected before the first error is taken, so that the same object is named in every run.
+        let framed: Vec<Result<FramedObject, SceneError>> = self
+            .objects
+            .par_iter()
+            .enumerate()
+            .map(|(index, object)| {
+                let material = self
+                    .materials
+                    .iter()
+                    .position(|material| material.name == object.material)
+                    .expect("validated: every material exists");
+                match kept(index, material)? {
+                    Some(framed) => Ok(framed),
+                    None => framed_object(object, material, camera, &whole),
+                }
+            })
+            .collect();
+        framed.into_iter().collect()
+    }
+}
+
+/// The change from scene to camera coordinates.
+///
+/// A perspective picture does not change when the scene grows about the eye. So the frame is scaled until the point
+/// at twice the near end lies on the screen plane, where depth is zero; an orthographic frame is moved until the
+/// middle of the range does.
+fn camera_frame(
+    camera: &Camera,
+    height: u32,
+    range: &DepthRange,
+) -> Result<(Transform, Projection), SceneError> {
+    let height = integer(i64::from(height));
+    let sight = Sight::of(camera)?;
+    match camera {
+        Camera::Perspective {
+            viewer_distance,
+            view_height,
+            ..
+        } => {
+            let distance = from_decimal(*viewer_distance) * (height / from_decimal(*view_height));
+            let pixels_per_unit = &distance / (integer(2) * &range.near);
+            // The eye, not the screen plane, is the fixed point: it then stands exactly at (0, 0, -D).
+            let behind = [integer(0), integer(0), -distance.clone()];
+            let looking = sight.frame(&sight.eye, &pixels_per_unit);
+            let frame = Transform::translation(behind).after(&looking);
+            Ok((frame, Projection::Perspective { distance }))
+        }
+        Camera::Orthographic { view_height, .. } => {
+            let pixels_per_unit = height / from_decimal(*view_height);
+            let half_depth = range.half_length() * &pixels_per_unit;
+            let frame = sight.frame(&sight.target, &pixels_per_unit);
+            let middle = range.middle() * &pixels_per_unit;
+            let frame = if middle.is_zero() {
+                frame
+            } else {
+                Transform::translation([integer(0), integer(0), -middle]).after(&frame)
+            };
+            Ok((frame, Projection::Orthographic { half_depth }))
+        }
+    }
+}
+
+/// Moves the camera frame so that the screen moves by `-sample_at`.
+fn moved(sample_at: [f64; 2], projection: &Projection) -> Transform {
+    let offset = sample_at.map(|v| -from_decimal(v));
+    let mut change = Transform::identity();
+    for (row, offset) in change.rows.iter_mut().zip(offset) {
+        if let Projection::Perspective { distance } = projection {
+            row[2] = &offset / distance;
+        }
+        row[3] = offset;
+    }
+    change
+}
+
+/// Where an observer stands in the scene, and where it looks.
+pub(super) struct Sight {
+    pub(super) eye: [BigRational; 3],
+    pub(super) target: [BigRational; 3],
+    view: [f64; 3],
+    pub(super) up: [f64; 3],
+}
+
+impl Sight {
+    pub fn of(camera: &Camera) -> Result<Sight, SceneError> {
+        let (Camera::Perspective {
+            eye, target, up, ..
+        }
+        | Camera::Orthographic {
+            eye, target, up, ..
+        }) = camera;
+        let place = &camera.node().place;
+        let exact = [eye, target].map(|point| point.map(from_decimal));
+        if place.is_empty() {
+            let [exact_eye, exact_target] = exact;
+            return Ok(Sight {
+                eye: exact_eye,
+                target: exact_target,
+                view: std::array::from_fn(|axis| target[axis] - eye[axis]),
+                up: *up,
+            });
+        }
+        let placed = Transform::placement(place);
+        let [eye, target] = exact.map(|point| placed.point(&point));
+        let view = std::array::from_fn(|axis| to_f64(&(&target[axis] - &eye[axis])));
+        let up = placed.vector(&up.map(from_decimal)).map(|v| to_f64(&v));
+        let name = camera.node().name.as_deref().unwrap_or_default();
+        check_up(&format!("camera `{name}`, up"), view, up)?;
+        Ok(Sight {
+            eye,
+            target,
+            view,
+            up,
+        })
+    }
+
+    /// Directions to the right, down and along the view.
+    pub fn axes(&self) -> [[f64; 3]; 3] {
+        let forward = normalised(self.view);
+        let right = normalised(cross(forward, normalised(self.up)));
+        [right, cross(forward, right), forward]
+    }
+
+    /// The frame with its origin at `origin`, z along the view, and `up` towards -y.
+    fn frame(&self, origin: &[BigRational; 3], pixels_per_unit: &BigRational) -> Transform {
+        let to_origin = Transform::translation(origin.each_ref().map(|value| -value));
+        let turned = Transform::linear(self.axes()).after(&to_origin);
+        Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
+    }
+}
+
+fn framed_object(
+    object: &Object,
+    material: usize,
+    camera: &Transform,
+    whole: &WholeTransform,
+) -> Result<FramedObject, SceneError> {
+    let to_camera = || camera.after(&Transform::placement(&object.place));
+    let name = &object.name;
+    let cut = || Box::new(cut_quadric(object, material, whole));
+    let ball = |radius: f64| Box::new(FramedSphere::new(name, material, radius, &to_camera()));
+    Ok(match (&object.shape, object.drawn_by()) {
+        (Shape::Mesh(mesh), _) => FramedObject::Mesh(Box::new(FramedMesh::new(
+            name,
+            material,
+            mesh,
+            &to_camera(),
+        ))),
+        (Shape::Polyhedron, _) | (_, None) => FramedObject::Polyhedron(cut()),
+        (_, Some(Processor::Quadric)) => FramedObject::Quadric(cut()),
+        (_, Some(Processor::Patch)) => FramedObject::Patch(cut()),
+        (_, Some(Processor::FirstGeneration)) => FramedObject::FirstGeneration(cut()),
+        (Shape::Sphere { radius }, Some(Processor::Paraboloid)) => {
+            FramedObject::Sphere(ball(*radius))
+        }
+        (Shape::Sphere { radius }, Some(Processor::CurvedFacet)) => {
+            FramedObject::CurvedSphere(ball(*radius))
+        }
+        (Shape::EllipticCylinder { radii }, Some(Processor::Paraboloid)) => {
+            let ends = [&object.cuts[0], &object.cuts[1]].map(|cut| from_decimal(cut.point[1]));
+            let cylinder = FramedCylinder::new(name, material, *radii, ends, &to_camera())?;
+            FramedObject::Cylinder(Box::new(cylinder))
+        }
+        (_, Some(Processor::Paraboloid | Processor::CurvedFacet)) => {
+            let facet = cut();
+            check_one_depth(&facet)?;
+            FramedObject::CurvedFacet(facet)
+        }
+    })
+}
+
+/// An object that is a quadric bounded by planes.
+pub(super) fn cut_quadric(
+    object: &Object,
+    material: usize,
+    camera: &WholeTransform,
+) -> FramedQuadric {
+    let inverse = WholeTransform::of_steps(camera, &object.place).inverse();
+    let local = match &object.shape {
+        Shape::TetrahedronPatch { corners, weights } => {
+            let (_, planes) = implicit(corners, weights).expect("checked: no flat tetrahedron");
+            planes.to_vec()
+        }
+        _ => object.cuts.iter().map(Plane::from_cut).collect(),
+    };
+    FramedQuadric {
+        name: object.name.clone(),
+        surface: object.mode,
+        quadric: Quadric::from_shape(&object.shape)
+            .expect("a mesh is framed apart")
+            .transformed_whole(&inverse)
+            .primitive(),
+        planes: local
+            .iter()
+            .map(|plane| plane.transformed_whole(&inverse).primitive())
+            .collect(),
+        material,
+        casts_shadow: object.casts_shadow,
+    }
+}
+
+/// Refuses a non-planar facet whose depth is not of second degree in the pixel's place.
+fn check_one_depth(facet: &FramedQuadric) -> Result<(), SceneError> {
+    let q = &facet.quadric;
+    let place = format!("object `{}`, processor", facet.name);
+    if [&q.c, &q.e, &q.f].iter().any(|v| !v.is_zero()) || q.i.is_zero() {
+        return Err(SceneError::value(
+            place,
+            "the depth of this surface is not of second degree in the place on the screen",
+            "\"curved_facet\" draws a sphere, or a quadric that depends on the depth in the first degree alone, \
+             such as a paraboloid seen exactly along its axis",
+        ));
+    }
+    if let Some(index) = facet.planes.iter().position(|p| !p.c.is_zero()) {
+        return Err(SceneError::value(
+            format!("object `{}`, cuts[{index}]", facet.name),
+            "the plane is not perpendicular to the screen",
+            "the cuts of a \"curved_facet\" are its sides on the screen: planes along the viewing direction",
+        ));
+    }
+    Ok(())
+}
+
+fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
+    let to_camera = camera.after(&Transform::placement(&light.node().place));
+    match light {
+        Light::Directional {
+            from,
+            colour,
+            intensity,
+            ..
+        } => FramedLight::Directional {
+            towards: normalised(
+                to_camera
+                    .vector(&from.map(from_decimal))
+                    .map(|value| to_f64(&value)),
+            ),
+            colour: colour.map(|value| value * intensity),
+        },
+        Light::Point {
+            position,
+            colour,
+            intensity,
+            ..
+        }
+        // Within its cone a spot is a point; the cone is a volume.
+        | Light::Spot {
+            position,
+            colour,
+            intensity,
+            ..
+        } => FramedLight::Point {
+            position: to_camera
+                .point(&position.map(from_decimal))
+                .map(|value| to_f64(&value)),
+            colour: colour.map(|value| value * intensity),
+        },
+    }
+}

@@ -1,0 +1,159 @@
+//! Meshes: flat facets with common corners, in the camera frame.
+
+use super::file::Mesh;
+use super::transform::{Transform, normalised};
+use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_golden::object::paraboloid::NORMAL_LENGTH;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+type Point = [BigRational; 3];
+
+/// A mesh in the camera frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramedMesh {
+    /// Unique name.
+    pub name: String,
+    /// Index of the material.
+    pub material: usize,
+    /// Corners.
+    pub vertices: Vec<Point>,
+    /// A normal for each corner, if they are interpolated.
+    pub normals: Option<Vec<[i16; 3]>>,
+    /// Facets in the order of the file; a face that is not plane, or not convex, is two of them.
+    pub facets: Vec<FramedFacet>,
+}
+
+/// One flat facet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramedFacet {
+    /// Index of the face in the file.
+    pub face: usize,
+    /// Three corners, or the four corners of a plane convex quadrangle, as indices of vertices.
+    ///
+    /// A quadrangle that has to be split is split from the first corner to the third.
+    pub corners: Vec<usize>,
+    /// Its normal.
+    pub normal: [i16; 3],
+}
+
+/// What a face is.
+pub(super) enum Face {
+    /// A triangle, or a quadrangle that is plane and convex, from this corner on.
+    Flat(usize),
+    /// A quadrangle of two triangles that meet in the diagonal from this corner.
+    Folded(usize),
+}
+
+impl FramedMesh {
+    /// A mesh whose faces are checked.
+    pub(super) fn new(
+        name: &str,
+        material: usize,
+        mesh: &Mesh,
+        to_camera: &Transform,
+    ) -> FramedMesh {
+        let local: Vec<Point> = mesh.vertices.iter().map(|v| v.map(from_decimal)).collect();
+        let vertices: Vec<Point> = local.iter().map(|v| to_camera.point(v)).collect();
+        let mut facets = vec![];
+        for (index, corners) in mesh.faces.iter().enumerate() {
+            for part in parts(&local, corners) {
+                facets.push(FramedFacet {
+                    face: index,
+                    normal: full_length(&plane_normal(&vertices, &part)),
+                    corners: part,
+                });
+            }
+        }
+        let turned = |n: &[f64; 3]| full_length(&turned_normal(n, to_camera));
+        FramedMesh {
+            name: name.to_owned(),
+            material,
+            vertices,
+            normals: (!mesh.normals.is_empty()).then(|| mesh.normals.iter().map(turned).collect()),
+            facets,
+        }
+    }
+}
+
+/// The facets of a face, as indices of vertices.
+fn parts(vertices: &[Point], corners: &[usize]) -> Vec<Vec<usize>> {
+    let from = |first: usize, which: &[usize]| -> Vec<usize> {
+        which
+            .iter()
+            .map(|k| corners[(first + k) % corners.len()])
+            .collect()
+    };
+    match face(vertices, corners) {
+        Some(Face::Folded(first)) => vec![from(first, &[0, 1, 2]), from(first, &[0, 2, 3])],
+        Some(Face::Flat(first)) if corners.len() == 4 => vec![from(first, &[0, 1, 2, 3])],
+        _ => vec![corners.to_vec()],
+    }
+}
+
+/// What the face of these corners is; nothing if it has no area, or is a quadrangle whose sides cross.
+pub(super) fn face(vertices: &[Point], corners: &[usize]) -> Option<Face> {
+    let p = |k: usize| &vertices[corners[k % corners.len()]];
+    let turn = |k: usize, l: usize, m: usize| cross(&minus(p(l), p(k)), &minus(p(m), p(k)));
+    if corners.len() == 3 {
+        return (!turn(0, 1, 2).iter().all(Zero::is_zero)).then_some(Face::Flat(0));
+    }
+    // Twice the area of the quadrangle as a vector: what its triangles must turn with.
+    let area = cross(&minus(p(2), p(0)), &minus(p(3), p(1)));
+    let ahead = |k: usize, l: usize, m: usize| dot(&turn(k, l, m), &area).is_positive();
+    let halves = |k: usize| ahead(k, k + 1, k + 2) && ahead(k, k + 2, k + 3);
+    let (first, second) = (halves(0), halves(1));
+    let plane = dot(&turn(0, 1, 2), &minus(p(3), p(0))).is_zero();
+    match (first, second) {
+        (true, true) if plane => Some(Face::Flat(0)),
+        (true, _) => Some(Face::Folded(0)),
+        (false, true) => Some(Face::Folded(1)),
+        (false, false) => None,
+    }
+}
+
+fn plane_normal(vertices: &[Point], corners: &[usize]) -> Point {
+    let p = |k: usize| &vertices[corners[k]];
+    cross(&minus(p(1), p(0)), &minus(p(2), p(0)))
+}
+
+/// A normal is turned as a plane is: by the cofactors, whose sign a mirror changes.
+fn turned_normal(normal: &[f64; 3], transform: &Transform) -> Point {
+    let normal = normal.map(from_decimal);
+    let columns: [Point; 3] =
+        std::array::from_fn(|c| std::array::from_fn(|r| transform.rows[r][c].clone()));
+    let [x, y, z] = &columns;
+    let cofactors = [cross(y, z), cross(z, x), cross(x, y)];
+    let sign = dot(&cofactors[0], x).signum();
+    std::array::from_fn(|k| {
+        let sum: BigRational = cofactors.iter().zip(&normal).map(|(c, n)| &c[k] * n).sum();
+        sum * &sign
+    })
+}
+
+/// The direction in 16-bit components, of the length that facets have.
+fn full_length(vector: &Point) -> [i16; 3] {
+    let greatest = vector
+        .iter()
+        .map(Signed::abs)
+        .max()
+        .expect("three components");
+    let unit = normalised(vector.each_ref().map(|v| to_f64(&(v / &greatest))));
+    unit.map(|v| (v * NORMAL_LENGTH as f64).round() as i16)
+}
+
+fn minus(u: &Point, v: &Point) -> Point {
+    std::array::from_fn(|k| &u[k] - &v[k])
+}
+
+fn dot(u: &Point, v: &Point) -> BigRational {
+    u.iter().zip(v).map(|(a, b)| a * b).sum()
+}
+
+fn cross(u: &Point, v: &Point) -> Point {
+    [
+        &u[1] * &v[2] - &u[2] * &v[1],
+        &u[2] * &v[0] - &u[0] * &v[2],
+        &u[0] * &v[1] - &u[1] * &v[0],
+    ]
+}

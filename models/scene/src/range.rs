@@ -1,0 +1,194 @@
+//! The range of the depth word: which distances it tells apart.
+//!
+//! In perspective the depth word is of first degree in the inverse of the distance Z from the eye,
+//! `w = z_max (1 - 2 near / Z)`: it is least at the near end and greatest at infinity. In an orthographic view it is
+//! of first degree in the distance itself, between a near and a far end on both sides of the screen plane.
+
+use super::file::Camera;
+use super::frame::Projection;
+use imogene_algebra::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
+use num_rational::BigRational;
+use serde::Serialize;
+
+/// What the depth word covers, in scene units along the view.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DepthRange {
+    /// The near end: perspective from the eye, orthographic from the screen plane, negative towards the observer.
+    pub near: BigRational,
+    /// The far end in the same way; nothing for infinity, where every perspective range ends.
+    pub far: Option<BigRational>,
+    /// Who chose it.
+    pub origin: RangeOrigin,
+    /// Objects of which something on the screen may lie beyond an end, in their order.
+    pub cut: Vec<CutOff>,
+}
+
+/// An object that an end of the depth cuts.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CutOff {
+    /// Its name.
+    pub object: String,
+    /// By which end.
+    pub end: End,
+}
+
+/// An end of the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum End {
+    /// Towards the observer.
+    Near,
+    /// Away from the observer.
+    Far,
+}
+
+/// Who chose a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RangeOrigin {
+    /// The file names its ends.
+    Hand,
+    /// It is what the camera suggests: half of `viewer_distance`, or `half_depth` to both sides.
+    Camera,
+    /// The preparation chose it for the scene.
+    Scene,
+}
+
+/// A range as reports state it: exact fractions, and the same as decimals.
+#[derive(Clone, Debug, Serialize)]
+pub struct RangeReport {
+    /// The near end, exactly.
+    pub near: String,
+    /// The far end, exactly; nothing for infinity.
+    pub far: Option<String>,
+    /// The near end rounded.
+    pub near_units: f64,
+    /// The far end rounded.
+    pub far_units: Option<f64>,
+    /// Who chose it.
+    pub origin: RangeOrigin,
+    /// The distance, in scene units, of a depth word `w`: from the eye in perspective, from the screen plane in an
+    /// orthographic view.
+    pub distance: String,
+    /// Objects that an end cuts.
+    pub cut: Vec<CutOff>,
+}
+
+impl DepthRange {
+    /// The range that a camera suggests, or names.
+    pub fn of_camera(camera: &Camera) -> DepthRange {
+        let of = |near, far, origin| DepthRange {
+            near,
+            far,
+            origin,
+            cut: vec![],
+        };
+        match camera {
+            Camera::Perspective {
+                near: Some(near), ..
+            } => of(from_decimal(*near), None, RangeOrigin::Hand),
+            Camera::Perspective {
+                viewer_distance, ..
+            } => {
+                let near = from_decimal(*viewer_distance) / integer(2);
+                of(near, None, RangeOrigin::Camera)
+            }
+            Camera::Orthographic {
+                ends: Some([near, far]),
+                ..
+            } => {
+                let [near, far] = [near, far].map(|end| from_decimal(*end));
+                of(near, Some(far), RangeOrigin::Hand)
+            }
+            Camera::Orthographic {
+                half_depth,
+                view_height,
+                ..
+            } => {
+                let half = from_decimal(half_depth.unwrap_or(*view_height));
+                let origin = match half_depth {
+                    Some(_) => RangeOrigin::Camera,
+                    None => RangeOrigin::Scene,
+                };
+                of(-half.clone(), Some(half), origin)
+            }
+        }
+    }
+
+    /// The range of a scene that is given in pixels, not by a file: what fills the depth word of its projection.
+    pub fn of_pixels(projection: &Projection) -> DepthRange {
+        let (near, far) = match projection {
+            Projection::Perspective { distance } => (distance / integer(2), None),
+            Projection::Orthographic { half_depth } => (-half_depth, Some(half_depth.clone())),
+        };
+        DepthRange {
+            near,
+            far,
+            origin: RangeOrigin::Hand,
+            cut: vec![],
+        }
+    }
+
+    /// The range with its ends moved by a power of two: the near end of a perspective view, both ends of an
+    /// orthographic one.
+    pub fn scaled(&self, exponent: i32) -> DepthRange {
+        let factor = match exponent {
+            0.. => power_of_two(exponent.unsigned_abs()),
+            _ => power_of_two(exponent.unsigned_abs()).recip(),
+        };
+        let origin = match (exponent, self.origin) {
+            (0, origin) => origin,
+            _ => RangeOrigin::Scene,
+        };
+        DepthRange {
+            near: &self.near * &factor,
+            far: self.far.as_ref().map(|far| far * &factor),
+            origin,
+            cut: vec![],
+        }
+    }
+
+    /// Middle of an orthographic range, from the screen plane.
+    pub(super) fn middle(&self) -> BigRational {
+        let far = self.far.as_ref().unwrap_or(&self.near);
+        (&self.near + far) / integer(2)
+    }
+
+    /// Half the length of an orthographic range.
+    pub(super) fn half_length(&self) -> BigRational {
+        let far = self.far.as_ref().unwrap_or(&self.near);
+        (far - &self.near) / integer(2)
+    }
+
+    /// The distance of a depth, given as a share of the greatest depth word: from the eye in perspective, from the
+    /// screen plane in an orthographic view.
+    pub fn distance(&self, share: f64) -> f64 {
+        match &self.far {
+            None => 2.0 * to_f64(&self.near) / (1.0 - share),
+            Some(_) => to_f64(&self.middle()) + to_f64(&self.half_length()) * share,
+        }
+    }
+
+    /// What a report says of the range, for depth words up to `z_max`.
+    pub fn report(&self, z_max: i64) -> RangeReport {
+        let distance = match &self.far {
+            None => {
+                let product = &self.near * integer(2) * integer(z_max);
+                format!("({product}) / ({z_max} - w)")
+            }
+            Some(_) => {
+                let unit = self.half_length() * fraction(1, z_max);
+                format!("({}) + ({unit}) * w", self.middle())
+            }
+        };
+        RangeReport {
+            near: self.near.to_string(),
+            far: self.far.as_ref().map(BigRational::to_string),
+            near_units: to_f64(&self.near),
+            far_units: self.far.as_ref().map(to_f64),
+            origin: self.origin,
+            distance,
+            cut: self.cut.clone(),
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Two programs that draw the same facets, timed in one run: contour following, and the model of the facet processor.
+
+use imogene_golden::format::Format;
+use imogene_golden::object::facet::{FacetProcessor, FacetWords};
+use imogene_golden::object::facet_contour::{FacetContour, Operations};
+use imogene_golden::object::quadric::ObjectPixel;
+use imogene_golden::object::slot::{ProcessorWords, Slot};
+use serde::Serialize;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Facets by a program and by processors: additions; the keys are stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct FacetWork {
+    /// Contour following.
+    pub contour: Operations,
+    /// Additions of the facet processors, each over its screen box.
+    pub processor_box_additions: u64,
+    /// Additions of the facet processors, each over the whole screen, as when all work at once.
+    pub processor_screen_additions: u64,
+}
+
+/// The facets among the processors of a machine.
+pub fn facets(slots: &[Slot]) -> Vec<&FacetWords> {
+    let facet = |slot: &'_ Slot| matches!(slot.words, ProcessorWords::Facet(_));
+    slots
+        .iter()
+        .filter(|slot| facet(slot))
+        .map(|slot| match &slot.words {
+            ProcessorWords::Facet(words) => words,
+            _ => unreachable!("filtered"),
+        })
+        .collect()
+}
+
+/// Counts the work of facets on a screen of so many pixels.
+pub fn work(facets: &[&FacetWords], format: &Format, screen: u64) -> FacetWork {
+    let mut work = FacetWork::default();
+    for words in facets {
+        work.contour += FacetContour::new(words, format).operations();
+        // Every elementary processor adds once a clock.
+        let processors = words.edges.len() as u64 + 4;
+        work.processor_box_additions += processors * words.screen_box.pixels();
+        work.processor_screen_additions += processors * screen;
+    }
+    work
+}
+
+/// How fast the two programs are; the keys are stable.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Speed {
+    /// Pixels of facets drawn per second by contour following.
+    pub contour_pixels_per_second: f64,
+    /// The same facets and pixels by the model of the processor over each facet's screen box.
+    pub processor_model_pixels_per_second: f64,
+    /// The first over the second.
+    pub ratio: f64,
+    /// Clock in MHz at which one facet processor that visits the screen boxes one after the other, a pixel a clock, is as fast as contour following.
+    pub break_even_mhz: f64,
+}
+
+/// Times both, about `time` each, on one thread.
+pub fn measure(facets: &[&FacetWords], format: &Format, time: Duration) -> Speed {
+    let contour = rate(time, || {
+        let mut sum = Sum::default();
+        for words in facets {
+            let contour = FacetContour::new(black_box(words), format);
+            contour.for_each_pixel(|_, _, pixel| sum.add(&pixel));
+        }
+        sum
+    });
+    let model = rate(time, || {
+        let mut sum = Sum::default();
+        for words in facets {
+            scan(black_box(words), format, &mut sum);
+        }
+        sum
+    });
+    let boxes: u64 = facets.iter().map(|f| f.screen_box.pixels()).sum();
+    let drawn = work(facets, format, 0).contour.pixels.max(1);
+    Speed {
+        contour_pixels_per_second: contour,
+        processor_model_pixels_per_second: model,
+        ratio: contour / model,
+        break_even_mhz: contour * boxes as f64 / drawn as f64 / 1e6,
+    }
+}
+
+/// What is drawn, so that nothing can be left out.
+#[derive(Default)]
+struct Sum {
+    pixels: u64,
+    values: i64,
+}
+
+impl Sum {
+    #[inline]
+    fn add(&mut self, pixel: &ObjectPixel) {
+        self.pixels += 1;
+        let [x, y, z] = pixel.normal.map(i64::from);
+        self.values = self.values.wrapping_add(pixel.zf ^ x ^ y << 16 ^ z << 32);
+    }
+}
+
+fn scan(words: &FacetWords, format: &Format, sum: &mut Sum) {
+    let window = words.screen_box;
+    if window.is_empty() {
+        return;
+    }
+    let (width, height) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
+    let zone = words.for_zone(window.x0, window.y0, width, height);
+    let mut processor = FacetProcessor::zone_start(&zone, format);
+    for y in 0..height {
+        if y > 0 {
+            processor.line_step();
+        }
+        for _ in 0..width {
+            let pixel = processor.pixel();
+            if pixel.zf != format.z_max() {
+                sum.add(&pixel);
+            }
+        }
+    }
+}
+
+/// Pixels per second, repeated until the time is over.
+fn rate(time: Duration, draw: impl Fn() -> Sum) -> f64 {
+    let started = Instant::now();
+    let mut pixels = 0;
+    loop {
+        let sum = black_box(draw());
+        pixels += sum.pixels;
+        let elapsed = started.elapsed();
+        if elapsed >= time {
+            return pixels as f64 / elapsed.as_secs_f64();
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! What a scene requires, counted: objects, pixels visited, planes, zones, and the stream of a zone machine; and what changes in the picture.
+
+use imogene_analysis::phong::shade;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::machine::zone::ZoneMachine;
+use imogene_golden::object::quadric::MAX_PLANES;
+use imogene_plan::culling::reduce::{Fate, Reduced, ReducedObject};
+use imogene_plan::culling::zones::{Touches, ZoneTouches};
+use imogene_plan::zone::clocks::{ZoneTiming, clocks};
+use imogene_plan::zone::plan::{PlanError, ZonePlan};
+use imogene_plan::zone::refine::Refinement;
+use imogene_prepare::PreparedScene;
+use imogene_scene::FramedScene;
+use serde::Serialize;
+
+/// Work of a picture, before (0) and after (1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct WorkSaved {
+    /// Objects with at least a processor.
+    pub objects: [u64; 2],
+    /// Processors.
+    pub processors: [u64; 2],
+    /// Pixels that object processors visit: those of their boxes.
+    pub object_pixels: [u64; 2],
+    /// Cut planes.
+    pub planes: [u64; 2],
+    /// Depths of planes that are computed.
+    pub plane_depths: [u64; 2],
+}
+
+impl WorkSaved {
+    fn add(&mut self, object: &ReducedObject) {
+        let objects = [object.processors[0] > 0, object.processors[1] > 0].map(u64::from);
+        for (when, objects) in objects.into_iter().enumerate() {
+            self.objects[when] += objects;
+            self.processors[when] += object.processors[when];
+            self.object_pixels[when] += object.visited[when];
+            self.planes[when] += object.planes[when];
+            self.plane_depths[when] += object.plane_depths[when];
+        }
+    }
+}
+
+/// Pixels of the picture that are not what they were.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Changed {
+    /// In anything at all.
+    pub pixels: u64,
+    /// In depth.
+    pub depth: u64,
+    /// In the object that is seen.
+    pub object: u64,
+    /// In colour.
+    pub colour: u64,
+    /// Greatest difference of a colour component, of 255.
+    pub greatest_colour: u8,
+}
+
+/// The stream of a zone machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ZoneStream {
+    /// How the host decides.
+    pub refinement: Refinement,
+    /// Objects loaded, all zones together.
+    pub parts: u64,
+    /// Volumes loaded.
+    pub volumes: u64,
+    /// Draw passes.
+    pub draw_passes: u64,
+    /// Light passes.
+    pub light_passes: u64,
+    /// Pixels of all passes: clocks without drains, commands and waiting.
+    pub pass_pixels: u64,
+    /// Beats of the stream.
+    pub beats: u64,
+}
+
+/// Everything that is known of a scene.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The objects.
+    pub reduced: Reduced,
+    /// Work of all of them.
+    pub work: WorkSaved,
+    /// Objects that are drawn but hidden by others at every pixel.
+    pub hidden: u64,
+    /// Zones of each object, and objects of each zone: by boxes and by bounds of the scene as it is, by the pixels of what is left.
+    pub touches: ZoneTouches,
+    /// The same of all objects.
+    pub loads: Touches,
+    /// What changed.
+    pub changed: Changed,
+    /// The stream of the machine that [`machine`] describes for the whole scene; or why it cannot draw it.
+    pub streams: Result<[ZoneStream; 3], PlanError>,
+    /// Volumes of each zone by boxes, by bounds and in truth; empty without a zone machine.
+    pub volumes_of_zones: Vec<[u64; 3]>,
+    /// The picture of what is left.
+    pub picture: Vec<u8>,
+}
+
+/// The zone machine whose stream is counted: eight object and four volume processors with all planes there can be.
+pub const fn machine(side: u32) -> ZoneMachine {
+    ZoneMachine {
+        object_processors: 8,
+        planes: MAX_PLANES,
+        volume_processors: 4,
+        volume_planes: MAX_PLANES,
+        zone_width: side,
+        zone_height: side,
+        samples: 1,
+    }
+}
+
+struct Drawn {
+    frame: Frame,
+    lighting: Lighting,
+    picture: Vec<u8>,
+}
+
+fn draw(
+    scene: &PreparedScene,
+    framed: &FramedScene,
+    slots: &[imogene_golden::object::slot::Slot],
+    reduced: Option<&Reduced>,
+) -> Drawn {
+    let (width, height) = (scene.width as usize, scene.height as usize);
+    let mut frame = beam::render(slots, &scene.format, width, height, || ());
+    if let Some(reduced) = reduced {
+        reduced.restore_faces(&mut frame);
+    }
+    let lighting = scene.light(&frame, || ());
+    let picture = shade(&frame, &lighting, framed, &scene.format);
+    Drawn {
+        frame,
+        lighting,
+        picture,
+    }
+}
+
+impl Report {
+    /// Of a scene, with square zones of `side` pixels; up to `pixels` pixels of each object may change.
+    pub fn of(framed: &FramedScene, scene: &PreparedScene, side: u32, pixels: u64) -> Report {
+        let slots = scene.slots();
+        let whole = draw(scene, framed, &slots, None);
+        let reduced = Reduced::of(scene, &whole.frame, pixels);
+        let left = reduced.slots();
+        let again = draw(scene, framed, &left, Some(&reduced));
+        let mut work = WorkSaved::default();
+        reduced.objects.iter().for_each(|object| work.add(object));
+        let hidden = |o: &&ReducedObject| o.fate == Fate::Drawn && o.seen == 0;
+        let size = (scene.width, scene.height);
+        let objects = scene.objects.len();
+        // Boxes and bounds of the scene as it is, pixels of what is left of it.
+        let before = ZoneTouches::of(&slots, objects, &scene.format, size, side);
+        let mut touches = ZoneTouches::of(&left, objects, &scene.format, size, side);
+        let by_words = |to: &mut [Touches], from: &[Touches]| {
+            for (to, from) in to.iter_mut().zip(from) {
+                (to.boxes, to.bounds) = (from.boxes, from.bounds);
+            }
+        };
+        by_words(&mut touches.objects, &before.objects);
+        by_words(&mut touches.zones, &before.zones);
+        let mut loads = Touches::default();
+        touches.objects.iter().for_each(|one| loads += *one);
+        let (streams, volumes_of_zones) = match streams(scene, side) {
+            Ok((streams, volumes)) => (Ok(streams), volumes),
+            Err(why) => (Err(why), vec![]),
+        };
+        Report {
+            work,
+            hidden: reduced.objects.iter().filter(hidden).count() as u64,
+            touches,
+            loads,
+            changed: changed(&whole, &again),
+            streams,
+            volumes_of_zones,
+            picture: again.picture,
+            reduced,
+        }
+    }
+}
+
+fn changed(before: &Drawn, after: &Drawn) -> Changed {
+    let mut changed = Changed::default();
+    for at in 0..before.frame.depth.len() {
+        let (old, new) = (&before.frame, &after.frame);
+        let depth = old.depth[at] != new.depth[at];
+        let object = old.id[at] != new.id[at];
+        let other = old.number[at] != new.number[at]
+            || old.normal[at] != new.normal[at]
+            || before.lighting.flags[at] != after.lighting.flags[at];
+        let colours = (3 * at..3 * at + 3).map(|k| before.picture[k].abs_diff(after.picture[k]));
+        let colour = colours.max().unwrap_or(0);
+        changed.pixels += u64::from(depth || object || other);
+        changed.depth += u64::from(depth);
+        changed.object += u64::from(object);
+        changed.colour += u64::from(colour > 0);
+        changed.greatest_colour = changed.greatest_colour.max(colour);
+    }
+    changed
+}
+
+/// The streams, and the volumes of each zone.
+type Streams = ([ZoneStream; 3], Vec<[u64; 3]>);
+
+fn streams(scene: &PreparedScene, side: u32) -> Result<Streams, PlanError> {
+    let plan = ZonePlan::of(scene, machine(side))?;
+    let mut volumes = vec![[0; 3]; plan.zones.len()];
+    let refinements = [Refinement::Box, Refinement::Bounds, Refinement::Pixels];
+    let mut place = 0;
+    let streams = refinements.map(|refinement| {
+        let plan = plan.clone().refined(refinement);
+        for (counts, zone) in volumes.iter_mut().zip(&plan.zones) {
+            counts[place] = zone.volumes.len() as u64;
+        }
+        place += 1;
+        stream(&plan, refinement)
+    });
+    Ok((streams, volumes))
+}
+
+fn stream(plan: &ZonePlan, refinement: Refinement) -> ZoneStream {
+    let counted = clocks(plan, &ZoneTiming::default());
+    let parts = plan.zones.iter().map(|zone| zone.parts.len() as u64);
+    let volumes = plan.zones.iter().map(|zone| zone.volumes.len() as u64);
+    ZoneStream {
+        refinement,
+        parts: parts.sum(),
+        volumes: volumes.sum(),
+        draw_passes: counted.draw_passes,
+        light_passes: counted.light_passes,
+        pass_pixels: counted.draw + counted.light + counted.show,
+        beats: counted.beats,
+    }
+}

@@ -1,0 +1,161 @@
+//! Prepared objects that the counts are taken from: real words, moved about in whole pixels.
+
+use super::EvaluateError;
+use imogene_golden::format::Format;
+use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
+use imogene_scene::SceneFile;
+
+/// Side of the source's greater zones.
+pub const ZONE_SIDE: u32 = 128;
+/// Side of the box of an object in the source's examples.
+pub const OBJECT_SIDE: u32 = 80;
+
+/// A ball of 80 pixels, whole, cut by three planes, and as a patch of four planes. The planes leave its outline as it
+/// is, and its centre is between pixels, so that its box is 80 x 80.
+const BALLS: &str = r#"
+format = 1
+title = "Balls of 80 pixels"
+image = { width = 80, height = 80 }
+
+[camera]
+kind = "orthographic"
+eye = [0, 0, 100]
+target = [0, 0, 0]
+view_height = 80
+half_depth = 100
+
+[[materials]]
+name = "grey"
+colour = [0.5, 0.5, 0.5]
+
+[[objects]]
+name = "ball"
+kind = "sphere"
+radius = 39.75
+place = [{ translate = [-0.5, 0.5, 0] }]
+material = "grey"
+
+[[objects]]
+name = "solid"
+kind = "sphere"
+radius = 39.75
+material = "grey"
+place = [{ translate = [-0.5, 0.5, 0] }]
+cuts = [
+  { point = [0, 0, -20], normal = [0.1, 0, -1] },
+  { point = [0, 0, -22], normal = [0, 0.1, -1] },
+  { point = [0, 0, 30], normal = [-0.1, 0.1, 1] },
+]
+
+[[objects]]
+name = "patch"
+kind = "sphere"
+radius = 39.75
+mode = "patch"
+processor = "patch"
+material = "grey"
+place = [{ translate = [-0.5, 0.5, 0] }]
+cuts = [
+  { point = [0, 0, -20], normal = [0.1, 0, -1] },
+  { point = [0, 0, -22], normal = [0, 0.1, -1] },
+  { point = [0, 0, -24], normal = [-0.1, 0, -1] },
+  { point = [0, 0, -26], normal = [0, -0.1, -1] },
+]
+"#;
+
+fn prepared(text: &str, name: &str, size: (u32, u32)) -> Result<PreparedScene, EvaluateError> {
+    let framed = SceneFile::parse(text, name)?.frame(size.0, size.1)?;
+    Ok(prepare(&framed, Format::BASE)?)
+}
+
+/// An object that can be put anywhere.
+#[derive(Clone, Debug)]
+pub struct Moving {
+    scene: PreparedScene,
+    object: PreparedQuadric,
+}
+
+impl Moving {
+    /// A scene with a copy of the object at each of these places of its box.
+    pub fn at(&self, places: &[[i64; 2]], [width, height]: [u32; 2]) -> PreparedScene {
+        let copy = |&[x, y]: &[i64; 2]| {
+            let mut object = self.object.clone();
+            object.words = object.words.for_zone(-x, -y, width.into(), height.into());
+            PreparedObject::Quadric(Box::new(object))
+        };
+        PreparedScene {
+            width,
+            height,
+            objects: places.iter().map(copy).collect(),
+            ..self.scene.clone()
+        }
+    }
+
+    /// Its words.
+    pub fn words(&self) -> &imogene_golden::object::quadric::QuadricWords {
+        &self.object.words
+    }
+}
+
+/// The ball, the solid of three planes and the patch of four.
+///
+/// # Errors
+///
+/// When they cannot be prepared: a defect.
+pub fn balls() -> Result<[Moving; 3], EvaluateError> {
+    let scene = prepared(BALLS, "balls.toml", (OBJECT_SIDE, OBJECT_SIDE))?;
+    let object = |index: usize| {
+        let object = scene.objects[index]
+            .quadric()
+            .expect("a quadric or a patch");
+        Moving {
+            scene: PreparedScene {
+                objects: vec![],
+                volumes: vec![],
+                ..scene.clone()
+            },
+            object: object.clone(),
+        }
+    };
+    Ok([object(0), object(1), object(2)])
+}
+
+/// Words of the other processors: a facet, a sphere and a cylinder.
+///
+/// # Errors
+///
+/// When the scenes cannot be prepared: a defect.
+pub fn others() -> Result<Vec<ProcessorWords>, EvaluateError> {
+    let mesh = include_str!("../../../../scenes/processors/mesh.toml");
+    let round = include_str!("../../../../scenes/processors/paraboloids.toml");
+    let mut words = vec![];
+    for (text, name) in [(mesh, "mesh.toml"), (round, "paraboloids.toml")] {
+        let slots: Vec<Slot> = prepared(text, name, (160, 120))?.slots();
+        words.extend(slots.into_iter().map(|slot| slot.words));
+    }
+    Ok(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn balls_have_a_box_of_eighty_pixels_wherever_they_are() {
+        let balls = balls().unwrap();
+        assert_eq!(
+            balls.each_ref().map(|ball| ball.words().planes.len()),
+            [0, 3, 4]
+        );
+        for ball in &balls {
+            let scene = ball.at(&[[0, 0], [37, 100]], [300, 200]);
+            for (slot, place) in scene.slots().iter().zip([[0, 0], [37, 100]]) {
+                let window = slot.words.screen_box();
+                assert_eq!([window.x0, window.y0], place);
+                assert_eq!([window.x1, window.y1], place.map(|v| v + 79));
+            }
+        }
+    }
+}

@@ -1,0 +1,275 @@
+//! A quadric and its planes on their way to the display: expressions, scales, whole numbers (source: 2.4.4, Table 5.6, Fig B.4).
+//!
+//! Quadric and planes are given after the change of frame and the perspective, which is a factor of the matrix.
+
+use super::frame::normalised;
+use crate::evaluate::count::Counted;
+
+/// Depth of the quadric: `f1 -+ sqrt(f2)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Depth<'c> {
+    /// Factors of x, y and 1.
+    pub f1: [Counted<'c>; 3],
+    /// Factors of x^2, y^2, xy, x, y and 1.
+    pub f2: [Counted<'c>; 6],
+    /// The viewer is inside.
+    pub is_front_view: bool,
+}
+
+/// f1 and f2 of the coefficients a to j; nothing for a quadric without z^2.
+pub fn depth<'c>(q: [Counted<'c>; 10]) -> Option<Depth<'c>> {
+    let [a, b, c, d, e, f, g, h, i, j] = q;
+    if c.is_zero() {
+        return None;
+    }
+    let is_front_view = c.is_negative();
+    let over = c.reciprocal();
+    let [x, y, one] = [e, f, i].map(|v| -(v * over));
+    let entry = |p: Counted<'c>, r: Counted<'c>, v: Counted<'c>| p * r - v * over;
+    let f2 = [
+        entry(x, x, a),
+        entry(y, y, b),
+        entry(x, y, d).doubled(),
+        entry(x, one, g).doubled(),
+        entry(y, one, h).doubled(),
+        entry(one, one, j),
+    ];
+    Some(Depth {
+        f1: [x, y, one],
+        f2,
+        is_front_view,
+    })
+}
+
+/// The normal before perspective: linear part on the polar plane and factor of the root, for each component.
+#[derive(Clone, Copy, Debug)]
+pub struct Normal<'c> {
+    /// Factors of x, y and 1.
+    pub g: [[Counted<'c>; 3]; 3],
+    /// Factors of the root.
+    pub k: [Counted<'c>; 3],
+}
+
+/// Half the gradient as `g(x, y) -+ K root`; `over_distance` is one over the viewer's distance.
+pub fn normal<'c>(
+    q: [Counted<'c>; 10],
+    f1: &[Counted<'c>; 3],
+    over_distance: Counted<'c>,
+) -> Normal<'c> {
+    let [a, b, c, d, e, f, g, h, i, j] = q;
+    let before = |v: Counted<'c>, w: Counted<'c>| v + w * over_distance;
+    let linear = [
+        [a, d, g],
+        [d, b, h],
+        [before(e, g), before(f, h), before(i, j)],
+    ];
+    let k = [e, f, before(c, i)];
+    let on_polar_plane = |component: usize| -> [Counted<'c>; 3] {
+        std::array::from_fn(|term| linear[component][term] + k[component] * f1[term])
+    };
+    Normal {
+        g: [0, 1, 2].map(on_polar_plane),
+        k,
+    }
+}
+
+/// The greatest f2 of a closed outline: its value where it is stationary.
+pub fn greatest_f2<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> Counted<'c> {
+    let determinant = (*a * *b).doubled().doubled() - *c * *c;
+    let over = determinant.reciprocal();
+    let x = (*c * *e - (*b * *d).doubled()) * over;
+    let y = (*c * *d - (*a * *e).doubled()) * over;
+    *f + (*d * x + *e * y) * a.constant(0.5)
+}
+
+/// The greatest size of a component of the normal over a box whose first pixel is (x, y).
+pub fn greatest_normal<'c>(
+    normal: &Normal<'c>,
+    root: Counted<'c>,
+    [x, y, width, height]: [Counted<'c>; 4],
+) -> Counted<'c> {
+    let component = |k: usize| {
+        let [a, b, c] = normal.g[k];
+        let (across, down) = (a * width, b * height);
+        let first = a * x + b * y + c;
+        let (right, below) = (first + across, first + down);
+        let corners = [first, right, below, below + across].map(Counted::size);
+        let most = corners.into_iter().reduce(Counted::or_greater);
+        most.expect("four") + (normal.k[k] * root).size()
+    };
+    component(0)
+        .or_greater(component(1))
+        .or_greater(component(2))
+}
+
+/// Words of the depth with the scale Kp.
+pub fn depth_words<'c>(
+    depth: &Depth<'c>,
+    scale: Counted<'c>,
+    square: Counted<'c>,
+) -> [Counted<'c>; 9] {
+    std::array::from_fn(|word| match word {
+        0..3 => depth.f1[word].scaled(scale),
+        _ => depth.f2[word - 3].scaled(square),
+    })
+}
+
+/// Words of the normal with a scale Kn of its own; the factors of the root, which comes with the scale Kp, take Kn / Kp.
+pub fn normal_words<'c>(
+    normal: &Normal<'c>,
+    greatest: Counted<'c>,
+    over_depth_scale: Counted<'c>,
+) -> Vec<Counted<'c>> {
+    let full = greatest.constant(32_767.0 * 256.0);
+    let scale = full / greatest;
+    let root_scale = scale * over_depth_scale;
+    let linear = normal.g.into_iter().flatten().map(|v| v.scaled(scale));
+    linear
+        .chain(normal.k.map(|v| v.scaled(root_scale)))
+        .collect()
+}
+
+/// How a plane lies to the viewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Towards the viewer.
+    Front,
+    /// Away.
+    Back,
+    /// Along the line of sight, or so steep that its depth does not fit its word.
+    Perpendicular,
+}
+
+/// A plane as an expression: its depth, or what is not negative where it keeps.
+pub fn plane<'c>(
+    [a, b, c, d]: [Counted<'c>; 4],
+    depth_scale: Counted<'c>,
+    steepest: Counted<'c>,
+) -> (Kind, [Counted<'c>; 3]) {
+    if c.is_zero() {
+        return (Kind::Perpendicular, [-a, -b, -d]);
+    }
+    let over = c.reciprocal();
+    let depth = [a, b, d].map(|v| -(v * over));
+    let slope = depth[0].size().or_greater(depth[1].size());
+    if steepest.is_below(slope * depth_scale) {
+        (Kind::Perpendicular, [-a, -b, -d])
+    } else if c.is_negative() {
+        (Kind::Front, depth)
+    } else {
+        (Kind::Back, depth)
+    }
+}
+
+/// Words of a plane's expression.
+pub fn plane_words<'c>(expression: [Counted<'c>; 3], scale: Counted<'c>) -> [Counted<'c>; 3] {
+    expression.map(|v| v.scaled(scale))
+}
+
+/// Words of a constant normal.
+pub fn constant_normal(normal: [Counted<'_>; 3]) -> [Counted<'_>; 3] {
+    normalised(normal).map(|v| v.scaled(v.constant(32_767.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluate::count::Counter;
+    use imogene_algebra::rational::{from_decimal, to_f64};
+    use imogene_prepare::perspective::ScreenQuadric;
+    use imogene_scene::Quadric;
+
+    /// A sphere of radius 100 about (20, -10, 300), as the source's simulator would see it from 1000 away.
+    const SPHERE: [f64; 10] = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, -20.0, 10.0, -300.0, 80500.0];
+
+    /// The same after perspective, and the exact preparation of it.
+    fn projected(counter: &Counter) -> ([Counted<'_>; 10], ScreenQuadric) {
+        let exact = Quadric::from_array(SPHERE.map(from_decimal));
+        let exact = ScreenQuadric::new(&exact, &from_decimal(0.001));
+        let q = exact.q.coefficients().map(to_f64);
+        (counter.numbers(q), exact)
+    }
+
+    /// To the rounding of some ten operations.
+    fn assert_near(found: f64, expected: f64) {
+        assert!(
+            (found - expected).abs() <= 1e-12 * expected.abs().max(1.0),
+            "{found} {expected}"
+        );
+    }
+
+    #[test]
+    fn depth_and_normal_are_those_of_the_exact_preparation() {
+        let counter = Counter::default();
+        let (q, exact) = projected(&counter);
+        let depth = depth(q).expect("it has a depth");
+        assert!(!depth.is_front_view);
+        let f1 = exact.f1();
+        for (found, expected) in depth.f1.iter().zip([&f1.a, &f1.b, &f1.c]) {
+            assert_near(found.value, to_f64(expected));
+        }
+        let f2 = exact.f2();
+        let expected = [&f2.a, &f2.b, &f2.c, &f2.d, &f2.e, &f2.f];
+        for (found, expected) in depth.f2.iter().zip(expected) {
+            assert_near(found.value, to_f64(expected));
+        }
+        let normal = normal(q, &depth.f1, counter.number(0.001));
+        for (component, (linear, k)) in exact.normal().into_iter().enumerate() {
+            assert_near(normal.k[component].value, to_f64(&k));
+            for (found, (before, slope)) in normal.g[component].iter().zip([
+                (&linear.a, &f1.a),
+                (&linear.b, &f1.b),
+                (&linear.c, &f1.c),
+            ]) {
+                assert_near(found.value, to_f64(&(before + &k * slope)));
+            }
+        }
+    }
+
+    #[test]
+    fn the_greatest_f2_and_normal_are_not_exceeded_and_nearly_reached() {
+        let counter = Counter::default();
+        let (q, _) = projected(&counter);
+        let depth = depth(q).expect("it has a depth");
+        let normal = normal(q, &depth.f1, counter.number(0.001));
+        let most = greatest_f2(&depth.f2);
+        let window = counter.numbers([-70.0, -95.0, 180.0, 170.0]);
+        let bound = greatest_normal(&normal, most.root(), window).value;
+        let (mut f2_seen, mut normal_seen) = (0.0f64, 0.0f64);
+        for x in -70..=110 {
+            for y in -95..=75 {
+                let [x, y] = [x, y].map(f64::from);
+                let terms = [x * x, y * y, x * y, x, y, 1.0];
+                let f2: f64 = depth.f2.iter().zip(terms).map(|(v, t)| v.value * t).sum();
+                f2_seen = f2_seen.max(f2);
+                for k in 0..3 {
+                    let g: f64 = normal.g[k]
+                        .iter()
+                        .zip([x, y, 1.0])
+                        .map(|(v, t)| v.value * t)
+                        .sum();
+                    let change = normal.k[k].value * f2.max(0.0).sqrt();
+                    normal_seen = normal_seen.max(g.abs() + change.abs());
+                }
+            }
+        }
+        assert!(f2_seen <= most.value && f2_seen > 0.999 * most.value);
+        assert!(normal_seen <= bound && normal_seen > 0.5 * bound);
+    }
+
+    #[test]
+    fn planes_keep_their_side() {
+        let counter = Counter::default();
+        let [scale, steepest] = counter.numbers([8388.607, 16e6]);
+        let of = |p: [f64; 4]| plane(counter.numbers(p), scale, steepest);
+        let (kind, depth) = of([2.0, -4.0, -8.0, 16.0]);
+        assert_eq!(kind, Kind::Front);
+        assert_eq!(depth.map(|v| v.value), [0.25, -0.5, 2.0]);
+        assert_eq!(of([2.0, -4.0, 8.0, 16.0]).0, Kind::Back);
+        for p in [[2.0, -4.0, 0.0, 16.0], [2000.0, -4.0, 1.0, 16.0]] {
+            let (kind, half) = of(p);
+            assert_eq!(kind, Kind::Perpendicular);
+            assert_eq!(half.map(|v| v.value), [-p[0], -p[1], -p[3]]);
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! What is allowed, and whether a picture keeps to it.
+
+use imogene_analysis::metrics::Metrics;
+use serde::Serialize;
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// Text that names no limit.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum LimitError {
+    /// Of a depth.
+    #[error(
+        "'{0}' is no limit of a depth; expected words of the base format, such as 1 or 1lsb (a word is D / (2^23 - 1)), or pixels of depth, such as 0.5px"
+    )]
+    Depth(String),
+    /// Of a number of pixels.
+    #[error(
+        "'{0}' is no number of pixels; expected one such as 0 or 12, or a part of the picture such as 0.1%"
+    )]
+    Count(String),
+}
+
+/// Greatest error of a depth.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DepthLimit {
+    /// In words of the base format, `D / (2^23 - 1)`, whatever the depth word of the machine.
+    Words(f64),
+    /// In pixels of depth.
+    Pixels(f64),
+}
+
+/// Greatest number of pixels of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CountLimit {
+    /// So many.
+    Pixels(usize),
+    /// So many percent of the picture, rounded down.
+    Percent(f64),
+}
+
+fn positive(text: &str) -> Option<f64> {
+    let value: f64 = text.trim().parse().ok()?;
+    (value.is_finite() && value >= 0.0).then_some(value)
+}
+
+impl FromStr for DepthLimit {
+    type Err = LimitError;
+
+    fn from_str(text: &str) -> Result<Self, LimitError> {
+        let refused = || LimitError::Depth(text.to_owned());
+        if let Some(pixels) = text.strip_suffix("px") {
+            return positive(pixels).map(Self::Pixels).ok_or_else(refused);
+        }
+        let words = text.strip_suffix("lsb").unwrap_or(text);
+        positive(words).map(Self::Words).ok_or_else(refused)
+    }
+}
+
+impl FromStr for CountLimit {
+    type Err = LimitError;
+
+    fn from_str(text: &str) -> Result<Self, LimitError> {
+        let refused = || LimitError::Count(text.to_owned());
+        if let Some(percent) = text.strip_suffix('%') {
+            return positive(percent).map(Self::Percent).ok_or_else(refused);
+        }
+        text.parse().map(Self::Pixels).map_err(|_| refused())
+    }
+}
+
+impl fmt::Display for DepthLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Words(words) => write!(f, "{words}lsb"),
+            Self::Pixels(pixels) => write!(f, "{pixels}px"),
+        }
+    }
+}
+
+impl fmt::Display for CountLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Pixels(pixels) => write!(f, "{pixels}"),
+            Self::Percent(percent) => write!(f, "{percent}%"),
+        }
+    }
+}
+
+impl CountLimit {
+    fn of(self, pixels: usize) -> usize {
+        match self {
+            Self::Pixels(count) => count,
+            Self::Percent(percent) => (percent / 100.0 * pixels as f64).floor() as usize,
+        }
+    }
+}
+
+/// What is allowed in every frame; what is not given is not limited.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Budget {
+    /// Depth of visible faces, over pixels that show the right face.
+    pub depth: Option<DepthLimit>,
+    /// Silhouette errors: something is seen in picture or truth alone.
+    pub silhouette: Option<CountLimit>,
+    /// Visible-part errors: another object or another face.
+    pub faces: Option<CountLimit>,
+    /// Greatest channel difference in 1/255, over pixels that show the right face.
+    pub colour: Option<f64>,
+    /// Angle of normals in degrees, over pixels that show the right face.
+    pub normal: Option<f64>,
+}
+
+/// One limit, and what was found; the keys are stable.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Item {
+    /// Which: `depth`, `silhouette`, `faces`, `colour`, `normal`.
+    pub limit: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What is allowed.
+    pub allowed: f64,
+    /// What was found, the greatest of all frames.
+    pub measured: f64,
+}
+
+impl Item {
+    /// True if the limit is kept.
+    pub fn holds(&self) -> bool {
+        self.measured <= self.allowed
+    }
+}
+
+impl fmt::Display for Item {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Item {
+            limit,
+            unit,
+            allowed,
+            measured,
+        } = self;
+        write!(f, "{limit}: {measured:.4} {unit} of {allowed} allowed")
+    }
+}
+
+impl Budget {
+    /// True if nothing is limited.
+    pub fn is_empty(&self) -> bool {
+        *self == Budget::default()
+    }
+
+    /// The options of the command line that give it.
+    pub fn options(&self) -> String {
+        let mut text = String::new();
+        let mut add = |name: &str, value: Option<String>| {
+            if let Some(value) = value {
+                text += &format!(" --max-{name} {value}");
+            }
+        };
+        add("depth-error", self.depth.map(|limit| limit.to_string()));
+        add(
+            "silhouette-errors",
+            self.silhouette.map(|limit| limit.to_string()),
+        );
+        add("face-errors", self.faces.map(|limit| limit.to_string()));
+        add("colour-error", self.colour.map(|limit| limit.to_string()));
+        add("normal-error", self.normal.map(|limit| limit.to_string()));
+        text
+    }
+
+    /// Every limit against the metrics of one frame of so many pixels.
+    pub fn judge(&self, metrics: &Metrics, pixels: usize) -> Vec<Item> {
+        let mut items = Vec::new();
+        let mut add = |limit, unit, allowed: Option<f64>, measured| {
+            if let Some(allowed) = allowed {
+                items.push(Item {
+                    limit,
+                    unit,
+                    allowed,
+                    measured,
+                });
+            }
+        };
+        match self.depth {
+            Some(DepthLimit::Words(words)) => {
+                add("depth", "lsb", Some(words), metrics.depth_words.max);
+            }
+            Some(DepthLimit::Pixels(px)) => add("depth", "px", Some(px), metrics.depth_px.max),
+            None => (),
+        }
+        let count = |limit: Option<CountLimit>| limit.map(|limit| limit.of(pixels) as f64);
+        add(
+            "silhouette",
+            "pixels",
+            count(self.silhouette),
+            metrics.silhouette as f64,
+        );
+        add(
+            "faces",
+            "pixels",
+            count(self.faces),
+            metrics.visible_part as f64,
+        );
+        add(
+            "colour",
+            "of 255",
+            self.colour,
+            metrics.colour_same_face.max,
+        );
+        add("normal", "degrees", self.normal, metrics.normal_deg.max);
+        items
+    }
+}
+
+/// The worst of each limit over frames.
+pub fn worst(frames: &[Vec<Item>]) -> Vec<Item> {
+    let mut worst: Vec<Item> = frames.first().cloned().unwrap_or_default();
+    for frame in frames {
+        for (most, item) in worst.iter_mut().zip(frame) {
+            most.measured = most.measured.max(item.measured);
+        }
+    }
+    worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_analysis::metrics::Spread;
+
+    #[test]
+    fn limits_are_read_with_their_units() {
+        assert_eq!("1".parse(), Ok(DepthLimit::Words(1.0)));
+        assert_eq!("2.5lsb".parse(), Ok(DepthLimit::Words(2.5)));
+        assert_eq!("0.5px".parse(), Ok(DepthLimit::Pixels(0.5)));
+        assert_eq!("0".parse(), Ok(CountLimit::Pixels(0)));
+        assert_eq!("0.1%".parse::<CountLimit>().map(|l| l.of(76_800)), Ok(76));
+        for text in ["", "-1", "px", "nan", "1 m", "inf"] {
+            let error = text.parse::<DepthLimit>().unwrap_err().to_string();
+            assert!(error.contains("0.5px"), "{text}: {error}");
+        }
+        for text in ["", "-1", "0.5", "%", "a%"] {
+            let error = text.parse::<CountLimit>().unwrap_err().to_string();
+            assert!(error.contains("0.1%"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn every_limit_is_held_against_its_figure() {
+        let spread = |max| Spread {
+            max,
+            ..Spread::default()
+        };
+        let metrics = Metrics {
+            silhouette: 3,
+            visible_part: 4,
+            depth_words: spread(7.0),
+            depth_px: spread(0.25),
+            normal_deg: spread(2.0),
+            colour_same_face: spread(5.0),
+            colour: spread(200.0),
+            ..Metrics::default()
+        };
+        let budget = Budget {
+            depth: Some(DepthLimit::Pixels(0.5)),
+            silhouette: Some(CountLimit::Pixels(2)),
+            faces: Some(CountLimit::Percent(1.0)),
+            colour: Some(5.0),
+            normal: Some(1.0),
+        };
+        let items = budget.judge(&metrics, 400);
+        let found: Vec<(&str, f64, bool)> = items
+            .iter()
+            .map(|i| (i.limit, i.measured, i.holds()))
+            .collect();
+        let expected = [
+            ("depth", 0.25, true),
+            ("silhouette", 3.0, false),
+            ("faces", 4.0, true),
+            ("colour", 5.0, true),
+            ("normal", 2.0, false),
+        ];
+        assert_eq!(found, expected);
+        assert_eq!(Budget::default().judge(&metrics, 400), []);
+        assert_eq!(
+            budget.options(),
+            " --max-depth-error 0.5px --max-silhouette-errors 2 --max-face-errors 1% --max-colour-error 5 --max-normal-error 1"
+        );
+        let better = budget.judge(&Metrics::default(), 400);
+        assert_eq!(worst(&[better, items.clone()]), items);
+    }
+}

@@ -1,0 +1,239 @@
+//! The frames that a machine has to draw, each with its truth, and what a machine of given words makes of them.
+
+use super::FitError;
+use super::budget::{Budget, Item, worst};
+use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
+use imogene_contract::MachineWords;
+use imogene_golden::format::Format;
+use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
+use imogene_prepare::Framing;
+use imogene_prepare::error::PrepareError;
+use imogene_prepare::{NeededWidths, PreparedScene, prepare_for_roots};
+use imogene_scene::{FramedScene, SceneFile};
+
+/// One frame.
+pub struct Frame {
+    /// The file.
+    pub name: String,
+    /// The scene at its size.
+    pub scene: FramedScene,
+    /// What is truly seen.
+    pub truth: Truth,
+}
+
+impl Frame {
+    /// The golden picture of the frame, and the map of its errors: red, green and blue of every pixel.
+    pub fn picture(&self, prepared: &PreparedScene) -> (Vec<u8>, Vec<u8>) {
+        let drawing = Drawing::of(prepared, &self.scene);
+        let (_, map) = measure(&self.truth, &drawing);
+        (drawing.rgb, map)
+    }
+}
+
+/// All frames of an animation, or the one of a picture.
+pub struct Frames(Vec<Frame>);
+
+/// What decides the pixels; all other widths are those that the frames require.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Words {
+    /// Depth word.
+    pub depth: u32,
+    /// Bits of a normal component.
+    pub normal: u32,
+    /// Guard bits of f1.
+    pub guard_linear: u32,
+    /// Guard bits of f2.
+    pub guard_quadratic: u32,
+    /// Last digits of the root that are not computed.
+    pub dropped_rows: u32,
+}
+
+/// The frames in words, against their truth.
+#[derive(Clone)]
+pub struct Drawn {
+    /// Every width.
+    pub widths: MachineWords,
+    /// The frames in these widths.
+    pub prepared: Vec<PreparedScene>,
+    /// How far each picture is from the truth.
+    pub metrics: Vec<Metrics>,
+    /// The limits of the budget, each with the worst of all frames.
+    pub items: Vec<Item>,
+}
+
+impl Drawn {
+    /// True if every limit is kept.
+    pub fn fits(&self) -> bool {
+        self.items.iter().all(Item::holds)
+    }
+
+    /// The machine: slots that take every frame.
+    pub fn machine(&self, rows_per_stage: u32) -> FittedMachine {
+        let mut slots: Vec<FittedSlot> = Vec::new();
+        for prepared in &self.prepared {
+            let frame = prepared.fitted_machine(rows_per_stage).slots;
+            if slots.is_empty() {
+                slots = frame;
+                continue;
+            }
+            for (slot, other) in slots.iter_mut().zip(frame) {
+                slot.planes = slot.planes.max(other.planes);
+                slot.two_volumes |= other.two_volumes;
+            }
+        }
+        FittedMachine {
+            widths: self.widths,
+            rows_per_stage,
+            slots,
+        }
+    }
+}
+
+impl Frames {
+    /// Solves the frames; `line_done` is called once a line, from any thread.
+    ///
+    /// # Errors
+    ///
+    /// When a scene cannot be framed, is for other processors, or the frames are not of one animation.
+    pub fn new(
+        files: &[(String, SceneFile)],
+        size: Option<(u32, u32)>,
+        line_done: impl Fn() + Sync,
+    ) -> Result<Frames, FitError> {
+        let scenes = files.iter().map(|(name, file)| {
+            let (width, height) = size.unwrap_or((file.image.width, file.image.height));
+            let framed = file.frame(width, height);
+            framed.map_err(|source| FitError::Scene {
+                scene: name.clone(),
+                source: Box::new(source),
+            })
+        });
+        let scenes: Vec<FramedScene> = scenes.collect::<Result<_, _>>()?;
+        for ((name, _), scene) in files.iter().zip(&scenes) {
+            check(name, scene, scenes[0].objects.len())?;
+            // What the base format refuses no other words take: f2 and the planes grow with the depth word.
+            let refused = prepare_for_roots(scene, Format::BASE).err();
+            if let Some(source) = refused {
+                return Err(FitError::Prepare {
+                    scene: name.clone(),
+                    source: Box::new(source),
+                });
+            }
+        }
+        let frames = files.iter().zip(scenes).map(|((name, _), scene)| Frame {
+            name: name.clone(),
+            truth: Truth::new(&scene, &line_done),
+            scene,
+        });
+        Ok(Frames(frames.collect()))
+    }
+
+    /// The frames.
+    pub fn all(&self) -> &[Frame] {
+        &self.0
+    }
+
+    /// Draws all frames in the narrowest widths that take them; `None` if these words are too few for a frame.
+    ///
+    /// # Errors
+    ///
+    /// When a frame cannot be drawn by any machine.
+    pub fn draw(&self, words: &Words, budget: &Budget) -> Result<Option<Drawn>, FitError> {
+        let Some((widths, prepared)) = self.prepared(words)? else {
+            return Ok(None);
+        };
+        let mut metrics = Vec::new();
+        let mut items = Vec::new();
+        for (frame, prepared) in self.0.iter().zip(&prepared) {
+            let drawing = Drawing::of(prepared, &frame.scene);
+            let (found, _) = measure(&frame.truth, &drawing);
+            items.push(budget.judge(&found, frame.truth.pixels.len()));
+            metrics.push(found);
+        }
+        Ok(Some(Drawn {
+            widths,
+            prepared,
+            metrics,
+            items: worst(&items),
+        }))
+    }
+
+    fn prepared(
+        &self,
+        words: &Words,
+    ) -> Result<Option<(MachineWords, Vec<PreparedScene>)>, FitError> {
+        let wide = MachineWords {
+            depth: words.depth,
+            root: words.depth,
+            plane: words.depth + 12,
+            normal: words.normal,
+            guard_linear: words.guard_linear,
+            guard_quadratic: words.guard_quadratic,
+            dropped_rows: words.dropped_rows,
+        };
+        let Some(in_wide) = self.in_widths(&wide)? else {
+            return Ok(None);
+        };
+        let mut widths = needed(&in_wide).narrowed(&wide);
+        // The root of the rounded words may need a bit more in the narrower word; never more than the wide one has.
+        while widths != wide {
+            if let Some(prepared) = self.in_widths(&widths)? {
+                return Ok(Some((widths, prepared)));
+            }
+            widths.root = (widths.root + 1).min(wide.root);
+            widths.plane = (widths.plane + 1).min(wide.plane);
+        }
+        Ok(Some((wide, in_wide)))
+    }
+
+    /// The frames in a format; `None` if there is no such format, or a word of it is too short.
+    fn in_widths(&self, widths: &MachineWords) -> Result<Option<Vec<PreparedScene>>, FitError> {
+        let Ok(format) = Format::fitted(widths) else {
+            return Ok(None);
+        };
+        let mut all = Vec::new();
+        for frame in &self.0 {
+            match prepare_for_roots(&frame.scene, format) {
+                Ok(prepared) => all.push(prepared),
+                Err(PrepareError::TooLarge { .. } | PrepareError::SteepPlane { .. }) => {
+                    return Ok(None);
+                }
+                Err(source) => {
+                    return Err(FitError::Prepare {
+                        scene: frame.name.clone(),
+                        source: Box::new(source),
+                    });
+                }
+            }
+        }
+        Ok(Some(all))
+    }
+}
+
+fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitError> {
+    let name = || name.to_owned();
+    let count = scene.objects.len();
+    if count == 0 {
+        return Err(FitError::Empty { scene: name() });
+    }
+    if count != expected {
+        return Err(FitError::Objects {
+            scene: name(),
+            count,
+            expected,
+        });
+    }
+    match scene.objects.iter().find(|o| o.processor() != "quadric") {
+        Some(other) => Err(FitError::Processor {
+            scene: name(),
+            object: other.name().to_owned(),
+            processor: other.processor(),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn needed(frames: &[PreparedScene]) -> NeededWidths {
+    let each = frames.iter().map(PreparedScene::needed);
+    each.fold(NeededWidths::default(), |most, one| most.or(&one))
+}

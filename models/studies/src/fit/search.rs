@@ -1,0 +1,167 @@
+//! The search: for each depth word that can meet the budget, the fewest bits everywhere else.
+//!
+//! Errors fall with every bit, so each number is found by halving an interval: the least depth word at which the budget is met with all guard bits, then, for
+//! that depth word and some more, the shortest normal, the most digits of the root left out, the fewest guard bits of f2, and of f1. What is found is
+//! drawn and compared in full; where errors do not fall evenly the result may be a bit more than the least, but never less than what the budget asks for.
+
+use super::FitError;
+use super::budget::{Budget, Item};
+use super::estimate;
+use super::frames::{Drawn, Frames, Words};
+use imogene_golden::format::Format;
+use rayon::prelude::*;
+
+/// Depth words that are tried.
+const DEPTHS: (u32, u32) = (8, 30);
+/// Depth words beyond the least that meets the budget: a longer word can need fewer guard bits.
+const MORE_DEPTHS: u32 = 3;
+/// Guard bits at most; more than these help no scene that is known.
+const GUARDS: (u32, u32) = (8, 16);
+/// Bits of a normal component.
+const NORMALS: (u32, u32) = (10, 16);
+
+/// What was found.
+pub enum Outcome {
+    /// Machines that meet the budget, the one that should be smallest first.
+    Fits(Vec<Drawn>),
+    /// None does; the limits with what the most exact machine reaches.
+    Unreachable {
+        /// Every limit of the budget.
+        items: Vec<Item>,
+        /// The most exact machine.
+        nearest: Box<Drawn>,
+    },
+}
+
+/// Searches; `tried` is called once for each set of words that was drawn, from any thread.
+///
+/// # Errors
+///
+/// When the budget is empty, or no machine can draw a frame.
+pub fn search(
+    frames: &Frames,
+    budget: &Budget,
+    tried: impl Fn() + Sync,
+) -> Result<Outcome, FitError> {
+    if budget.is_empty() {
+        return Err(FitError::NoBudget);
+    }
+    let search = Search {
+        frames,
+        budget,
+        tried: &tried,
+    };
+    let Some(least) = search.least_depth()? else {
+        return search.unreachable();
+    };
+    let last = (least + MORE_DEPTHS).min(DEPTHS.1);
+    let found: Result<Vec<Option<Drawn>>, FitError> = (least..=last)
+        .into_par_iter()
+        .map(|depth| search.fewest(depth))
+        .collect();
+    let mut found: Vec<Drawn> = found?.into_iter().flatten().collect();
+    let cells = |drawn: &Drawn| estimate::cells(&drawn.machine(1));
+    found.sort_by(|a, b| cells(a).total_cmp(&cells(b)));
+    Ok(Outcome::Fits(found))
+}
+
+struct Search<'a, T: Fn() + Sync> {
+    frames: &'a Frames,
+    budget: &'a Budget,
+    tried: &'a T,
+}
+
+/// The most exact words of a depth word.
+fn most_exact(depth: u32) -> Words {
+    // The second-degree processor has at most 64 bits, and the root as many as the depth unless the scene needs fewer.
+    Words {
+        depth,
+        normal: NORMALS.1,
+        guard_linear: GUARDS.0,
+        guard_quadratic: GUARDS.1.min(64 - 2 * depth.min(32)),
+        dropped_rows: 0,
+    }
+}
+
+impl<T: Fn() + Sync> Search<'_, T> {
+    fn draw(&self, words: &Words) -> Result<Option<Drawn>, FitError> {
+        let drawn = self.frames.draw(words, self.budget)?;
+        (self.tried)();
+        Ok(drawn)
+    }
+
+    fn fits(&self, words: &Words) -> Result<bool, FitError> {
+        Ok(self.draw(words)?.is_some_and(|drawn| drawn.fits()))
+    }
+
+    /// The least number in a range that fits, if the greatest does.
+    fn least(
+        &self,
+        (mut low, mut high): (u32, u32),
+        of: impl Fn(u32) -> Words,
+    ) -> Result<u32, FitError> {
+        while low < high {
+            let middle = (low + high) / 2;
+            if self.fits(&of(middle))? {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        Ok(high)
+    }
+
+    fn least_depth(&self) -> Result<Option<u32>, FitError> {
+        if !self.fits(&most_exact(DEPTHS.1))? {
+            return Ok(None);
+        }
+        self.least(DEPTHS, most_exact).map(Some)
+    }
+
+    /// The fewest bits with a depth word, if it meets the budget at all.
+    fn fewest(&self, depth: u32) -> Result<Option<Drawn>, FitError> {
+        let mut words = most_exact(depth);
+        if !self.fits(&words)? {
+            return Ok(None);
+        }
+        words.normal = self.least(NORMALS, |normal| Words { normal, ..words })?;
+        let most = Format::MAX_DROPPED_ROWS.min(depth / 2);
+        let kept = self.least((0, most), |kept| Words {
+            dropped_rows: most - kept,
+            ..words
+        })?;
+        words.dropped_rows = most - kept;
+        words.guard_quadratic = self.least((0, words.guard_quadratic), |bits| Words {
+            guard_quadratic: bits,
+            ..words
+        })?;
+        words.guard_linear = self.least((0, words.guard_linear), |bits| Words {
+            guard_linear: bits,
+            ..words
+        })?;
+        Ok(self.draw(&words)?.filter(Drawn::fits))
+    }
+
+    /// What the most exact machine reaches.
+    fn unreachable(&self) -> Result<Outcome, FitError> {
+        let mut nearest = None;
+        // The longest words may leave no room for guard bits; of all depth words the one that breaks the fewest limits counts.
+        for depth in (DEPTHS.0..=DEPTHS.1).rev() {
+            let Some(drawn) = self.draw(&most_exact(depth))? else {
+                continue;
+            };
+            let broken = drawn.items.iter().filter(|item| !item.holds()).count();
+            if nearest.as_ref().is_none_or(|(least, _)| broken < *least) {
+                nearest = Some((broken, drawn));
+            }
+            if depth <= Format::BASE.depth {
+                break;
+            }
+        }
+        let (_, drawn) = nearest.expect("the words of the base format were drawn");
+        Ok(Outcome::Unreachable {
+            items: drawn.items.clone(),
+            nearest: Box::new(drawn),
+        })
+    }
+}

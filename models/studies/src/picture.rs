@@ -1,0 +1,118 @@
+//! Files of a picture: PNG, and NumPy arrays of depth, object index and normals.
+//!
+//! The functions fill a stream; [`Outputs`] lets the files appear.
+
+pub use imogene_files::{Outputs, WriteError, write_whole};
+use imogene_golden::machine::frame::Frame;
+use npyz::WriterBuilder;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// A picture that could not be read.
+#[derive(Debug, Error)]
+#[error("cannot read '{}': {problem}; accepted is a PNG picture", path.display())]
+pub struct ReadError {
+    /// The file.
+    pub path: PathBuf,
+    /// Why.
+    pub problem: String,
+}
+
+/// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are less than half opaque count as black.
+pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
+    let fail = |problem: String| ReadError {
+        path: path.to_path_buf(),
+        problem,
+    };
+    let file = std::fs::File::open(path).map_err(|e| fail(e.to_string()))?;
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|e| fail(e.to_string()))?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    if width.max(height) > MAX_MASK_SIDE {
+        return Err(fail(format!(
+            "{width} x {height} pixels are more than {MAX_MASK_SIDE} each way"
+        )));
+    }
+    let size = reader.output_buffer_size();
+    let mut buffer = vec![0; size.ok_or_else(|| fail("it is too large".into()))?];
+    let info = reader
+        .next_frame(&mut buffer)
+        .map_err(|e| fail(e.to_string()))?;
+    let samples = info.color_type.samples();
+    let has_alpha = matches!(
+        info.color_type,
+        png::ColorType::GrayscaleAlpha | png::ColorType::Rgba
+    );
+    let is_set = |pixel: &[u8]| {
+        let (colour, alpha) = pixel.split_at(samples - usize::from(has_alpha));
+        colour.iter().any(|&c| c > 0) && alpha.iter().all(|&a| a >= 128)
+    };
+    let pixels = buffer[..info.buffer_size()].chunks_exact(samples);
+    Ok((
+        width as usize,
+        height as usize,
+        pixels.map(is_set).collect(),
+    ))
+}
+
+/// Longest side of a mask that is read.
+const MAX_MASK_SIDE: u32 = 4096;
+
+/// Writes an 8-bit RGB picture to a file of its own.
+pub fn write_png(path: &Path, width: usize, height: usize, rgb: &[u8]) -> Result<(), WriteError> {
+    write_whole(path, |out| png(out, width, height, rgb))
+}
+
+/// An 8-bit RGB picture.
+pub fn png(out: &mut dyn Write, width: usize, height: usize, rgb: &[u8]) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(io::Error::other)?;
+    writer.write_image_data(rgb).map_err(io::Error::other)?;
+    writer.finish().map_err(io::Error::other)
+}
+
+/// Depth words, int64 of shape (height, width); the background is the format's `z_max`.
+pub fn depth(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+    npy(out, &shape(frame, None), frame.depth.iter().copied())
+}
+
+/// Object indices, int32 of shape (height, width); the background is -1.
+pub fn ids(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+    npy(out, &shape(frame, None), frame.id.iter().copied())
+}
+
+/// Normal components, int16 of shape (height, width, 3), camera frame (x right, y down, z away).
+pub fn normals(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+    let components = frame.normal.iter().flatten().copied();
+    npy(out, &shape(frame, Some(3)), components)
+}
+
+/// Marks of pixels, uint8 of shape (height, width).
+pub fn marks(out: &mut dyn Write, width: usize, marks: &[u8]) -> io::Result<()> {
+    let height = marks.len() / width.max(1);
+    npy(out, &[height as u64, width as u64], marks.iter().copied())
+}
+
+fn shape(frame: &Frame, components: Option<u64>) -> Vec<u64> {
+    let mut shape = vec![frame.height as u64, frame.width as u64];
+    shape.extend(components);
+    shape
+}
+
+fn npy<T: npyz::Serialize + npyz::AutoSerialize>(
+    out: &mut dyn Write,
+    shape: &[u64],
+    values: impl Iterator<Item = T>,
+) -> io::Result<()> {
+    let mut writer = npyz::WriteOptions::new()
+        .default_dtype()
+        .shape(shape)
+        .writer(out)
+        .begin_nd()?;
+    writer.extend(values)?;
+    writer.finish()
+}

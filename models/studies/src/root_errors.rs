@@ -1,0 +1,402 @@
+//! Measured error and cost of every member of the family, for the table of `docs/root-network.md`.
+
+use imogene_golden::format::Format;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_golden::unit::root::{Method, root, root_length};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Places per octave of the radicand at which the error is measured, evenly spaced from the octave's first radicand on.
+/// The spacing is odd, so that the lower bits, on which the floors depend, take all values.
+const PLACES: u128 = 1 << 13;
+
+/// One row of the table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RootRow {
+    /// The member.
+    pub method: Method,
+    /// Its name for a reader.
+    pub label: String,
+    /// Root and remainder are those of the definition on every radicand.
+    pub exact: bool,
+    /// Error against the true square root.
+    pub error: RootError,
+    /// Steps between neighbouring radicands.
+    pub steps: Steps,
+    /// Depth of the test sphere; the base format only, whose words the sphere is given in.
+    pub sphere: Option<DepthError>,
+    /// What it is built of.
+    pub cost: Cost,
+}
+
+/// Error against the true square root over the upper half of the radicand's octaves, each octave of the same weight. The floor of the exact
+/// root is below 1 in the last place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct RootError {
+    /// Greatest, in the last place of the root.
+    pub max_lsb: f64,
+    /// Mean of the absolute values, in the last place.
+    pub mean_lsb: f64,
+    /// Root mean square, in the last place.
+    pub rms_lsb: f64,
+    /// Greatest, in percent of the root.
+    pub max_percent: f64,
+    /// Mean of the absolute values, in percent of the root.
+    pub mean_percent: f64,
+}
+
+/// Steps of the root between neighbouring radicands X - 1 and X, where X is a measured place or begins a new scaled argument.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Steps {
+    /// No step down was found.
+    pub monotone: bool,
+    /// Greatest step in either direction; the exact root's is 1.
+    pub largest: u64,
+}
+
+/// Error of the front depth of the test sphere against the depth in real numbers, in pixels of depth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct DepthError {
+    /// Covered pixels.
+    pub pixels: u64,
+    /// Greatest, in depth words.
+    pub max_counts: f64,
+    /// Greatest.
+    pub max_px: f64,
+    /// Mean.
+    pub mean_px: f64,
+}
+
+/// What a member is built of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Cost {
+    /// Cells of adders, subtractors and controlled subtractors: one for each live bit of each sum, besides multipliers and shifters.
+    pub adder_cells: u32,
+    /// 16 x 16 multipliers.
+    pub multipliers: u32,
+    /// Shifters by a variable count.
+    pub shifters: u32,
+    /// Clocks from radicand to root, at one row per register stage.
+    pub latency: u32,
+    /// Clocks from one result to the next.
+    pub interval: u32,
+}
+
+/// The members in the order of the table.
+pub fn family(format: &Format) -> Vec<Method> {
+    let mut family = vec![
+        Method::Restoring,
+        Method::NonRestoring,
+        Method::Iterative,
+        Method::Linear { corrections: 0 },
+        Method::Linear { corrections: 1 },
+        Method::Linear { corrections: 2 },
+        Method::Quadratic { corrections: 0 },
+        Method::Quadratic { corrections: 1 },
+        Method::Quadratic { corrections: 2 },
+    ];
+    let kept: Vec<u32> = [6, 8, 10, 12, 14, 16, 20, 24]
+        .into_iter()
+        .filter(|kept| *kept < format.root)
+        .collect();
+    family.extend(kept.iter().map(|&kept| Method::Rows { kept }));
+    family.extend(kept.iter().map(|&kept| Method::Leading { kept }));
+    family
+}
+
+/// The measured table of the family at the widths of a format.
+pub fn table(format: &Format) -> Vec<RootRow> {
+    family(format)
+        .into_par_iter()
+        .map(|method| row(method, format))
+        .collect()
+}
+
+fn row(method: Method, format: &Format) -> RootRow {
+    RootRow {
+        method,
+        label: method.to_string(),
+        exact: method.is_exact(),
+        error: error(method, format.root),
+        steps: steps(method, format.root),
+        sphere: (*format == Format::BASE).then(|| sphere(method)),
+        cost: cost(method, format.root),
+    }
+}
+
+/// Radicands of the upper half of the octaves, from `root_bits` to `2 root_bits` significant bits.
+fn places(root_bits: u32) -> impl Iterator<Item = u128> {
+    (root_bits - 1..2 * root_bits).flat_map(|octave| {
+        let first = 1u128 << octave;
+        let step = ((first - 1) / PLACES).max(1);
+        (0..PLACES.min(first)).map(move |place| first + place * step)
+    })
+}
+
+fn error(method: Method, root_bits: u32) -> RootError {
+    let mut found = RootError::default();
+    let mut count = 0.0;
+    for radicand in places(root_bits) {
+        let truth = (radicand as f64).sqrt();
+        let off = (root(method, radicand, root_bits).root as f64 - truth).abs();
+        found.max_lsb = found.max_lsb.max(off);
+        found.mean_lsb += off;
+        found.rms_lsb += off * off;
+        found.max_percent = found.max_percent.max(100.0 * off / truth);
+        found.mean_percent += 100.0 * off / truth;
+        count += 1.0;
+    }
+    found.mean_lsb /= count;
+    found.rms_lsb = (found.rms_lsb / count).sqrt();
+    found.mean_percent /= count;
+    found
+}
+
+fn steps(method: Method, root_bits: u32) -> Steps {
+    let value = |radicand| root(method, radicand, root_bits).root;
+    let mut found = Steps {
+        monotone: true,
+        largest: 0,
+    };
+    for place in places(root_bits) {
+        let scaled = place >> root_length(place) << root_length(place);
+        for radicand in [place, scaled] {
+            let (before, after) = (value(radicand - 1), value(radicand));
+            found.monotone &= before <= after;
+            found.largest = found.largest.max(before.abs_diff(after));
+        }
+    }
+    found
+}
+
+/// The test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100, viewer distance 1000, 720 x 540 pixels.
+struct Sphere {
+    f1: Linear,
+    f2: Quadratic,
+}
+
+const SPHERE: Sphere = Sphere {
+    f1: Linear::new(-100, 50, 1_921_817),
+    f2: Quadratic {
+        a: -41_863_718,
+        b: -41_871_193,
+        c: -9_967,
+        d: 31_440_272_584,
+        e: 21_966_180_078,
+        f: -8_533_734_878_403,
+    },
+};
+const COLUMNS: i64 = 720;
+const LINES: i64 = 540;
+/// Depth words per pixel of depth, `Kp = (2^23 - 1) / 1000`.
+const WORDS_PER_PIXEL: f64 = 8_388.607;
+
+/// Front depth in real numbers, in depth words: the near root of the transformed equation of the sphere.
+fn true_depth(column: i64, line: i64) -> f64 {
+    let (x, y) = ((column - COLUMNS / 2) as f64, (line - LINES / 2) as f64);
+    let square = 3361.0 / 2000.0;
+    let half = x / 50.0 - y / 100.0 - 761.0 / 2.0;
+    let rest = x * x + y * y - 40.0 * x + 20.0 * y + 80_500.0;
+    let middle = -half / square;
+    let radicand = middle * middle - rest / square;
+    WORDS_PER_PIXEL * (middle - radicand.max(0.0).sqrt())
+}
+
+fn sphere(method: Method) -> DepthError {
+    let mut found = DepthError::default();
+    for line in 0..LINES {
+        for column in 0..COLUMNS {
+            let radicand = SPHERE.f2.wrapped_at(column, line, Format::BASE.quadratic);
+            if radicand < 0 {
+                continue;
+            }
+            let f1 = SPHERE.f1.wrapped_at(column, line, Format::BASE.sum);
+            let root = root(method, radicand as u128, Format::BASE.root).root;
+            let off = ((f1 - i128::from(root)) as f64 - true_depth(column, line)).abs();
+            found.pixels += 1;
+            found.max_counts = found.max_counts.max(off);
+            found.mean_px += off / WORDS_PER_PIXEL;
+        }
+    }
+    found.mean_px /= found.pixels as f64;
+    found.max_px = found.max_counts / WORDS_PER_PIXEL;
+    found
+}
+
+/// Cells of the first rows: row k subtracts k + 2 bits, the first 2.
+fn row_cells(rows: u32) -> u32 {
+    (rows * (rows + 5) / 2).saturating_sub(1)
+}
+
+/// Products of 15-bit digits, each pair once, that a square of `bits` bits takes; a top digit of one or two bits is gates.
+fn square_products(bits: u32) -> u32 {
+    let digits = bits.div_ceil(15);
+    let digits = digits - u32::from(bits % 15 <= 2);
+    digits * (digits + 1) / 2
+}
+
+fn cost(method: Method, root_bits: u32) -> Cost {
+    let corrections_of = |corrections: u32| {
+        // The excess, and what it takes from the root.
+        let cells = corrections * (2 * root_bits + root_bits + 1);
+        (cells, corrections * square_products(root_bits + 1))
+    };
+    let (adder_cells, multipliers, shifters) = match method {
+        Method::Restoring => (row_cells(root_bits), 0, 0),
+        // The remainder's last addition besides the rows.
+        Method::NonRestoring => (row_cells(root_bits) + root_bits + 1, 0, 0),
+        Method::Iterative => (root_bits + 2, 0, 0),
+        Method::Rows { kept } => (row_cells(kept), 0, 0),
+        Method::Leading { kept } => (row_cells(kept), 0, 2),
+        Method::Linear { corrections } => {
+            let (cells, products) = corrections_of(corrections);
+            (root_bits + cells, products, 1 + corrections)
+        }
+        Method::Quadratic { corrections } => {
+            let (cells, products) = corrections_of(corrections);
+            // 15 A, 15 times the rest of X, two sums of 15 R; the fifteenth: two parts of ones, the sum of parts and their joining.
+            let estimate = 4 * (root_bits + 4) + 8 * 24;
+            let own = square_products(root_bits);
+            (estimate + cells, own + products, 3 + corrections)
+        }
+    };
+    Cost {
+        adder_cells,
+        multipliers,
+        shifters,
+        latency: method.latency(root_bits, 1),
+        interval: if method == Method::Iterative {
+            root_bits
+        } else {
+            1
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sphere_words_are_the_rounded_truth() {
+        // Second difference and slope of the real depth's linear part give back the words.
+        let square = 3361.0 / 2000.0;
+        let per_pixel = -WORDS_PER_PIXEL / 50.0 / square;
+        assert_eq!(per_pixel.round() as i128, SPHERE.f1.a);
+        let scale = WORDS_PER_PIXEL * WORDS_PER_PIXEL;
+        let a = scale * (1.0 / 2500.0 / square - 1.0) / square;
+        assert_eq!(a.round() as i128, SPHERE.f2.a);
+    }
+
+    /// The floors weigh most in the lowest octaves, which are searched closely.
+    fn percent(method: Method) -> f64 {
+        let off = |radicand: u128| {
+            let truth = (radicand as f64).sqrt();
+            100.0 * (root(method, radicand, 24).root as f64 - truth).abs() / truth
+        };
+        let lowest = (1u128 << 23..1 << 25).step_by(61).map(off);
+        lowest.fold(error(method, 24).max_percent, f64::max)
+    }
+
+    /// Restatement 4.2: integer versions on 48 bits, from 2^23 on.
+    #[test]
+    fn integer_errors_of_the_specification() {
+        let linear = [6.066, 1.681, 0.507];
+        for (corrections, expected) in (0..).zip(linear) {
+            let found = percent(Method::Linear { corrections });
+            assert!(
+                (found - expected).abs() < 0.002,
+                "linear + {corrections}: {found}"
+            );
+        }
+        let quadratic = [1.364, 0.540, 0.221];
+        for (corrections, expected) in (0..).zip(quadratic) {
+            let found = percent(Method::Quadratic { corrections });
+            assert!(
+                (found - expected).abs() < 0.003,
+                "quadratic + {corrections}: {found}"
+            );
+        }
+        let counts = |method| error(method, 24).max_lsb.round() as i64;
+        assert!((counts(Method::Linear { corrections: 2 }) - 56_078).abs() <= 2);
+        assert!((counts(Method::Quadratic { corrections: 1 }) - 53_930).abs() <= 2);
+        let twelve = error(Method::Leading { kept: 12 }, 24);
+        assert!(twelve.max_percent < 0.0489 && (twelve.mean_percent - 0.016).abs() < 0.002);
+    }
+
+    /// Restatement 4.3, the table of depth errors: method, greatest error in counts, mean in pixels.
+    const SPHERE_TABLE: [(Method, f64, f64); 7] = [
+        (Method::Restoring, 54.0, 0.0048),
+        (Method::Leading { kept: 12 }, 98.0, 0.0038),
+        (Method::Linear { corrections: 0 }, 22_533.0, 0.82),
+        (Method::Linear { corrections: 1 }, 6_150.0, 0.21),
+        (Method::Linear { corrections: 2 }, 1_802.0, 0.063),
+        (Method::Quadratic { corrections: 0 }, 4_413.0, 0.21),
+        (Method::Quadratic { corrections: 1 }, 1_656.0, 0.065),
+    ];
+
+    #[test]
+    fn sphere_depths_of_the_specification() {
+        for (method, counts, mean) in SPHERE_TABLE {
+            let found = sphere(method);
+            assert_eq!(found.pixels, 18_707);
+            assert!(
+                (found.max_counts - counts).abs() <= 2.0,
+                "{method}: {found:?}"
+            );
+            assert!(
+                (found.mean_px - mean).abs() < 0.03 * mean,
+                "{method}: {found:?}"
+            );
+        }
+    }
+
+    /// Restatement 4.3, the knob table, which sampled one pixel in nine: every pixel is at least as bad.
+    #[test]
+    fn sphere_knobs_of_the_specification() {
+        let leading = [(6, 0.97, 0.41), (8, 0.24, 0.099), (10, 0.057, 0.022)];
+        let rows = [
+            (8, 7.81, 3.83),
+            (10, 1.95, 0.97),
+            (12, 0.48, 0.24),
+            (16, 0.027, 0.011),
+        ];
+        let leading = leading.map(|(kept, max, mean)| (Method::Leading { kept }, max, mean));
+        let rows = rows.map(|(kept, max, mean)| (Method::Rows { kept }, max, mean));
+        for (method, max, mean) in leading.into_iter().chain(rows) {
+            let found = sphere(method);
+            assert!(
+                (found.max_px - max).abs() < 0.05 * max,
+                "{method}: {found:?}"
+            );
+            assert!(
+                (found.mean_px - mean).abs() < 0.05 * mean,
+                "{method}: {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn cells_of_the_specification() {
+        assert_eq!((row_cells(24), row_cells(8)), (347, 51));
+        assert_eq!([17, 25, 33].map(square_products), [1, 3, 6]);
+    }
+
+    #[test]
+    fn the_table_tells_exact_monotone_and_bounded_apart() {
+        for format in Format::CATALOGUE.map(|depth| Format::new(depth).unwrap()) {
+            for row in table(&format) {
+                if row.exact {
+                    assert!(
+                        row.error.max_lsb <= 1.0 && row.steps.largest == 1,
+                        "{row:?}"
+                    );
+                }
+                let bounded = matches!(row.method, Method::Quadratic { .. });
+                assert!(row.steps.monotone || bounded, "{row:?}");
+                assert_eq!(row.sphere.is_some(), format == Format::BASE);
+            }
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and axis-parallel vectors, near and far points.
+
+use crate::trial::random::Random;
+use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
+
+/// Loaded words and one pixel.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The words.
+    pub words: ShaderWords,
+    /// The pixel.
+    pub pixel: Pixel,
+}
+
+type Vector = [f64; 3];
+
+impl Case {
+    /// A random case.
+    pub(super) fn draw(random: &mut Random) -> Case {
+        let depth = [16, 20, 24, 28, 32][random.below(5) as usize];
+        Case::of_format(depth, random)
+    }
+
+    fn of_format(depth: u32, random: &mut Random) -> Case {
+        let size = [(); 2].map(|()| {
+            let bits = 1 + random.below(12);
+            1 + random.below(1 << bits) as u16
+        });
+        let mut words = ShaderWords {
+            depth,
+            size,
+            perspective: !random.one_in(5),
+            view_shift: random.below(8) as u8,
+            distance: 1 + random.magnitude(131_070.0, 12) as u32,
+            attenuation: random.one_in(3).then(|| random.between(0, 30 << 22) as i32),
+            offset_when_on: 0,
+            background: [0; 3],
+            lights: vec![],
+            materials: vec![material(random)],
+        };
+        let mut pixel = Pixel {
+            x: random.below(u64::from(size[0])) as u16,
+            y: random.below(u64::from(size[1])) as u16,
+            depth: draw_depth(depth, random),
+            material: 0,
+            normal: [0; 3],
+            flags: random.next() as u16 | random.next() as u16,
+        };
+        let ray = sight(&words, &pixel);
+        let normal = draw_normal(ray, random);
+        pixel.normal = normal.map(|v| v.round() as i16);
+        let lights = 1 + random.below(4).min(random.below(4));
+        for source in 0..lights {
+            let mut light = draw_light(ray, pixel.normal.map(f64::from), random);
+            if random.one_in(3) {
+                at_a_point(&mut light, &words, &pixel, random);
+            }
+            light.source = source as u8;
+            words.lights.push(light);
+        }
+        Case { words, pixel }
+    }
+
+    /// A case near this one.
+    pub(super) fn near(&self, random: &mut Random) -> Case {
+        let mut case = self.clone();
+        let step = |random: &mut Random| random.between(-3, 3) << random.below(8);
+        for _ in 0..=random.below(3) {
+            let light = random.below(case.words.lights.len() as u64) as usize;
+            let light = &mut case.words.lights[light];
+            let k = random.below(3) as usize;
+            match random.below(8) {
+                0 | 1 => {
+                    let v = i64::from(case.pixel.normal[k]) + step(random);
+                    case.pixel.normal[k] = v.clamp(-32768, 32767) as i16;
+                }
+                2 | 3 => {
+                    light.base[k] =
+                        bounded(i64::from(light.base[k]) + (step(random) << random.below(16)))
+                }
+                4 => {
+                    light.slope[k] =
+                        bounded(i64::from(light.slope[k]) + (step(random) << random.below(16)))
+                }
+                5 => {
+                    let v = i64::from(case.words.materials[0].exponent) + step(random) / 16;
+                    case.words.materials[0].exponent = v.clamp(1, 200) as u8;
+                }
+                6 => {
+                    let v = i64::from(case.words.distance) + step(random);
+                    case.words.distance = v.clamp(1, 131_071) as u32;
+                }
+                _ => light.colour[k] = random.below(81_601) as u32,
+            }
+        }
+        case
+    }
+}
+
+/// Words for a processor with so many lights and pixels that are hard for them, all from a seed.
+pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderWords, Vec<Pixel>) {
+    let mut random = Random::of_case(seed, 0);
+    let case = Case::of_format(depth, &mut random);
+    let mut words = case.words;
+    while words.lights.len() < lights {
+        words
+            .lights
+            .extend(Case::of_format(depth, &mut random).words.lights);
+    }
+    words.lights.truncate(lights);
+    words.materials = (0..5).map(|_| material(&mut random)).collect();
+    words.background = [7, 130, 250];
+    let far = (1i64 << (depth - 1)) - 1;
+    let mut pixel = |_| {
+        let mut pixel = case.pixel;
+        if random.one_in(3) {
+            pixel.x = random.below(4096) as u16;
+            pixel.y = random.below(4096) as u16;
+            pixel.depth = draw_depth(depth, &mut random);
+            let ray = sight(&words, &pixel);
+            pixel.normal = draw_normal(ray, &mut random).map(|v| v.round() as i16);
+        } else {
+            let k = random.below(3) as usize;
+            let step = random.between(-3, 3) << random.below(8);
+            pixel.normal[k] = (i64::from(pixel.normal[k]) + step).clamp(-32768, 32767) as i16;
+        }
+        if random.one_in(10) {
+            pixel.depth = far;
+        }
+        pixel.material = random.below(5) as u8;
+        pixel.flags |= random.next() as u16;
+        pixel
+    };
+    let pixels = (0..pixels).map(&mut pixel).collect();
+    (words, pixels)
+}
+
+fn bounded(value: i64) -> i32 {
+    value.clamp(-(1 << 27), (1 << 27) - 1) as i32
+}
+
+fn draw_depth(depth: u32, random: &mut Random) -> i64 {
+    let far = (1i64 << (depth - 1)) - 1;
+    match random.below(4) {
+        0 => random.between(-far, far - 1),
+        1 => far - 1 - random.magnitude(far as f64, depth - 1) as i64,
+        2 => -far + random.magnitude(far as f64, depth - 1) as i64,
+        _ => [0, -far, far - 1, 1, -1][random.below(5) as usize],
+    }
+}
+
+fn material(random: &mut Random) -> MaterialWords {
+    let share = |random: &mut Random| match random.below(3) {
+        0 => 65535,
+        1 => 0,
+        _ => random.below(65536) as u16,
+    };
+    MaterialWords {
+        ambient: [(); 3].map(|()| {
+            let less = random.below(12);
+            random.below(65536 >> less) as u16
+        }),
+        diffuse: [(); 3].map(|()| share(random)),
+        specular: if random.one_in(4) {
+            share(random)
+        } else {
+            65535
+        },
+        exponent: match random.below(3) {
+            0 => 200,
+            1 => 1 + random.below(4) as u8,
+            _ => 1 + random.below(200) as u8,
+        },
+    }
+}
+
+/// As the unit forms it; here only the direction matters.
+fn sight(words: &ShaderWords, pixel: &Pixel) -> Vector {
+    let at = |at: u16, size: u16| {
+        ((64 * i64::from(at) - 32 * i64::from(size)) >> words.view_shift) as f64
+    };
+    let distance = f64::from(words.distance);
+    if words.perspective {
+        [
+            at(pixel.x, words.size[0]),
+            at(pixel.y, words.size[1]),
+            distance,
+        ]
+    } else {
+        [0.0, 0.0, distance]
+    }
+}
+
+fn direction(random: &mut Random) -> Vector {
+    match random.below(4) {
+        0 => {
+            let mut v = [0.0; 3];
+            v[random.below(3) as usize] = if random.one_in(2) { 1.0 } else { -1.0 };
+            v
+        }
+        1 => {
+            [(); 3].map(|()| random.magnitude(1.0, 20) * if random.one_in(2) { 1.0 } else { -1.0 })
+        }
+        _ => [(); 3].map(|()| random.signed()),
+    }
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// A vector with its longest component at `length`.
+fn scaled(v: Vector, length: f64) -> Vector {
+    let most = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    if most == 0.0 {
+        v
+    } else {
+        v.map(|x| x / most * length)
+    }
+}
+
+/// A vector turned by a small random part.
+fn near(v: Vector, part: f64, random: &mut Random) -> Vector {
+    let other = scaled(direction(random), part);
+    let v = scaled(v, 1.0);
+    std::array::from_fn(|k| v[k] + other[k])
+}
+
+fn draw_normal(ray: Vector, random: &mut Random) -> Vector {
+    let d = direction(random);
+    let normal = match random.below(4) {
+        // At a right angle to the line of sight, or nearly.
+        0 => {
+            let along = dot(d, ray) / dot(ray, ray);
+            let across = std::array::from_fn(|k| d[k] - along * ray[k]);
+            let part = random.magnitude(0.1, 20);
+            near(across, part, random)
+        }
+        1 => {
+            let part = random.magnitude(1.0, 20);
+            near(ray, part, random)
+        }
+        _ => d,
+    };
+    let length = if random.one_in(4) {
+        random.magnitude(32767.0, 15)
+    } else {
+        32767.0
+    };
+    scaled(normal, length)
+}
+
+fn draw_light(ray: Vector, normal: Vector, random: &mut Random) -> LightWords {
+    let square = dot(normal, normal).max(1.0);
+    // V mirrored at the normal: the middle of the highlight.
+    let mirrored = std::array::from_fn(|k| ray[k] - 2.0 * dot(normal, ray) / square * normal[k]);
+    let d = direction(random);
+    let vector = match random.below(6) {
+        0 => d,
+        // Grazing.
+        1 => {
+            let along = dot(d, normal) / square;
+            let across = std::array::from_fn(|k| d[k] - along * normal[k]);
+            let part = random.magnitude(0.1, 24);
+            near(across, part, random)
+        }
+        _ => {
+            let part = random.magnitude(0.7, 16);
+            near(mirrored, part, random)
+        }
+    };
+    let length = if random.one_in(4) {
+        random.magnitude(1.3e8, 27)
+    } else {
+        1.3e8
+    };
+    let bright = if random.one_in(3) { 81_600 } else { 8_160 };
+    LightWords {
+        base: scaled(vector, length).map(|v| bounded(v as i64)),
+        colour: [(); 3].map(|()| random.below(bright + 1) as u32),
+        ..LightWords::default()
+    }
+}
+
+/// Makes a point light of a light, in the same direction from the pixel's point.
+fn at_a_point(light: &mut LightWords, words: &ShaderWords, pixel: &Pixel, random: &mut Random) {
+    light.point = true;
+    light.shift = random.below(14) as u8;
+    light.slope = [(); 3].map(|()| bounded((random.signed() * random.magnitude(1.3e8, 27)) as i64));
+    let places = [
+        2 * i64::from(pixel.x) - i64::from(words.size[0]),
+        2 * i64::from(pixel.y) - i64::from(words.size[1]),
+        0,
+    ];
+    for (k, place) in places.into_iter().enumerate() {
+        let deep = (i64::from(light.slope[k]) * pixel.depth) >> (words.depth - 1);
+        light.base[k] = bounded(i64::from(light.base[k]) + (place << light.shift) + deep);
+    }
+}

@@ -1,0 +1,156 @@
+//! Values of parameters, and the parts that the scenes of all sweeps are made of.
+//!
+//! A scene file holds decimals of up to 15 significant digits; whatever a scene derives from its parameter is computed
+//! in rationals and must be such a decimal again, so that every scene is exactly what its parameter says.
+
+use super::Step;
+use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_golden::format::Format;
+use imogene_scene::{Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Surface};
+use num_rational::BigRational;
+
+/// The screen of a sweep unless it needs another. The picture is as high as it has lines, so that a scene unit is a
+/// pixel in the screen plane.
+pub const SCREEN: (u32, u32) = (96, 72);
+
+/// Where objects stand that are not to be symmetric to the pixel centres, which lie at whole numbers.
+pub const BESIDE: [f64; 3] = [0.3, 0.2, 0.0];
+
+/// The number that a decimal writes.
+pub fn number(text: &str) -> BigRational {
+    from_decimal(text.parse().expect("grids hold decimals"))
+}
+
+/// A rational as a number of a scene.
+///
+/// # Panics
+///
+/// If it is no decimal of up to 15 significant digits: the grid of the sweep is then wrong.
+pub fn decimal(value: &BigRational) -> f64 {
+    let nearest = to_f64(value);
+    assert_eq!(from_decimal(nearest), *value, "no decimal of 15 digits");
+    nearest
+}
+
+/// Decades `first`, `first / 10`, ... down to `last` as decimals, each times every mantissa.
+pub fn decades(mantissas: &[u32], exponents: impl Iterator<Item = i32>) -> Vec<String> {
+    exponents
+        .flat_map(|e| mantissas.iter().map(move |m| format!("{m}e{e}")))
+        .map(|text| plain(&text))
+        .collect()
+}
+
+/// A decimal without exponent.
+fn plain(text: &str) -> String {
+    let value: f64 = text.parse().expect("a decimal");
+    value.to_string()
+}
+
+/// The steps of some values in every series.
+pub fn steps(
+    series: usize,
+    values: &[String],
+    format: Format,
+    scene: impl Fn(usize, &BigRational) -> SceneFile,
+) -> Vec<Step> {
+    let of = |index: usize| {
+        let scene = &scene;
+        values.iter().map(move |value| Step {
+            series: index,
+            parameter: value.clone(),
+            scene: scene(index, &number(value)),
+            format: Ok(format),
+            with_naive: false,
+        })
+    };
+    (0..series).flat_map(of).collect()
+}
+
+/// Parallel projection along z, `half_depth` pixels to both sides of the origin.
+pub fn orthographic(half_depth: f64) -> Camera {
+    Camera::Orthographic {
+        eye: [0.0, 0.0, 1.0],
+        target: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        view_height: f64::from(SCREEN.1),
+        half_depth: None,
+        ends: Some([-half_depth, half_depth]),
+        sample_at: [0.0; 2],
+        node: Node::default(),
+    }
+}
+
+/// Central projection from (0, 0, distance) on the plane z = 0.
+pub fn perspective(distance: f64) -> Camera {
+    Camera::Perspective {
+        eye: [0.0, 0.0, distance],
+        target: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        viewer_distance: distance,
+        view_height: f64::from(SCREEN.1),
+        near: Some(0.5 * distance),
+        sample_at: [0.0; 2],
+        node: Node::default(),
+    }
+}
+
+/// A scene without lights on the usual screen.
+pub fn scene(title: &str, camera: Camera, objects: Vec<Object>) -> SceneFile {
+    SceneFile {
+        image: ImageSize {
+            width: SCREEN.0,
+            height: SCREEN.1,
+        },
+        materials: vec![Material {
+            name: "plain".into(),
+            colour: [0.5; 3],
+            ambient: 0.3,
+            diffuse: 0.7,
+            specular: 0.0,
+            exponent: 1,
+        }],
+        objects,
+        ..SceneFile::new(title, camera)
+    }
+}
+
+/// A solid where its local coordinates are.
+pub fn solid(name: &str, shape: Shape, cuts: Vec<Cut>) -> Object {
+    Object {
+        name: name.into(),
+        shape,
+        processor: None,
+        mode: Surface::Solid,
+        material: "plain".into(),
+        place: vec![],
+        cuts,
+        casts_shadow: true,
+        group: None,
+        visible: true,
+    }
+}
+
+/// The plane through a point that removes the side of the normal.
+pub fn cut(point: [f64; 3], normal: [f64; 3]) -> Cut {
+    Cut { point, normal }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use imogene_algebra::rational::fraction;
+
+    #[test]
+    fn grids_are_decimals_as_written() {
+        let grid = decades(&[5, 1], (-2..=0).rev());
+        assert_eq!(grid, ["5", "1", "0.5", "0.1", "0.05", "0.01"]);
+        assert_eq!(number("0.05"), fraction(1, 20));
+        assert_eq!(decimal(&fraction(1, 8)), 0.125);
+    }
+
+    #[test]
+    #[should_panic(expected = "no decimal of 15 digits")]
+    fn a_third_is_no_number_of_a_scene() {
+        decimal(&fraction(1, 3));
+    }
+}

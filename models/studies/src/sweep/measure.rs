@@ -1,0 +1,431 @@
+//! One prepared scene: the golden picture against the truth, beside the bounds that were proven before.
+
+use super::truth::{DEPTH_BITS, TruePixel, Truth};
+use imogene_algebra::rational::{from_f64_exact, power_of_two, to_f64};
+use imogene_analysis::bounds::{check, depth_bound, normal_bound, undecided_pixels};
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::interval::Class;
+use imogene_prepare::forms::QuadraticForm;
+use imogene_prepare::{NeededWidths, PreparedQuadric, PreparedScene};
+use imogene_scene::FramedScene;
+use num_rational::BigRational;
+use num_traits::Signed;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// What the exact depth itself can be off, in depth words: it is cut after its fraction bits.
+const CUT: f64 = 4.0 / (1u64 << DEPTH_BITS) as f64;
+/// Allowance for the angle of two vectors in floating point, in degrees.
+const ANGLE_MARGIN: f64 = 1e-9;
+
+/// What is proven of a picture before it is drawn; the keys are stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Bounds {
+    /// Greatest depth error at any pixel, in depth words.
+    pub depth_words: f64,
+    /// The same in pixels of projected depth.
+    pub depth_px: f64,
+    /// Greatest displacement of a silhouette, in pixels.
+    pub silhouette_px: f64,
+    /// Greatest angle of a normal whose direction the words determine, in degrees.
+    pub normal_deg: f64,
+}
+
+/// What is found at the pixels; the keys are stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Observed {
+    /// Pixels at which both pictures show the same face: those of depth and normal.
+    pub compared: usize,
+    /// Greatest depth error, in depth words.
+    pub depth_words: f64,
+    /// The same in pixels of projected depth.
+    pub depth_px: f64,
+    /// Greatest displacement of a silhouette along the slope of f2, in pixels; none where no silhouette crosses a line or column of
+    /// its screen box, or where one has no direction.
+    pub silhouette_px: Option<f64>,
+    /// Pixels that are covered in one picture alone.
+    pub silhouette_pixels: usize,
+    /// Pixels that show another object or face.
+    pub wrong_faces: usize,
+    /// Pixels among them whose normal the words determine.
+    pub normals: usize,
+    /// Greatest angle of these normals, in degrees.
+    pub normal_deg: f64,
+}
+
+/// Greatest error at any pixel in parts of the bound *at that pixel*; the keys are stable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Ratios {
+    /// Depth.
+    pub depth: f64,
+    /// Silhouette, in parts of the bound of the object.
+    pub silhouette: f64,
+    /// Normal.
+    pub normal: f64,
+}
+
+/// All figures of a step; the keys are stable.
+#[derive(Clone, Debug, Serialize)]
+pub struct Figures {
+    /// Depth word.
+    pub depth_word: u32,
+    /// Guard bits of f1 and f2.
+    pub guards: [u32; 2],
+    /// Depth words to the pixel.
+    pub words_per_pixel: f64,
+    /// Bits that the accumulators need.
+    pub needed: NeededWidths,
+    /// Pixels at which the golden picture shows an object.
+    pub covered: usize,
+    /// Pixels that were announced as undecided.
+    pub undecided: usize,
+    /// Pixels whose normal the words do not determine.
+    pub normals_undetermined: usize,
+    /// What was proven.
+    pub bounds: Bounds,
+    /// What was found.
+    pub observed: Observed,
+    /// One over the other.
+    pub ratios: Ratios,
+    /// Why `imogene check` fails, if it does.
+    pub check_failed: Option<String>,
+    /// What the preparation and the check tell a person, with the name of the object.
+    pub problems: Vec<String>,
+    /// Everything that breaks a rule; empty if all holds.
+    pub violations: Vec<String>,
+}
+
+/// Measures a scene; `prepared` must come from `scene`.
+pub fn measure(scene: &FramedScene, prepared: &PreparedScene) -> Figures {
+    let report = check(scene, prepared);
+    let words_per_pixel = to_f64(&prepared.depth_scale);
+    let problems = report.objects.iter().filter_map(|o| o.quadric());
+    let problems =
+        problems.flat_map(|o| o.problems.iter().map(move |p| format!("{}: {p}", o.name)));
+    let mut figures = Figures {
+        depth_word: prepared.format.depth,
+        guards: [prepared.format.guard_linear, prepared.format.guard_quadratic],
+        words_per_pixel,
+        needed: report.widths.needed.clone(),
+        covered: 0,
+        undecided: report.undecided_pixels,
+        normals_undetermined: report.bounds.normals_undetermined,
+        bounds: Bounds {
+            depth_words: report.bounds.depth_lsb,
+            depth_px: report.bounds.depth_lsb / words_per_pixel,
+            silhouette_px: report.bounds.silhouette_px,
+            normal_deg: report.bounds.normal_deg,
+        },
+        observed: Observed::default(),
+        ratios: Ratios::default(),
+        check_failed: (!report.ok).then(|| {
+            format!(
+                "check fails: a silhouette may be displaced by {:.2} pixels, that is a pixel or more",
+                report.bounds.silhouette_px
+            )
+        }),
+        problems: problems.collect(),
+        violations: vec![],
+    };
+    compare_pixels(&mut figures, scene, prepared);
+    let quadrics = report.objects.iter().zip(prepared.quadrics());
+    for (object, (_, words)) in quadrics {
+        let bounds = &object.quadric().expect("a quadric").bounds;
+        if bounds.silhouette_singular {
+            figures.observed.silhouette_px = None;
+            break;
+        }
+        if let Some(off) = displaced(words, &prepared.format) {
+            let most = figures.observed.silhouette_px.unwrap_or(0.0);
+            figures.observed.silhouette_px = Some(most.max(off));
+            figures.silhouette(&words.name, off, bounds.silhouette_px);
+        }
+    }
+    figures
+}
+
+impl Figures {
+    fn silhouette(&mut self, name: &str, off: f64, bound: f64) {
+        if off > bound {
+            self.violations.push(format!(
+                "the silhouette of '{name}' is displaced by {off:.3e} pixels, proven were {bound:.3e}"
+            ));
+        }
+        if bound > 0.0 {
+            self.ratios.silhouette = self.ratios.silhouette.max(off / bound);
+        }
+    }
+
+    fn depth(&mut self, at: [usize; 2], off: f64, bound: f64) {
+        if off > bound + CUT {
+            let [x, y] = at;
+            self.violations.push(format!(
+                "depth off by {off:.3} words at pixel ({x}, {y}), proven were {bound:.3}"
+            ));
+        }
+        self.observed.depth_words = self.observed.depth_words.max(off);
+        if bound > 0.0 {
+            let certain = (off - CUT).max(0.0);
+            self.ratios.depth = self.ratios.depth.max(certain / bound);
+        }
+    }
+
+    fn normal(&mut self, at: [usize; 2], off: f64, bound: f64) {
+        if bound >= 180.0 {
+            return;
+        }
+        if off > bound + ANGLE_MARGIN {
+            let [x, y] = at;
+            self.violations.push(format!(
+                "normal off by {off:.4} degrees at pixel ({x}, {y}), proven were {bound:.4}"
+            ));
+        }
+        self.observed.normals += 1;
+        self.observed.normal_deg = self.observed.normal_deg.max(off);
+        if bound > 0.0 {
+            self.ratios.normal = self.ratios.normal.max(off / bound);
+        }
+    }
+}
+
+fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &PreparedScene) {
+    let format = &prepared.format;
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let golden = beam::render(&prepared.slots(), format, width, height, || ());
+    let undecided = undecided_pixels(scene, prepared);
+    let truth = Truth::new(scene, format.z_max());
+    let line = |y: usize| (0..width).map(move |x| (x, y));
+    let pixels: Vec<(usize, usize)> = (0..height).flat_map(line).collect();
+    let exact: Vec<Option<TruePixel>> = pixels
+        .par_iter()
+        .map(|&(x, y)| truth.at(x as i64, y as i64))
+        .collect();
+    figures.covered = golden.covered();
+    for (index, exact) in exact.iter().enumerate() {
+        let at = [index % width, index / width];
+        match difference(&golden, index, exact.as_ref()) {
+            Difference::None => {}
+            Difference::Presence => figures.observed.silhouette_pixels += 1,
+            Difference::Face => figures.observed.wrong_faces += 1,
+            Difference::Same(exact) => compare_faces(figures, prepared, &golden, index, exact),
+        }
+        let differs = matches!(
+            difference(&golden, index, exact.as_ref()),
+            Difference::Presence | Difference::Face
+        );
+        if differs && !undecided[index] {
+            let [x, y] = at;
+            figures.violations.push(format!(
+                "pixel ({x}, {y}) shows another face than the truth and was not announced as undecided"
+            ));
+        }
+    }
+    figures.observed.depth_px = figures.observed.depth_words / figures.words_per_pixel;
+}
+
+/// How a pixel of the golden picture stands to the truth.
+enum Difference<'a> {
+    /// Background in both.
+    None,
+    /// Covered in one alone.
+    Presence,
+    /// Another object or face.
+    Face,
+    /// The same face.
+    Same(&'a TruePixel),
+}
+
+fn difference<'a>(golden: &Frame, index: usize, exact: Option<&'a TruePixel>) -> Difference<'a> {
+    let id = golden.id[index];
+    match exact {
+        None if id < 0 => Difference::None,
+        Some(exact) if id >= 0 => {
+            if id as usize == exact.id && golden.number[index] == exact.number {
+                Difference::Same(exact)
+            } else {
+                Difference::Face
+            }
+        }
+        _ => Difference::Presence,
+    }
+}
+
+fn compare_faces(
+    figures: &mut Figures,
+    prepared: &PreparedScene,
+    golden: &Frame,
+    index: usize,
+    exact: &TruePixel,
+) {
+    figures.observed.compared += 1;
+    let at = [index % golden.width, index / golden.width];
+    let [x, y] = at.map(|v| v as i64);
+    let object = prepared.objects[exact.id].quadric().expect("a quadric");
+    let f2 = object.words.f2_at(x, y, &prepared.format);
+    let off = (i128::from(golden.depth[index]) << DEPTH_BITS) - exact.depth;
+    let off = off.unsigned_abs() as f64 / (1u64 << DEPTH_BITS) as f64;
+    figures.depth(at, off, depth_bound(object, exact.number, f2));
+    let normal = golden.normal[index];
+    let angle = degrees_between(normal.map(f64::from), exact.normal);
+    figures.normal(at, angle, normal_bound(object, exact.number, f2, normal));
+}
+
+fn degrees_between(u: [f64; 3], v: [f64; 3]) -> f64 {
+    let cross = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let dot: f64 = u.iter().zip(&v).map(|(a, b)| a * b).sum();
+    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
+    sine.atan2(dot).to_degrees()
+}
+
+/// How far the computed contour is from the true one, to first order: `|q2 - f2|` over the length of the gradient of q2, at every point in which it crosses a
+/// line or a column of the screen box and that the planes keep. The numerator is exact; the bound of the check divides the greatest such difference by the least gradient.
+fn displaced(object: &PreparedQuadric, format: &Format) -> Option<f64> {
+    let window = object.words.screen_box;
+    if window.is_empty() {
+        return None;
+    }
+    let unit = power_of_two(format.guard_quadratic);
+    let residual = QuadraticForm::of_words(&object.words.f2).minus(&object.exact.f2.scaled(&unit));
+    let lines = (window.y0..=window.y1).flat_map(|y| crossings(object, y, Along::Line));
+    let columns = (window.x0..=window.x1).flat_map(|x| crossings(object, x, Along::Column));
+    let off = |point: Crossing| {
+        let [x, y] = point.at.map(from_f64_exact);
+        let off = to_f64(&residual.at(&x, &y)).abs();
+        is_kept(object, &x, &y).then(|| off / point.slope)
+    };
+    lines.chain(columns).filter_map(off).reduce(f64::max)
+}
+
+/// A point of the computed contour, with the length of the gradient there.
+struct Crossing {
+    at: [f64; 2],
+    slope: f64,
+}
+
+/// What a contour is crossed along.
+#[derive(Clone, Copy)]
+enum Along {
+    Line,
+    Column,
+}
+
+/// Where the computed contour crosses a line or a column of the screen box.
+fn crossings(object: &PreparedQuadric, number: i64, along: Along) -> Vec<Crossing> {
+    let window = object.words.screen_box;
+    let (first, last) = match along {
+        Along::Line => (window.x0, window.x1),
+        Along::Column => (window.y0, window.y1),
+    };
+    // About the middle, so that no digits are lost.
+    let middle = (first + last) / 2;
+    let q = &object.words.f2;
+    let (square, linear, constant, across) = match along {
+        Along::Line => {
+            let local = q.from_zone(middle, number);
+            (local.a, local.d, local.f, local.e)
+        }
+        Along::Column => {
+            let local = q.from_zone(number, middle);
+            (local.b, local.e, local.f, local.d)
+        }
+    };
+    let [a, b, c, across, mixed] = [square, linear, constant, across, q.c].map(|v| v as f64);
+    let root = (b * b - 4.0 * a * c).sqrt();
+    // The root that does not cancel, and the other from the product of both.
+    let steady = -0.5 * (b + root.copysign(b));
+    let found = [steady / a, c / steady].map(|u| {
+        let place = middle as f64 + u;
+        Crossing {
+            at: match along {
+                Along::Line => [place, number as f64],
+                Along::Column => [number as f64, place],
+            },
+            slope: (2.0 * a * u + b).hypot(mixed * u + across),
+        }
+    });
+    let inside = |p: &Crossing| {
+        let [x, y] = p.at;
+        (window.x0 as f64..=window.x1 as f64).contains(&x)
+            && (window.y0 as f64..=window.y1 as f64).contains(&y)
+    };
+    found
+        .into_iter()
+        .filter(|p| p.slope > 0.0 && inside(p))
+        .collect()
+}
+
+/// True if no plane removes the contour, whose depth is f1, at a place of the screen.
+fn is_kept(object: &PreparedQuadric, x: &BigRational, y: &BigRational) -> bool {
+    let depth = object.exact.f1.at(x, y);
+    let has_depth = !matches!(object.words.class, Class::Front | Class::Prism);
+    let planes = object.words.planes.iter().zip(&object.exact.planes);
+    planes.into_iter().all(|(words, exact)| {
+        let value = exact.at(x, y);
+        match words.kind {
+            PlaneKind::Perpendicular => !value.is_negative(),
+            PlaneKind::Front if has_depth => depth >= value,
+            PlaneKind::Back if has_depth => depth <= value,
+            _ => true,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::grid::{BESIDE, cut, orthographic, scene, solid};
+    use imogene_golden::format::Format;
+    use imogene_prepare::Framing;
+    use imogene_prepare::{PreparedObject, prepare};
+    use imogene_scene::{Shape, Step as Place};
+
+    fn cut_ball() -> (FramedScene, PreparedScene) {
+        let cuts = vec![cut([6.0, 0.0, 12.0], [0.5, 0.25, 1.0])];
+        let mut ball = solid("ball", Shape::Sphere { radius: 24.0 }, cuts);
+        ball.place = vec![Place::Translate(BESIDE)];
+        let framed = scene("ball", orthographic(64.0), vec![ball]).frame(96, 72);
+        let framed = framed.expect("valid");
+        let prepared = prepare(&framed, Format::BASE).expect("fits");
+        (framed, prepared)
+    }
+
+    fn spoiled(spoil: impl Fn(&mut PreparedQuadric)) -> Vec<String> {
+        let (framed, mut prepared) = cut_ball();
+        let PreparedObject::Quadric(ball) = &mut prepared.objects[0] else {
+            panic!("a quadric");
+        };
+        spoil(ball);
+        measure(&framed, &prepared).violations
+    }
+
+    #[test]
+    fn a_picture_within_its_bounds_breaks_no_rule() {
+        let (framed, prepared) = cut_ball();
+        let figures = measure(&framed, &prepared);
+        assert_eq!(figures.violations, Vec::<String>::new());
+        assert!(figures.observed.compared > 1700 && figures.observed.normals > 1700);
+        assert!(figures.observed.silhouette_px.is_some_and(|off| off > 0.0));
+        assert!(figures.ratios.depth > 0.5 && figures.ratios.depth <= 1.0);
+    }
+
+    /// Each rule finds what breaks it: the words are changed, and the bounds are not.
+    #[test]
+    fn every_rule_is_found_broken() {
+        let has = |found: &[String], text| found.iter().any(|v| v.contains(text));
+        let depth = spoiled(|ball| ball.words.f1.c += 20);
+        assert!(has(&depth, "depth off by"), "{depth:?}");
+        let plane = spoiled(|ball| ball.words.planes[0].depth.c += 5_000);
+        assert!(has(&plane, "depth off by") && has(&plane, "not announced as undecided"));
+        let normal = spoiled(|ball| ball.words.normal.g[0].c += 40_000);
+        assert!(has(&normal, "normal off by"), "{normal:?}");
+        let silhouette = spoiled(|ball| ball.words.f2.f += 1 << 36);
+        assert!(has(&silhouette, "silhouette of 'ball' is displaced"));
+    }
+}

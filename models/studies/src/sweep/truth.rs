@@ -1,0 +1,175 @@
+//! The exact picture of a sweep's scene: depths and normals to more digits than any word has.
+//!
+//! [`imogene_analysis::exact::render`] gives depths with 20 fraction bits and takes gradients in floating point; where a quadric all but degenerates that is not enough.
+
+use imogene_analysis::exact::ray::RayObject;
+use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_scene::{FramedQuadric, FramedScene, Projection};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+/// Fraction bits of an exact depth in depth words.
+pub const DEPTH_BITS: u32 = 40;
+/// Fraction bits of the depth that a normal is taken at, in units of the full depth.
+const POINT_BITS: u32 = 160;
+
+/// What is truly seen at a pixel.
+pub struct TruePixel {
+    /// Depth in depth words with [`DEPTH_BITS`] fraction bits.
+    pub depth: i128,
+    /// Index of the visible object.
+    pub id: usize,
+    /// Number of the visible face.
+    pub number: u8,
+    /// Direction of the outward normal.
+    pub normal: [f64; 3],
+}
+
+/// A scene of cut quadrics along its lines of sight.
+pub struct Truth<'a> {
+    scene: &'a FramedScene,
+    objects: Vec<(&'a FramedQuadric, RayObject, Gradient)>,
+    greatest_depth: BigInt,
+}
+
+impl<'a> Truth<'a> {
+    /// Sets up the rays; every object must be drawn by a quadric or patch processor.
+    pub fn new(scene: &'a FramedScene, greatest_depth: i64) -> Truth<'a> {
+        let objects = scene.objects.iter().map(|object| {
+            let object = object.quadric().expect("sweeps draw quadrics alone");
+            let rays = RayObject::new(object, &scene.projection, scene.width, scene.height);
+            (object, rays, Gradient::new(object, scene))
+        });
+        Truth {
+            scene,
+            objects: objects.collect(),
+            greatest_depth: BigInt::from(greatest_depth),
+        }
+    }
+
+    /// What is seen at a pixel; the smaller id where two are exactly equal.
+    pub fn at(&self, x: i64, y: i64) -> Option<TruePixel> {
+        let hits = self.objects.iter().enumerate();
+        let hits = hits.filter_map(|(id, (_, rays, _))| Some((id, rays.first_hit(x, y)?)));
+        let (id, hit) = hits.reduce(|best, next| if next.1.w < best.1.w { next } else { best })?;
+        let full = &self.greatest_depth;
+        let depth = hit.w.fixed(full, full, DEPTH_BITS).to_i128();
+        let one = BigInt::from(1);
+        let (object, _, gradient) = &self.objects[id];
+        let normal = match hit.number {
+            FACE_NEAR_END => [0.0, 0.0, -1.0],
+            number if number >= FACE_PLANE => {
+                let plane = &object.planes[usize::from(number - FACE_PLANE)];
+                direction([&plane.a, &plane.b, &plane.c].map(Clone::clone))
+            }
+            _ => {
+                // Twice the pixel's place, so that the middle of an odd screen is whole.
+                let place = [(x, self.scene.width), (y, self.scene.height)]
+                    .map(|(at, size)| 2 * at - i64::from(size));
+                gradient.at(place, &hit.w.fixed(&one, &one, POINT_BITS))
+            }
+        };
+        Some(TruePixel {
+            depth: depth.expect("visible depths lie in the depth word"),
+            id,
+            number: hit.number,
+            normal,
+        })
+    }
+}
+
+/// Half the gradient of a quadric, in whole numbers.
+struct Gradient {
+    /// Rows of the quadric's matrix for x, y and z.
+    rows: [[BigInt; 4]; 3],
+    /// Full depth in pixels as a fraction.
+    full: BigRational,
+    is_perspective: bool,
+}
+
+impl Gradient {
+    fn new(object: &FramedQuadric, scene: &FramedScene) -> Gradient {
+        let [x, y, z, _] = object.quadric.clone().primitive().matrix();
+        let (full, is_perspective) = match &scene.projection {
+            Projection::Perspective { distance } => (distance, true),
+            Projection::Orthographic { half_depth } => (half_depth, false),
+        };
+        Gradient {
+            rows: [x, y, z].map(|row| row.map(|value| value.to_integer())),
+            full: full.clone(),
+            is_perspective,
+        }
+    }
+
+    /// The direction at twice a place of the screen plane and a depth in units of the full depth, with [`POINT_BITS`] fraction bits.
+    fn at(&self, place: [i64; 2], depth: &BigInt) -> [f64; 3] {
+        let one = BigInt::from(1) << POINT_BITS;
+        // Homogeneous camera coordinates times 2 and the denominator of the full depth.
+        let [x, y] = place.map(|at| BigInt::from(at) * self.full.denom() * &one);
+        let z = self.full.numer() * depth * 2;
+        let shrunk = if self.is_perspective {
+            &one - depth
+        } else {
+            one
+        };
+        let t = shrunk * self.full.denom() * 2;
+        let point = [x, y, z, t];
+        direction(self.rows.each_ref().map(|row| {
+            let terms = row.iter().zip(&point).map(|(a, b)| a * b);
+            BigRational::from_integer(terms.sum())
+        }))
+    }
+}
+
+/// A vector in units of its greatest component.
+fn direction(vector: [BigRational; 3]) -> [f64; 3] {
+    let greatest = vector.iter().map(Signed::abs).max().expect("three");
+    if *greatest.numer() == BigInt::from(0) {
+        return [0.0; 3];
+    }
+    vector.map(|value| imogene_algebra::rational::to_f64(&(value / &greatest)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::find;
+    use imogene_analysis::exact::render::{DEPTH_FRACTION, render, to_frame};
+    use imogene_golden::format::Format;
+    use imogene_prepare::Framing;
+
+    /// Another way to depths and normals from the same rays: equal to the exact picture in the digits that it has.
+    #[test]
+    fn the_truth_is_the_exact_picture_with_more_digits() {
+        let format = Format::BASE;
+        let chosen = [("word-length", "24"), ("side-offset", "120"), ("thin", "1")];
+        for (name, parameter) in chosen {
+            let scenes = find(name).expect("a sweep").scenes(format);
+            for (series, _, file) in scenes.into_iter().filter(|s| s.1 == parameter) {
+                let scene = file.frame(file.image.width, file.image.height);
+                let scene = scene.expect("valid");
+                let truth = Truth::new(&scene, format.z_max());
+                let exact = render(&scene, &format, || ());
+                let frame = to_frame(&exact, &scene, &format);
+                for (index, pixel) in exact.iter().enumerate() {
+                    let (x, y) = (index % frame.width, index / frame.width);
+                    let found = truth.at(x as i64, y as i64);
+                    assert_eq!(found.is_some(), pixel.is_some(), "{name}, {series}");
+                    let (Some(found), Some(pixel)) = (found, pixel) else {
+                        continue;
+                    };
+                    assert_eq!((found.id, found.number), (pixel.id as usize, pixel.number));
+                    let apart =
+                        (found.depth >> (DEPTH_BITS - DEPTH_FRACTION)) - i128::from(pixel.depth);
+                    assert!(apart.abs() <= 1, "{name}, {series}, ({x}, {y}): {apart}");
+                    let length = found.normal.iter().map(|v| v * v).sum::<f64>().sqrt();
+                    for (component, kept) in found.normal.iter().zip(frame.normal[index]) {
+                        let off = component / length * 32767.0 - f64::from(kept);
+                        assert!(off.abs() < 0.51, "{name}, {series}, ({x}, {y}): {off}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Speed, area and accuracy of the machines that can draw a scene: every point of a design space measured against the truth.
+//!
+//! [`design`] says what points there are, [`measure`](mod@measure) draws one and compares it, [`run`](mod@run) does all of them and keeps each in a file of
+//! its own, [`report`] sums them up, [`plot`] and [`page`] show them. `docs/trade.md` is the user's page.
+
+pub mod design;
+pub mod measure;
+pub mod page;
+pub mod plot;
+pub mod point;
+pub mod report;
+pub mod run;
+mod shrink;
+mod store;
+
+use thiserror::Error;
+
+/// Why there is no result.
+#[derive(Debug, Error)]
+pub enum TradeError {
+    /// The scene at this size.
+    #[error(transparent)]
+    Scene(#[from] imogene_scene::SceneError),
+    /// An object that no machine of quadric processors draws.
+    #[error(
+        "object '{object}': drawn by the processor \"{processor}\"; trade measures machines of quadric processors, \
+         which draw every object of a quadric: leave `processor` out"
+    )]
+    Processor {
+        /// Name of the object.
+        object: String,
+        /// Its processor.
+        processor: &'static str,
+    },
+    /// A file that cannot be written.
+    #[error(transparent)]
+    Write(#[from] crate::picture::WriteError),
+    /// A file that cannot be read.
+    #[error("cannot read '{file}': {problem}")]
+    Read {
+        /// Which.
+        file: String,
+        /// Why.
+        problem: String,
+    },
+    /// A plot or the page.
+    #[error("cannot draw {what}: {problem}")]
+    Draw {
+        /// Which.
+        what: &'static str,
+        /// Why.
+        problem: String,
+    },
+}

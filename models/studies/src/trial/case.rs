@@ -1,0 +1,210 @@
+//! One random case: exact expressions, the words they are rounded to, and the bounds that are stated for these words.
+//!
+//! Any first-degree f1 and second-degree f2 are the two parts of the depth of a quadric, `z^2 - 2 f1 z + f1^2 - f2 = 0`; so the expressions are drawn
+//! themselves, at the scales and in the positions where errors are greatest.
+
+use super::exact::{ExactLinear, ExactQuadratic};
+use super::random::Random;
+use super::shape::{draw_linear, draw_quadratic};
+use imogene_golden::format::Format;
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::normal::NormalWords;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_prepare::RoundingBounds;
+use imogene_prepare::rounding::Anchor;
+
+/// Most pixels of a box along each side.
+const MOST_PIXELS: u64 = 1 << 10;
+
+/// Exact normal: `N_k = g_k -+ K_k s / 2^(shift + 6)`.
+pub(super) struct ExactNormal {
+    /// Linear parts, in last bits.
+    pub g: [ExactLinear; 3],
+    /// Numerators of the factors.
+    pub k: [i128; 3],
+    /// Their denominator.
+    pub denominator: i128,
+}
+
+/// One case. Exact expressions are in units of the last guard bit, in coordinates centred on the anchor.
+pub(super) struct Case {
+    /// Widths.
+    pub format: Format,
+    /// Pixel about which is rounded.
+    pub anchor: Anchor,
+    /// The box in coordinates centred on the anchor.
+    pub reach: ScreenBox,
+    /// Exact f1.
+    pub f1: ExactLinear,
+    /// Exact f2.
+    pub f2: ExactQuadratic,
+    /// Exact normal.
+    pub normal: ExactNormal,
+    /// What the machine is loaded with.
+    pub words: QuadricWords,
+    /// What is stated about these words.
+    pub bounds: RoundingBounds,
+    /// A pixel, centred on the anchor, on which the computed silhouette lies exactly.
+    pub on_silhouette: Option<(i64, i64)>,
+}
+
+impl Case {
+    /// Draws a case.
+    pub fn draw(format: &Format, random: &mut Random) -> Case {
+        let (window, anchor, reach) = draw_box(most_pixels(format), random);
+        let f1 = draw_linear(format, &reach, random);
+        let (f2, on_silhouette) = draw_quadratic(format, &reach, random);
+        let root_bits = root_bits(&f2, &reach, format);
+        let (normal, shift) = draw_normal(format, root_bits, &reach, random);
+        let words = QuadricWords {
+            class: Class::Side,
+            screen_box: window,
+            f1: placed_linear(&f1, anchor),
+            f2: placed_quadratic(&f2, anchor),
+            normal: NormalWords {
+                g: normal.g.each_ref().map(|g| placed_linear(g, anchor)),
+                k: normal
+                    .k
+                    .map(|k| super::exact::rounded(k, normal.denominator) as i16),
+                shift,
+            },
+            planes: vec![],
+        };
+        let bounds = stated(format, &f1, &f2, &normal, &reach);
+        Case {
+            format: *format,
+            anchor,
+            reach,
+            f1,
+            f2,
+            normal,
+            words,
+            bounds,
+            on_silhouette,
+        }
+    }
+
+    /// The pixel of the screen at a place centred on the anchor.
+    pub fn pixel(&self, (u, v): (i64, i64)) -> (i64, i64) {
+        (u + self.anchor.x, v + self.anchor.y)
+    }
+}
+
+/// The bounds as the preparation states them, in last bits without guard bits.
+fn stated(
+    format: &Format,
+    f1: &ExactLinear,
+    f2: &ExactQuadratic,
+    normal: &ExactNormal,
+    reach: &ScreenBox,
+) -> RoundingBounds {
+    let unit = |guards: u32| 0.5f64.powi(guards as i32);
+    RoundingBounds {
+        f1: f1.residual().max_abs_on(reach) * unit(format.guard_linear),
+        f2: f2.residual().max_abs_on(reach) * unit(format.guard_quadratic),
+        normal: normal
+            .g
+            .iter()
+            .map(|g| g.residual().max_abs_on(reach))
+            .fold(0.0, f64::max),
+        ..RoundingBounds::of_format(format)
+    }
+}
+
+/// Most pixels of a box along each side in a format: roundings stay a small part of the words, or the preparation would refuse most objects. Words of the
+/// catalogue are long enough for all boxes.
+fn most_pixels(format: &Format) -> u64 {
+    let fits = |most: &u64| {
+        let side = (most / 2) as i64;
+        let reach = ScreenBox {
+            x0: -side,
+            x1: side,
+            y0: -side,
+            y1: side,
+        };
+        let word = |bits: u32| f64::exp2(f64::from(bits));
+        Anchor::ORIGIN.linear_bound(&reach) <= 0.05 * word(format.depth + format.guard_linear)
+            && Anchor::ORIGIN.quadratic_bound(&reach) <= 0.1 * word(format.pe2_width() - 1)
+    };
+    let sides = (0..=MOST_PIXELS.ilog2()).map(|power| MOST_PIXELS >> power);
+    sides.into_iter().find(fits).unwrap_or(1)
+}
+
+fn draw_box(most: u64, random: &mut Random) -> (ScreenBox, Anchor, ScreenBox) {
+    let mut side = || {
+        let limit = random_limit(most, random.next());
+        random.below(limit) as i64
+    };
+    let (width, height) = (side(), side());
+    let (x0, y0) = (random.between(0, 2047), random.between(0, 2047));
+    let window = ScreenBox {
+        x0,
+        x1: x0 + width,
+        y0,
+        y1: y0 + height,
+    };
+    let anchor = Anchor::middle_of(&window);
+    let reach = ScreenBox {
+        x0: window.x0 - anchor.x,
+        x1: window.x1 - anchor.x,
+        y0: window.y0 - anchor.y,
+        y1: window.y1 - anchor.y,
+    };
+    (window, anchor, reach)
+}
+
+/// All magnitudes of boxes alike.
+fn random_limit(most: u64, bits: u64) -> u64 {
+    (most >> (bits % 10)).max(1)
+}
+
+/// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding makes most of the root.
+fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
+    let rounded = ExactQuadratic {
+        factors: f2.rounded(),
+        denominator: 1,
+    };
+    let most = super::shape::reach_of(&rounded, reach) + 1;
+    let root = ((most >> format.guard_quadratic) as f64).sqrt() + 2.0;
+    64 - (root as u64).leading_zeros()
+}
+
+/// A normal whose components stay within their words (24 bits in the base format), with factors that use as much of theirs as that allows.
+fn draw_normal(
+    format: &Format,
+    root_bits: u32,
+    reach: &ScreenBox,
+    random: &mut Random,
+) -> (ExactNormal, u8) {
+    // A factor of the normal, and the root it is multiplied with, have one bit less than a component.
+    let shift = root_bits.saturating_sub(format.normal - 1);
+    let shifted_bits = root_bits - shift;
+    // In the base format the product with the root is at most 2^21, the linear part at most 2^22.
+    let product_bits = format.normal_linear - 3;
+    let room = product_bits + format.product_fraction() - shifted_bits;
+    let factor_limit = f64::from(format.greatest_normal()).min(f64::exp2(f64::from(room)));
+    let denominator = 1 + random.below(1 << 20) as i128;
+    let size = random.magnitude(1.0, 8);
+    let spread = (reach.x1 - reach.x0 + reach.y1 - reach.y0 + 1) as f64;
+    let mut part = |limit: f64| (random.signed() * limit * denominator as f64) as i128;
+    let limit = size * f64::from(1 << product_bits);
+    let g = [(); 3].map(|()| ExactLinear {
+        factors: [part(limit / spread), part(limit / spread), part(limit)],
+        denominator,
+    });
+    let k = [(); 3].map(|()| part(size * factor_limit));
+    let normal = ExactNormal { g, k, denominator };
+    (normal, shift as u8)
+}
+
+fn placed_linear(exact: &ExactLinear, anchor: Anchor) -> Linear {
+    let [a, b, c] = exact.rounded();
+    Linear::new(a, b, c).from_zone(-anchor.x, -anchor.y)
+}
+
+fn placed_quadratic(exact: &ExactQuadratic, anchor: Anchor) -> Quadratic {
+    let [a, b, c, d, e, f] = exact.rounded();
+    Quadratic { a, b, c, d, e, f }.from_zone(-anchor.x, -anchor.y)
+}

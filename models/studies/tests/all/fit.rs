@@ -1,0 +1,219 @@
+//! The search for the smallest machine: what is found meets the budget, and one bit less anywhere does not.
+
+use imogene_scene::SceneFile;
+use imogene_studies::fit::FitError;
+use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
+use imogene_studies::fit::frames::{Drawn, Frames, Words};
+use imogene_studies::fit::proof;
+use imogene_studies::fit::proof::Proof;
+use imogene_studies::fit::search::{Outcome, search};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const SIZE: Option<(u32, u32)> = Some((48, 36));
+
+fn file(name: &str) -> (String, SceneFile) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../../scenes/{name}.toml"));
+    (name.to_owned(), SceneFile::read(&path).unwrap())
+}
+
+fn frames(names: &[&str]) -> Result<Frames, FitError> {
+    let files: Vec<_> = names.iter().map(|name| file(name)).collect();
+    Frames::new(&files, SIZE, || ())
+}
+
+fn found(frames: &Frames, budget: &Budget) -> Vec<Drawn> {
+    match search(frames, budget, || ()).unwrap() {
+        Outcome::Fits(found) => found,
+        Outcome::Unreachable { items, .. } => panic!("out of reach: {items:?}"),
+    }
+}
+
+fn words_of(drawn: &Drawn) -> Words {
+    let w = &drawn.widths;
+    Words {
+        depth: w.depth,
+        normal: w.normal,
+        guard_linear: w.guard_linear,
+        guard_quadratic: w.guard_quadratic,
+        dropped_rows: w.dropped_rows,
+    }
+}
+
+fn budgets() -> [Budget; 3] {
+    let nothing = Budget::default();
+    [
+        Budget {
+            depth: Some(DepthLimit::Words(1.0)),
+            silhouette: Some(CountLimit::Pixels(0)),
+            ..nothing
+        },
+        Budget {
+            depth: Some(DepthLimit::Pixels(0.5)),
+            ..nothing
+        },
+        Budget {
+            colour: Some(2.0),
+            silhouette: Some(CountLimit::Percent(0.1)),
+            faces: Some(CountLimit::Percent(0.1)),
+            ..nothing
+        },
+    ]
+}
+
+#[test]
+fn what_is_found_meets_the_budget_and_one_bit_less_does_not() {
+    for name in ["cut-sphere", "crossing-cylinders"] {
+        let frames = frames(&[name]).unwrap();
+        for budget in budgets() {
+            let found = found(&frames, &budget);
+            assert!(!found.is_empty() && found.iter().all(Drawn::fits));
+            for drawn in &found {
+                let words = words_of(drawn);
+                let fits = |words: &Words| {
+                    let drawn = frames.draw(words, &budget).unwrap();
+                    drawn.is_some_and(|drawn| drawn.fits())
+                };
+                let less = [
+                    words.guard_linear.checked_sub(1).map(|guard_linear| Words {
+                        guard_linear,
+                        ..words
+                    }),
+                    (words.normal > 10).then(|| Words {
+                        normal: words.normal - 1,
+                        ..words
+                    }),
+                ];
+                for less in less.into_iter().flatten() {
+                    assert!(!fits(&less), "{name}, {budget:?}: {less:?} fits too");
+                }
+            }
+        }
+    }
+}
+
+/// The words that are not searched are those that the scene requires: a bit less of the root or the planes and it cannot be prepared.
+#[test]
+fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
+    let frames = frames(&["cut-sphere"]).unwrap();
+    let drawn = &found(&frames, &budgets()[1])[0];
+    let machine = drawn.machine(1);
+    let objects: Vec<usize> = frames.all()[0]
+        .scene
+        .objects
+        .iter()
+        .map(|object| object.quadric().unwrap().planes.len())
+        .collect();
+    let planes: Vec<usize> = machine.slots.iter().map(|s| s.planes as usize).collect();
+    assert_eq!(planes, objects);
+    assert!(machine.slots.iter().all(|slot| !slot.two_volumes));
+    assert!(drawn.widths.root < drawn.widths.depth && drawn.widths.plane < drawn.widths.depth + 12);
+}
+
+/// The solid that the viewer of the front view is inside of has half B; other slots do not.
+#[test]
+fn only_slots_that_need_it_have_half_b() {
+    let frames = frames(&["front-view"]).unwrap();
+    let drawn = &found(&frames, &budgets()[1])[0];
+    let halves: Vec<bool> = drawn
+        .machine(1)
+        .slots
+        .iter()
+        .map(|s| s.two_volumes)
+        .collect();
+    assert!(
+        halves.contains(&true) && halves.contains(&false),
+        "{halves:?}"
+    );
+}
+
+#[test]
+fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
+    let frames = frames(&["cut-sphere"]).unwrap();
+    let budget = Budget {
+        depth: Some(DepthLimit::Pixels(0.5)),
+        colour: Some(2.0),
+        ..Budget::default()
+    };
+    let drawn = &found(&frames, &budget)[0];
+    let bounds = proof::bounds(&frames, drawn);
+    let proofs = proof::proofs(&frames, &budget, drawn, &bounds);
+    for proof in &proofs {
+        if let Some(bound) = proof.bound {
+            assert!(proof.item.measured <= bound, "{proof:?}");
+            let is_proven = bound <= proof.item.allowed;
+            assert_eq!(proof.proof == Proof::Bound, is_proven, "{proof:?}");
+        } else {
+            assert_eq!(
+                (proof.item.limit, proof.proof),
+                ("colour", Proof::Exhaustive)
+            );
+        }
+    }
+}
+
+/// An animation is fitted over all of its frames: the machine meets the budget in each, and needs at least what each needs.
+#[test]
+fn an_animation_takes_the_worst_of_its_frames() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/cut-sphere.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let moved = text.replace("eye = [0.37, 3.89, 9.61]", "eye = [0.4, 2.9, 8.6]");
+    assert_ne!(moved, text);
+    let files = [text, moved].map(|text| {
+        let file = SceneFile::parse(&text, "a frame").unwrap();
+        ("a frame".to_owned(), file)
+    });
+    let both = Frames::new(&files, SIZE, || ()).unwrap();
+    let budget = budgets()[0];
+    let drawn = &found(&both, &budget)[0];
+    assert_eq!((drawn.prepared.len(), drawn.metrics.len()), (2, 2));
+    for (index, file) in files.iter().enumerate() {
+        let one = Frames::new(std::slice::from_ref(file), SIZE, || ()).unwrap();
+        let alone = one.draw(&words_of(drawn), &budget).unwrap().unwrap();
+        assert!(alone.fits());
+        assert!(alone.widths.root <= drawn.widths.root, "frame {index}");
+        assert!(alone.widths.plane <= drawn.widths.plane, "frame {index}");
+    }
+}
+
+#[test]
+fn an_unreachable_budget_is_told_with_the_nearest_machine() {
+    let frames = frames(&["cut-sphere"]).unwrap();
+    let budget = Budget {
+        normal: Some(0.0),
+        depth: Some(DepthLimit::Pixels(1.0)),
+        ..Budget::default()
+    };
+    match search(&frames, &budget, || ()).unwrap() {
+        Outcome::Fits(_) => panic!("normals of integers are not exact"),
+        Outcome::Unreachable { items, nearest } => {
+            let broken: Vec<&str> = items
+                .iter()
+                .filter(|i| !i.holds())
+                .map(|i| i.limit)
+                .collect();
+            assert_eq!(broken, ["normal"]);
+            assert_eq!(nearest.widths.normal, 16);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_fitted_is_refused_by_name() {
+    let refused = |names: &[&str]| frames(names).err().map(|e| e.to_string()).unwrap();
+    let message = refused(&["cut-sphere", "teapot"]);
+    assert!(message.contains("teapot: 10 objects"), "{message}");
+    let message = refused(&["processors/polyhedron"]);
+    assert!(
+        message.contains("drawn by the processor \"polyhedron\""),
+        "{message}"
+    );
+    let frames = frames(&["cut-sphere"]).unwrap();
+    let counted = AtomicUsize::new(0);
+    let count = || {
+        counted.fetch_add(1, Ordering::Relaxed);
+    };
+    let error = search(&frames, &Budget::default(), count).err().unwrap();
+    assert!(error.to_string().contains("--max-depth-error"));
+    assert_eq!(counted.into_inner(), 0);
+}

@@ -1,0 +1,245 @@
+//! Scenes written by hand in the camera frame, and what the tests ask of them.
+//!
+
+use imogene_algebra::rational::integer;
+use imogene_golden::format::Format;
+use imogene_golden::object::line::for_each_present;
+use imogene_golden::object::quadric::{ObjectPixel, QuadricWords};
+use imogene_prepare::Framing;
+use imogene_prepare::rounding::Anchor;
+use imogene_prepare::{Options, PreparedQuadric, PreparedScene, prepare_with};
+use imogene_scene::{
+    DepthRange, FramedObject, FramedQuadric, FramedScene, Material, Plane, Projection, Quadric,
+    SceneFile, Surface,
+};
+use num_rational::BigRational;
+use std::path::{Path, PathBuf};
+
+/// The screen of the source machine: its principal point is pixel (360, 270).
+pub const WIDTH: u32 = 720;
+/// Lines of that screen.
+pub const HEIGHT: u32 = 540;
+
+/// The quadric of coefficients a to j.
+pub fn quadric(coefficients: [BigRational; 10]) -> Quadric {
+    let [a, b, c, d, e, f, g, h, i, j] = coefficients;
+    Quadric {
+        a,
+        b,
+        c,
+        d,
+        e,
+        f,
+        g,
+        h,
+        i,
+        j,
+    }
+}
+
+/// The quadric of whole coefficients a to j.
+pub fn whole_quadric(coefficients: [i64; 10]) -> Quadric {
+    quadric(coefficients.map(integer))
+}
+
+/// `a (x-x0)^2 + b (y-y0)^2 + c (z-z0)^2 - k`.
+pub fn centred([a, b, c]: [i64; 3], [x, y, z]: [i64; 3], k: i64) -> Quadric {
+    let constant = a * x * x + b * y * y + c * z * z - k;
+    whole_quadric([a, b, c, 0, 0, 0, -a * x, -b * y, -c * z, constant])
+}
+
+/// A sphere.
+pub fn sphere(centre: [i64; 3], radius: i64) -> Quadric {
+    centred([1, 1, 1], centre, radius * radius)
+}
+
+/// The half-space `a x + b y + c z + d <= 0`.
+pub fn plane([a, b, c, d]: [i64; 4]) -> Plane {
+    let [a, b, c, d] = [a, b, c, d].map(integer);
+    Plane { a, b, c, d }
+}
+
+/// An object of the first material.
+pub fn object(
+    name: &str,
+    surface: Surface,
+    quadric: Quadric,
+    planes: &[[i64; 4]],
+) -> FramedQuadric {
+    FramedQuadric {
+        name: name.into(),
+        surface,
+        quadric,
+        planes: planes.iter().copied().map(plane).collect(),
+        material: 0,
+        casts_shadow: true,
+    }
+}
+
+/// A perspective scene of 720 x 540 pixels at 1000 pixels from the viewer.
+pub fn scene(objects: Vec<FramedQuadric>) -> FramedScene {
+    scene_of(
+        WIDTH,
+        HEIGHT,
+        Projection::Perspective {
+            distance: integer(1000),
+        },
+        objects,
+    )
+}
+
+/// A scene without lights.
+pub fn scene_of(
+    width: u32,
+    height: u32,
+    projection: Projection,
+    objects: Vec<FramedQuadric>,
+) -> FramedScene {
+    FramedScene {
+        title: "test".into(),
+        width,
+        height,
+        range: DepthRange::of_pixels(&projection),
+        sample_at: [0.0; 2],
+        projection,
+        objects: objects.into_iter().map(FramedObject::from).collect(),
+        materials: vec![Material {
+            name: "plain".into(),
+            colour: [1.0; 3],
+            ambient: 0.3,
+            diffuse: 0.7,
+            specular: 0.0,
+            exponent: 1,
+        }],
+        lights: vec![],
+        sources: vec![],
+        ambient: [1.0; 3],
+        background: [0; 3],
+    }
+}
+
+/// Prepared as the source does: rounded about the first pixel.
+pub fn prepare_at_origin(scene: &FramedScene) -> PreparedScene {
+    let options = Options {
+        anchor: Some(Anchor::ORIGIN),
+        ..Options::default()
+    };
+    prepare_with(scene, Format::BASE, options).expect("fits the base format")
+}
+
+/// Prepared as a machine is loaded.
+pub fn prepare(scene: &FramedScene) -> PreparedScene {
+    imogene_prepare::prepare(scene, Format::BASE).expect("fits the base format")
+}
+
+/// The first object of a framed scene.
+pub fn framed(scene: &FramedScene) -> &FramedQuadric {
+    scene.objects[0].quadric().expect("a quadric")
+}
+
+/// The first object of a prepared scene.
+pub fn first(prepared: &PreparedScene) -> &PreparedQuadric {
+    prepared.objects[0].quadric().expect("a quadric")
+}
+
+/// What the golden processor hands on at a pixel; nothing where the object is absent.
+pub fn golden_at(words: &QuadricWords, x: i64, y: i64) -> Option<ObjectPixel> {
+    let mut found = None;
+    for_each_present(words, &Format::BASE, y, |column, pixel| {
+        if column == x {
+            found = Some(pixel);
+        }
+    });
+    found
+}
+
+/// Number of pixels at which the golden processor sees the object.
+pub fn golden_pixels(words: &QuadricWords) -> usize {
+    let mut count = 0;
+    for y in 0..i64::from(HEIGHT) {
+        for_each_present(words, &Format::BASE, y, |_, _| count += 1);
+    }
+    count
+}
+
+/// A small deterministic generator (multiply with carry), for samples that must be the same in every run.
+pub struct Random(pub u64);
+
+impl Random {
+    /// A number in -1 .. 1.
+    pub fn signed(&mut self) -> f64 {
+        self.0 = (self.0 & 0xffff_ffff) * 4_294_957_665 + (self.0 >> 32);
+        (self.0 & 0xffff_ffff) as f64 / 2f64.powi(31) - 1.0
+    }
+
+    /// A direction, all equally likely, in whole millionths.
+    pub fn direction(&mut self) -> [i64; 3] {
+        let z = self.signed();
+        let (sin, cos) = (self.signed() * std::f64::consts::PI).sin_cos();
+        let ring = (1.0 - z * z).sqrt();
+        [ring * cos, ring * sin, z].map(|v| (v * 1e6).round() as i64)
+    }
+}
+
+/// The gradient of a quadric at a point of the camera frame, up to a positive factor, in `f64`.
+pub fn gradient(quadric: &Quadric, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    let greatest = quadric
+        .coefficients()
+        .map(|c| imogene_algebra::rational::to_f64(c).abs())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let [a, b, c, d, e, f, g, h, i, _] = quadric
+        .coefficients()
+        .map(|v| imogene_algebra::rational::to_f64(v) / greatest);
+    [
+        a * x + d * y + e * z + g,
+        d * x + b * y + f * z + h,
+        e * x + f * y + c * z + i,
+    ]
+}
+
+/// The angle between two vectors in degrees, accurate for small angles.
+pub fn angle_deg(u: [f64; 3], v: [f64; 3]) -> f64 {
+    let cross = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let dot: f64 = u.iter().zip(v).map(|(a, b)| a * b).sum();
+    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
+    sine.atan2(dot).to_degrees()
+}
+
+/// The scene files of the collection, in order.
+pub fn collection() -> Vec<PathBuf> {
+    let mut found = vec![];
+    scenes_below(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes"),
+        &mut found,
+    );
+    found.sort();
+    found
+}
+
+fn scenes_below(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            scenes_below(&path, found);
+        } else if path.extension().is_some_and(|end| end == "toml") {
+            found.push(path);
+        }
+    }
+}
+
+/// A scene file at a size, in a format; none if the preparation refuses it, as it does some of the extremes.
+pub fn file_prepared(
+    path: &Path,
+    (width, height): (u32, u32),
+    format: Format,
+) -> Option<(FramedScene, PreparedScene)> {
+    let file = SceneFile::read(path).expect("a valid scene");
+    let framed = file.frame(width, height).expect("a valid size");
+    let prepared = imogene_prepare::prepare(&framed, format).ok()?;
+    Some((framed, prepared))
+}
