@@ -1,0 +1,274 @@
+//! A bench of a user's own: what `imogene machine --emit-only` writes, in Icarus Verilog, without any other program
+//! of ours.
+//!
+//! Needs the package 'iverilog' and fails without it.
+
+use crate::common::imogene;
+use imogene_studies::picture::write_png;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const BEAM: &str = "machine = \"beam\"\nobjects = 2\n";
+const ZONE: &str = "machine = \"zone\"\nobjects = 2\nzone = { width = 20, height = 16 }\n";
+const COMMON: &str = "planes = 3\nlights = 2\nrows_per_stage = 6\nmode = { columns = [32, 4, 4, 4], lines = [24, 2, 2, 20] }\n";
+const STREAM: &str = "output = \"stream\"\n";
+
+/// The files of a machine for two scenes, one after the other, and their description.
+fn emitted(folder: &Path, description: &str, options: &[&str]) -> (PathBuf, Value) {
+    let machine = folder.join("machine.toml");
+    std::fs::write(&machine, description).expect("a file");
+    let out = folder.join("out");
+    let mut command = imogene();
+    command
+        .arg("machine")
+        .arg(crate::common::scene("crossing-cylinders.toml"));
+    command.arg(crate::common::scene("cut-sphere.toml"));
+    command.arg("--machine").arg(&machine).args(options);
+    command.args(["--emit-only", "--json", "--out"]).arg(&out);
+    let output = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let summary: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let written = summary["files"].as_array().expect("files");
+    for name in [
+        "beats.hex",
+        "shading.hex",
+        "pixels.hex",
+        "bench.json",
+        "bench.v",
+        "golden.png",
+    ] {
+        let path = out.join(name);
+        assert!(
+            path.is_file() && written.iter().any(|file| *file == *path.to_string_lossy()),
+            "{name}"
+        );
+    }
+    let text = std::fs::read_to_string(out.join("bench.json")).expect("a file");
+    (out, serde_json::from_str(&text).expect("JSON"))
+}
+
+/// Compiles and runs a bench; whether it ended well, and what it said.
+fn run(folder: &Path, bench: &str, verilog: &str) -> (bool, String) {
+    let iverilog = Command::new("iverilog")
+        .current_dir(folder)
+        .args(["-g2005", "-s", "bench", "-o", "bench.vvp", bench, verilog])
+        .output();
+    let compiled = iverilog.expect("the package 'iverilog' is installed");
+    assert!(
+        compiled.status.success(),
+        "{}",
+        String::from_utf8_lossy(&compiled.stderr)
+    );
+    let ran = Command::new("vvp")
+        .current_dir(folder)
+        .args(["-n", "bench.vvp"])
+        .output();
+    let ran = ran.expect("the package 'iverilog' is installed");
+    (
+        ran.status.success(),
+        String::from_utf8_lossy(&ran.stdout).into_owned(),
+    )
+}
+
+/// Lines of words, without comments.
+fn words(path: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(path).expect("a file");
+    let lines = text.lines().filter(|line| !line.starts_with("//"));
+    lines.map(str::to_owned).collect()
+}
+
+#[test]
+fn the_bench_that_is_written_finds_every_pixel() {
+    for (description, options) in [
+        (
+            format!("{BEAM}{COMMON}overlay = true\n"),
+            &["--overlay", "mask.png"][..],
+        ),
+        (format!("{ZONE}{COMMON}smoothing = \"3x3\"\n"), &[]),
+        (format!("{BEAM}{COMMON}{STREAM}"), &[]),
+        (format!("{ZONE}{COMMON}{STREAM}"), &[]),
+        // Words of f2 that are no whole number of hexadecimal digits long.
+        (
+            format!("{ZONE}{COMMON}{STREAM}depth_word = 17\nwidths = {{ g1 = 10, g2 = 3 }}\n"),
+            &[],
+        ),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mask = folder.path().join("mask.png");
+        let stripes: Vec<u8> = (0..3 * 32 * 24)
+            .map(|byte| u8::from(byte / 3 % 11 == 4))
+            .collect();
+        write_png(&mask, 32, 24, &stripes).expect("a picture");
+        let mask = mask.to_str().expect("a plain path");
+        let options: Vec<&str> = options
+            .iter()
+            .map(|o| if *o == "mask.png" { mask } else { o })
+            .collect();
+        let (out, described) = emitted(folder.path(), &description, &options);
+        let (ended_well, said) = run(
+            &out,
+            "bench.v",
+            described["verilog"].as_str().expect("a name"),
+        );
+        let beats = words(&out.join("beats.hex")).len();
+        let wanted = format!("2 frames of 768 pixels, {beats} beats: 0 differences");
+        assert!(ended_well && said.contains(&wanted), "{description}{said}");
+        assert_eq!(words(&out.join("pixels.hex")).len(), 2 * 768);
+    }
+}
+
+#[test]
+fn the_bench_that_is_written_sees_what_is_wrong() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (out, described) = emitted(folder.path(), &format!("{ZONE}{COMMON}{STREAM}"), &[]);
+    let verilog = described["verilog"].as_str().expect("a name");
+    let pixels = words(&out.join("pixels.hex"));
+    let mut wrong = pixels.clone();
+    wrong[32 * 7 + 5] = "12_34_56".into();
+    assert_ne!(wrong, pixels);
+    std::fs::write(out.join("pixels.hex"), wrong.join("\n")).expect("a file");
+    let (ended_well, said) = run(&out, "bench.v", verilog);
+    assert!(
+        !ended_well && said.contains("frame 0, column 5, line 7"),
+        "{said}"
+    );
+    assert!(
+        said.contains("expected 123456") && said.contains(" 1 differences"),
+        "{said}"
+    );
+    // Without its end the second frame never comes.
+    std::fs::write(out.join("pixels.hex"), pixels.join("\n")).expect("a file");
+    let mut beats = words(&out.join("beats.hex"));
+    let last = beats.pop().expect("a beat");
+    assert!(last.starts_with("1_4_"), "the last show command: {last}");
+    beats.push(last.replacen("1_4_", "0_3_", 1));
+    std::fs::write(out.join("beats.hex"), beats.join("\n")).expect("a file");
+    let (ended_well, said) = run(&out, "bench.v", verilog);
+    assert!(!ended_well && said.contains("1 of 2 frames"), "{said}");
+}
+
+/// Written by hand from docs/machines.md and bench.json: a host and a receiver that stall. With `BEAM` for the beam
+/// machine, without it for the zone machine.
+const BY_HAND: &str = r#"
+module bench;
+    reg [79:0] beats [0:99999];
+    reg [23:0] pixels [0:2*768-1];
+    reg clock = 0;
+    always #1 clock = ~clock;
+    reg [31:0] random = 32'h2545f491;
+    integer next = 0, offered = 0, taken = 0, wrong = 0, frame = 0, place;
+    reg s_tvalid = 0, m_tready = 0, current = 0;
+    wire s_tready, m_tvalid, m_tlast, swapped;
+    wire [23:0] m_tdata;
+    reg [79:0] beat = 0;
+`ifdef BEAM
+    wire m_tuser;
+    beam_stream machine (.clock(clock), .s_tvalid(s_tvalid), .s_tready(s_tready), .s_tdest(beat[75:72]), .s_tuser(beat[71:48]),
+        .s_tdata(beat[47:0]), .s_tlast(beat[76]), .m_tvalid(m_tvalid), .m_tready(m_tready), .m_tdata(m_tdata), .m_tuser(m_tuser),
+        .m_tlast(m_tlast), .swapped(swapped), .refused());
+`else
+    wire [23:0] m_tuser;
+    zone_machine machine (.clock(clock), .s_tvalid(s_tvalid), .s_tready(s_tready), .s_tdest(beat[75:72]), .s_tuser(beat[71:48]),
+        .s_tdata(beat[47:0]), .m_tvalid(m_tvalid), .m_tready(m_tready), .m_tdata(m_tdata), .m_tuser(m_tuser), .m_tlast(m_tlast));
+    assign swapped = 0;
+`endif
+    initial begin
+        $readmemh("beats.hex", beats);
+        $readmemh("pixels.hex", pixels);
+    end
+    always @(negedge clock) begin
+        random = {random[30:0], random[31] ^ random[21] ^ random[1] ^ random[0]};
+        m_tready <= random[3:0] < 11;
+        if (!s_tvalid && random[7:4] < 11 && ^beats[next] !== 1'bx) begin
+            beat <= beats[next];
+            s_tvalid <= 1;
+        end
+    end
+    always @(posedge clock) begin
+        if (s_tvalid && s_tready) begin
+            next = next + 1;
+            s_tvalid <= 0;
+        end
+`ifdef BEAM
+        if (swapped) current = 1;
+        if (m_tvalid && m_tready && (taken > 0 || (current && m_tuser))) begin
+            place = taken;
+            if (m_tlast !== (place % 32 == 31)) wrong = wrong + 1;
+`else
+        if (m_tvalid && m_tready) begin
+            place = m_tuser[23:12] * 32 + m_tuser[11:0];
+            if (m_tlast !== (taken == 767)) wrong = wrong + 1;
+`endif
+            if (m_tdata !== pixels[frame * 768 + place]) wrong = wrong + 1;
+            taken = taken + 1;
+            if (taken == 768) begin
+                $display("frame %0d: %0d wrong", frame, wrong);
+                taken = 0;
+                frame = frame + 1;
+                if (frame == FRAMES) $finish;
+            end
+        end
+    end
+    initial #2000000 $fatal(1, "too late");
+endmodule
+"#;
+
+#[test]
+fn a_bench_written_by_hand_from_the_documents_finds_every_pixel() {
+    // The hand-written beam bench stops after the first frame: it does not wait for its pixels before it sends the
+    // next.
+    for (machine, frames, define) in [(ZONE, "2", ""), (BEAM, "1", "`define BEAM\n")] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (out, described) = emitted(folder.path(), &format!("{machine}{COMMON}{STREAM}"), &[]);
+        let text = format!("{define}{}", BY_HAND.replace("FRAMES", frames));
+        std::fs::write(out.join("by_hand.v"), text).expect("a file");
+        let verilog = described["verilog"].as_str().expect("a name");
+        let (ended_well, said) = run(&out, "by_hand.v", verilog);
+        assert!(ended_well, "{said}");
+        let last = frames.parse::<usize>().expect("a number") - 1;
+        assert!(said.contains(&format!("frame {last}: 0 wrong")), "{said}");
+    }
+}
+
+#[test]
+fn the_words_are_where_the_description_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (out, described) = emitted(folder.path(), &format!("{BEAM}{COMMON}"), &[]);
+    let mut shading_of_beats = vec![];
+    for described in described["words"].as_array().expect("files") {
+        let path = out.join(described["file"].as_str().expect("a name"));
+        let words = words(&path);
+        assert_eq!(described["count"], words.len());
+        let fields = described["fields"].as_array().expect("fields");
+        let digits = fields
+            .iter()
+            .map(|field| field["digits"].as_u64().expect("digits") as usize);
+        let digits: Vec<usize> = digits.collect();
+        for word in &words {
+            let parts: Vec<&str> = word.split('_').collect();
+            assert!(
+                parts
+                    .iter()
+                    .map(|part| part.len())
+                    .eq(digits.iter().copied()),
+                "{word}"
+            );
+            if path.ends_with("beats.hex") && parts[1] == "2" {
+                let data = u64::from_str_radix(parts[4], 16).expect("hexadecimal");
+                shading_of_beats.push(format!("{}_{data:08x}", parts[3]));
+            }
+        }
+    }
+    assert_eq!(shading_of_beats, words(&out.join("shading.hex")));
+    let frames = described["frames"].as_array().expect("frames");
+    let beats = words(&out.join("beats.hex"));
+    for frame in frames {
+        let at = |key: &str| frame["beats.hex"][key].as_u64().expect("a number") as usize;
+        let of_frame = &beats[at("first_word")..][..at("words")];
+        let ends = of_frame.iter().filter(|beat| beat.starts_with('1')).count();
+        assert!(ends == 1 && of_frame.last().is_some_and(|beat| beat.starts_with('1')));
+    }
+    assert_eq!(frames.len(), 2);
+}

@@ -1,0 +1,88 @@
+//! The tables of `docs/error-bounds.md` are those that the command prints.
+
+use crate::common::{imogene, scene};
+use std::path::PathBuf;
+
+/// As `scripts/test --full` sets it.
+fn full() -> bool {
+    std::env::var("IMOGENE_FULL").is_ok_and(|value| value == "1")
+}
+
+fn page() -> String {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs/error-bounds.md");
+    std::fs::read_to_string(path).expect("the page")
+}
+
+/// The lines of the tables that a command prints, without heads.
+fn rows(arguments: &[String]) -> Vec<String> {
+    let output = imogene().arg("bounds").args(arguments).output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{message}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.lines()
+        .filter(|l| l.starts_with("| ") && l.contains(|c: char| c.is_ascii_digit()))
+        .filter(|l| !l.contains("depth word") && !l.contains("violations"))
+        .map(str::to_string)
+        .collect()
+}
+
+fn assert_documented(rows: &[String]) {
+    let page = page();
+    for row in rows {
+        assert!(
+            page.lines().any(|l| l == row),
+            "not in docs/error-bounds.md: {row}"
+        );
+    }
+}
+
+/// All sizes in the full run, the two smaller ones otherwise. The page shows each scene in the base format only.
+#[test]
+fn scenes_are_documented_as_they_are() {
+    let folder = scene("");
+    let entries = std::fs::read_dir(folder).expect("the scenes");
+    let mut files: Vec<String> = entries
+        .map(|e| e.unwrap().path().to_str().unwrap().to_string())
+        .filter(|path| path.ends_with(".toml"))
+        .collect();
+    files.sort();
+    let count = files.len();
+    let sizes = if full() {
+        "160x120,320x240,640x480,1024x768"
+    } else {
+        "160x120,320x240"
+    };
+    files.extend(["--sizes".into(), sizes.into()]);
+    let rows = rows(&files);
+    let sizes = sizes.split(',').count();
+    assert_eq!(rows.len(), 3 * sizes + 3 * sizes * count);
+    let (summary, scenes) = rows.split_at(3 * sizes);
+    assert_documented(summary);
+    let base = |row: &&String| row.split(" | ").nth(2) == Some("24");
+    let scenes: Vec<String> = scenes.iter().filter(base).cloned().collect();
+    assert_eq!(scenes.len(), sizes * count);
+    assert_documented(&scenes);
+}
+
+/// A million cases at each format in the full run, as documented; otherwise the documented table must at least be about these formats.
+#[test]
+fn the_trial_is_documented_as_it_is() {
+    let cases = if full() { "1000000" } else { "100" };
+    let rows = rows(&["--cases".into(), cases.into()]);
+    assert!(rows.len() >= 8);
+    if full() {
+        assert_documented(&rows);
+    }
+    let page = page();
+    for row in &rows {
+        let name = row.split(" | ").next().unwrap();
+        let documented = page.lines().find(|l| l.starts_with(&format!("{name} |")));
+        let documented = documented.unwrap_or_else(|| panic!("no row {name}"));
+        assert!(documented.starts_with(&format!("{name} | 1000000 |")));
+        assert_eq!(
+            documented.split(" | ").nth(4),
+            Some("0"),
+            "violations in {documented}"
+        );
+    }
+}

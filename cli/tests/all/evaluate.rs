@@ -1,0 +1,174 @@
+//! `imogene evaluate`: every row is counted, the page of the documentation is what the command makes, and what must
+//! hold between the rows holds.
+
+use crate::common::{imogene, said};
+use serde_json::Value;
+use std::path::PathBuf;
+
+fn docs(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../docs")
+        .join(name)
+}
+
+fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = imogene().arg("evaluate").args(arguments).output().unwrap();
+    said(output)
+}
+
+fn groups(report: &Value) -> Vec<&Value> {
+    report["groups"].as_array().unwrap().iter().collect()
+}
+
+fn rows(report: &Value) -> Vec<&Value> {
+    let groups = groups(report).into_iter();
+    groups
+        .flat_map(|group| group["rows"].as_array().unwrap())
+        .collect()
+}
+
+fn ours(report: &Value, group: &str, name: &str) -> f64 {
+    let groups = groups(report);
+    let group = groups.iter().find(|g| g["name"] == group).expect(group);
+    let rows = group["rows"].as_array().unwrap();
+    let row = rows.iter().find(|row| row["name"] == name).expect(name);
+    row["ours"].as_f64().unwrap()
+}
+
+#[test]
+fn the_page_of_the_documentation_is_what_the_command_makes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, out, error) = run(&["--json", "--out", folder.path().to_str().unwrap()]);
+    assert_eq!(code, Some(0), "{error}");
+    let report: Value = serde_json::from_str(&out).unwrap();
+    let made = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(
+        made("evaluation.md"),
+        std::fs::read_to_string(docs("evaluation.md")).unwrap(),
+        "docs/evaluation.md is not what `imogene evaluate --out DIR` makes"
+    );
+    for picture in ["images/duplication.svg", "images/operations.svg"] {
+        assert_eq!(
+            made(picture),
+            std::fs::read_to_string(docs(picture)).unwrap(),
+            "docs/{picture} is not what `imogene evaluate --out DIR` makes"
+        );
+    }
+    let figures: Value = serde_json::from_str(&made("evaluation.json")).unwrap();
+    assert_eq!(figures["groups"], report["groups"]);
+    assert_eq!(report["files"].as_array().unwrap().len(), 5);
+    let page = made("index.html");
+    for row in rows(&report) {
+        let name = row["name"].as_str().unwrap();
+        assert!(page.contains(&format!("<td>{name}</td>")), "{name}");
+    }
+    assert!(!page.contains("src=\"") && !page.contains("href=\"http"));
+    assert_rows(&report);
+    assert_relations(&report);
+}
+
+/// Every row has a figure of ours, says why it is what it is, and its difference is that to what it is compared with.
+fn assert_rows(report: &Value) {
+    let rows = rows(report);
+    assert!(rows.len() > 150, "{} rows", rows.len());
+    for row in rows {
+        for key in ["name", "section", "unit", "why"] {
+            assert!(
+                row[key].as_str().is_some_and(|text| !text.is_empty()),
+                "{key}: {row}"
+            );
+        }
+        let number = |key: &str| row[key].as_f64();
+        let ours = number("ours").unwrap_or_else(|| panic!("nothing counted: {row}"));
+        assert!(ours.is_finite() && ours >= 0.0, "{row}");
+        let printed = row["printed"]["value"].as_f64();
+        match number("corrected").or(printed) {
+            Some(value) => assert!(
+                (number("difference").unwrap() - (ours - value)).abs() < 1e-9,
+                "{row}"
+            ),
+            None => assert!(number("difference").is_none(), "{row}"),
+        }
+        assert!(
+            !row["printed"]["text"].as_str().unwrap().is_empty(),
+            "{row}"
+        );
+    }
+    for one in report["omitted"].as_array().unwrap() {
+        for key in ["name", "section", "printed", "why"] {
+            assert!(!one[key].as_str().unwrap().is_empty(), "{one}");
+        }
+    }
+}
+
+fn assert_relations(report: &Value) {
+    let of = |group: &str, name: &str| ours(report, group, name);
+    // (20 + 32)^2 / 32^2, and as many in four times the size.
+    for name in [
+        "20 in 32: duplication factor",
+        "80 in 128: duplication factor",
+    ] {
+        assert!((of("duplication", name) - 2.640625).abs() < 1e-12);
+    }
+    let shares = ["one zone", "two zones", "four zones"]
+        .map(|n| of("duplication", &format!("20 in 32: {n}")));
+    assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    // ((80 + 128 - 1) / 128)^2 by counting places and by the plans of the machine.
+    for name in [
+        "80 in 128, whole pixels: duplication factor",
+        "80 in 128, plans of our zone machine: duplication factor",
+    ] {
+        assert!(
+            (of("duplication", name) - (207.0f64 / 128.0).powi(2)).abs() < 1e-12,
+            "{name}"
+        );
+    }
+    // Words of a patch processor on the bus: 24, 7 for each of four planes, and the id.
+    assert_eq!(of("pipeline", "loading of a patch"), 24.0 + 7.0 * 4.0 + 1.0);
+    let [rate, zones] = [
+        "patches of 80 x 80, zones of 128",
+        "patches times zones, zones of 128",
+    ]
+    .map(|n| of("pipeline", n));
+    assert!((zones / rate - 2.640625).abs() < 1e-9);
+    // The frame has passes that show, and passes with idle processors: it is slower than the formula, but not by an
+    // order.
+    let [formula, frame] = [
+        "patches of 100 processors",
+        "patches of 100 processors, clocks of a whole frame",
+    ]
+    .map(|n| of("pipeline", n));
+    assert!(
+        frame < formula && frame > formula / 10.0,
+        "{frame} {formula}"
+    );
+    assert_eq!(of("storage", "quadric with three planes"), 10.0 + 3.0 * 4.0);
+    assert_eq!(of("storage", "facet, words to send"), 7.0 * 3.0);
+    assert_eq!(
+        of("frame", "facet, all"),
+        of("frame", "product of two 4 x 4 matrices") + 117.0 + 33.0
+    );
+    assert_eq!(of("processors", "patch, four planes: PE1"), 8.0);
+    assert_eq!(of("machine", "PE2 with memory, clocks between lines"), 15.0);
+}
+
+#[test]
+fn tables_are_printed_without_a_folder() {
+    let (code, out, error) = run(&[]);
+    assert_eq!(code, Some(0), "{error}");
+    assert!(out.starts_with("# Evaluation"));
+    assert!(
+        out.contains("| what | printed | corrected | ours |")
+            && out.contains("## Printed and not counted")
+    );
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_bad_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let (code, out, error) = run(&["--out", file.join("sub").to_str().unwrap()]);
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    assert!(error.contains("file"), "{error}");
+}

@@ -1,0 +1,242 @@
+//! `--view`, `--rotate`, `--fit`, `--samples` of `render` and `import`, and pictures sampled elsewhere in their pixels.
+
+use crate::common::{imogene, said, scene};
+use std::path::{Path, PathBuf};
+
+fn run(arguments: &[&str]) {
+    let (code, _, message) = said(imogene().args(arguments).output().unwrap());
+    assert_eq!(code, Some(0), "{arguments:?}: {message}");
+}
+
+/// The indices of a picture's objects.
+fn ids(scene: &Path, (width, height): (usize, usize), options: &[&str]) -> Vec<i32> {
+    let folder = tempfile::tempdir().unwrap();
+    let [png, npy] = ["p.png", "i.npy"].map(|name| folder.path().join(name));
+    let size = format!("{width}x{height}");
+    let files = [scene, &png, &npy].map(|path| path.to_str().unwrap());
+    let fixed = [
+        "render", files[0], "-o", files[1], "--ids", files[2], "--size", &size,
+    ];
+    run(&[&fixed[..], options].concat());
+    let bytes = std::fs::read(npy).unwrap();
+    let words = bytes[bytes.len() - 4 * width * height..].chunks_exact(4);
+    words
+        .map(|w| i32::from_le_bytes(w.try_into().unwrap()))
+        .collect()
+}
+
+/// The colours of a picture, red, green and blue.
+fn colours(scene: &Path, size: &str, options: &[&str]) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let png = folder.path().join("p.png");
+    let files = [scene, &png].map(|path| path.to_str().unwrap());
+    run(&[
+        &["render", files[0], "-o", files[1], "--size", size],
+        options,
+    ]
+    .concat());
+    let file = std::io::BufReader::new(std::fs::File::open(png).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    pixels
+}
+
+/// A scene with a line more in its camera.
+fn with_key(file: &Path, line: &str, folder: &Path) -> PathBuf {
+    let text = std::fs::read_to_string(file).unwrap();
+    let changed = text.replacen("[camera]\n", &format!("[camera]\n{line}\n"), 1);
+    assert_ne!(text, changed);
+    let path = folder.join("changed.toml");
+    std::fs::write(&path, changed).unwrap();
+    path
+}
+
+const SIZE: (usize, usize) = (240, 180);
+
+/// Most of the picture's width and height that is covered; nothing may touch its border.
+fn filled(ids: &[i32], what: &str) -> f64 {
+    let (width, height) = SIZE;
+    let seen: Vec<[usize; 2]> = (0..ids.len())
+        .filter(|k| ids[*k] >= 0)
+        .map(|k| [k % width, k / width])
+        .collect();
+    let [columns, lines] = [0, 1].map(|axis| {
+        let places = seen.iter().map(|place| place[axis]);
+        (places.clone().min().unwrap(), places.max().unwrap())
+    });
+    assert!(
+        columns.0 > 0 && columns.1 + 1 < width,
+        "{what}: {columns:?}"
+    );
+    assert!(lines.0 > 0 && lines.1 + 1 < height, "{what}: {lines:?}");
+    let share = |(low, high): (usize, usize), size: usize| (high - low + 1) as f64 / size as f64;
+    share(columns, width).max(share(lines, height))
+}
+
+#[test]
+fn a_fitted_scene_fills_the_picture_and_is_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut scenes: Vec<PathBuf> = [
+        "teapot.toml",
+        "orthographic.toml",
+        "molecule.toml",
+        "processors/mesh.toml",
+        "processors/polyhedron.toml",
+        "processors/tetrahedra.toml",
+        "animation/arm.toml",
+    ]
+    .map(scene)
+    .into();
+    for part in [
+        "parts/flange.step",
+        "parts/cross-drilled.step",
+        "scenes/molecules/helix.pdb",
+    ] {
+        let written = folder
+            .path()
+            .join(Path::new(part).with_extension("toml").file_name().unwrap());
+        let file = root.join(part);
+        run(&[
+            "import",
+            file.to_str().unwrap(),
+            "-o",
+            written.to_str().unwrap(),
+        ]);
+        // Importers fit their pictures to what they write.
+        let filled = filled(&ids(&written, SIZE, &[]), part);
+        assert!((0.9..=1.0).contains(&filled), "{part}: {filled}");
+        scenes.push(written);
+    }
+    for file in &scenes {
+        for view in [
+            &[][..],
+            &["--view", "iso"],
+            &["--view", "back", "--rotate", "20,-35,10"],
+        ] {
+            let options = [&["--fit"], view].concat();
+            let what = format!("{} {options:?}", file.display());
+            let filled = filled(&ids(file, SIZE, &options), &what);
+            assert!((0.9..=1.0).contains(&filled), "{what}: {filled}");
+        }
+    }
+}
+
+#[test]
+fn import_writes_the_camera_it_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let part = Path::new(env!("CARGO_MANIFEST_DIR")).join("../parts/flange.step");
+    let part = part.to_str().unwrap();
+    let import = |name: &str, options: &[&str]| {
+        let path = folder.path().join(name);
+        run(&[&["import", part, "-o", path.to_str().unwrap()], options].concat());
+        let text = std::fs::read_to_string(path).unwrap();
+        let scene: toml::Table = toml::from_str(&text).unwrap();
+        let camera = scene["camera"].as_table().unwrap().clone();
+        ["eye", "target", "up"].map(|key| -> Vec<f64> {
+            let numbers = camera[key].as_array().unwrap().iter();
+            numbers
+                .map(|v| {
+                    v.as_float()
+                        .unwrap_or_else(|| v.as_integer().unwrap() as f64)
+                })
+                .collect()
+        })
+    };
+    let [eye, target, _] = import("plain.toml", &[]);
+    let squares = eye.iter().zip(&target).map(|(e, t)| (e - t).powi(2));
+    let distance = squares.sum::<f64>().sqrt();
+    let [eye, same, up] = import("front.toml", &["--view", "front"]);
+    // A part has z up: its front is seen from -y.
+    assert_eq!((&same, up), (&target, vec![0.0, 0.0, 1.0]));
+    assert_eq!([eye[0], eye[2]], [target[0], target[2]]);
+    assert!((eye[1] - (target[1] - distance)).abs() < 1e-9 * distance);
+}
+
+#[test]
+fn samples_are_the_mean_of_shifted_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, count, places) in [
+        ("teapot.toml", "4", vec![-0.25, 0.25]),
+        (
+            "orthographic.toml",
+            "16",
+            vec![-0.375, -0.125, 0.125, 0.375],
+        ),
+    ] {
+        let file = scene(name);
+        let mut sums = vec![0u32; 3 * 64 * 48];
+        for y in &places {
+            for x in &places {
+                let shifted = with_key(&file, &format!("sample_at = [{x}, {y}]"), folder.path());
+                for (sum, value) in sums.iter_mut().zip(colours(&shifted, "64x48", &[])) {
+                    *sum += u32::from(value);
+                }
+            }
+        }
+        let passes = (places.len() * places.len()) as u32;
+        let mean: Vec<u8> = sums
+            .iter()
+            .map(|s| ((s + passes / 2) / passes) as u8)
+            .collect();
+        let plain = colours(&file, "64x48", &[]);
+        let drawn = colours(&file, "64x48", &["--samples", count]);
+        assert!(drawn == mean, "{name}");
+        assert_ne!(drawn, plain);
+        let size = (64, 48);
+        assert_eq!(
+            ids(&file, size, &["--samples", count]),
+            ids(&file, size, &[])
+        );
+    }
+}
+
+/// What a picture that is sampled at half pixels shows is at the odd pixels of one twice as large.
+#[test]
+fn half_pixels_are_the_odd_pixels_of_the_double_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let (width, height) = (40, 30);
+    let (small, large) = (
+        format!("{width}x{height}"),
+        format!("{}x{}", 2 * width, 2 * height),
+    );
+    // A wide angle, under which half a pixel turns the line of sight by degrees.
+    let wide = folder.path().join("wide.toml");
+    let text = std::fs::read_to_string(scene("cut-sphere.toml")).unwrap();
+    let lines = text.lines().map(|line| match line.split(' ').next() {
+        Some("viewer_distance") => "field_of_view = 140",
+        Some("view_height") => "",
+        _ => line,
+    });
+    let text = lines.collect::<Vec<_>>().join("\n");
+    assert!(text.contains("field_of_view"));
+    std::fs::write(&wide, text).unwrap();
+    for file in [scene("teapot.toml"), scene("orthographic.toml"), wide] {
+        let half = with_key(&file, "sample_at = [0.5, 0.5]", folder.path());
+        let exact = ["--model", "exact"];
+        let odd = |k: usize| (2 * (k / width) + 1) * 2 * width + 2 * (k % width) + 1;
+        let (found, double) = (
+            ids(&half, (width, height), &exact),
+            ids(&file, (2 * width, 2 * height), &exact),
+        );
+        let expected: Vec<i32> = (0..found.len()).map(|k| double[odd(k)]).collect();
+        assert!(found == expected, "{}", file.display());
+        assert_ne!(found, ids(&file, (width, height), &exact));
+        // The words of depth and normal are rounded for another size of pixel; light is the same.
+        let (found, double) = (
+            colours(&half, &small, &exact),
+            colours(&file, &large, &exact),
+        );
+        for (k, found) in found.chunks_exact(3).enumerate() {
+            for (a, b) in found.iter().zip(&double[3 * odd(k)..]) {
+                assert!(
+                    a.abs_diff(*b) <= 1,
+                    "{}, pixel {k}: {a} {b}",
+                    file.display()
+                );
+            }
+        }
+        run(&["raytrace", half.to_str().unwrap(), "--size", &small]);
+    }
+}

@@ -1,0 +1,33 @@
+//! All tests of the crate that need it from outside, as one program.
+
+mod bad_input;
+mod bench;
+mod check;
+mod commands;
+mod common;
+mod compare;
+mod detail;
+mod documents;
+mod error_bounds;
+mod evaluate;
+mod first_minute;
+mod fit;
+mod frames;
+mod import_faces;
+mod import_molecules;
+mod import_terrain;
+mod look;
+mod machine;
+mod missing;
+mod netlist;
+mod oracles;
+mod outputs;
+mod processors;
+mod prove;
+mod roots;
+mod sweep;
+mod trade;
+mod trade_page;
+mod trade_parts;
+mod unseen;
+mod unused;

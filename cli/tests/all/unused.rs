@@ -1,0 +1,144 @@
+//! The words of `imogene prepare --json`, and no others, in a machine that has more processors and planes than the
+//! scene.
+
+use crate::common::imogene;
+use imogene_golden::format::Format;
+use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::{Image, image};
+use imogene_prepare::Framing;
+use imogene_prepare::prepare;
+use imogene_scene::SceneFile;
+use imogene_verif::display::DisplayEngine;
+use imogene_verif::display::pins::{PinsRun, run};
+use serde_json::Value;
+use std::path::Path;
+
+const SIZE: (u32, u32) = (32, 24);
+const OBJECTS: usize = 4;
+const PLANES: usize = 5;
+const VOLUMES: usize = 14;
+const VOLUME_PLANES: usize = 10;
+
+/// A beam machine in which every scene of this test leaves something unused.
+fn machine() -> MachineDescription {
+    let text = format!(
+        "machine = \"beam\"\nobjects = {OBJECTS}\nplanes = {PLANES}\nvolumes = {VOLUMES}\nvolume_planes = {VOLUME_PLANES}\n\
+         lights = 2\nrows_per_stage = 6\nmode = {{ columns = [{}, 4, 4, 4], lines = [{}, 2, 2, 60] }}\n",
+        SIZE.0, SIZE.1
+    );
+    MachineDescription::parse(&text, "a machine").expect("a description")
+}
+
+/// The scene's golden picture with the words that the host of this project sends.
+fn golden(text: &str) -> Image {
+    let file = SceneFile::parse(text, "a scene").expect("a scene");
+    let framed = file.frame(SIZE.0, SIZE.1).expect("a size");
+    let prepared = prepare(&framed, Format::BASE).expect("fits the format");
+    image(&framed, &prepared, &machine()).expect("fits the machine")
+}
+
+fn prepared(path: &Path) -> Value {
+    let size = format!("{}x{}", SIZE.0, SIZE.1);
+    let mut command = imogene();
+    let output = command.arg("prepare").arg(path);
+    let output = output.args(["--size", &size, "--json"]).output();
+    let output = output.expect("the program runs");
+    assert_eq!(output.status.code(), Some(0));
+    serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+/// The words of a list, for a processor; `offset` is added to the addresses.
+fn words(list: &Value, kind: u8, unit: usize, offset: u64) -> Vec<Beat> {
+    let number = |word: &Value, key: &str| word[key].as_u64().expect("a number");
+    let beat = |word: &Value| {
+        let address = number(word, "address") + offset;
+        Beat::new(kind, unit as u8, address as u16, number(word, "bits"))
+    };
+    list.as_array().expect("words").iter().map(beat).collect()
+}
+
+/// The frame of a user who has the document alone: objects, volumes, and whatever they leave unused.
+fn frame_of(document: &Value) -> Vec<Beat> {
+    let unused = |kind: &str| {
+        let list = document["unused"].as_array().expect("a list");
+        let found = list.iter().find(|entry| entry["processor"] == kind);
+        found.expect("the kind of processor").clone()
+    };
+    let kinds = [
+        ("objects", "quadric", kind::OBJECT, OBJECTS, PLANES),
+        ("volumes", "volume", kind::VOLUME, VOLUMES, VOLUME_PLANES),
+    ];
+    let mut beats = vec![];
+    for (list, processor, kind, slots, planes) in kinds {
+        let list = document[list].as_array().expect("a list");
+        let nothing = unused(processor);
+        let step = nothing["plane_address_step"].as_u64().expect("a step");
+        for unit in 0..slots {
+            let Some(entry) = list.get(unit) else {
+                beats.extend(words(&nothing["slot_load_words"], kind, unit, 0));
+                continue;
+            };
+            beats.extend(words(&entry["load_words"], kind, unit, 0));
+            let used = entry["words"]["planes"].as_array().expect("planes").len();
+            for plane in used..planes {
+                let offset = step * plane as u64;
+                beats.extend(words(&nothing["plane_load_words"], kind, unit, offset));
+            }
+        }
+    }
+    beats
+}
+
+#[test]
+fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = crate::common::scene("crossing-cylinders.toml");
+    let plain = std::fs::read_to_string(path).expect("a scene");
+    let shadows = "kind = \"directional\"\nshadows = true";
+    let full = plain.replacen("kind = \"directional\"", shadows, 1);
+    // Fewer objects with fewer planes, and no volumes: what the first scene left has to be switched off.
+    let (sparse, _) = full.rsplit_once("[[objects]]").expect("two objects");
+    let sparse = sparse.replacen(shadows, "kind = \"directional\"", 1);
+    let (sparse, _) = sparse.rsplit_once("cuts =").expect("planes");
+    let mut images = vec![];
+    for (name, text) in [
+        ("full.toml", &*full),
+        ("sparse.toml", sparse),
+        ("again.toml", &full),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        let document = prepared(&path);
+        let mut image = golden(text);
+        let is_shading = |beat: &Beat| beat.kind == kind::SHADING || beat.kind == kind::MATERIAL;
+        image.beats.retain(is_shading);
+        image.beats.extend(frame_of(&document));
+        image.beats.last_mut().expect("words").last = true;
+        images.push(image);
+    }
+    assert!(
+        images[0]
+            .lighting
+            .flags
+            .iter()
+            .any(|&flags| flags != u16::MAX),
+        "a shadow"
+    );
+    assert_ne!(images[0].picture, images[1].picture);
+    let options = PinsRun {
+        overlay: None,
+        engine: DisplayEngine::BuiltIn,
+        stalls: None,
+        late: 0,
+        frames: 1,
+    };
+    let outcome = run(&machine(), &images, &options, || ()).expect("a machine that runs");
+    assert_eq!(
+        outcome.report.mismatches,
+        0,
+        "{:?}",
+        outcome.report.first_mismatches.first()
+    );
+    assert!(outcome.shown.contains(&Some(1)) && outcome.picture == images[2].picture);
+}

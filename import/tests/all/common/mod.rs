@@ -1,0 +1,5 @@
+//! What several tests use.
+
+pub mod bar;
+pub mod points;
+pub mod winding;

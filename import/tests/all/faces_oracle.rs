@@ -1,0 +1,389 @@
+//! Compiled cells against a second opinion: winding numbers of the loops in the parameters of the surface, and random sectors whose inside is known.
+
+use crate::common::points::{Even, kept, point_of};
+use crate::common::winding::Oracle;
+use imogene_import::faces::vector::{
+    Vector, along, cross, distance, dot, frame, minus, plus, times, unit,
+};
+use imogene_import::faces::{Cell, Compilation, FaceOptions, Part, Verdict, compile};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+
+const MATERIAL: &str = "[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
+
+fn part(text: &str, max_deviation: f64) -> Part {
+    let options = FaceOptions {
+        max_deviation: Some(max_deviation),
+        no_volumes: true,
+    };
+    compile(text.as_bytes(), "test", &options).unwrap()
+}
+
+fn cells(part: &Part, name: &str) -> (Verdict, Vec<Cell>) {
+    for (solid, compilation) in part.model.solids.iter().zip(&part.solids) {
+        let Compilation::Faces(faces) = compilation else {
+            panic!("volumes are switched off")
+        };
+        for (face, compiled) in solid.faces.iter().zip(faces) {
+            if part.model.faces[*face].name == name {
+                return (compiled.verdict.clone(), compiled.cells.clone());
+            }
+        }
+    }
+    panic!("no face {name}")
+}
+
+/// All drawn faces of a part against the winding of their loops, at points farther than the verdict's deviation from every edge; adds up the points by kind of surface.
+fn compare(part: &Part, points: usize, kinds: &mut BTreeMap<String, usize>) {
+    for face in &part.model.faces {
+        let (verdict, cells) = cells(part, &face.name);
+        let off = match verdict {
+            Verdict::Rejected(_) => continue,
+            Verdict::Exact => 0.0,
+            Verdict::Approximated(off) => off,
+        };
+        let oracle = Oracle::new(&part.model, face);
+        let [low, high] = oracle.bounds();
+        let (middle, size) = (times(0.5, plus(low, high)), distance(low, high));
+        let mut even = Even(face.name.len() as u64);
+        let mut inside = 0;
+        for _ in 0..points {
+            let p = point_of(&face.surface, middle, size, &mut even);
+            // Of an exact face only the sagitta of the oracle's own polylines is left out.
+            if oracle.distance_to_edge(p) <= off + oracle.coarseness() {
+                continue;
+            }
+            let expected = oracle.has(p);
+            inside += usize::from(expected);
+            *kinds.entry(face.surface.name().to_owned()).or_default() += 1;
+            assert_eq!(
+                kept(part, &cells, p),
+                expected,
+                "face {} at {p:?}, {verdict:?}",
+                face.name
+            );
+        }
+        assert!(
+            inside > points / 50,
+            "{}: {inside} of {points} inside",
+            face.name
+        );
+    }
+}
+
+fn shipped(name: &str) -> String {
+    let path = format!("{}/../parts/{name}.faces.toml", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(path).unwrap()
+}
+
+#[test]
+fn shipped_parts_agree_with_the_winding_of_their_loops() {
+    let mut kinds = BTreeMap::new();
+    for name in [
+        "flange",
+        "bracket",
+        "ball-joint",
+        "fillet",
+        "volumes",
+        "curved-plate",
+    ] {
+        compare(&part(&shipped(name), 0.0), 5000, &mut kinds);
+    }
+    assert_eq!(kinds.len(), 4);
+    assert!(kinds.values().all(|points| *points >= 10_000), "{kinds:?}");
+}
+
+#[test]
+fn approximated_borders_are_off_by_no_more_than_they_say() {
+    for asked in [0.3, 0.05] {
+        let part = part(&shipped("cross-drilled"), asked);
+        for name in ["side", "hole"] {
+            let (verdict, _) = cells(&part, name);
+            assert!(
+                matches!(verdict, Verdict::Approximated(off) if off <= asked),
+                "{name}: {verdict:?}"
+            );
+        }
+        compare(&part, 5000, &mut BTreeMap::new());
+    }
+}
+
+#[test]
+fn a_deviation_that_is_not_allowed_rejects_the_face() {
+    let part = part(&shipped("cross-drilled"), 0.0);
+    for name in ["side", "hole"] {
+        let (verdict, cells) = cells(&part, name);
+        assert!(
+            matches!(verdict, Verdict::Rejected(ref why) if why.contains("planar pieces")),
+            "{verdict:?}"
+        );
+        assert!(cells.is_empty());
+    }
+    assert_eq!(cells(&part, "lid").0, Verdict::Exact);
+}
+
+/// A frame from three angles, so that nothing is along a coordinate axis.
+fn turned(angles: [f64; 3]) -> [Vector; 3] {
+    let axis = unit([angles[0].cos(), angles[0].sin(), angles[1]]);
+    let [e, f] = frame(axis, angles[2]);
+    [e, f, axis]
+}
+
+fn write_vertex(text: &mut String, name: &str, p: Vector) {
+    writeln!(text, "{name} = {p:?}").unwrap();
+}
+
+fn arc(name: &str, from: &str, to: &str, centre: Vector, axis: Vector, radius: f64) -> String {
+    format!(
+        "[[edges]]\nname = \"{name}\"\nkind = \"circle\"\nstart = \"{from}\"\nend = \"{to}\"\ncentre = {centre:?}\naxis = {axis:?}\nradius = {radius:?}\n"
+    )
+}
+
+fn line(name: &str, from: &str, to: &str) -> String {
+    format!("[[edges]]\nname = \"{name}\"\nkind = \"line\"\nstart = \"{from}\"\nend = \"{to}\"\n")
+}
+
+fn face(surface: &str, loops: &str) -> String {
+    format!(
+        "[[faces]]\nname = \"face\"\nsurface = {{ {surface} }}\nloops = {loops}\n[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [\"face\"]\n"
+    )
+}
+
+/// A sector of a cylinder or cone between two heights on it, from the angle `from` over `sweep`.
+fn sector(
+    [e, f, axis]: [Vector; 3],
+    origin: Vector,
+    at: impl Fn(f64) -> f64,
+    [low, high]: [f64; 2],
+    from: f64,
+    sweep: f64,
+    surface: &str,
+) -> String {
+    let point = |angle: f64, height: f64| {
+        let out = plus(times(angle.cos(), e), times(angle.sin(), f));
+        along(along(origin, height, axis), at(height), out)
+    };
+    let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+    for (name, angle, height) in [
+        ("a", from, low),
+        ("b", from + sweep, low),
+        ("c", from + sweep, high),
+        ("d", from, high),
+    ] {
+        write_vertex(&mut text, name, point(angle, height));
+    }
+    text += &arc("low", "a", "b", along(origin, low, axis), axis, at(low));
+    text += &arc("high", "d", "c", along(origin, high, axis), axis, at(high));
+    text += &line("left", "a", "d");
+    text += &line("right", "b", "c");
+    text + &face(surface, "[[\"low\", \"right\", \"-high\", \"-left\"]]")
+}
+
+/// Angle and height of a point.
+fn cylindrical([e, f, axis]: [Vector; 3], origin: Vector, p: Vector) -> (f64, f64) {
+    let from = minus(p, origin);
+    (dot(from, f).atan2(dot(from, e)), dot(from, axis))
+}
+
+fn angles() -> impl Strategy<Value = [f64; 3]> {
+    [0.0..TAU, -2.0..2.0, 0.0..TAU]
+}
+
+/// Convex polygons of more corners than an object has cut planes, with and without a round hole: halved until they have not.
+#[test]
+fn convex_polygons_of_many_corners() {
+    for (count, hole) in [(11, false), (24, false), (24, true), (60, false)] {
+        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        for k in 0..count {
+            let angle = TAU * f64::from(k) / f64::from(count);
+            write_vertex(&mut text, &format!("p{k}"), [angle.cos(), angle.sin(), 0.5]);
+        }
+        for k in 0..count {
+            text += &line(
+                &format!("e{k}"),
+                &format!("p{k}"),
+                &format!("p{}", (k + 1) % count),
+            );
+        }
+        text += "[[edges]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [0.1, 0.2, 0.5]\naxis = [0, 0, 1]\nradius = 0.3\n";
+        let names: Vec<String> = (0..count).map(|k| format!("\"e{k}\"")).collect();
+        let inner = if hole { ", [\"-hole\"]" } else { "" };
+        text += &face(
+            "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]",
+            &format!("[[{}]{inner}]", names.join(", ")),
+        );
+        let part = part(&text, 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        assert_eq!(verdict, Verdict::Exact, "{count}");
+        assert!(cells.iter().all(|cell| cell.cuts.len() <= 10));
+        let mut even = Even(5);
+        for _ in 0..3000 {
+            let (x, y) = (2.2 * (even.next() - 0.5), 2.2 * (even.next() - 0.5));
+            // The polygon is inside all its sides.
+            let inner = (TAU / f64::from(2 * count)).cos();
+            let reach = (0..count)
+                .map(|k| {
+                    let angle = TAU * (f64::from(k) + 0.5) / f64::from(count);
+                    x * angle.cos() + y * angle.sin()
+                })
+                .fold(f64::MIN, f64::max);
+            let from_hole = (x - 0.1).hypot(y - 0.2) - 0.3;
+            if (reach - inner).abs() < 1e-7 || from_hole.abs() < 1e-7 {
+                continue;
+            }
+            let expected = reach < inner && !(hole && from_hole < 0.0);
+            assert_eq!(
+                kept(&part, &cells, [x, y, 0.5]),
+                expected,
+                "{count}: {x} {y}"
+            );
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// One plane through both generators, whatever the angle, below or above 180 degrees.
+    #[test]
+    fn sectors_of_cylinders(angles in angles(), from in 0.0..TAU, sweep in 0.2..6.0_f64, low in -3.0..0.0, high in 0.5..4.0_f64) {
+        let frame = turned(angles);
+        let origin = [0.3, -0.7, 1.1];
+        let surface = format!("kind = \"cylinder\", origin = {origin:?}, axis = {:?}, radius = 1.5", frame[2]);
+        let part = part(&sector(frame, origin, |_| 1.5, [low, high], from, sweep, &surface), 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        prop_assert_eq!(verdict, Verdict::Exact);
+        prop_assert_eq!(cells.len(), 1);
+        prop_assert_eq!(cells[0].cuts.len(), 3);
+        let mut even = Even(1);
+        let surface = part.model.faces[0].surface.clone();
+        for _ in 0..1000 {
+            let p = point_of(&surface, origin, 6.0, &mut even);
+            let (angle, height) = cylindrical(frame, origin, p);
+            let turned = (angle - from).rem_euclid(TAU);
+            if [turned, turned - sweep, turned - TAU, height - low, height - high].iter().any(|d| d.abs() < 1e-9) {
+                continue;
+            }
+            let expected = turned < sweep && (low..high).contains(&height);
+            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
+        }
+    }
+
+    /// A plane through the apex and two generators flips its side on the other nappe: a plane between the nappes keeps that off.
+    #[test]
+    fn sectors_of_cones(angles in angles(), from in 0.0..TAU, sweep in 0.2..6.0_f64, low in 0.1..1.0_f64, length in 0.5..4.0_f64, degrees in 5.0..80.0_f64) {
+        let frame = turned(angles);
+        let origin = [0.3, -0.7, 1.1];
+        let slope = degrees.to_radians().tan();
+        let high = low + length;
+        let surface = format!("kind = \"cone\", apex = {origin:?}, axis = {:?}, half_angle = {degrees:?}", frame[2]);
+        let part = part(&sector(frame, origin, |h| h * slope, [low, high], from, sweep, &surface), 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        prop_assert_eq!(verdict, Verdict::Exact);
+        prop_assert_eq!(cells.len(), 1);
+        prop_assert!(cells[0].cuts.len() <= 4);
+        let mut even = Even(2);
+        let surface = part.model.faces[0].surface.clone();
+        for _ in 0..1000 {
+            let p = point_of(&surface, origin, 4.0, &mut even);
+            let (angle, height) = cylindrical(frame, origin, p);
+            let turned = (angle - from).rem_euclid(TAU);
+            if [turned, turned - sweep, turned - TAU, height - low, height - high].iter().any(|d| d.abs() < 1e-9) {
+                continue;
+            }
+            // On the other nappe the height is negative.
+            let expected = turned < sweep && (low..high).contains(&height);
+            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
+        }
+    }
+
+    /// A zone between two latitudes and a lune between two meridians, together: AND up to 180 degrees, two patches above.
+    #[test]
+    fn spherical_quadrangles(angles in angles(), from in 0.0..TAU, sweep in 0.3..6.0_f64, low in -1.2..0.0, high in 0.2..1.3_f64) {
+        let [e, f, axis] = turned(angles);
+        let centre = [0.3, -0.7, 1.1];
+        let radius = 2.0;
+        let point = |u: f64, v: f64| {
+            let out = plus(times(u.cos(), e), times(u.sin(), f));
+            plus(centre, times(radius, plus(times(v.cos(), out), times(v.sin(), axis))))
+        };
+        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        for (name, u, v) in [("a", from, low), ("b", from + sweep, low), ("c", from + sweep, high), ("d", from, high)] {
+            write_vertex(&mut text, name, point(u, v));
+        }
+        for (name, ends, v) in [("low", ("a", "b"), low), ("high", ("d", "c"), high)] {
+            text += &arc(name, ends.0, ends.1, along(centre, radius * v.sin(), axis), axis, radius * v.cos());
+        }
+        for (name, ends, u) in [("left", ("a", "d"), from), ("right", ("b", "c"), from + sweep)] {
+            let out = plus(times(u.cos(), e), times(u.sin(), f));
+            text += &arc(name, ends.0, ends.1, centre, cross(out, axis), radius);
+        }
+        text += &face(
+            &format!("kind = \"sphere\", centre = {centre:?}, radius = {radius:?}"),
+            "[[\"low\", \"right\", \"-high\", \"-left\"]]",
+        );
+        let part = part(&text, 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        prop_assert_eq!(verdict, Verdict::Exact);
+        if sweep < PI - 0.01 {
+            prop_assert_eq!(cells.len(), 1);
+            prop_assert_eq!(cells[0].cuts.len(), 4);
+        }
+        let mut even = Even(3);
+        let surface = part.model.faces[0].surface.clone();
+        for _ in 0..1000 {
+            let p = point_of(&surface, centre, 4.0, &mut even);
+            let (angle, height) = cylindrical([e, f, axis], centre, p);
+            let turned = (angle - from).rem_euclid(TAU);
+            let [bottom, top] = [low, high].map(|v| radius * v.sin());
+            if [turned, turned - sweep, turned - TAU, height - bottom, height - top].iter().any(|d| d.abs() < 1e-9) {
+                continue;
+            }
+            let expected = turned < sweep && (bottom..top).contains(&height);
+            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
+        }
+    }
+
+    /// Star-shaped polygons of up to 16 corners, convex or not, in any plane.
+    #[test]
+    fn polygons(angles in angles(), radii in proptest::collection::vec(0.4..3.0_f64, 3..16)) {
+        let [e, f, axis] = turned(angles);
+        let origin = [0.3, -0.7, 1.1];
+        let count = radii.len();
+        let corner = |k: usize| {
+            let u = TAU * (k % count) as f64 / count as f64;
+            (radii[k % count] * u.cos(), radii[k % count] * u.sin())
+        };
+        let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
+        for k in 0..count {
+            let (x, y) = corner(k);
+            write_vertex(&mut text, &format!("p{k}"), along(along(origin, x, e), y, f));
+        }
+        for k in 0..count {
+            text += &line(&format!("e{k}"), &format!("p{k}"), &format!("p{}", (k + 1) % count));
+        }
+        let names: Vec<String> = (0..count).map(|k| format!("\"e{k}\"")).collect();
+        text += &face(&format!("kind = \"plane\", origin = {origin:?}, normal = {axis:?}"), &format!("[[{}]]", names.join(", ")));
+        let part = part(&text, 0.0);
+        let (verdict, cells) = cells(&part, "face");
+        prop_assert_eq!(verdict, Verdict::Exact);
+        prop_assert!(cells.iter().all(|cell| cell.cuts.len() <= 10));
+        let mut even = Even(4);
+        for _ in 0..1000 {
+            let (x, y) = (8.0 * (even.next() - 0.5), 8.0 * (even.next() - 0.5));
+            // The wedge of the corner angles, and the side of its edge.
+            let u = y.atan2(x).rem_euclid(TAU);
+            let k = ((u / TAU * count as f64) as usize).min(count - 1);
+            let ((ax, ay), (bx, by)) = (corner(k), corner(k + 1));
+            let side = (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+            let wedge = (u - TAU * k as f64 / count as f64).min(TAU * (k + 1) as f64 / count as f64 - u);
+            if side.abs() < 1e-7 || wedge < 1e-7 {
+                continue;
+            }
+            let p = along(along(origin, x, e), y, f);
+            prop_assert_eq!(kept(&part, &cells, p), side > 0.0, "{} {}", x, y);
+        }
+    }
+}

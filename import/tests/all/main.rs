@@ -1,0 +1,15 @@
+//! All tests of the crate that need it from outside, as one program.
+
+mod common;
+mod faces_adjacent;
+mod faces_cracks;
+mod faces_input;
+mod faces_oracle;
+mod mmcif;
+mod molecule;
+mod step_files;
+mod step_input;
+mod step_oracle;
+mod step_words;
+mod structure_files;
+mod torus;

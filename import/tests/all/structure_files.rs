@@ -1,0 +1,348 @@
+//! Structure files in all their formats: published ones against what another program counts, and what each format may
+//! hold.
+
+use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
+use imogene_import::{Imported, Kind, is_compressed, unpack};
+use imogene_prepare::Framing;
+use imogene_scene::{SceneFile, Shape, Step};
+use std::path::Path;
+
+/// A file of the tests, unpacked.
+fn bytes(name: &str) -> Vec<u8> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let bytes = std::fs::read(folder.join(name)).expect(name);
+    if is_compressed(&bytes) {
+        unpack(&bytes, 10_000_000, name).expect(name)
+    } else {
+        bytes
+    }
+}
+
+fn import(name: &str, options: &Options) -> Imported {
+    let bytes = bytes(name);
+    let kind = Kind::of(&bytes, "no ending").expect("known by what it holds");
+    let format = kind.format().expect("a structure");
+    pdb::read(&bytes, format, name, options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn all_of(style: Style) -> Options {
+    Options {
+        style,
+        alternates: Alternates::All,
+        ..Options::default()
+    }
+}
+
+fn cif(text: &str, options: &Options) -> Result<Imported, String> {
+    pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
+}
+
+fn names(imported: &Imported) -> Vec<&str> {
+    let objects = imported.scene.objects.iter();
+    objects.map(|object| object.name.as_str()).collect()
+}
+
+fn places(imported: &Imported) -> Vec<[f64; 3]> {
+    let spheres = imported
+        .scene
+        .objects
+        .iter()
+        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
+    let place = |step: &Step| match step {
+        Step::Translate(place) => *place,
+        other => panic!("{other:?}"),
+    };
+    spheres.map(|object| place(&object.place[0])).collect()
+}
+
+#[test]
+fn published_files_hold_what_another_program_counts() {
+    let table = include_str!("../data/expected.tsv");
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .skip(2)
+        .map(|row| row.split('\t').collect())
+        .collect();
+    assert_eq!(rows.len(), 7);
+    for row in rows {
+        let [file, atoms, models, first, chains, bonds, assembly, mean] = row[..] else {
+            panic!("{row:?}");
+        };
+        let imported = import(file, &all_of(Style::BallAndStick));
+        let report = &imported.report;
+        let words = |key: &str| {
+            let list = report[key].as_array().expect(key).iter();
+            let texts = list.map(|v| v.as_str().map_or_else(|| v.to_string(), str::to_owned));
+            texts.collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(report["atoms_read"].to_string(), atoms, "{file}");
+        assert_eq!(report["atoms_drawn"].to_string(), first, "{file}");
+        assert_eq!(report["bonds"].to_string(), bonds, "{file}");
+        assert_eq!(
+            (words("models"), words("chains")),
+            (models.into(), chains.into()),
+            "{file}"
+        );
+        if assembly == "-" {
+            assert_eq!(words("assemblies"), "", "{file}");
+            continue;
+        }
+        let options = Options {
+            assembly: Some("1".into()),
+            ..all_of(Style::SpaceFilling)
+        };
+        let places = places(&import(file, &options));
+        assert_eq!(places.len().to_string(), assembly, "{file}");
+        let middle: Vec<f64> = (0..3)
+            .map(|k| places.iter().map(|p| p[k]).sum::<f64>() / places.len() as f64)
+            .collect();
+        for (own, other) in middle.iter().zip(mean.split(' ')) {
+            let other: f64 = other.parse().expect("a number");
+            assert!(
+                (own - other).abs() <= 6e-4,
+                "{file}: {middle:?}, not {mean}"
+            );
+        }
+    }
+}
+
+/// The same entry in two formats is the same scene, apart from the chains of water and the numbers of atoms, which the
+/// formats have their own of.
+#[test]
+fn formats_of_an_entry_agree() {
+    let options = Options {
+        style: Style::BallAndStick,
+        colouring: Colouring::Chain,
+        assembly: Some("1".into()),
+        ..Options::default()
+    };
+    let scene = |file: &str| import(file, &options).scene;
+    assert_eq!(scene("3JQH.cif"), scene("3jqh.bcif.gz"));
+    let (text, lines) = (scene("1A8O.cif"), scene("1A8O.pdb"));
+    assert_eq!(text.objects, lines.objects);
+    assert_eq!(text.materials, lines.materials);
+    assert_eq!(text.title, "1A8O: HIV CAPSID C-TERMINAL DOMAIN");
+}
+
+#[test]
+fn copies_of_chains_are_named_and_coloured_by_their_operator() {
+    let options = Options {
+        colouring: Colouring::Chain,
+        assembly: Some("1".into()),
+        ..Options::default()
+    };
+    let imported = import("1A8O.cif", &options);
+    assert_eq!(imported.report["chains"], serde_json::json!(["A", "A-2"]));
+    assert!(names(&imported).contains(&"A-2/151/CA"));
+    // Operator 2 of the file: -y+41.98, -x+41.98, -z+44.46.
+    let place = |name: &str| {
+        let all = names(&imported);
+        let at = all.iter().position(|n| *n == name).expect(name);
+        places(&imported)[at]
+    };
+    let ([x, y, z], moved) = (place("A/151/CA"), place("A-2/151/CA"));
+    for (own, expected) in moved.iter().zip([41.98 - y, 41.98 - x, 44.46 - z]) {
+        assert!((own - expected).abs() < 1e-9, "{moved:?}");
+    }
+    let unknown = Options {
+        assembly: Some("7".into()),
+        ..Options::default()
+    };
+    let error = |file: &str| {
+        let bytes = bytes(file);
+        let format = Kind::of(&bytes, "")
+            .and_then(Kind::format)
+            .expect("a structure");
+        pdb::read(&bytes, format, file, &unknown)
+            .unwrap_err()
+            .to_string()
+    };
+    assert_eq!(
+        error("1A8O.pdb"),
+        "1A8O.pdb: it has no assembly 7; --assembly 1 would be accepted"
+    );
+    assert!(error("disordered.pdb").contains("it describes no assembly"));
+}
+
+#[test]
+fn chains_and_residues_are_chosen() {
+    let residues = |text: &str| {
+        text.split(',')
+            .map(|r| r.parse().expect("residues"))
+            .collect()
+    };
+    let chosen = |file: &str, chains: &[&str], text: &str| {
+        let options = Options {
+            chains: chains.iter().map(|c| (*c).to_owned()).collect(),
+            residues: if text.is_empty() {
+                vec![]
+            } else {
+                residues(text)
+            },
+            ..Options::default()
+        };
+        let bytes = bytes(file);
+        let format = Kind::of(&bytes, "")
+            .and_then(Kind::format)
+            .expect("a structure");
+        pdb::read(&bytes, format, file, &options)
+            .map(|imported| imported.scene.objects.len())
+            .map_err(|error| error.to_string())
+    };
+    // Counted with grep in the file: residues 151 to 153 of the chain, and selenomethionines.
+    let lines = |test: fn(&str) -> bool| {
+        let text = String::from_utf8(bytes("1A8O.pdb")).expect("text");
+        let atoms = text
+            .lines()
+            .filter(|l| l.starts_with("ATOM") || l.starts_with("HETATM"));
+        atoms.filter(|line| test(line)).count()
+    };
+    let range = lines(|l| (151..=153).contains(&l[22..26].trim().parse().unwrap_or(0)));
+    let named = lines(|l| &l[17..20] == "MSE");
+    assert!(range > 0 && named > 0);
+    assert_eq!(chosen("1A8O.pdb", &["A"], "151-153"), Ok(range));
+    assert_eq!(chosen("1A8O.cif", &[], "151,152-153"), Ok(range));
+    assert_eq!(chosen("1A8O.cif", &["A"], "mse"), Ok(named));
+    let both = chosen("1LCD.pdb.gz", &["B", "C"], "").expect("two chains");
+    assert_eq!(
+        both,
+        chosen("1LCD.pdb.gz", &["C"], "").unwrap() + chosen("1LCD.pdb.gz", &["B"], "").unwrap()
+    );
+    assert_eq!(
+        chosen("1LCD.pdb.gz", &["A", "D"], "").unwrap_err(),
+        "1LCD.pdb.gz: it has no chain D; A, B, C would be accepted"
+    );
+    let error = chosen("1LCD.pdb.gz", &["B"], "HEM").unwrap_err();
+    assert!(
+        error.contains("no residue HEM in what is asked for; numbers from 1 to 3293 and the names DA, DC, DG, DT, HOH"),
+        "{error}"
+    );
+}
+
+/// What is wrong with an operator is told to those who ask for an assembly, and to nobody else.
+#[test]
+fn wrong_operators_are_refused_when_they_are_asked_for() {
+    let whole = String::from_utf8(bytes("1A8O.cif")).expect("text");
+    let asked = Options {
+        assembly: Some("1".into()),
+        ..Options::default()
+    };
+    let line = whole
+        .lines()
+        .position(|l| l.starts_with("0.0000000000 0.0000000000 41.98"))
+        .expect("the operator")
+        + 1;
+    let bad = whole.replace("0.0000000000 0.0000000000 41.98", "0.0000000000 one 41.98");
+    assert!(cif(&bad, &Options::default()).is_ok());
+    let error = cif(&bad, &asked).unwrap_err();
+    assert!(
+        error.starts_with(&format!(
+            "f.cif:{line}:14: matrix[2][3] of operator `2` is `one`"
+        )),
+        "{error}"
+    );
+    let missing = whole.replace("oper_expression   1,2", "oper_expression   1,(2-4)");
+    assert!(
+        cif(&missing, &asked)
+            .unwrap_err()
+            .contains("there is no operator `3`")
+    );
+    let old = String::from_utf8(bytes("1A8O.pdb")).expect("text");
+    let read = |text: &str, options: &Options| {
+        pdb::read(text.as_bytes(), Format::Pdb, "f.pdb", options).map_err(|e| e.to_string())
+    };
+    let bad = old.replace("BIOMT2   2 -1.000000", "BIOMT2   2 -1.0000o0");
+    assert!(read(&bad, &Options::default()).is_ok());
+    let error = read(&bad, &asked).unwrap_err();
+    assert!(
+        error.starts_with("f.pdb:262:24: `-1.0000o0` of an operator"),
+        "{error}"
+    );
+    let cut = old.replace("REMARK 350   BIOMT3   2", "REMARK 351   BIOMT3   2");
+    assert!(
+        read(&cut, &asked)
+            .unwrap_err()
+            .contains("without its lines BIOMT1, BIOMT2 and BIOMT3")
+    );
+}
+
+#[test]
+fn kinds_are_known_by_what_files_hold() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let read = |path: &str| std::fs::read(root.join(path)).expect(path);
+    let kinds = [
+        ("import/tests/data/1A8O.cif", Kind::Mmcif),
+        ("import/tests/data/1SSU_mod.cif", Kind::Mmcif),
+        ("import/tests/data/1A8O.pdb", Kind::Pdb),
+        ("import/tests/data/disordered.pdb", Kind::Pdb),
+        ("scenes/molecules/helix.pdb", Kind::Pdb),
+        ("parts/bracket.faces.toml", Kind::Faces),
+        ("parts/nut.step", Kind::Step),
+        ("scenes/terrain/hills.heights", Kind::Heights),
+    ];
+    for (path, kind) in kinds {
+        // A name that says something else counts for less.
+        assert_eq!(Kind::of(&read(path), "a.stp"), Some(kind), "{path}");
+    }
+    assert_eq!(Kind::of(&bytes("3jqh.bcif.gz"), "a.stp"), Some(Kind::Bcif));
+    let texts = [
+        ("NCOLS 2\nnrows 2", Some(Kind::Heights)),
+        ("# heights\nstep 2 2\n1 2\n3 4", Some(Kind::Heights)),
+        ("3\nwater\nO 0 0 0", None),
+        ("ATOM 100000  CA  ALA", Some(Kind::Pdb)),
+        ("\u{feff}atom      1  CA", Some(Kind::Pdb)),
+        ("\r\n  DATA_x", Some(Kind::Mmcif)),
+        ("hello", None),
+        ("HEADER;\nFILE_NAME('x')", None),
+        ("", None),
+    ];
+    for (text, kind) in texts {
+        assert_eq!(Kind::of(text.as_bytes(), "a.txt"), kind, "{text:?}");
+    }
+    // What its contents do not show, the name does.
+    let named = [
+        ("a.PDB", Kind::Pdb),
+        ("a.ent.gz", Kind::Pdb),
+        ("a.cif.gz", Kind::Mmcif),
+        ("a.bcif", Kind::Bcif),
+        ("a.asc", Kind::Heights),
+    ];
+    for (name, kind) in named {
+        assert_eq!(Kind::of(b"?", name), Some(kind), "{name}");
+    }
+}
+
+/// A scene that names the file gets the same objects, with the names and in the group that it asks for.
+#[test]
+fn a_scene_is_filled_from_the_file_that_it_names() {
+    let options = Options {
+        style: Style::BallAndStick,
+        ..Options::default()
+    };
+    let whole = import("1A8O.cif", &options).scene;
+    let mut scene = SceneFile {
+        objects: vec![],
+        molecules: vec![options.molecule("1A8O.cif")],
+        ..whole.clone()
+    };
+    let text = scene.to_toml().expect("a scene may name a file");
+    let read = SceneFile::parse(&text, "s.toml").expect("readable");
+    assert_eq!(read, scene);
+    let error = scene.validate().unwrap_err().to_string();
+    assert!(
+        error.contains("molecules: `1A8O.cif` has not been read"),
+        "{error}"
+    );
+    assert!(scene.frame(64, 48).is_err());
+    let [mut molecule] = <[_; 1]>::try_from(std::mem::take(&mut scene.molecules)).expect("one");
+    let bytes = bytes("1A8O.cif");
+    pdb::add(&mut scene, &molecule, &bytes, Format::Mmcif, "f").expect("readable");
+    assert_eq!(scene, whole);
+    molecule.name = Some("second".into());
+    molecule.colour = "chain".into();
+    pdb::add(&mut scene, &molecule, &bytes, Format::Mmcif, "f").expect("readable");
+    assert_eq!(scene.objects.len(), 2 * whole.objects.len() - 292);
+    scene
+        .validate()
+        .expect("names are parted by the molecule's, and its materials are added");
+}

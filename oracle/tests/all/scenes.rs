@@ -1,0 +1,192 @@
+//! Every scene of the repository: golden picture against traced picture.
+
+use imogene_analysis::bounds::check;
+use imogene_golden::format::Format;
+use imogene_golden::machine::beam;
+use imogene_golden::machine::frame::Frame;
+use imogene_oracle::bounds::Bounds;
+use imogene_oracle::compare::{Comparison, Mark, compare};
+use imogene_oracle::run::{Outcome, run};
+use imogene_oracle::trace::{Traced, Tracer};
+use imogene_prepare::Framing;
+use imogene_prepare::{PreparedScene, prepare};
+use imogene_scene::SceneFile;
+
+/// The scenes that their own check fails, since their words are too short for them: pixels of their outlines are
+/// announced far from the edge.
+const WITHOUT_BOUNDS: [&str; 1] = ["flat-as-a-leaf"];
+
+/// The picture of the check is the scene's own size where that is small: the extremes are made for it.
+fn size(scene: &SceneFile) -> (u32, u32) {
+    let (w, h) = (scene.image.width, scene.image.height);
+    if w * h <= 64 * 128 { (w, h) } else { (80, 60) }
+}
+
+#[test]
+fn every_golden_picture_is_the_traced_one_outside_the_band() {
+    let (mut refused, mut compared) = (vec![], 0);
+    for file in crate::common::files() {
+        let name = file
+            .file_stem()
+            .expect("a file")
+            .to_string_lossy()
+            .into_owned();
+        let scene = SceneFile::read(&file).expect("valid");
+        let (w, h) = size(&scene);
+        let outcome = run(&scene, w, h, Format::BASE, &|_| ()).expect("framed");
+        let found = match outcome {
+            Outcome::Refused(_) => {
+                refused.push(name);
+                continue;
+            }
+            Outcome::Compared(found) => found,
+        };
+        compared += 1;
+        let c = &found.comparison;
+        assert!(c.holds(), "{name}: {c:#?}");
+        let is_without = WITHOUT_BOUNDS.contains(&name.as_str());
+        assert_eq!(c.announced > 0, is_without, "{name}: {c:#?}");
+        let marked = |mark| found.marks.iter().filter(|m| **m == mark).count();
+        assert_eq!(marked(Mark::Inside), c.differences_inside);
+        assert_eq!(marked(Mark::Outside), c.differences_outside);
+        assert_eq!(marked(Mark::Tied), c.tied);
+        assert_eq!(marked(Mark::Announced), c.announced);
+        assert!(
+            c.covered < 20 || c.depths > 0,
+            "{name}: no depth was compared"
+        );
+        assert!(
+            c.differences_inside * 20 <= c.band || is_without || c.band < 20 || c.tied > 0,
+            "{name}: {c:#?}"
+        );
+    }
+    assert!(compared >= 60, "{compared}");
+    assert!(refused.is_empty(), "{refused:?}");
+}
+
+#[test]
+fn a_scene_that_differs_is_one_whose_check_fails() {
+    for file in crate::common::files() {
+        let name = file
+            .file_stem()
+            .expect("a file")
+            .to_string_lossy()
+            .into_owned();
+        if !WITHOUT_BOUNDS.contains(&name.as_str()) {
+            continue;
+        }
+        let scene = SceneFile::read(&file).expect("valid");
+        let framed = scene
+            .frame(scene.image.width, scene.image.height)
+            .expect("framed");
+        let prepared = prepare(&framed, Format::BASE).expect("prepared");
+        assert!(!check(&framed, &prepared).ok);
+    }
+}
+
+/// A scene with both pictures, to hold others against the traced one.
+struct Drawn {
+    prepared: PreparedScene,
+    golden: Frame,
+    tracer: Tracer,
+    traced: Traced,
+    bounds: Bounds,
+}
+
+impl Drawn {
+    fn new(scene: &SceneFile, (width, height): (u32, u32)) -> Drawn {
+        let framed = scene.frame(width, height).expect("framed");
+        let prepared = prepare(&framed, Format::BASE).expect("prepared");
+        let (columns, lines) = (width as usize, height as usize);
+        let tracer = Tracer::new(scene, &framed.range, width, height);
+        Drawn {
+            golden: beam::render(&prepared.slots(), &Format::BASE, columns, lines, || ()),
+            bounds: Bounds::new(&framed, &prepared, tracer.bodies()).expect("bounds"),
+            traced: tracer.draw(|| ()),
+            tracer,
+            prepared,
+        }
+    }
+
+    fn against(&self, frame: &Frame) -> Comparison {
+        compare(
+            &self.tracer,
+            &self.traced,
+            frame,
+            &self.bounds,
+            &self.prepared,
+        )
+        .0
+    }
+}
+
+/// A wrong picture is noticed: one object moved by two pixels, or one word of depth too many.
+#[test]
+fn wrong_pictures_are_noticed() {
+    let file = crate::common::files()
+        .into_iter()
+        .find(|f| f.ends_with("teapot.toml"))
+        .expect("the teapot");
+    let scene = SceneFile::read(&file).expect("valid");
+    let drawn = Drawn::new(&scene, (80, 60));
+    let golden = drawn.golden.clone();
+    let against = |frame| drawn.against(frame);
+    assert!(against(&golden).holds());
+    let mut moved = golden.clone();
+    moved.id.rotate_right(2);
+    moved.number.rotate_right(2);
+    assert!(against(&moved).differences_outside > 0);
+    let mut deeper = golden.clone();
+    let most = against(&golden).depth_bound as i64 + 1;
+    deeper.depth.iter_mut().for_each(|d| *d += 2 * most);
+    let found = against(&deeper);
+    assert!(found.depths_beyond_bound > 0 && found.differences_outside == 0);
+}
+
+/// Slivers between the pixels, seen where their corners are rounded to: the golden picture holds, and what is wrong
+/// in it is still found.
+#[test]
+fn slivers_hold_and_wrong_pixels_of_a_mesh_are_found() {
+    let slivers = "kind = \"mesh\"\nvertices = [[0.01, -0.267, -0.712], [0.321, -0.06, -0.745], [-0.985, -0.812, -1.177], \
+        [-0.699, -0.146, -0.595], [-0.068, 0.344, 0.09], [-0.375, 0.186, -0.646], [-0.29, -1.59, 0.938], [0.241, -1.278, 0.754], \
+        [1.158, -1.033, 0.922], [-0.692, -0.059, 0.163], [-0.417, 0.303, -0.923], [-0.624, 0.759, -1.049], [-0.023, 0.55, -0.855], \
+        [-0.551, 0.686, -0.647], [-0.253, -0.157, -0.768]]\nfaces = [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11], [12, 13, 14]]";
+    let camera = "kind = \"perspective\"\neye = [-2.848, -3.182, 7.89]\ntarget = [-0.168, 0.045, -0.09]\nviewer_distance = 8.170\nview_height = 3.031\n";
+    let scene = crate::common::scene(camera, &[slivers]);
+    let (w, h) = (64, 48);
+    let drawn = Drawn::new(&scene, (w, h));
+    let golden = drawn.golden.clone();
+    let against = |frame: &Frame| drawn.against(frame);
+    let found = against(&golden);
+    assert!(found.holds(), "{found:#?}");
+    // A pixel that no facet and no seen pixel is near, and one beside the facet that is at another depth.
+    let far_from_all = |&i: &usize| {
+        let (x, y) = (i % w as usize, i / w as usize);
+        let beside = imogene_oracle::compare::is_in_band(&drawn.traced, x, y);
+        !beside
+            && golden.id[i] < 0
+            && drawn
+                .tracer
+                .facets_near(0, (x as u32, y as u32), 0.1)
+                .is_empty()
+    };
+    let mut wrong = 0;
+    for i in (0..golden.id.len()).filter(far_from_all).step_by(97) {
+        let mut frame = golden.clone();
+        let like = golden
+            .id
+            .iter()
+            .position(|&id| id == 0)
+            .expect("something is seen");
+        (frame.id[i], frame.number[i], frame.depth[i]) =
+            (0, golden.number[like], golden.depth[like]);
+        assert_eq!(against(&frame).differences_outside, 1, "pixel {i}");
+        wrong += 1;
+    }
+    assert!(wrong > 10, "{wrong}");
+    let sliver = 35 * w as usize + 24;
+    assert_eq!(golden.id[sliver], 0);
+    let mut deeper = golden.clone();
+    deeper.depth[sliver] += 100_000;
+    assert_eq!(against(&deeper).differences_outside, 1);
+}

@@ -1,0 +1,212 @@
+//! The emitted Verilog: accepted by the tools, readable, the same every time; bad requests are refused.
+
+use crate::support::{requests, run, write, write_split};
+use imogene_contract::{Request, RequestError, Unit};
+use imogene_rtl::emit::{emit, raw};
+
+#[test]
+fn icarus_accepts_every_unit_without_a_warning() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap_or_else(|error| panic!("{request:?}: {error}"));
+        let file = write(
+            &format!("icarus-{}-{}", request.unit.name(), request.depth_word),
+            &emitted,
+        );
+        let output = run(
+            "iverilog",
+            "iverilog",
+            &[
+                "-g2005",
+                "-Wall",
+                "-s",
+                &emitted.top,
+                "-o",
+                "/dev/null",
+                file.to_str().unwrap(),
+            ],
+        );
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() && said.is_empty(),
+            "{request:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn verilator_accepts_every_unit_without_a_warning() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap();
+        let directory = write_split(
+            &format!("verilator-{}-{}", request.unit.name(), request.depth_word),
+            &emitted,
+        );
+        let file = directory.join(format!("{}.v", emitted.top));
+        let arguments = [
+            "--lint-only",
+            "-Wall",
+            "-Wno-fatal",
+            "-y",
+            directory.to_str().unwrap(),
+            file.to_str().unwrap(),
+        ];
+        let output = run("verilator", "verilator", &arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() && said.is_empty(),
+            "{request:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn the_same_request_gives_the_same_text() {
+    for unit in Unit::ALL {
+        let request = Request::new(unit);
+        assert_eq!(emit(&request), emit(&request));
+    }
+}
+
+#[test]
+fn identifiers_carry_no_dollar_and_the_top_is_the_unit() {
+    for request in requests() {
+        let emitted = emit(&request).unwrap();
+        let text = emitted.bundle();
+        assert!(!text.contains('$'), "{request:?}");
+        assert!(text.contains(&format!("\nmodule {} (", request.unit.name())));
+        assert_eq!(emitted.top, request.unit.name());
+        assert_eq!(text.matches("\nmodule ").count(), emitted.modules.len());
+        assert!(text.contains(&request.command()) && text.contains("MIT OR Apache-2.0"));
+    }
+}
+
+#[test]
+fn equal_blocks_become_one_module() {
+    let emitted = emit(&Request::new(Unit::SquareRoot)).unwrap();
+    assert_eq!(emitted.modules.len(), 3, "network, stage and row");
+    let beam = emit(&Request::new(Unit::Beam)).unwrap();
+    let more = emit(&Request {
+        objects: 8,
+        ..Request::new(Unit::Beam)
+    })
+    .unwrap();
+    assert!(
+        more.modules.len() <= beam.modules.len(),
+        "a slot more is an instance more"
+    );
+}
+
+#[test]
+fn ports_are_listed_as_they_stand() {
+    let emitted = emit(&Request {
+        planes: 2,
+        ..Request::new(Unit::QuadricProcessor)
+    })
+    .unwrap();
+    let port = |name: &str| emitted.ports.iter().find(|port| port.name == name).unwrap();
+    assert_eq!((port("f2_a2").width, port("f2_a2").signed), (48, true));
+    assert_eq!(
+        (port("plane_1_c").width, port("plane_1_kind").width),
+        (36, 2)
+    );
+    assert_eq!((port("zf").width, port("out_valid").width), (24, 1));
+    assert_eq!(emitted.latency, 24 + 2 + 7);
+}
+
+#[test]
+fn bad_requests_name_the_value_and_the_range() {
+    for (name, depth_word, option, value, says) in [
+        (
+            "beam",
+            33,
+            "planes",
+            3,
+            "format = 33 is out of range; legal values are 8 to 32",
+        ),
+        (
+            "beam",
+            24,
+            "planes",
+            13,
+            "planes = 13 is out of range; legal values are 0 to 12",
+        ),
+        (
+            "beam",
+            24,
+            "rows-per-stage",
+            0,
+            "rows-per-stage = 0 is out of range; legal values are 1 to 24",
+        ),
+        (
+            "beam",
+            24,
+            "rows-per-stage",
+            25,
+            "rows-per-stage = 25 is out of range",
+        ),
+        (
+            "beam",
+            24,
+            "objects",
+            0,
+            "objects = 0 is out of range; legal values are 1 to 256",
+        ),
+        ("beam", 24, "objects", 257, "objects = 257 is out of range"),
+        (
+            "square_root_rows",
+            24,
+            "digits",
+            25,
+            "digits = 25 is out of range; legal values are 1 to 24",
+        ),
+        (
+            "square_root_linear",
+            24,
+            "corrections",
+            3,
+            "corrections = 3 is out of range; legal values are 0 to 2",
+        ),
+        (
+            "card_decider",
+            24,
+            "objects",
+            200,
+            "objects times cards = 400 is out of range",
+        ),
+        (
+            "beam",
+            24,
+            "corrections",
+            1,
+            "the unit `beam` has no parameter `corrections`",
+        ),
+    ] {
+        let refused = Request::given(name, depth_word, &[(option, Some(value))]).unwrap_err();
+        assert!(refused.to_string().contains(says), "{refused}");
+    }
+    let unchecked = Request {
+        planes: 13,
+        ..Request::new(Unit::Beam)
+    };
+    assert!(matches!(
+        emit(&unchecked),
+        Err(RequestError::Range { value: 13, .. })
+    ));
+    let unit = Unit::from_name("pe3").unwrap_err();
+    assert!(matches!(&unit, RequestError::Unit { name } if name == "pe3"));
+    assert!(unit.to_string().contains("quadric_processor"));
+}
+
+/// rust-hdl's own text of the same block repeats every array element and every register as a module of its own.
+#[test]
+fn the_root_network_takes_an_eighth_of_the_lines_of_the_raw_text() {
+    let raw = raw(&Request::new(Unit::SquareRoot)).unwrap();
+    let raw = raw.lines().count();
+    let emitted = emit(&Request::new(Unit::SquareRoot)).unwrap();
+    let lines = emitted.bundle().lines().count();
+    println!(
+        "raw {raw} lines, emitted {lines}, ratio {:.1}",
+        raw as f64 / lines as f64
+    );
+    assert!(raw >= 8 * lines, "raw {raw}, emitted {lines}");
+}

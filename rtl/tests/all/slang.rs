@@ -1,0 +1,119 @@
+//! The emitted Verilog in slang, which keeps to the letter of SystemVerilog. Needs Python with 'pyslang', which
+//! `scripts/setup --lint` installs in target/tools, and fails without it.
+
+use crate::support::{requests, write};
+use imogene_contract::video::VideoMode;
+use imogene_contract::{Request, Unit};
+use imogene_rtl::emit::machine::{
+    Kind, MachineRequest, MachineWords, Output, Slot, ZoneShape, emit_machine,
+};
+use imogene_rtl::emit::{Emitted, emit};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What slang finds in files, but nets that their names declare unused.
+fn found(files: &[PathBuf]) -> Vec<String> {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let output = Command::new(own.join("../target/tools/bin/python"))
+        .arg(own.join("tests/support/slang.py"))
+        .args(files)
+        .output();
+    const HOW: &str = "`scripts/setup --lint` installs pyslang in target/tools";
+    let output = output.unwrap_or_else(|error| panic!("python cannot be run ({error}); {HOW}"));
+    let said = String::from_utf8_lossy(&output.stderr);
+    let read = String::from_utf8_lossy(&output.stdout);
+    let wanted = format!("read {}\n", files.len());
+    assert!(output.status.success() && read == wanted, "{said}\n{HOW}");
+    let is_found = |line: &&str| line.contains(": warning: ") || line.contains(": error: ");
+    let findings = said.lines().filter(is_found);
+    findings
+        .filter(|line| !line.contains(" net 'unused"))
+        .map(str::to_owned)
+        .collect()
+}
+
+fn assert_clean(files: &[PathBuf]) {
+    let found = found(files);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn slang_accepts_every_unit_without_a_warning() {
+    let base = Unit::ALL.into_iter().map(Request::new);
+    let file = |(index, request): (usize, Request)| {
+        let name = format!("slang-{}-{index}", request.unit.name());
+        write(&name, &emit(&request).expect("legal parameters"))
+    };
+    let files: Vec<PathBuf> = base.chain(requests()).enumerate().map(file).collect();
+    assert_clean(&files);
+}
+
+/// A zone machine and a beam machine with their screens.
+fn machines() -> [Emitted; 2] {
+    let screen = Output {
+        mode: VideoMode::VGA,
+        kernel: 2,
+        has_overlay: true,
+    };
+    let zone = ZoneShape {
+        zone_bits: 8,
+        samples: 2,
+    };
+    let kinds = [
+        Kind::ZoneDisplay(zone, screen),
+        Kind::BeamDisplay(8, screen),
+    ];
+    kinds.map(|kind| {
+        let request = MachineRequest {
+            kind,
+            volumes: 1,
+            volume_planes: 4,
+            lights: 2,
+            ..MachineRequest::fitted(MachineWords::of(24), 4, vec![Slot::full(1); 2])
+        };
+        emit_machine(&request).expect("legal numbers")
+    })
+}
+
+#[test]
+fn slang_accepts_both_machines_without_a_warning() {
+    let machines = machines();
+    let files = machines.map(|emitted| write(&format!("slang-{}", emitted.top), &emitted));
+    assert_clean(&files);
+}
+
+/// Texts with a fault each.
+#[test]
+fn slang_finds_faults() {
+    let emitted = emit(&Request::new(Unit::SquareRoot)).expect("legal parameters");
+    let difference = "dividend - divisor";
+    let test = "(trial & sign) != 26'd0";
+    let faults = [
+        (difference, "dividend - ", "error: expected"),
+        (difference, "dividend - divider", "error: use of undeclared"),
+        (
+            difference,
+            "dividend - (divisor << 26)",
+            "shift-count-overflow",
+        ),
+        (difference, "dividend", "unused-but-set-net"),
+        ("live + 26'd1", "{1'b0, live} + 27'd1", "width-trunc"),
+        (
+            "wire [25:0] divisor, dividend, trial,",
+            "wire [24:0] trial; wire [25:0] divisor, dividend,",
+            "width-expand",
+        ),
+        (test, "$signed(trial) < sign", "sign-compare"),
+        (test, "trial & sign", "width-trunc"),
+        ("assign divisor = {root, 2'd1};", "", "undriven-net"),
+    ];
+    for (index, (from, to, wanted)) in faults.into_iter().enumerate() {
+        let file = write(&format!("slang-fault-{index}"), &emitted);
+        let text = emitted.bundle();
+        assert!(text.contains(from), "{from} is not in\n{text}");
+        std::fs::write(&file, text.replacen(from, to, 1)).expect("a file");
+        let found = found(&[file]);
+        let is_named = found.iter().any(|line| line.contains(wanted));
+        assert!(is_named, "{to}: {found:?}");
+    }
+}

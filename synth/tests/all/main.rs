@@ -1,0 +1,5 @@
+//! All tests of the crate that need it from outside, as one program.
+
+mod full;
+mod harness;
+mod peers;
