@@ -16,7 +16,7 @@ fn documents() -> Vec<(String, String)> {
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let pages = names.filter(|name| name.ends_with(".md"));
     let mut paths: Vec<String> = pages.map(|name| format!("docs/{name}")).collect();
-    paths.push("README.md".into());
+    paths.extend(["README.md", "ARCHITECTURE.md"].map(String::from));
     paths.sort();
     assert!(paths.len() > 20, "{paths:?}");
     let page = |path: String| (path.clone(), read(&path));
