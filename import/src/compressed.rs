@@ -1,6 +1,6 @@
 //! Files compressed with gzip.
 
-use crate::error::ImportError;
+use crate::error::{ImportError, unusable};
 use flate2::read::MultiGzDecoder;
 use std::io::Read;
 
@@ -12,24 +12,19 @@ pub fn is_compressed(bytes: &[u8]) -> bool {
 /// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that
 /// messages give it.
 pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
-    let refuse = |problem: String, accepted: String| {
-        Err(ImportError::Unusable {
-            file: file.to_owned(),
-            problem,
-            accepted,
-        })
-    };
     let mut unpacked = vec![];
     let mut decoder = MultiGzDecoder::new(bytes).take(limit + 1);
     match decoder.read_to_end(&mut unpacked) {
-        Err(error) => refuse(
+        Err(error) => Err(unusable(
+            file,
             format!("it cannot be unpacked ({error})"),
-            "a whole file compressed with gzip would be accepted".to_owned(),
-        ),
-        Ok(count) if count as u64 > limit => refuse(
+            "a whole file compressed with gzip would be accepted",
+        )),
+        Ok(count) if count as u64 > limit => Err(unusable(
+            file,
             format!("it unpacks to more than {limit} bytes"),
             format!("up to {limit} bytes would be accepted"),
-        ),
+        )),
         Ok(_) => Ok(unpacked),
     }
 }

@@ -12,6 +12,18 @@ pub struct Place {
     pub column: usize,
 }
 
+impl Place {
+    /// Of a byte of a text whose lines end so.
+    pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {
+        let before = &bytes[..at.min(bytes.len())];
+        let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
+        Place {
+            line: before.iter().filter(|b| **b == end).count() + 1,
+            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
+        }
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.line, self.column)
@@ -46,18 +58,35 @@ pub enum ImportError {
 }
 
 impl ImportError {
-    /// What is wrong and where, without the name of the file: for a part of it that is left out.
-    pub fn detail(&self) -> String {
-        match self {
-            Self::Malformed {
+    /// A refusal of a file as a whole, or at a place of it: what is wrong, and what would be accepted.
+    pub(crate) fn new(
+        file: &str,
+        place: Option<Place>,
+        problem: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> ImportError {
+        let (file, problem, accepted) = (file.to_owned(), problem.into(), accepted.into());
+        match place {
+            Some(place) => Self::Malformed {
+                file,
                 place,
                 problem,
                 accepted,
-                ..
-            } => format!("{place}: {problem}; {accepted}"),
-            Self::Unusable {
-                problem, accepted, ..
-            } => format!("{problem}; {accepted}"),
+            },
+            None => Self::Unusable {
+                file,
+                problem,
+                accepted,
+            },
         }
     }
+}
+
+/// A refusal of a file as a whole.
+pub(crate) fn unusable(
+    file: &str,
+    problem: impl Into<String>,
+    accepted: impl Into<String>,
+) -> ImportError {
+    ImportError::new(file, None, problem, accepted)
 }

@@ -4,11 +4,11 @@
 //! separators keep their order, so that each piece of a slab is one strip between two of them. Every connected region of the surface is open and
 //! thus has a strip in some slab: no region is without a sample, whatever its shape.
 
-use super::chart::{Chart, Separator};
+use super::chart::{Chart, Separator, nearest_turn};
 use super::curve::Curve;
-use super::surface::Surface;
+use super::surface::{Form, Surface};
 use super::vector::{Vector, dot, positive_angle};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Most separators of one face: a sample has one bit for each.
 pub const MAX_SEPARATORS: usize = 128;
@@ -38,16 +38,13 @@ pub struct Sample {
     pub point: Vector,
 }
 
-/// Why the pieces of a face cannot be told.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Confusion {
-    /// A line over the surface enters the face and never leaves it.
-    Open,
-    /// Loops of a sphere contradict each other in what is on their left.
-    Orientation,
-    /// More separators than [`MAX_SEPARATORS`].
-    TooMany,
-}
+/// Why the pieces of a face cannot be told: a line over the surface enters the face and never leaves it.
+const OPEN: &str = "its loops are not closed on the surface";
+/// Loops of a sphere contradict each other in what is on their left.
+const CONTRADICTION: &str =
+    "its loops contradict each other: the face has to be on the left of every edge";
+/// More separators than [`MAX_SEPARATORS`].
+const TOO_MANY: &str = "it has more than 128 different planes";
 
 /// The angles over which a curve runs on a cylinder or cone, where a plane has one point at every angle.
 #[derive(Clone, Copy, Debug)]
@@ -60,21 +57,20 @@ struct Span {
 impl Span {
     /// The span of a curve that is given by points; others know their extent themselves.
     fn of(chart: &Chart, curve: &Curve) -> Option<Span> {
-        let (Chart::Ruled { .. }, Curve::Points { .. }) = (chart, curve) else {
+        if !matches!(chart.surface.form, Form::Cylinder(_) | Form::Cone(_))
+            || !matches!(curve, Curve::Points(_))
+        {
             return None;
-        };
+        }
         let angles: Vec<f64> = curve
             .sampled(1)
             .into_iter()
             .map(|p| chart.u_of(p))
             .collect();
-        let sweep = angles
-            .windows(2)
-            .map(|pair| (pair[1] - pair[0] + PI).rem_euclid(TAU) - PI)
-            .sum();
+        let turn = |pair: &[f64]| nearest_turn(pair[1] - pair[0], 0.0);
         Some(Span {
             from: angles[0],
-            sweep,
+            sweep: angles.windows(2).map(turn).sum(),
         })
     }
 
@@ -110,18 +106,18 @@ struct Crossing {
 
 impl Division<'_> {
     /// One sample of every piece.
-    pub fn samples(&self) -> Result<Vec<Sample>, Confusion> {
+    pub fn samples(&self) -> Result<Vec<Sample>, &'static str> {
         if self.separators.len() > MAX_SEPARATORS {
-            return Err(Confusion::TooMany);
+            return Err(TOO_MANY);
         }
-        let Some(chart) = Chart::of(self.surface, self.separators) else {
+        let Some(chart) = Chart::free(self.surface, self.separators) else {
             return Ok(vec![]);
         };
-        let spans: Vec<Option<Span>> = self
+        let spans = self
             .boundaries
             .iter()
-            .map(|boundary| Span::of(&chart, &boundary.curve))
-            .collect();
+            .map(|own| Span::of(&chart, &own.curve));
+        let spans: Vec<Option<Span>> = spans.collect();
         let mut lines = vec![];
         for u in self.middles(&chart) {
             lines.push((u, self.crossings(&chart, u, &spans)));
@@ -136,40 +132,31 @@ impl Division<'_> {
 
     /// The middle of every slab.
     fn middles(&self, chart: &Chart) -> Vec<f64> {
-        let mut limits: Vec<f64> = self
-            .boundaries
-            .iter()
-            .flat_map(|boundary| boundary.curve.ends())
-            .map(|end| chart.u_of(end))
-            .collect();
+        let ends = self.boundaries.iter().flat_map(|own| own.curve.ends());
+        let mut limits: Vec<f64> = ends.map(|end| chart.u_of(end)).collect();
         for (index, separator) in self.separators.iter().enumerate() {
             limits.extend(chart.turns(separator));
             for other in &self.separators[index + 1..] {
-                limits.extend(chart.meetings(separator, other, self.surface));
+                limits.extend(chart.meetings(separator, other));
             }
         }
         limits.retain(|u| u.is_finite());
         limits.sort_by(f64::total_cmp);
-        if chart.is_periodic() {
+        if chart.is_round() {
             match limits.first() {
                 Some(first) => limits.push(first + TAU),
                 None => limits = vec![0.0, TAU],
             }
         } else {
-            let (first, last) = (limits.first().copied(), limits.last().copied());
-            limits.insert(0, first.unwrap_or(0.0) - self.size);
-            limits.push(last.unwrap_or(0.0) + self.size);
+            let [first, last] = [limits.first(), limits.last()].map(|end| *end.unwrap_or(&0.0));
+            limits.insert(0, first - self.size);
+            limits.push(last + self.size);
         }
-        let smallest = if chart.is_periodic() {
-            SMALLEST_PIECE
-        } else {
-            SMALLEST_PIECE * self.size
-        };
-        limits
+        let smallest = SMALLEST_PIECE * if chart.is_round() { 1.0 } else { self.size };
+        let wide = limits
             .windows(2)
-            .filter(|pair| pair[1] - pair[0] > smallest)
-            .map(|pair| 0.5 * (pair[0] + pair[1]))
-            .collect()
+            .filter(|pair| pair[1] - pair[0] > smallest);
+        wide.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
     fn crossings(&self, chart: &Chart, u: f64, spans: &[Option<Span>]) -> Vec<Crossing> {
@@ -205,7 +192,7 @@ impl Division<'_> {
         span: Option<Span>,
         crossing: &mut Crossing,
     ) {
-        if matches!(self.surface, Surface::Cone { .. }) && crossing.w <= 0.0 {
+        if self.surface.is_cone() && crossing.w <= 0.0 {
             return;
         }
         if let Some(span) = span {
@@ -221,10 +208,10 @@ impl Division<'_> {
     }
 
     /// Whether the south pole of a sphere is in the face: what all lines that meet an edge say.
-    fn pole(&self, lines: &[(f64, Vec<Crossing>)]) -> Result<bool, Confusion> {
-        let Surface::Sphere { .. } = self.surface else {
+    fn pole(&self, lines: &[(f64, Vec<Crossing>)]) -> Result<bool, &'static str> {
+        if !self.surface.is_sphere() {
             return Ok(false);
-        };
+        }
         let mut known = None;
         for (_, crossings) in lines {
             let Some(first) = crossings.iter().find(|c| c.edges % 2 == 1) else {
@@ -232,7 +219,7 @@ impl Division<'_> {
             };
             let below = !first.inside_above;
             if known.is_some_and(|known| known != below) {
-                return Err(Confusion::Orientation);
+                return Err(CONTRADICTION);
             }
             known = Some(below);
         }
@@ -246,14 +233,13 @@ impl Division<'_> {
         crossings: &[Crossing],
         pole: bool,
         samples: &mut Vec<Sample>,
-    ) -> Result<(), Confusion> {
-        let cone = matches!(self.surface, Surface::Cone { .. });
+    ) -> Result<(), &'static str> {
+        let (cone, sphere) = (self.surface.is_cone(), self.surface.is_sphere());
         let total: usize = crossings.iter().map(|c| c.edges).sum();
         // A cone is entered from its open end, since its apex may belong to the face; all others from below.
         let mut inside = if cone { total % 2 == 1 } else { pole };
-        if !matches!(self.surface, Surface::Sphere { .. } | Surface::Cone { .. }) && total % 2 == 1
-        {
-            return Err(Confusion::Open);
+        if !(cone || sphere) && total % 2 == 1 {
+            return Err(OPEN);
         }
         let [low, high] = chart.reach();
         let mut from = low;
@@ -261,9 +247,8 @@ impl Division<'_> {
             self.strip(chart, u, [from, crossing.w], inside, samples);
             if crossing.edges % 2 == 1 {
                 inside = !inside;
-                let sphere = matches!(self.surface, Surface::Sphere { .. });
                 if sphere && inside != crossing.inside_above {
-                    return Err(Confusion::Orientation);
+                    return Err(CONTRADICTION);
                 }
             }
             from = crossing.w;
@@ -280,10 +265,7 @@ impl Division<'_> {
         inside: bool,
         samples: &mut Vec<Sample>,
     ) {
-        let unit = match chart {
-            Chart::Sphere { .. } => 1.0,
-            _ => self.size,
-        };
+        let unit = if chart.is_ball() { 1.0 } else { self.size };
         if to - from <= SMALLEST_PIECE * unit {
             return;
         }
@@ -293,7 +275,7 @@ impl Division<'_> {
             (false, true) => to - unit,
             (false, false) => 0.0,
         };
-        let nappe = !matches!(self.surface, Surface::Cone { .. }) || w > 0.0;
+        let nappe = !self.surface.is_cone() || w > 0.0;
         let point = chart.point(u, w);
         let mut sides = 0;
         for (index, separator) in self.separators.iter().enumerate() {

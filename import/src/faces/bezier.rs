@@ -6,6 +6,11 @@ use super::vector::{Vector, cross};
 /// A point times its weight, and the weight.
 pub type Pole = [f64; 4];
 
+/// A control point without its weight.
+pub fn plain(p: &Pole) -> Vector {
+    [p[0] / p[3], p[1] / p[3], p[2] / p[3]]
+}
+
 /// A rational patch over the unit square.
 #[derive(Clone, Debug)]
 pub struct Patch {
@@ -19,8 +24,7 @@ impl Patch {
     /// One coordinate or a combination of the four, as a polynomial.
     pub fn polynomial(&self, weights: Pole) -> Bernstein {
         let value = |pole: &Pole| pole.iter().zip(weights).map(|(p, w)| p * w).sum();
-        let plain: Vec<f64> = self.poles.iter().map(value).collect();
-        Bernstein::of(self.degrees, &plain)
+        Bernstein::of(self.degrees, self.poles.iter().map(value))
     }
 
     /// The place of two parameters from 0 to 1, and the directions of growing u and v there.
@@ -45,7 +49,6 @@ impl Patch {
 
     /// Control points without their weights; the patch is in their convex hull.
     pub fn hull(&self) -> impl Iterator<Item = Vector> {
-        let plain = |p: &Pole| [p[0] / p[3], p[1] / p[3], p[2] / p[3]];
         self.poles.iter().map(plain)
     }
 
@@ -53,7 +56,8 @@ impl Patch {
     pub fn least_weight(&self) -> f64 {
         self.poles
             .iter()
-            .fold(f64::INFINITY, |least, p| least.min(p[3]))
+            .map(|p| p[3])
+            .fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -91,10 +95,9 @@ fn binomials(degree: usize) -> Vec<f64> {
 }
 
 impl Bernstein {
-    fn of(degrees: [usize; 2], plain: &[f64]) -> Bernstein {
+    fn of(degrees: [usize; 2], plain: impl Iterator<Item = f64>) -> Bernstein {
         let [rows, columns] = degrees.map(binomials);
         let scaled = plain
-            .iter()
             .enumerate()
             .map(|(k, value)| value * rows[k / columns.len()] * columns[k % columns.len()]);
         Bernstein {
@@ -148,34 +151,28 @@ impl Bernstein {
 /// The Bezier pieces of a B-spline curve: the polar form at the ends of each of its intervals.
 pub fn pieces(degree: usize, knots: &[f64], poles: &[Pole]) -> Vec<Vec<Pole>> {
     let spans = (degree..poles.len()).filter(|span| knots[*span] < knots[span + 1]);
-    spans
-        .map(|span| {
-            let (low, high) = (knots[span], knots[span + 1]);
-            (0..=degree)
-                .map(|k| {
-                    let arguments: Vec<f64> = (0..degree)
-                        .map(|n| if n < degree - k { low } else { high })
-                        .collect();
-                    polar(
-                        degree,
-                        knots,
-                        &poles[span - degree..=span],
-                        span,
-                        &arguments,
-                    )
-                })
-                .collect()
-        })
-        .collect()
+    let piece = |span: usize| {
+        let own = &poles[span - degree..=span];
+        let end = |k: usize, n: usize| knots[span + usize::from(n >= degree - k)];
+        let pole = |k| de_boor(degree, knots, own, span, |n| end(k, n));
+        (0..=degree).map(pole).collect()
+    };
+    spans.map(piece).collect()
 }
 
 /// The polar form of the piece of a span (de Boor with an argument for each round).
-fn polar(degree: usize, knots: &[f64], poles: &[Pole], span: usize, arguments: &[f64]) -> Pole {
+pub fn de_boor(
+    degree: usize,
+    knots: &[f64],
+    poles: &[Pole],
+    span: usize,
+    argument: impl Fn(usize) -> f64,
+) -> Pole {
     let mut points = poles.to_vec();
-    for (round, u) in (1..=degree).zip(arguments) {
+    for round in 1..=degree {
+        let u = argument(round - 1);
         for k in (round..=degree).rev() {
-            let left = knots[span - degree + k];
-            let right = knots[span + 1 + k - round];
+            let (left, right) = (knots[span - degree + k], knots[span + 1 + k - round]);
             let share = if right > left {
                 (u - left) / (right - left)
             } else {

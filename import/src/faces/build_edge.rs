@@ -1,13 +1,12 @@
 //! Edges from their words.
 
-use super::arc::{Ellipse, Tolerance};
-use super::build::{Source, Vertices};
-use super::build_surface::{direction, positive};
-use super::curve::Curve;
+use super::curve::{Curve, Ellipse, Tolerance};
 use super::keys::EdgeKeys;
 use super::model::{COINCIDENT, Edge};
-use super::vector::{Vector, across, distance, frame, length, minus, unit};
+use super::source::Source;
+use super::vector::{Vector, across, distance, frame, hull, length, minus, unit};
 use crate::ImportError;
+use std::collections::{BTreeMap, HashMap};
 use toml::Spanned;
 
 /// Share of the size of the curve by which an end may miss its circle: the digits of a list written with six decimals.
@@ -15,210 +14,188 @@ pub const MISSED: f64 = 1e-5;
 /// Most points of one edge.
 const MAX_POINTS: usize = 2000;
 
-/// Makes one edge.
-pub struct EdgeBuilder<'a> {
-    source: &'a Source<'a>,
-    keys: &'a EdgeKeys,
-    vertices: &'a Vertices,
+/// Kinds of edges with the keys that they have.
+const KINDS: [(&str, &[&str]); 4] = [
+    ("line", &[]),
+    ("circle", &["centre", "axis", "radius"]),
+    ("ellipse", &["centre", "axis", "x", "radii"]),
+    ("points", &["points"]),
+];
+
+/// Names and places of the vertices.
+pub struct Vertices {
+    index: HashMap<String, usize>,
+    points: Vec<Vector>,
+    /// Size of the box around them, for tolerances.
+    size: f64,
 }
 
-impl<'a> EdgeBuilder<'a> {
-    /// Of these words.
-    pub fn new(source: &'a Source, keys: &'a EdgeKeys, vertices: &'a Vertices) -> Self {
-        Self {
-            source,
-            keys,
-            vertices,
-        }
+impl Vertices {
+    pub fn of(
+        source: &Source,
+        keys: &BTreeMap<String, Spanned<Vector>>,
+    ) -> Result<Vertices, ImportError> {
+        let points: Result<Vec<Vector>, _> = keys.values().map(|p| source.point(p)).collect();
+        let points = points?;
+        Ok(Vertices {
+            index: keys.keys().cloned().zip(0..).collect(),
+            size: hull(&points).map_or(0.0, |[low, high]| distance(low, high)),
+            points,
+        })
     }
 
+    fn find(&self, source: &Source, name: &Spanned<String>) -> Result<usize, ImportError> {
+        self.index.get(name.as_ref()).copied().ok_or_else(|| {
+            source.error(
+                name,
+                format!("`{}` is not a vertex of this list", name.as_ref()),
+                "the name of an entry of `[vertices]` is needed",
+            )
+        })
+    }
+}
+
+/// Makes one edge.
+pub struct EdgeBuilder<'a> {
+    pub source: &'a Source<'a>,
+    pub keys: &'a EdgeKeys,
+    pub vertices: &'a Vertices,
+}
+
+fn needed<T>(value: &Option<T>) -> &T {
+    value.as_ref().expect("keys of the kind are checked")
+}
+
+impl EdgeBuilder<'_> {
     /// The edge.
     pub fn edge(&self) -> Result<Edge, ImportError> {
-        let ends = self.ends()?;
-        let (kind, allowed): (&'static str, &[&str]) = match self.keys.kind.as_ref().as_str() {
-            "line" => ("line", &[]),
-            "circle" => ("circle", &["centre", "axis", "radius"]),
-            "ellipse" => ("ellipse", &["centre", "axis", "x", "radii"]),
-            "points" => ("points", &["points"]),
-            other => {
-                return Err(self.source.error(
-                    self.keys.kind.span(),
-                    format!("`{other}` is not a kind of edge"),
-                    "line, circle, ellipse and points are possible",
-                ));
-            }
+        let vertices = self.vertices()?;
+        let kind = self.keys.kind.as_ref();
+        let Some((kind, allowed)) = KINDS.iter().find(|(name, _)| name == kind) else {
+            return Err(self.source.error(
+                &self.keys.kind,
+                format!("`{kind}` is not a kind of edge"),
+                "line, circle, ellipse and points are possible",
+            ));
         };
-        self.refuse_others(allowed)?;
-        let curve = match kind {
+        for (key, is) in self.keys.given() {
+            let (problem, accepted) = match (is, allowed.contains(&key)) {
+                (true, false) => (
+                    format!("`{key}` is no key of kind \"{kind}\""),
+                    "only the keys of its kind are possible",
+                ),
+                (false, true) => (
+                    format!("kind \"{kind}\" needs `{key}`"),
+                    "this key is needed",
+                ),
+                _ => continue,
+            };
+            return Err(self.error(problem, accepted));
+        }
+        let ends = vertices.map(|ends| ends.map(|index| self.vertices.points[index]));
+        let one_vertex = vertices.is_some_and(|[a, b]| a == b);
+        let curve = match *kind {
             "line" => self.line(ends)?,
-            "circle" => self.circle(ends)?,
-            "ellipse" => self.ellipse(ends)?,
-            _ => self.points(ends)?,
+            "points" => self.points(ends)?,
+            kind => {
+                let ellipse = match kind {
+                    "circle" => self.circle(ends)?,
+                    _ => self.ellipse()?,
+                };
+                let tolerance = Tolerance {
+                    missed: MISSED * ellipse.radii[0].max(ellipse.radii[1]),
+                    shortest: 1e-7 * self.vertices.size,
+                };
+                let arc = ellipse.arc(ends, one_vertex, tolerance);
+                arc.map_err(|(problem, accepted)| self.error(problem, accepted))?
+            }
         };
         Ok(Edge {
             name: self.keys.name.as_ref().clone(),
             kind,
-            vertices: ends,
+            vertices,
             curve,
             off: 0.0,
         })
     }
 
-    fn error(&self, problem: String, accepted: &str) -> ImportError {
+    fn error(&self, problem: impl std::fmt::Display, accepted: &str) -> ImportError {
         let name = &self.keys.name;
-        self.source.error(
-            name.span(),
-            format!("edge `{}`: {problem}", name.as_ref()),
-            accepted,
-        )
+        let problem = format!("edge `{}`: {problem}", name.as_ref());
+        self.source.error(name, problem, accepted)
     }
 
-    fn refuse_others(&self, allowed: &[&str]) -> Result<(), ImportError> {
-        let k = self.keys;
-        let given = [
-            ("centre", k.centre.is_some()),
-            ("axis", k.axis.is_some()),
-            ("radius", k.radius.is_some()),
-            ("x", k.x.is_some()),
-            ("radii", k.radii.is_some()),
-            ("points", k.points.is_some()),
-        ];
-        let wrong = given.iter().find(|(key, is)| *is != allowed.contains(key));
-        match wrong {
-            None => Ok(()),
-            Some((key, true)) => Err(self.error(
-                format!("`{key}` is no key of kind \"{}\"", k.kind.as_ref()),
-                "only the keys of its kind are possible",
-            )),
-            Some((key, false)) => Err(self.error(
-                format!("kind \"{}\" needs `{key}`", k.kind.as_ref()),
-                "this key is needed",
-            )),
-        }
-    }
-
-    fn ends(&self) -> Result<Option<[usize; 2]>, ImportError> {
+    fn vertices(&self) -> Result<Option<[usize; 2]>, ImportError> {
+        let find = |name| self.vertices.find(self.source, name);
         match (&self.keys.start, &self.keys.end) {
             (None, None) => Ok(None),
-            (Some(start), Some(end)) => Ok(Some([
-                self.vertices.find(self.source, start)?,
-                self.vertices.find(self.source, end)?,
-            ])),
+            (Some(start), Some(end)) => Ok(Some([find(start)?, find(end)?])),
             _ => Err(self.error(
-                "it has one of `start` and `end`".into(),
+                "it has one of `start` and `end`",
                 "both are needed, or none for a closed edge",
             )),
         }
     }
 
-    fn points_of(&self, ends: Option<[usize; 2]>) -> Option<[Vector; 2]> {
-        ends.map(|ends| ends.map(|index| self.vertices.points[index]))
-    }
-
-    fn line(&self, ends: Option<[usize; 2]>) -> Result<Curve, ImportError> {
-        let Some([from, to]) = self.points_of(ends) else {
-            return Err(self.error("a line has two ends".into(), "`start` and `end` are needed"));
+    fn line(&self, ends: Option<[Vector; 2]>) -> Result<Curve, ImportError> {
+        let Some([from, to]) = ends else {
+            return Err(self.error("a line has two ends", "`start` and `end` are needed"));
         };
         if distance(from, to) <= COINCIDENT * self.vertices.size {
             return Err(self.error(
-                "the line has no length".into(),
+                "the line has no length",
                 "two vertices at different places are needed",
             ));
         }
         Ok(Curve::Line { from, to })
     }
 
-    fn vector(&self, value: &Option<Spanned<[f64; 3]>>) -> Result<Vector, ImportError> {
-        let value = value.as_ref().expect("keys of the kind are checked");
-        self.source.check(value.span(), value.as_ref())?;
-        Ok(*value.as_ref())
-    }
-
-    fn direction(&self, value: &Option<Spanned<[f64; 3]>>) -> Result<Vector, ImportError> {
-        direction(
-            self.source,
-            value.as_ref().expect("keys of the kind are checked"),
-        )
-    }
-
-    fn circle(&self, ends: Option<[usize; 2]>) -> Result<Curve, ImportError> {
-        let centre = self.vector(&self.keys.centre)?;
-        let normal = self.direction(&self.keys.axis)?;
-        let radius = self
-            .keys
-            .radius
-            .as_ref()
-            .expect("keys of the kind are checked");
-        let radius = positive(self.source, radius)?;
-        let x = match self.points_of(ends) {
+    fn circle(&self, ends: Option<[Vector; 2]>) -> Result<Ellipse, ImportError> {
+        let centre = self.source.point(needed(&self.keys.centre))?;
+        let normal = self.source.direction(needed(&self.keys.axis))?;
+        let radius = needed(&self.keys.radius);
+        self.source.lengths(radius, &[*radius.as_ref()])?;
+        let radius = *radius.as_ref();
+        let x = match ends {
             Some([from, _]) => across(minus(from, centre), normal),
             None => frame(normal, 0.0)[0],
         };
         if length(x) <= COINCIDENT * radius {
             return Err(self.error(
-                "the start is the centre".into(),
+                "the start is the centre",
                 "a vertex on the circle is needed",
             ));
         }
-        self.arc(ends, centre, normal, unit(x), [radius; 2])
-    }
-
-    fn ellipse(&self, ends: Option<[usize; 2]>) -> Result<Curve, ImportError> {
-        let centre = self.vector(&self.keys.centre)?;
-        let normal = self.direction(&self.keys.axis)?;
-        let x = across(self.direction(&self.keys.x)?, normal);
-        if length(x) < 1e-9 {
-            return Err(self.error(
-                "`x` is along `axis`".into(),
-                "a direction across it is needed",
-            ));
-        }
-        let radii = self
-            .keys
-            .radii
-            .as_ref()
-            .expect("keys of the kind are checked");
-        for radius in radii.as_ref() {
-            positive(self.source, &Spanned::new(radii.span(), *radius))?;
-        }
-        self.arc(ends, centre, normal, unit(x), *radii.as_ref())
-    }
-
-    fn arc(
-        &self,
-        ends: Option<[usize; 2]>,
-        centre: Vector,
-        normal: Vector,
-        x: Vector,
-        radii: [f64; 2],
-    ) -> Result<Curve, ImportError> {
-        let ellipse = Ellipse {
+        Ok(Ellipse {
             centre,
             normal,
-            x,
-            radii,
-        };
-        let tolerance = Tolerance {
-            missed: MISSED * radii[0].max(radii[1]),
-            shortest: 1e-7 * self.vertices.size,
-        };
-        let one_vertex = ends.is_some_and(|[a, b]| a == b);
-        ellipse
-            .arc(self.points_of(ends), one_vertex, tolerance)
-            .map_err(|(problem, accepted)| self.error(problem, accepted))
+            x: unit(x),
+            radii: [radius; 2],
+        })
     }
 
-    fn points(&self, ends: Option<[usize; 2]>) -> Result<Curve, ImportError> {
-        let list = self
-            .keys
-            .points
-            .as_ref()
-            .expect("keys of the kind are checked");
-        for point in list.as_ref() {
-            self.source.check(list.span(), point)?;
+    fn ellipse(&self) -> Result<Ellipse, ImportError> {
+        let centre = self.source.point(needed(&self.keys.centre))?;
+        let normal = self.source.direction(needed(&self.keys.axis))?;
+        let x = across(self.source.direction(needed(&self.keys.x))?, normal);
+        if length(x) < 1e-9 {
+            return Err(self.error("`x` is along `axis`", "a direction across it is needed"));
         }
+        let radii = needed(&self.keys.radii);
+        self.source.lengths(radii, radii.as_ref())?;
+        Ok(Ellipse {
+            centre,
+            normal,
+            x: unit(x),
+            radii: *radii.as_ref(),
+        })
+    }
+
+    fn points(&self, ends: Option<[Vector; 2]>) -> Result<Curve, ImportError> {
+        let list = needed(&self.keys.points);
+        self.source.checked(list, list.as_ref().as_flattened())?;
         let mut points = list.as_ref().clone();
-        if let Some([from, to]) = self.points_of(ends) {
+        if let Some([from, to]) = ends {
             points.insert(0, from);
             points.push(to);
         }
@@ -230,12 +207,9 @@ impl<'a> EdgeBuilder<'a> {
                 "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible",
             ));
         }
-        let first = points[0];
-        let size = points
-            .iter()
-            .fold(0.0_f64, |most, p| most.max(distance(*p, first)));
-        let pairs = points.len() - usize::from(!closed);
-        for k in 0..pairs {
+        let distances = points.iter().map(|p| distance(*p, points[0]));
+        let size = distances.fold(0.0, f64::max);
+        for k in 0..points.len() - usize::from(!closed) {
             if distance(points[k], points[(k + 1) % points.len()]) <= 1e-9 * size.max(1e-9) {
                 return Err(self.error(
                     format!("{:?} follows itself", points[k]),

@@ -5,9 +5,9 @@
 //! the equation of the candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
 
 use super::bezier::{Bernstein, Patch};
-use super::surface::Surface;
+use super::surface::{Form, Surface};
 use super::vector::{
-    Vector, across, along, cross, distance, dot, frame, length, minus, plus, times, unit,
+    Vector, across, along, cross, distance, dot, frame, length, minus, opposite, plus, times, unit,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
 
@@ -44,40 +44,30 @@ pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Canonical> {
     let candidates = [plane, cylinder, sphere, cone, torus];
     let found = candidates.iter().filter_map(|fit| {
         let surface = improved(fit(&places, middle)?, &places);
-        let near = |(p, _): &Place| {
+        let near = |p: &Vector| {
             surface
                 .nearest(*p)
                 .is_some_and(|q| distance(*p, q) <= tolerance)
         };
-        if !places.iter().all(near) {
+        if !places.iter().all(|(p, _)| near(p)) {
             return None;
         }
-        let deviation = patches
-            .iter()
-            .map(|patch| bound(patch, &surface))
-            .fold(0.0, f64::max);
+        let bounds = patches.iter().map(|patch| bound(patch, &surface));
+        let deviation = bounds.fold(0.0, f64::max);
         (deviation <= tolerance).then_some((surface, deviation))
     });
     // The simpler kind of two that are as good.
-    let (surface, deviation) = found.min_by(|a, b| (a.1 - 1e-12).total_cmp(&b.1))?;
-    let agree = places
-        .iter()
-        .filter_map(|(p, n)| Some(dot(surface.normal_at(*p)?, *n)));
-    let opposite = agree.sum::<f64>() < 0.0;
-    Some(match surface {
-        Surface::Plane { origin, normal } if opposite => Canonical {
-            surface: Surface::Plane {
-                origin,
-                normal: normal.map(|v| 0.0 - v),
-            },
-            deviation,
-            opposite: false,
-        },
-        surface => Canonical {
-            surface,
-            deviation,
-            opposite,
-        },
+    let (mut surface, deviation) = found.min_by(|a, b| (a.1 - 1e-12).total_cmp(&b.1))?;
+    let agree = |(p, n): &Place| Some(dot(surface.normal_at(*p)?, *n));
+    let opposite_normal = places.iter().filter_map(agree).sum::<f64>() < 0.0;
+    let turned = surface.is_plane() && opposite_normal;
+    if turned {
+        surface.axis = opposite(surface.axis);
+    }
+    Some(Canonical {
+        surface,
+        deviation,
+        opposite: opposite_normal && !turned,
     })
 }
 
@@ -104,10 +94,7 @@ fn mean(points: impl Iterator<Item = Vector>) -> Vector {
 
 fn plane(places: &[Place], middle: Vector) -> Option<Surface> {
     let normal = unit(mean(places.iter().map(|(_, n)| *n)));
-    (length(normal) > 0.0).then_some(Surface::Plane {
-        origin: middle,
-        normal,
-    })
+    (length(normal) > 0.0).then(|| Surface::new(middle, normal, Form::Plane))
 }
 
 /// The direction in which vectors are least, as eigenvector of the sum of their squares.
@@ -130,11 +117,8 @@ fn solved(rows: impl Iterator<Item = (Vector, f64)>) -> Option<Vector> {
         matrix += row * row.transpose();
         right += row * value;
     }
-    let found = matrix.lu().solve(&right)?;
-    found
-        .iter()
-        .all(|v| v.is_finite())
-        .then_some([found[0], found[1], found[2]])
+    let found: Vector = matrix.lu().solve(&right)?.into();
+    found.iter().all(|v| v.is_finite()).then_some(found)
 }
 
 /// The circle through points of a plane: its centre and its radius.
@@ -148,16 +132,10 @@ fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
 fn cylinder(places: &[Place], middle: Vector) -> Option<Surface> {
     let axis = least(places.iter().map(|(_, n)| *n));
     let e = frame(axis, 0.0);
-    let flat: Vec<[f64; 2]> = places
-        .iter()
-        .map(|(p, _)| e.map(|e| dot(minus(*p, middle), e)))
-        .collect();
-    let ([x, y], radius) = circle(&flat)?;
-    Some(Surface::Cylinder {
-        origin: along(along(middle, x, e[0]), y, e[1]),
-        axis,
-        radius,
-    })
+    let flat = |(p, _): &Place| e.map(|e| dot(minus(*p, middle), e));
+    let ([x, y], radius) = circle(&places.iter().map(flat).collect::<Vec<_>>())?;
+    let origin = along(along(middle, x, e[0]), y, e[1]);
+    Some(Surface::new(origin, axis, Form::Cylinder(radius)))
 }
 
 fn sphere(places: &[Place], middle: Vector) -> Option<Surface> {
@@ -167,40 +145,27 @@ fn sphere(places: &[Place], middle: Vector) -> Option<Surface> {
         frame(*n, 0.0).map(|e| (e, dot(e, from)))
     });
     let centre = plus(middle, solved(rows)?);
-    let radius = places
-        .iter()
-        .map(|(p, _)| distance(*p, centre))
-        .sum::<f64>()
-        / places.len() as f64;
-    (radius > 0.0).then_some(Surface::Sphere { centre, radius })
+    let distances = places.iter().map(|(p, _)| distance(*p, centre));
+    let radius = distances.sum::<f64>() / places.len() as f64;
+    (radius > 0.0).then(|| Surface::new(centre, [0.0, 0.0, 1.0], Form::Sphere(radius)))
 }
 
 fn cone(places: &[Place], middle: Vector) -> Option<Surface> {
     let normal = mean(places.iter().map(|(_, n)| *n));
-    let axis = least(places.iter().map(|(_, n)| minus(*n, normal)));
+    let mut axis = least(places.iter().map(|(_, n)| minus(*n, normal)));
     let rows = places.iter().map(|(p, n)| (*n, dot(*n, minus(*p, middle))));
     let apex = plus(middle, solved(rows)?);
-    let axis = if dot(axis, minus(middle, apex)) < 0.0 {
-        axis.map(|v| 0.0 - v)
-    } else {
-        axis
-    };
+    if dot(axis, minus(middle, apex)) < 0.0 {
+        axis = opposite(axis);
+    }
     let half_angle = dot(normal, axis).abs().min(1.0).asin();
-    (ANGLES[0]..ANGLES[1])
-        .contains(&half_angle)
-        .then_some(Surface::Cone {
-            apex,
-            axis,
-            half_angle,
-        })
+    let possible = (ANGLES[0]..ANGLES[1]).contains(&half_angle);
+    possible.then(|| Surface::new(apex, axis, Form::Cone(half_angle)))
 }
 
 /// All normals of a surface that is turned about an axis meet it: six equations without a right side for the line.
 fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
-    let size = places
-        .iter()
-        .map(|(p, _)| distance(*p, middle))
-        .fold(0.0, f64::max);
+    let size = size(places, middle);
     let mut sum = Matrix6::zeros();
     for (p, n) in places {
         let moment = cross(times(1.0 / size, minus(*p, middle)), *n);
@@ -216,77 +181,47 @@ fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
     }
     let foot = plus(middle, times(size / square, cross(direction, moment)));
     let axis = unit(direction);
-    let profile: Vec<[f64; 2]> = places
-        .iter()
-        .map(|(p, _)| {
-            let from = minus(*p, foot);
-            [length(across(from, axis)), dot(from, axis)]
-        })
-        .collect();
-    let ([major, height], minor) = circle(&profile)?;
-    (major > 1e-6 * size).then_some(Surface::Torus {
-        centre: along(foot, height, axis),
-        axis,
-        major,
-        minor,
-    })
+    let profile = |(p, _): &Place| {
+        let from = minus(*p, foot);
+        [length(across(from, axis)), dot(from, axis)]
+    };
+    let ([major, height], minor) = circle(&places.iter().map(profile).collect::<Vec<_>>())?;
+    let centre = along(foot, height, axis);
+    (major > 1e-6 * size).then(|| Surface::new(centre, axis, Form::Torus(major, minor)))
+}
+
+/// How far places are from a point at most.
+fn size(places: &[Place], from: Vector) -> f64 {
+    let distances = places.iter().map(|(p, _)| distance(*p, from));
+    distances.fold(0.0, f64::max)
 }
 
 /// The numbers of a surface, for the search.
 fn numbers(surface: &Surface) -> Vec<f64> {
-    match *surface {
-        Surface::Plane { origin, normal } => [origin, normal].concat(),
-        Surface::Cylinder {
-            origin,
-            axis,
-            radius,
-        } => [&origin[..], &axis, &[radius]].concat(),
-        Surface::Cone {
-            apex,
-            axis,
-            half_angle,
-        } => [&apex[..], &axis, &[half_angle]].concat(),
-        Surface::Sphere { centre, radius } => [&centre[..], &[radius]].concat(),
-        Surface::Torus {
-            centre,
-            axis,
-            major,
-            minor,
-        } => [&centre[..], &axis, &[major, minor]].concat(),
-        Surface::Other(_) => vec![],
-    }
+    let Surface { origin, axis, form } = surface;
+    let sizes: &[f64] = match form {
+        Form::Plane => &[],
+        Form::Cylinder(size) | Form::Cone(size) => &[*size],
+        Form::Sphere(radius) => return [&origin[..], &[*radius]].concat(),
+        Form::Torus(major, minor) => &[*major, *minor],
+        Form::Other(_) => return vec![],
+    };
+    [&origin[..], axis, sizes].concat()
 }
 
 /// A surface of the same kind with other numbers.
 fn with_numbers(surface: &Surface, n: &[f64]) -> Surface {
-    let vector = |k: usize| [n[k], n[k + 1], n[k + 2]];
-    match surface {
-        Surface::Plane { .. } => Surface::Plane {
-            origin: vector(0),
-            normal: unit(vector(3)),
-        },
-        Surface::Cylinder { .. } => Surface::Cylinder {
-            origin: vector(0),
-            axis: unit(vector(3)),
-            radius: n[6],
-        },
-        Surface::Cone { .. } => Surface::Cone {
-            apex: vector(0),
-            axis: unit(vector(3)),
-            half_angle: n[6],
-        },
-        Surface::Sphere { .. } => Surface::Sphere {
-            centre: vector(0),
-            radius: n[3],
-        },
-        Surface::Torus { .. } => Surface::Torus {
-            centre: vector(0),
-            axis: unit(vector(3)),
-            major: n[6],
-            minor: n[7],
-        },
-        Surface::Other(name) => Surface::Other(name.clone()),
+    let origin = [n[0], n[1], n[2]];
+    if surface.is_sphere() {
+        return Surface::new(origin, surface.axis, Form::Sphere(n[3]));
     }
+    let form = match &surface.form {
+        Form::Cylinder(_) => Form::Cylinder(n[6]),
+        Form::Cone(_) => Form::Cone(n[6]),
+        Form::Torus(..) => Form::Torus(n[6], n[7]),
+        other => other.clone(),
+    };
+    Surface::new(origin, unit([n[3], n[4], n[5]]), form)
 }
 
 /// The best of its kind near a surface, by least squares of the distances (Gauss and Newton).
@@ -302,10 +237,7 @@ fn improved(surface: Surface, places: &[Place]) -> Surface {
     let Some(mut now) = off(&best) else {
         return best;
     };
-    let size = places
-        .iter()
-        .map(|(p, _)| distance(*p, places[0].0))
-        .fold(0.0, f64::max);
+    let size = size(places, places[0].0);
     for _ in 0..STEPS {
         let plain = numbers(&best);
         let step = 1e-6;
@@ -327,11 +259,8 @@ fn improved(surface: Surface, places: &[Place]) -> Surface {
         let Ok(change) = jacobian.svd(true, true).solve(&now, 1e-9 * size.min(1.0)) else {
             return best;
         };
-        let numbers: Vec<f64> = plain
-            .iter()
-            .zip(change.iter())
-            .map(|(a, b)| a - b)
-            .collect();
+        let moved = plain.iter().zip(change.iter()).map(|(a, b)| a - b);
+        let numbers: Vec<f64> = moved.collect();
         let next = with_numbers(&best, &numbers);
         match off(&next) {
             Some(less) if less.norm() < now.norm() => (best, now) = (next, less),
@@ -356,64 +285,42 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
             sum.plus(1.0, &along(from, *axis).squared())
         })
     };
-    match *surface {
-        Surface::Plane { origin, normal } => patch
-            .hull()
-            .map(|p| dot(minus(p, origin), normal).abs())
-            .fold(0.0, f64::max),
-        Surface::Cylinder {
-            origin,
-            axis,
-            radius,
-        } => {
-            let rest = squares(origin, &frame(axis, 0.0)).plus(-radius * radius, &one.squared());
-            // The difference of squares over the sum.
-            rest.bound() / (weight * weight * radius)
-        }
-        Surface::Sphere { centre, radius } => {
-            let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-            let rest = squares(centre, &axes).plus(-radius * radius, &one.squared());
-            rest.bound() / (weight * weight * radius)
-        }
-        Surface::Cone {
-            apex,
-            axis,
-            half_angle,
-        } => {
+    let Surface { origin, axis, .. } = *surface;
+    let heights = || patch.hull().map(|p| dot(minus(p, origin), axis));
+    let [e, f] = frame(axis, 0.0);
+    // The difference of squares over the sum.
+    let round = |axes: &[Vector], radius: f64| {
+        let rest = squares(origin, axes).plus(-radius * radius, &one.squared());
+        rest.bound() / (weight * weight * radius)
+    };
+    match surface.form {
+        Form::Plane => heights().map(f64::abs).fold(0.0, f64::max),
+        Form::Cylinder(radius) => round(&[e, f], radius),
+        Form::Sphere(radius) => round(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], radius),
+        Form::Cone(half_angle) => {
             let (sine, cosine) = half_angle.sin_cos();
-            let out = squares(apex, &frame(axis, 0.0));
-            let up = along(apex, axis).squared();
-            let scaled = out.plus(-(sine / cosine).powi(2), &up);
+            let up = along(origin, axis).squared();
+            let scaled = squares(origin, &[e, f]).plus(-(sine / cosine).powi(2), &up);
             let product = cosine * cosine * scaled.bound() / (weight * weight);
             // The product of the distances from the cone and from its mirror image, which is at least the height times
             // twice the sine.
-            let height = patch
-                .hull()
-                .map(|p| dot(minus(p, apex), axis))
-                .fold(f64::INFINITY, f64::min);
+            let height = heights().fold(f64::INFINITY, f64::min);
             if height < -product.sqrt() {
                 return f64::INFINITY;
             }
             product.sqrt().min(product / (height.max(0.0) * sine))
         }
-        Surface::Torus {
-            centre,
-            axis,
-            major,
-            minor,
-        } => {
-            let [e, f] = frame(axis, 0.0);
-            let out = squares(centre, &[e, f]);
-            let whole = squares(centre, &[e, f, axis]);
+        Form::Torus(major, minor) => {
             let unit = one.squared();
             let inner = major * major - minor * minor;
             if inner <= 0.0 {
                 return f64::INFINITY;
             }
-            let sum = whole.plus(inner, &unit);
-            let quartic = sum.squared().plus(-4.0 * major * major, &out.times(&unit));
+            let sum = squares(origin, &[e, f, axis]).plus(inner, &unit);
+            let out = squares(origin, &[e, f]).times(&unit);
+            let quartic = sum.squared().plus(-4.0 * major * major, &out);
             quartic.bound() / (weight.powi(4) * inner * minor)
         }
-        Surface::Other(_) => f64::INFINITY,
+        Form::Other(_) => f64::INFINITY,
     }
 }

@@ -1,8 +1,11 @@
 //! Conics in the plane of a face, and straight lines that part two of them.
 
-use super::curve::Curve;
-use super::surface::{Implicit, Surface};
-use super::vector::{Vector, across, along, cross, distance, dot, frame, minus, plus, times, unit};
+use super::curve::{Curve, Ellipse, PlaneOf};
+use super::surface::{Form, Implicit, Surface};
+use super::vector::{
+    Vector, across, along, cross, distance, dot, frame, length, mean, minus, plus, range, times,
+    unit,
+};
 use std::f64::consts::PI;
 
 /// Most sides of a polygon between two circles, one in the other.
@@ -23,19 +26,11 @@ impl Conic {
     /// The conic of an edge in which a quadric meets the plane.
     pub fn of(implicit: Implicit, curve: &Curve, origin: Vector, normal: Vector) -> Conic {
         let (centre, radii) = match curve {
-            Curve::Arc { centre, radii, .. } => {
-                (*centre, [radii[0].min(radii[1]), radii[0].max(radii[1])])
-            }
+            Curve::Arc(arc) => (arc.ellipse.centre, range(arc.ellipse.radii.into_iter())),
             _ => {
                 let points = curve.sampled(64);
                 let centre = middle(&implicit, origin, normal).unwrap_or_else(|| mean(&points));
-                let radii = points
-                    .iter()
-                    .map(|p| distance(*p, centre))
-                    .fold([f64::INFINITY, 0.0], |[low, high], r| {
-                        [low.min(r), high.max(r)]
-                    });
-                (centre, radii)
+                (centre, range(points.iter().map(|p| distance(*p, centre))))
             }
         };
         Conic {
@@ -46,23 +41,16 @@ impl Conic {
     }
 
     /// The cylinder upright on an ellipse.
-    pub fn upright(centre: Vector, normal: Vector, x: Vector, radii: [f64; 2]) -> Conic {
-        let [a, b] = radii;
-        let implicit = if a == b {
-            Surface::Cylinder {
-                origin: centre,
-                axis: normal,
-                radius: a,
-            }
-            .implicit()
-            .expect("a cylinder is a quadric")
-        } else {
-            elliptic(centre, [x, cross(normal, x)], radii)
-        };
+    pub fn upright(ellipse: &Ellipse, normal: Vector) -> Conic {
+        let Ellipse {
+            centre, x, radii, ..
+        } = *ellipse;
+        let round = Surface::new(centre, normal, Form::Cylinder(radii[0])).implicit();
+        let round = round.filter(|_| radii[0] == radii[1]);
         Conic {
-            implicit,
+            implicit: round.unwrap_or_else(|| elliptic(centre, [x, cross(normal, x)], radii)),
             centre,
-            radii: [a.min(b), a.max(b)],
+            radii: range(radii.into_iter()),
         }
     }
 }
@@ -74,18 +62,9 @@ fn elliptic(centre: Vector, axes: [Vector; 2], radii: [f64; 2]) -> Implicit {
         let weight = 1.0 / (radius * radius);
         let offset = dot(axis, centre);
         let [x, y, z] = axis;
-        let terms = [
-            x * x,
-            y * y,
-            z * z,
-            x * y,
-            x * z,
-            y * z,
-            -offset * x,
-            -offset * y,
-            -offset * z,
-            offset * offset,
-        ];
+        let own = [x * x, y * y, z * z, x * y, x * z, y * z];
+        let linear = axis.map(|v| -offset * v);
+        let terms = own.into_iter().chain(linear).chain([offset * offset]);
         for (sum, term) in all.iter_mut().zip(terms) {
             *sum += weight * term;
         }
@@ -114,54 +93,34 @@ fn middle(implicit: &Implicit, origin: Vector, normal: Vector) -> Option<Vector>
     Some(along(along(origin, u, e), v, f))
 }
 
-fn mean(points: &[Vector]) -> Vector {
-    let share = 1.0 / points.len() as f64;
-    points.iter().fold([0.0; 3], |sum, p| along(sum, share, *p))
-}
-
 /// Planes upright on the face, so that no region between them needs both conics.
 ///
 /// Side by side: one line between them. Crossing circles: the line through both points. One in the other: a polygon around the inner one, inside the outer one.
-pub fn between(one: &Conic, other: &Conic, surface: &Surface) -> Vec<(Vector, Vector)> {
-    let Surface::Plane { normal, .. } = *surface else {
-        return vec![];
-    };
-    let (small, large) = if one.radii[1] <= other.radii[1] {
-        (one, other)
-    } else {
-        (other, one)
-    };
-    let apart = minus(large.centre, small.centre);
-    let gap = across(apart, normal);
-    let d = distance(gap, [0.0; 3]);
-    if d >= small.radii[1] + large.radii[1] {
-        let share = small.radii[1] + 0.5 * (d - small.radii[1] - large.radii[1]);
-        return vec![(along(small.centre, share, unit(gap)), unit(gap))];
+pub fn between(one: &Conic, other: &Conic, normal: Vector) -> Vec<PlaneOf> {
+    let swapped = one.radii[1] > other.radii[1];
+    let (small, large) = if swapped { (other, one) } else { (one, other) };
+    let gap = across(minus(large.centre, small.centre), normal);
+    let (d, r, s) = (length(gap), small.radii[1], large.radii[1]);
+    let line = |share: f64| vec![(along(small.centre, share, unit(gap)), unit(gap))];
+    if d >= r + s {
+        return line(r + 0.5 * (d - r - s));
     }
-    if d + small.radii[1] < large.radii[0] {
+    if d + r < large.radii[0] {
         return polygon(small, large.radii[0] - d, normal);
     }
-    // The radical axis of two circles; of ellipses, the line halfway, which the rounds of splitting go on from.
-    let (r, s) = (small.radii[1], large.radii[1]);
-    let share = if d > 0.0 {
-        (d * d + r * r - s * s) / (2.0 * d)
-    } else {
-        0.0
-    };
     if d == 0.0 {
         return vec![];
     }
-    vec![(along(small.centre, share, unit(gap)), unit(gap))]
+    // The radical axis of two circles; of ellipses, the line halfway, which the rounds of splitting go on from.
+    line((d * d + r * r - s * s) / (2.0 * d))
 }
 
 /// Sides of a regular polygon around a conic within a circle of a radius about its centre; too many sides end at the most there may be.
-fn polygon(small: &Conic, within: f64, normal: Vector) -> Vec<(Vector, Vector)> {
+fn polygon(small: &Conic, within: f64, normal: Vector) -> Vec<PlaneOf> {
     let inner = small.radii[1];
     let fits = |n: &usize| (PI / *n as f64).cos() * within > inner * 1.000_001;
-    let Some(n) = [4, 6, 8, 10, 12, 16, 20, 28, 40, MAX_SIDES]
-        .into_iter()
-        .find(fits)
-    else {
+    let sides = [4, 6, 8, 10, 12, 16, 20, 28, 40, MAX_SIDES];
+    let Some(n) = sides.into_iter().find(fits) else {
         return vec![];
     };
     let reach = 0.5 * (inner + within * (PI / n as f64).cos());

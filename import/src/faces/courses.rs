@@ -1,9 +1,10 @@
 //! What edges become: one planar piece each, or several for an edge that is in no plane.
 
-use super::curve::{Curve, common_plane};
+use super::curve::{Curve, Polyline, common_plane};
 use super::generators::{Generators, pair_generators};
 use super::model::Model;
 use super::planes::Planes;
+use super::rings::chords;
 use super::surface::Surface;
 use super::vector::{Vector, across, along, cross, distance, dot, length, minus, plus, unit};
 
@@ -71,26 +72,19 @@ impl Courses {
 
 fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result<Course, String> {
     let edge = &model.edges[index];
-    let Curve::Points {
-        points,
-        closed,
-        plane: None,
-        ..
-    } = &edge.curve
-    else {
+    let Curve::Points(line @ Polyline { plane: None, .. }) = &edge.curve else {
         return Ok(Course {
             pieces: vec![edge.curve.clone()],
-            chords: super::torus::chords(model, index, bands),
+            chords: chords(model, index, bands),
             deviation: edge.off,
         });
     };
-    let surfaces: Vec<&Surface> = model.users[index]
+    let surfaces = model.users[index]
         .iter()
-        .map(|face| &model.faces[*face].surface)
-        .filter(|surface| !matches!(surface, Surface::Other(_)))
-        .collect();
-    let mut refined = refine(points, *closed, &surfaces);
-    if *closed {
+        .map(|face| &model.faces[*face].surface);
+    let surfaces: Vec<&Surface> = surfaces.filter(|surface| !surface.is_other()).collect();
+    let mut refined = refine(line, &surfaces);
+    if line.closed {
         refined.push(refined[0]);
     }
     pieces(&refined, &surfaces, max_deviation).ok_or_else(|| {
@@ -102,24 +96,12 @@ fn course(model: &Model, index: usize, max_deviation: f64, bands: f64) -> Result
 }
 
 /// The points with places between them, brought onto the surfaces.
-fn refine(points: &[Vector], closed: bool, surfaces: &[&Surface]) -> Vec<Vector> {
-    let mut all = vec![];
-    let segments = if closed {
-        points.len()
-    } else {
-        points.len() - 1
-    };
-    for k in 0..segments {
-        let (from, to) = (points[k], points[(k + 1) % points.len()]);
-        all.push(from);
-        for step in 1..REFINED {
-            let share = step as f64 / REFINED as f64;
-            let middle = along(from, share, minus(to, from));
-            all.push(onto_all(middle, surfaces));
+fn refine(line: &Polyline, surfaces: &[&Surface]) -> Vec<Vector> {
+    let mut all = line.refined(REFINED);
+    for (k, p) in all.iter_mut().enumerate() {
+        if k % REFINED > 0 {
+            *p = onto_all(*p, surfaces);
         }
-    }
-    if !closed {
-        all.push(points[points.len() - 1]);
     }
     all
 }
@@ -205,13 +187,13 @@ fn piece(run: &[Vector], surfaces: &[&Surface]) -> Option<(Curve, f64)> {
     if closed {
         points.pop();
     }
-    let curve = Curve::Points {
+    let line = Polyline {
         points,
         closed,
         plane: Some((first, normal)),
         slack,
     };
-    Some((curve, most))
+    Some((Curve::Points(line), most))
 }
 
 /// Normals of planes through the ends of a run that meet both surfaces as steeply as one plane can: halfway between
@@ -223,11 +205,10 @@ fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
     let (first, last) = (run[0], run[run.len() - 1]);
     let chord = unit(minus(last, first));
     let middle = run[run.len() / 2];
-    let normals: Vec<Vector> = surfaces
+    let normals = surfaces
         .iter()
-        .filter_map(|surface| surface.normal_at(middle))
-        .map(|normal| unit(across(normal, chord)))
-        .collect();
+        .filter_map(|surface| surface.normal_at(middle));
+    let normals: Vec<Vector> = normals.map(|normal| unit(across(normal, chord))).collect();
     match normals[..] {
         [] => vec![],
         [one] => vec![unit(cross(chord, one))],
@@ -236,11 +217,8 @@ fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
             // Where the surfaces touch, the plane is upright on both.
             let tangent = length(minus(one, other)).min(length(sum)) < NEARLY_TANGENT;
             let upright = if tangent { cross(chord, one) } else { [0.0; 3] };
-            [sum, minus(one, other), upright]
-                .into_iter()
-                .filter(|n| length(*n) > 1e-3)
-                .map(unit)
-                .collect()
+            let all = [sum, minus(one, other), upright].into_iter();
+            all.filter(|n| length(*n) > 1e-3).map(unit).collect()
         }
     }
 }
@@ -269,6 +247,7 @@ fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::faces::surface::Form;
 
     /// Viviani's curve: the sphere of radius 2 and the cylinder of radius 1 through its centre; (1 + cos t, sin t, 2
     /// sin t/2).
@@ -279,15 +258,9 @@ mod tests {
                 [1.0 + t.cos(), t.sin(), 2.0 * (0.5 * t).sin()]
             })
             .collect();
-        let sphere = Surface::Sphere {
-            centre: [0.0; 3],
-            radius: 2.0,
-        };
-        let cylinder = Surface::Cylinder {
-            origin: [1.0, 0.0, 0.0],
-            axis: [0.0, 0.0, 1.0],
-            radius: 1.0,
-        };
+        let axis = [0.0, 0.0, 1.0];
+        let sphere = Surface::new([0.0; 3], axis, Form::Sphere(2.0));
+        let cylinder = Surface::new([1.0, 0.0, 0.0], axis, Form::Cylinder(1.0));
         (points, [sphere, cylinder])
     }
 
@@ -295,7 +268,10 @@ mod tests {
     fn pieces_keep_within_what_they_say_and_grow_as_the_square_root() {
         let (points, surfaces) = viviani(200);
         let surfaces: Vec<&Surface> = surfaces.iter().collect();
-        let refined = refine(&points, false, &surfaces);
+        let Curve::Points(line) = Curve::through(points, false, 0.0) else {
+            unreachable!("a curve through points")
+        };
+        let refined = refine(&line, &surfaces);
         let mut counts = vec![];
         for asked in [3e-2, 1e-2, 3e-3, 1e-3] {
             let course = pieces(&refined, &surfaces, asked).unwrap();

@@ -1,8 +1,8 @@
 //! Curves of edges.
 
 use super::vector::{
-    Vector, along, cross, distance, dot, length, minus, onto_plane, plus, positive_angle, times,
-    unit,
+    Vector, along, cross, distance, dot, length, minus, onto_plane, opposite, plus, positive_angle,
+    times, unit,
 };
 use std::f64::consts::TAU;
 
@@ -19,55 +19,212 @@ pub enum Curve {
         /// End.
         to: Vector,
     },
-    /// `centre + radii[0] cos(a) x + radii[1] sin(a) (normal x x)`, a from `start` to `start + sweep`.
-    Arc {
-        /// Centre.
-        centre: Vector,
-        /// Unit normal of its plane; angles run counter-clockwise about it.
-        normal: Vector,
-        /// Unit vector of the angle 0.
-        x: Vector,
-        /// Half axes; equal for a circle.
-        radii: [f64; 2],
-        /// First angle, radians.
-        start: f64,
-        /// Angle from start to end, 0 to 2 pi; 2 pi for a whole one.
-        sweep: f64,
-    },
-    /// Points along the edge, close enough that what is between two of them is theirs alone.
-    Points {
-        /// At least two, the first and last are the ends; closed curves do not repeat the first.
-        points: Vec<Vector>,
-        /// Whether the last point is followed by the first.
-        closed: bool,
-        /// The plane they all lie in, if they do.
-        plane: Option<PlaneOf>,
-        /// What is farther off the points than this is not on the curve.
-        slack: f64,
-    },
+    /// A part of an ellipse, or all of it.
+    Arc(Arc),
+    /// Any other curve, by points on it.
+    Points(Polyline),
+}
+
+/// A whole ellipse, or a circle with both radii equal: `centre + radii[0] cos(a) x + radii[1] sin(a) (normal x x)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipse {
+    /// Centre.
+    pub centre: Vector,
+    /// Unit normal; angles run counter-clockwise about it.
+    pub normal: Vector,
+    /// Unit vector across it, of the angle 0 and the first radius.
+    pub x: Vector,
+    /// Half axes, above 0.
+    pub radii: [f64; 2],
+}
+
+/// The part of an ellipse from one angle on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// The whole.
+    pub ellipse: Ellipse,
+    /// First angle, radians.
+    pub start: f64,
+    /// Angle from start to end, 0 to 2 pi; 2 pi for a whole one.
+    pub sweep: f64,
+}
+
+/// Points along a curve, close enough that what is between two of them is theirs alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polyline {
+    /// At least two, the first and last are the ends; closed curves do not repeat the first.
+    pub points: Vec<Vector>,
+    /// Whether the last point is followed by the first.
+    pub closed: bool,
+    /// The plane they all lie in, if they do.
+    pub plane: Option<PlaneOf>,
+    /// What is farther off the points than this is not on the curve.
+    pub slack: f64,
+}
+
+/// What an arc has to keep to, scene units.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance {
+    /// An end may miss the ellipse by so much.
+    pub missed: f64,
+    /// Least length of an arc.
+    pub shortest: f64,
+}
+
+/// What is wrong with an arc, and what would be accepted.
+pub type Problem = (String, &'static str);
+
+impl Ellipse {
+    fn y(&self) -> Vector {
+        cross(self.normal, self.x)
+    }
+
+    fn at(&self, angle: f64) -> Vector {
+        let (sine, cosine) = angle.sin_cos();
+        let [a, b] = self.radii;
+        plus(
+            self.centre,
+            plus(times(a * cosine, self.x), times(b * sine, self.y())),
+        )
+    }
+
+    /// The angle of a point, and how far it is off the ellipse within its plane and off the plane.
+    fn angle(&self, p: Vector) -> (f64, f64, f64) {
+        let from = minus(p, self.centre);
+        let [a, b] = [
+            dot(from, self.x) / self.radii[0],
+            dot(from, self.y()) / self.radii[1],
+        ];
+        let off = (a.hypot(b) - 1.0).abs() * self.radii[0].max(self.radii[1]);
+        (b.atan2(a), off, dot(from, self.normal).abs())
+    }
+
+    /// The part from the first end to the second; the whole without ends, or if both are one vertex.
+    pub fn arc(
+        self,
+        ends: Option<[Vector; 2]>,
+        one_vertex: bool,
+        tolerance: Tolerance,
+    ) -> Result<Curve, Problem> {
+        let mut angles = vec![];
+        for p in ends.into_iter().flatten() {
+            let (angle, off, above) = self.angle(p);
+            let off = off.max(above);
+            if off > tolerance.missed {
+                let problem = format!("an end is {off:e} off the curve");
+                return Err((problem, "vertices on the curve are needed"));
+            }
+            angles.push(angle);
+        }
+        let (start, sweep) = match angles[..] {
+            [from, to] if !one_vertex => (from, positive_angle(to - from)),
+            [from, _] => (from, TAU),
+            _ => (0.0, TAU),
+        };
+        if sweep * self.radii[0].min(self.radii[1]) <= tolerance.shortest {
+            return Err((
+                "the arc has no length".into(),
+                "two vertices at different places, counter-clockwise about `axis`, are needed",
+            ));
+        }
+        Ok(Curve::Arc(Arc {
+            ellipse: self,
+            start,
+            sweep,
+        }))
+    }
+}
+
+/// The arc of a circle from the first of some points to the last, on the way on which the second comes before a point;
+/// all of it if it is closed. Without that point the second is in the first half.
+pub fn arc_through(
+    (centre, normal): PlaneOf,
+    radius: f64,
+    [first, second, last]: [Vector; 3],
+    before: Option<Vector>,
+    closed: bool,
+) -> Curve {
+    let x = unit(minus(first, centre));
+    let angle = |p: Vector, normal: Vector| {
+        let from = minus(p, centre);
+        positive_angle(dot(from, cross(normal, x)).atan2(dot(from, x)))
+    };
+    let end = before.map_or(0.5 * TAU, |p| angle(p, normal));
+    let forward = angle(second, normal) < end;
+    let normal = if forward { normal } else { opposite(normal) };
+    let ellipse = Ellipse {
+        centre,
+        normal,
+        x,
+        radii: [radius; 2],
+    };
+    Curve::Arc(Arc {
+        ellipse,
+        start: 0.0,
+        sweep: if closed { TAU } else { angle(last, normal) },
+    })
+}
+
+impl Polyline {
+    fn segments(&self) -> impl Iterator<Item = [Vector; 2]> {
+        let count = self.points.len() - usize::from(!self.closed);
+        (0..count).map(|k| [self.points[k], self.points[(k + 1) % self.points.len()]])
+    }
+
+    /// All points, the first once more at the end of a closed curve.
+    fn all(&self) -> Vec<Vector> {
+        let again = self.points[..1].iter().filter(|_| self.closed);
+        self.points.iter().chain(again).copied().collect()
+    }
+
+    /// Each segment in so many steps, its end not among them; the end of the whole if it has one.
+    pub fn refined(&self, steps: usize) -> Vec<Vector> {
+        let place = |[from, to]: [Vector; 2], step: usize| match step {
+            0 => from,
+            _ => along(from, step as f64 / steps as f64, minus(to, from)),
+        };
+        let of = |segment| (0..steps).map(move |step| place(segment, step));
+        let end = self.points.last().filter(|_| !self.closed);
+        self.segments().flat_map(of).chain(end.copied()).collect()
+    }
+
+    /// Its direction at the place nearest to `p`; nothing if that is one of its ends, or farther off than the slack.
+    fn direction_at(&self, p: Vector) -> Option<Vector> {
+        let near = |(k, [from, to]): (usize, [Vector; 2])| {
+            let course = minus(to, from);
+            let share = (dot(minus(p, from), course) / dot(course, course)).clamp(0.0, 1.0);
+            (distance(p, along(from, share, course)), k, share, course)
+        };
+        let each = self.segments().enumerate().map(near);
+        let (off, k, share, course) =
+            each.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        let last = self.segments().count() - 1;
+        let ended = (k == 0 && share == 0.0) || (k == last && share == 1.0);
+        (off <= self.slack && (self.closed || !ended)).then_some(course)
+    }
 }
 
 impl Curve {
     /// A curve through points; its plane is found.
     pub fn through(points: Vec<Vector>, closed: bool, tolerance: f64) -> Curve {
         let plane = common_plane(&points, tolerance);
-        let steps = points.windows(2).map(|pair| distance(pair[0], pair[1]));
-        let last = points.last().map(|p| distance(*p, points[0]));
-        let slack = steps.chain(last.filter(|_| closed)).fold(0.0, f64::max);
-        Curve::Points {
+        let mut line = Polyline {
             points,
             closed,
             plane,
-            slack,
-        }
+            slack: 0.0,
+        };
+        let steps = line.segments().map(|[p, q]| distance(p, q));
+        line.slack = steps.fold(0.0, f64::max);
+        Curve::Points(line)
     }
 
     /// It has no ends.
     pub fn is_closed(&self) -> bool {
         match self {
             Self::Line { .. } => false,
-            Self::Arc { sweep, .. } => *sweep >= TAU,
-            Self::Points { closed, .. } => *closed,
+            Self::Arc(arc) => arc.sweep >= TAU,
+            Self::Points(line) => line.closed,
         }
     }
 
@@ -75,8 +232,8 @@ impl Curve {
     pub fn plane(&self) -> Option<PlaneOf> {
         match self {
             Self::Line { .. } => None,
-            Self::Arc { centre, normal, .. } => Some((*centre, *normal)),
-            Self::Points { plane, .. } => *plane,
+            Self::Arc(arc) => Some((arc.ellipse.centre, arc.ellipse.normal)),
+            Self::Points(line) => line.plane,
         }
     }
 
@@ -84,51 +241,32 @@ impl Curve {
     pub fn ends(&self) -> [Vector; 2] {
         match self {
             Self::Line { from, to } => [*from, *to],
-            Self::Arc { start, sweep, .. } => {
-                [*start, start + sweep].map(|angle| self.at_angle(angle))
-            }
-            Self::Points { points, closed, .. } => {
-                let last = if *closed { 0 } else { points.len() - 1 };
-                [points[0], points[last]]
+            Self::Arc(arc) => [arc.start, arc.start + arc.sweep].map(|a| arc.ellipse.at(a)),
+            Self::Points(line) => {
+                let last = if line.closed {
+                    0
+                } else {
+                    line.points.len() - 1
+                };
+                [line.points[0], line.points[last]]
             }
         }
     }
 
-    fn at_angle(&self, angle: f64) -> Vector {
-        let Self::Arc {
-            centre,
-            normal,
-            x,
-            radii,
-            ..
-        } = self
-        else {
-            unreachable!("only arcs have angles")
-        };
-        let y = cross(*normal, *x);
-        let (sine, cosine) = angle.sin_cos();
-        plus(
-            *centre,
-            plus(times(radii[0] * cosine, *x), times(radii[1] * sine, y)),
-        )
-    }
-
     /// Points along the curve from its start to its end, `count` steps for an arc; a closed curve comes back to its start.
     pub fn sampled(&self, count: usize) -> Vec<Vector> {
+        let steps = (0..=count).map(|k| k as f64);
+        let all = count as f64;
         match self {
-            Self::Line { from, to } => (0..=count)
-                .map(|k| along(*from, k as f64 / count as f64, minus(*to, *from)))
-                .collect(),
-            Self::Arc { start, sweep, .. } => (0..=count)
-                .map(|k| self.at_angle(start + sweep * k as f64 / count as f64))
-                .collect(),
-            Self::Points { points, closed, .. } => {
-                let mut all = points.clone();
-                if *closed {
-                    all.push(points[0]);
-                }
-                all
+            Self::Line { from, to } => {
+                let course = minus(*to, *from);
+                steps.map(|k| along(*from, k / all, course)).collect()
             }
+            Self::Arc(arc) => {
+                let place = |k| arc.ellipse.at(arc.start + arc.sweep * k / all);
+                steps.map(place).collect()
+            }
+            Self::Points(line) => line.all(),
         }
     }
 
@@ -141,70 +279,29 @@ impl Curve {
                 let off = distance(p, along(*from, share, course));
                 ((0.0..=1.0).contains(&share) && off <= tolerance).then_some(course)
             }
-            Self::Arc {
-                centre,
-                normal,
-                x,
-                radii,
+            Self::Arc(Arc {
+                ellipse,
                 start,
                 sweep,
-            } => {
-                let y = cross(*normal, *x);
-                let from = minus(p, *centre);
-                let (a, b) = (dot(from, *x) / radii[0], dot(from, y) / radii[1]);
-                let off = (a.hypot(b) - 1.0).abs() * radii[0].max(radii[1]);
-                let angle = b.atan2(a);
-                let on = off <= tolerance
-                    && dot(from, *normal).abs() <= tolerance
-                    && positive_angle(angle - start) <= *sweep;
-                on.then(|| {
-                    plus(
-                        times(-radii[0] * angle.sin(), *x),
-                        times(radii[1] * angle.cos(), y),
-                    )
-                })
+            }) => {
+                let (angle, off, above) = ellipse.angle(p);
+                let on = off <= tolerance && above <= tolerance;
+                let (sine, cosine) = (angle.sin(), angle.cos());
+                let [a, b] = ellipse.radii;
+                (on && positive_angle(angle - start) <= *sweep)
+                    .then(|| plus(times(-a * sine, ellipse.x), times(b * cosine, ellipse.y())))
             }
-            Self::Points {
-                points,
-                closed,
-                slack,
-                ..
-            } => passing(points, *closed, p, *slack),
+            Self::Points(line) => line.direction_at(p),
         }
     }
-}
-
-/// Direction of the polyline at the place nearest to `p`; nothing if that is one of its ends, or farther off than `slack`.
-fn passing(points: &[Vector], closed: bool, p: Vector, slack: f64) -> Option<Vector> {
-    let segments = if closed {
-        points.len()
-    } else {
-        points.len() - 1
-    };
-    let mut best: Option<(f64, usize, f64)> = None;
-    for k in 0..segments {
-        let (from, to) = (points[k], points[(k + 1) % points.len()]);
-        let course = minus(to, from);
-        let share = (dot(minus(p, from), course) / dot(course, course)).clamp(0.0, 1.0);
-        let off = distance(p, along(from, share, course));
-        if best.is_none_or(|(least, ..)| off < least) {
-            best = Some((off, k, share));
-        }
-    }
-    let (off, k, share) = best?;
-    let (from, to) = (points[k], points[(k + 1) % points.len()]);
-    let beyond = !closed && ((k == 0 && share == 0.0) || (k == segments - 1 && share == 1.0));
-    (!beyond && off <= slack).then(|| minus(to, from))
 }
 
 /// The plane in which all points lie within a length; nothing if they do not, or lie in a line.
 pub fn common_plane(points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
     let first = *points.first()?;
     let farthest = |measure: &dyn Fn(Vector) -> f64| {
-        points
-            .iter()
-            .copied()
-            .max_by(|p, q| measure(*p).total_cmp(&measure(*q)))
+        let all = points.iter().copied();
+        all.max_by(|p, q| measure(*p).total_cmp(&measure(*q)))
     };
     let second = farthest(&|p| distance(p, first))?;
     let line = unit(minus(second, first));
@@ -214,9 +311,8 @@ pub fn common_plane(points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
         return None;
     }
     let normal = unit(normal);
-    points
-        .iter()
-        .all(|p| distance(*p, onto_plane(*p, first, normal)) <= tolerance)
+    let mut all = points.iter();
+    all.all(|p| distance(*p, onto_plane(*p, first, normal)) <= tolerance)
         .then_some((first, normal))
 }
 
@@ -225,14 +321,17 @@ mod tests {
     use super::*;
 
     fn half_circle() -> Curve {
-        Curve::Arc {
+        let ellipse = Ellipse {
             centre: [1.0, 0.0, 0.0],
             normal: [0.0, 0.0, 1.0],
             x: [1.0, 0.0, 0.0],
             radii: [2.0, 2.0],
+        };
+        Curve::Arc(Arc {
+            ellipse,
             start: 0.0,
-            sweep: std::f64::consts::PI,
-        }
+            sweep: 0.5 * TAU,
+        })
     }
 
     #[test]

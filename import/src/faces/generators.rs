@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use super::planes::Planes;
-use super::surface::Surface;
+use super::surface::{Form, Surface};
 use super::vector::{Vector, across, cross, dot, length, minus, unit};
 use std::collections::HashMap;
 
@@ -20,28 +20,22 @@ struct Line {
 
 /// Pairs the generators of a face in the order of their angles; an odd one is paired with the first.
 pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &mut Generators) {
-    let (Surface::Cylinder { origin, axis, .. }
-    | Surface::Cone {
-        apex: origin, axis, ..
-    }) = model.faces[face].surface
-    else {
+    let surface = &model.faces[face].surface;
+    if !matches!(surface.form, Form::Cylinder(_) | Form::Cone(_)) {
         return;
-    };
-    let lines = lines(model, face, origin, axis);
+    }
+    let axis = surface.axis;
+    let lines = lines(model, face);
     let distinct = distinct(&lines, axis);
     let mut plane_of = vec![0; distinct.len()];
     for first in (0..distinct.len()).step_by(2) {
         let a = &lines[distinct[first][0]];
-        let second = if first + 1 < distinct.len() {
-            first + 1
-        } else {
-            0
-        };
+        let second = (first + 1) % distinct.len();
         let normal = if second == first {
             // Alone: the plane through the axis.
             cross(axis, a.out)
         } else {
-            common_normal(&model.faces[face].surface, a, &lines[distinct[second][0]])
+            common_normal(surface, a, &lines[distinct[second][0]])
         };
         let plane = planes.find_or_add(a.point, unit(normal));
         plane_of[first] = plane;
@@ -56,7 +50,8 @@ pub fn pair_generators(model: &Model, face: usize, planes: &mut Planes, found: &
     }
 }
 
-fn lines(model: &Model, face: usize, origin: Vector, axis: Vector) -> Vec<Line> {
+fn lines(model: &Model, face: usize) -> Vec<Line> {
+    let Surface { origin, axis, .. } = model.faces[face].surface;
     let mut lines = vec![];
     for edge_use in model.faces[face].border() {
         let edge = &model.edges[edge_use.edge];
@@ -65,11 +60,7 @@ fn lines(model: &Model, face: usize, origin: Vector, axis: Vector) -> Vec<Line> 
         }
         let [from, to] = edge.curve.ends();
         let outs = [from, to].map(|p| across(minus(p, origin), axis));
-        let far = if length(outs[0]) >= length(outs[1]) {
-            0
-        } else {
-            1
-        };
+        let far = usize::from(length(outs[0]) < length(outs[1]));
         lines.push(Line {
             edge: edge_use.edge,
             out: unit(outs[far]),
@@ -103,8 +94,9 @@ fn distinct(lines: &[Line], axis: Vector) -> Vec<Vec<usize>> {
 }
 
 fn common_normal(surface: &Surface, a: &Line, b: &Line) -> Vector {
-    match surface {
-        Surface::Cylinder { axis, .. } => cross(*axis, minus(b.point, a.point)),
-        _ => cross(a.direction, b.direction),
+    if surface.is_cone() {
+        cross(a.direction, b.direction)
+    } else {
+        cross(surface.axis, minus(b.point, a.point))
     }
 }

@@ -8,7 +8,7 @@ use toml::Spanned;
 /// The version this code reads.
 pub const FORMAT_VERSION: i64 = 1;
 
-type Name = Spanned<String>;
+pub type Name = Spanned<String>;
 
 /// A face list.
 #[derive(Debug, Deserialize)]
@@ -79,4 +79,56 @@ pub struct SolidKeys {
     pub name: Name,
     pub material: Name,
     pub faces: Vec<Name>,
+}
+
+impl EdgeKeys {
+    /// The keys that depend on the kind, and whether they are given.
+    pub fn given(&self) -> [(&'static str, bool); 6] {
+        [
+            ("centre", self.centre.is_some()),
+            ("axis", self.axis.is_some()),
+            ("radius", self.radius.is_some()),
+            ("x", self.x.is_some()),
+            ("radii", self.radii.is_some()),
+            ("points", self.points.is_some()),
+        ]
+    }
+}
+
+impl SurfaceKeys {
+    fn vectors(&self) -> [(&'static str, Option<&Spanned<[f64; 3]>>); 5] {
+        [
+            ("origin", self.origin.as_ref()),
+            ("normal", self.normal.as_ref()),
+            ("axis", self.axis.as_ref()),
+            ("apex", self.apex.as_ref()),
+            ("centre", self.centre.as_ref()),
+        ]
+    }
+
+    fn numbers(&self) -> [(&'static str, Option<&Spanned<f64>>); 4] {
+        [
+            ("radius", self.radius.as_ref()),
+            ("half_angle", self.half_angle.as_ref()),
+            ("major", self.major.as_ref()),
+            ("minor", self.minor.as_ref()),
+        ]
+    }
+
+    /// The keys that are given.
+    pub fn given(&self) -> Vec<&'static str> {
+        let vectors = self.vectors().map(|(key, value)| value.map(|_| key));
+        let numbers = self.numbers().map(|(key, value)| value.map(|_| key));
+        vectors.into_iter().chain(numbers).flatten().collect()
+    }
+
+    /// A point or direction by its key.
+    pub fn vector(&self, key: &str) -> Option<&Spanned<[f64; 3]>> {
+        self.vectors().into_iter().find(|(name, _)| *name == key)?.1
+    }
+
+    /// A number by its key.
+    pub fn number(&self, key: &str) -> Option<&Spanned<f64>> {
+        self.numbers().into_iter().find(|(name, _)| *name == key)?.1
+    }
 }

@@ -3,53 +3,55 @@
 //! Every face is reported *exact*, *approximated* with its deviation, or *rejected* with the reason.
 //! `docs/cad-faces.md` is the user's page.
 
-mod arc;
 mod arrangement;
-mod assemble;
 mod bezier;
 mod build;
 mod build_edge;
 mod build_surface;
 mod canonical;
+mod cell;
 mod chart;
 mod compile;
 mod conics;
 mod courses;
 mod cover;
 mod curve;
-mod gap;
 mod generators;
 mod keys;
+mod meetings;
 pub mod model;
 mod orient;
+mod parting;
 mod plain;
 mod plane_face;
 mod planes;
 mod polynomial;
 mod report;
+mod rings;
 mod scene;
-mod sheet;
 mod slabs;
+mod source;
 mod step;
 mod surface;
 mod terms;
 mod torus;
 pub mod vector;
 mod volume;
-mod words;
 
-pub use compile::{Cell, Compiled, Verdict};
-pub use curve::Curve;
+pub use cell::{Cell, Compilation, Compiled, Verdict};
+pub use curve::{Arc, Curve, Ellipse, Polyline};
 pub use planes::{Planes, SharedPlane};
-pub use scene::Compilation;
 pub use step::Beside;
-pub use surface::{Implicit, Surface};
+pub use surface::{Form, Implicit, Surface};
 
+use crate::error::unusable;
 use crate::{ImportError, Imported, Place};
+use compile::{Task, quadric_face};
 use courses::Courses;
 use imogene_studies::text::counted;
 use model::Model;
-use words::with_article;
+use source::Source;
+use step21::with_article;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,9 +74,9 @@ pub struct Part {
 }
 
 /// Share of the part's size that borders may be off by if the user does not say.
-pub const DEFAULT_DEVIATION: f64 = 1e-3;
+const DEFAULT_DEVIATION: f64 = 1e-3;
 /// The same of tori: a silhouette shows more than a border.
-pub const DEFAULT_BANDS: f64 = 2e-4;
+const DEFAULT_BANDS: f64 = 2e-4;
 
 /// Reads a face list and compiles it to a scene.
 pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
@@ -102,34 +104,26 @@ pub fn read_step(
 fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported, ImportError> {
     let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
-    let unusable = |problem: String, accepted: &str| ImportError::Unusable {
-        file: file.to_owned(),
-        problem,
-        accepted: accepted.to_owned(),
-    };
     let mut scene = scene.ok_or_else(|| {
         unusable(
+            file,
             format!("no face can be drawn: {}", notes.join("; ")),
             "at least one face on a plane, cylinder, cone, sphere or torus is needed",
         )
     })?;
-    let parts = match missing.len() {
-        0 => None,
-        count => Some(counted(count, "part or placement")),
-    };
+    let parts = (!missing.is_empty()).then(|| counted(missing.len(), "part or placement"));
     let lacks: Vec<String> = report.rejected().into_iter().chain(parts).collect();
     if !lacks.is_empty() {
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
         scene.incomplete = Some(format!("{} of {name} missing", lacks.join(" and ")));
     }
-    scene
-        .validate()
-        .map_err(|error| unusable(error.to_string(), "another part is needed"))?;
+    let valid = scene.validate();
+    valid.map_err(|error| unusable(file, error.to_string(), "another part is needed"))?;
     let too_large = scene::look_from_elsewhere(&mut scene, &part.model);
     if !too_large.is_empty() {
+        let names = too_large.join(", ");
         notes.push(format!(
-            "too large for the words of the base format: {}",
-            too_large.join(", ")
+            "too large for the words of the base format: {names}"
         ));
     }
     Ok(Imported {
@@ -142,23 +136,11 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported, Imp
 /// Reads a face list and compiles each of its solids.
 pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = before.iter().filter(|b| **b == b'\n').count() + 1;
-        let start = before
-            .iter()
-            .rposition(|b| *b == b'\n')
-            .map_or(0, |p| p + 1);
-        ImportError::Malformed {
-            file: file.to_owned(),
-            place: Place {
-                line,
-                column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
-            },
-            problem: "this byte is no UTF-8 text".into(),
-            accepted: "a face list is a TOML text in UTF-8".into(),
-        }
+        let place = Place::of(bytes, error.valid_up_to(), b'\n');
+        let accepted = "a face list is a TOML text in UTF-8";
+        ImportError::new(file, Some(place), "this byte is no UTF-8 text", accepted)
     })?;
-    let model = build::build(&build::Source { file, text })?;
+    let model = build::build(Source { file, text })?;
     Ok(compile_model(model, options))
 }
 
@@ -171,23 +153,17 @@ pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<P
 fn compile_model(mut model: Model, options: &FaceOptions) -> Part {
     plain::plain(&mut model);
     orient::orient(&mut model);
-    let asked = options
-        .max_deviation
-        .unwrap_or(DEFAULT_DEVIATION * model.size());
-    let bands = options
-        .max_deviation
-        .unwrap_or(DEFAULT_BANDS * model.size());
-    let mut planes = Planes::new(model::COINCIDENT * model.size());
+    let size = model.size();
+    let [asked, bands] = [DEFAULT_DEVIATION, DEFAULT_BANDS]
+        .map(|share| options.max_deviation.unwrap_or(share * size));
+    let mut planes = Planes::new(model::COINCIDENT * size);
     // The planes of faces first: an edge that lies in one takes its numbers.
-    for face in &model.faces {
-        if let Surface::Plane { origin, normal } = face.surface {
-            planes.find_or_add(origin, normal);
-        }
+    for (origin, normal) in model.faces.iter().filter_map(|face| face.surface.plane()) {
+        planes.find_or_add(origin, normal);
     }
     let courses = Courses::new(&model, &mut planes, asked, bands);
-    let solids = (0..model.solids.len())
-        .map(|solid| compile_solid(&model, solid, &courses, &mut planes, options))
-        .collect();
+    let solid = |solid| compile_solid(&model, solid, &courses, &mut planes, options);
+    let solids = (0..model.solids.len()).map(solid).collect();
     Part {
         model,
         planes,
@@ -209,19 +185,21 @@ fn compile_solid(
     {
         return Compilation::Volume(cell);
     }
-    let faces = model.solids[solid]
-        .faces
-        .iter()
-        .map(|face| match &model.faces[*face].surface {
-            _ if model.faces[*face].refused.is_some() => {
-                Compiled::rejected(model.faces[*face].refused.clone().unwrap_or_default())
-            }
-            Surface::Plane { .. } => plane_face::plane_face(model, *face, courses, planes),
-            Surface::Torus { .. } => torus::torus_face(model, *face, courses, planes),
-            Surface::Other(name) => {
-                Compiled::rejected(format!("{} is no quadric", with_article(name)))
-            }
-            _ => compile::quadric_face(model, *face, courses, planes),
-        });
-    Compilation::Faces(faces.collect())
+    let compiled = |index: &usize| {
+        let face = &model.faces[*index];
+        let task = Task {
+            model,
+            courses,
+            index: *index,
+        };
+        let made = match (&face.refused, &face.surface.form) {
+            (Some(reason), _) => Err(reason.clone()),
+            (_, Form::Plane) => plane_face::plane_face(task, planes),
+            (_, Form::Torus(..)) => torus::torus_face(task, planes),
+            (_, Form::Other(name)) => Err(format!("{} is no quadric", with_article(name))),
+            _ => quadric_face(task, planes),
+        };
+        made.unwrap_or_else(Compiled::rejected)
+    };
+    Compilation::Faces(model.solids[solid].faces.iter().map(compiled).collect())
 }

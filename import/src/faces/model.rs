@@ -1,8 +1,8 @@
 //! A face list that has been checked: faces on surfaces, bounded by edges that they share.
 
 use super::curve::Curve;
-use super::surface::Surface;
-use super::vector::{Vector, plus, times};
+use super::surface::{Form, Surface};
+use super::vector::{Vector, distance, hull, plus, times};
 use imogene_scene::Material;
 
 /// Share of the size of a part within which two things that should coincide do: ten times the last digits of a number
@@ -12,17 +12,21 @@ pub const COINCIDENT: f64 = 1e-9;
 /// Share of the size of a part by which a surface may be off the quadric that it is taken for.
 pub const MOST_CANONICAL: f64 = 1e-5;
 
+/// Least diagonal of the box around a part, scene units.
+const SMALLEST_PART: f64 = 1e-6;
+
 /// Which axis of a part points up in a picture of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Up {
     /// y, as in scenes.
+    #[default]
     Y,
     /// z, as in CAD systems.
     Z,
 }
 
 /// A face list.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Model {
     /// Title.
     pub title: String,
@@ -71,7 +75,7 @@ pub struct EdgeUse {
 }
 
 /// A face.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Face {
     /// Name.
     pub name: String,
@@ -100,6 +104,21 @@ pub struct Solid {
     pub faces: Vec<usize>,
 }
 
+impl EdgeUse {
+    /// The same edge the other way.
+    pub fn reversed(self) -> EdgeUse {
+        EdgeUse {
+            forward: !self.forward,
+            ..self
+        }
+    }
+}
+
+/// A loop the other way round.
+pub fn reversed(uses: &[EdgeUse]) -> Vec<EdgeUse> {
+    uses.iter().rev().map(|own| own.reversed()).collect()
+}
+
 impl Face {
     /// The edges that bound it: an edge that the face has on both sides, a seam, bounds nothing.
     pub fn border(&self) -> Vec<EdgeUse> {
@@ -122,9 +141,64 @@ pub fn border(uses: impl Iterator<Item = EdgeUse>) -> Vec<EdgeUse> {
 }
 
 impl Model {
+    /// With its users and bounds, from all else; nothing if its faces have no size.
+    pub fn assembled(mut self) -> Option<Model> {
+        self.users = vec![vec![]; self.edges.len()];
+        for (index, face) in self.faces.iter().enumerate() {
+            for edge_use in face.loops.iter().flatten() {
+                let own = &mut self.users[edge_use.edge];
+                if own.last() != Some(&index) {
+                    own.push(index);
+                }
+            }
+        }
+        self.bounds = hull(&self.outline()).unwrap_or_default();
+        (self.size() >= SMALLEST_PART).then_some(self)
+    }
+
+    /// Points of all edges, and the corners of boxes around whole spheres and tori.
+    fn outline(&self) -> Vec<Vector> {
+        let used = self.edges.iter().zip(&self.users);
+        let used = used.filter(|(_, users)| !users.is_empty());
+        let steps = |curve: &Curve| {
+            if matches!(curve, Curve::Line { .. }) {
+                1
+            } else {
+                32
+            }
+        };
+        let mut points: Vec<Vector> = used
+            .flat_map(|(edge, _)| edge.curve.sampled(steps(&edge.curve)))
+            .collect();
+        for face in self.faces.iter().filter(|face| face.loops.is_empty()) {
+            let Surface { origin, axis, .. } = face.surface;
+            let reach = match face.surface.form {
+                Form::Sphere(radius) => [radius; 3],
+                // A disc across the axis, and the tube around its rim.
+                Form::Torus(major, minor) => {
+                    axis.map(|a| major * (1.0 - a * a).max(0.0).sqrt() + minor)
+                }
+                _ => continue,
+            };
+            points.push(std::array::from_fn(|k| origin[k] - reach[k]));
+            points.push(plus(origin, reach));
+        }
+        points
+    }
+
+    /// Points of edges.
+    pub fn places<'a>(
+        &self,
+        edges: impl IntoIterator<Item = &'a EdgeUse>,
+        steps: usize,
+    ) -> Vec<Vector> {
+        let curves = edges.into_iter().map(|own| &self.edges[own.edge].curve);
+        curves.flat_map(|curve| curve.sampled(steps)).collect()
+    }
+
     /// Length of the diagonal of the box around everything, scene units, above 0.
     pub fn size(&self) -> f64 {
-        super::vector::distance(self.bounds[0], self.bounds[1])
+        distance(self.bounds[0], self.bounds[1])
     }
 
     /// What is off by no more than this is off by the rounding of the file's numbers, scene units.

@@ -5,15 +5,14 @@
 //! way round. Two things tell: a seam lies within its face, and an edge is passed in opposite directions by the two
 //! faces that have it.
 
-use super::model::{EdgeUse, Face, Model};
-use super::surface::Surface;
+use super::model::{EdgeUse, Face, Model, reversed};
 use super::vector::{Vector, cross, distance, dot, minus, unit};
 
 /// Turns round the loops of faces that are on the other side of their borders.
 pub fn orient(model: &mut Model) {
     for index in 0..model.faces.len() {
         let face = &model.faces[index];
-        if !matches!(face.surface, Surface::Sphere { .. } | Surface::Torus { .. }) {
+        if !is_oriented(face) {
             continue;
         }
         let says = match seam_votes(model, face) {
@@ -22,13 +21,14 @@ pub fn orient(model: &mut Model) {
         };
         if says < 0 {
             for own in &mut model.faces[index].loops {
-                own.reverse();
-                for edge_use in own {
-                    edge_use.forward = !edge_use.forward;
-                }
+                *own = reversed(own);
             }
         }
     }
+}
+
+fn is_oriented(face: &Face) -> bool {
+    face.surface.is_sphere() || face.surface.is_torus()
 }
 
 /// Ends of an edge, each with the direction away from it along the curve.
@@ -86,11 +86,7 @@ fn neighbour_votes(model: &Model, index: usize) -> i32 {
         };
         for other in model.neighbours(index, edge_use.edge) {
             let other = &model.faces[other];
-            let oriented = matches!(
-                other.surface,
-                Surface::Sphere { .. } | Surface::Torus { .. }
-            );
-            if let Some(theirs) = passed(other, edge_use.edge).filter(|_| !oriented) {
+            if let Some(theirs) = passed(other, edge_use.edge).filter(|_| !is_oriented(other)) {
                 votes += if mine == theirs { -1 } else { 1 };
             }
         }

@@ -1,45 +1,34 @@
 //! Edges that are simpler than their file says: splines that are lines, lie in a plane or are circles but for the
 //! digits of the file.
 
-use super::curve::{Curve, common_plane};
+use super::curve::{Curve, PlaneOf, Polyline, arc_through, common_plane};
 use super::model::Model;
-use super::surface::Surface;
-use super::vector::{
-    Vector, across, cross, distance, dot, length, minus, onto_plane, positive_angle, unit,
-};
-use std::f64::consts::TAU;
+use super::vector::{Vector, across, cross, distance, dot, length, minus, onto_plane, plus, unit};
 
 /// Takes every edge that is given by points for the simplest that it is within a share of the part's size.
 pub fn plain(model: &mut Model) {
     let tolerance = model.canonical();
     for index in 0..model.edges.len() {
-        let Curve::Points {
-            points,
-            closed,
-            plane,
-            slack,
-        } = &model.edges[index].curve
-        else {
+        let Curve::Points(own) = &model.edges[index].curve else {
             continue;
         };
-        let found = line(points, *closed, tolerance).or_else(|| {
+        let points = &own.points;
+        let found = line(own, tolerance).or_else(|| {
             let plane = plane_of_face(model, index, points, tolerance)
-                .or(*plane)
+                .or(own.plane)
                 .or_else(|| common_plane(points, tolerance))?;
-            let (origin, normal) = plane;
             let off = points
                 .iter()
-                .map(|p| dot(minus(*p, origin), normal).abs())
+                .map(|p| off_plane(*p, plane))
                 .fold(0.0, f64::max);
-            circle(points, *closed, plane, tolerance).or_else(|| {
-                let points = points.iter().map(|p| onto_plane(*p, origin, normal));
-                let curve = Curve::Points {
+            circle(own, plane, tolerance).or_else(|| {
+                let points = points.iter().map(|p| onto_plane(*p, plane.0, plane.1));
+                let line = Polyline {
                     points: points.collect(),
-                    closed: *closed,
                     plane: Some(plane),
-                    slack: *slack,
+                    ..own.clone()
                 };
-                Some((curve, off))
+                Some((Curve::Points(line), off))
             })
         });
         if let Some((curve, off)) = found {
@@ -49,48 +38,39 @@ pub fn plain(model: &mut Model) {
     }
 }
 
-fn line(points: &[Vector], closed: bool, tolerance: f64) -> Option<(Curve, f64)> {
-    let (from, to) = (points[0], points[points.len() - 1]);
-    if closed || distance(from, to) <= 10.0 * tolerance {
+fn off_plane(p: Vector, (origin, normal): PlaneOf) -> f64 {
+    dot(minus(p, origin), normal).abs()
+}
+
+fn line(own: &Polyline, tolerance: f64) -> Option<(Curve, f64)> {
+    let (from, to) = (own.points[0], own.points[own.points.len() - 1]);
+    if own.closed || distance(from, to) <= 10.0 * tolerance {
         return None;
     }
     let course = unit(minus(to, from));
-    let off = points
+    let off = own
+        .points
         .iter()
-        .map(|p| length(across(minus(*p, from), course)))
-        .fold(0.0, f64::max);
+        .map(|p| length(across(minus(*p, from), course)));
+    let off = off.fold(0.0, f64::max);
     (off <= tolerance).then_some((Curve::Line { from, to }, off))
 }
 
 /// The plane of a plane face that has the edge: what borders it is in it.
-fn plane_of_face(
-    model: &Model,
-    edge: usize,
-    points: &[Vector],
-    tolerance: f64,
-) -> Option<(Vector, Vector)> {
-    model.users[edge]
+fn plane_of_face(model: &Model, edge: usize, points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
+    let mut planes = model.users[edge]
         .iter()
-        .find_map(|face| match model.faces[*face].surface {
-            Surface::Plane { origin, normal } => points
-                .iter()
-                .all(|p| dot(minus(*p, origin), normal).abs() <= tolerance)
-                .then_some((origin, normal)),
-            _ => None,
-        })
+        .filter_map(|face| model.faces[*face].surface.plane());
+    planes.find(|plane| points.iter().all(|p| off_plane(*p, *plane) <= tolerance))
 }
 
 /// The circle through three places of a curve in a plane, if all others are on it.
-fn circle(
-    points: &[Vector],
-    closed: bool,
-    (origin, normal): (Vector, Vector),
-    tolerance: f64,
-) -> Option<(Curve, f64)> {
+fn circle(own: &Polyline, (origin, normal): PlaneOf, tolerance: f64) -> Option<(Curve, f64)> {
+    let points = &own.points;
     if points.len() < 5 {
         return None;
     }
-    let last = if closed {
+    let last = if own.closed {
         points.len() * 2 / 3
     } else {
         points.len() - 1
@@ -102,52 +82,35 @@ fn circle(
     if square <= 1e-16 * dot(u, u) * dot(v, v) {
         return None;
     }
-    let to_centre: Vector = std::array::from_fn(|k| {
-        let (first, second) = (cross(v, twice), cross(twice, u));
-        (dot(u, u) * first[k] + dot(v, v) * second[k]) / (2.0 * square)
-    });
-    let centre: Vector = std::array::from_fn(|k| a[k] + to_centre[k]);
+    let (first, second) = (cross(v, twice), cross(twice, u));
+    let to_centre: Vector =
+        std::array::from_fn(|k| (dot(u, u) * first[k] + dot(v, v) * second[k]) / (2.0 * square));
+    let centre = plus(a, to_centre);
     let radius = length(to_centre);
-    let off = points
-        .iter()
-        .map(|p| {
-            let flat = onto_plane(*p, origin, normal);
-            distance(*p, flat).hypot(distance(flat, centre) - radius)
-        })
-        .fold(0.0, f64::max);
+    let off = points.iter().map(|p| {
+        let flat = onto_plane(*p, origin, normal);
+        distance(*p, flat).hypot(distance(flat, centre) - radius)
+    });
+    let off = off.fold(0.0, f64::max);
     // A circle that large is a line of too few digits.
     let size = distance(a, b).max(distance(b, c));
-    if off > tolerance || radius > 1e4 * size {
-        return None;
-    }
-    let x = unit(minus(a, centre));
-    let angle = |p: Vector, normal: Vector| {
-        let from = minus(p, centre);
-        positive_angle(dot(from, cross(normal, x)).atan2(dot(from, x)))
+    let arc = || {
+        arc_through(
+            (centre, normal),
+            radius,
+            [a, points[1], c],
+            Some(c),
+            own.closed,
+        )
     };
-    let normal = if angle(points[1], normal) < angle(c, normal) {
-        normal
-    } else {
-        normal.map(|v| 0.0 - v)
-    };
-    let sweep = if closed { TAU } else { angle(c, normal) };
-    let curve = Curve::Arc {
-        centre,
-        normal,
-        x,
-        radii: [radius; 2],
-        start: 0.0,
-        sweep,
-    };
-    Some((curve, off))
+    (off <= tolerance && radius <= 1e4 * size).then(|| (arc(), off))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faces::assemble::{Parts, assemble};
-    use crate::faces::model::{Edge, EdgeUse, Face, Up};
-    use crate::faces::vector::plus;
+    use crate::faces::model::{Edge, EdgeUse, Face};
+    use crate::faces::surface::{Form, Surface};
 
     /// One edge as the border of one face.
     fn part(points: Vec<Vector>, surface: Surface) -> Model {
@@ -163,25 +126,16 @@ mod tests {
             forward: true,
         };
         let face = Face {
-            name: "#2".into(),
             surface,
             loops: vec![vec![edge_use]],
-            reversed: false,
-            material: None,
-            off: 0.0,
-            refused: None,
+            ..Face::default()
         };
-        let parts = Parts {
-            title: String::new(),
-            up: Up::Z,
-            precision: 0.0,
-            uncertainty: 0.0,
-            materials: vec![],
+        let model = Model {
             edges: vec![edge],
             faces: vec![face],
-            solids: vec![],
+            ..Model::default()
         };
-        let mut model = assemble(parts).unwrap();
+        let mut model = model.assembled().unwrap();
         plain(&mut model);
         model
     }
@@ -190,10 +144,7 @@ mod tests {
     /// about 3.
     #[test]
     fn what_is_in_a_plane_but_for_digits_is_in_the_plane() {
-        let plane = Surface::Plane {
-            origin: [0.0, 0.0, 2.0],
-            normal: [0.0, 0.0, -1.0],
-        };
+        let plane = Surface::new([0.0, 0.0, 2.0], [0.0, 0.0, -1.0], Form::Plane);
         for (off, flat) in [(1e-5, true), (1e-3, false)] {
             let point = |k: i32| {
                 let x = f64::from(k) / 10.0;
@@ -209,13 +160,9 @@ mod tests {
 
     #[test]
     fn points_on_a_line_or_a_circle_are_one() {
-        let ball = Surface::Sphere {
-            centre: [0.0; 3],
-            radius: 2.0,
-        };
-        let row = (0..9)
-            .map(|k| [f64::from(k), 2.0 * f64::from(k), 1.0])
-            .collect();
+        let ball = Surface::new([0.0; 3], [0.0, 0.0, 1.0], Form::Sphere(2.0));
+        let row = (0..9).map(|k| [f64::from(k), 2.0 * f64::from(k), 1.0]);
+        let row = row.collect();
         assert!(matches!(
             part(row, ball.clone()).edges[0].curve,
             Curve::Line {
@@ -228,17 +175,12 @@ mod tests {
             let points = (0..=40).map(|k| at(f64::from(k) * 0.1)).collect();
             let model = part(points, ball.clone());
             let curve = &model.edges[0].curve;
-            let Curve::Arc {
-                centre,
-                radii,
-                sweep,
-                ..
-            } = curve
-            else {
+            let Curve::Arc(arc) = curve else {
                 panic!("an arc")
             };
-            assert!(distance(*centre, [3.0, 1.0, 0.0]) < 1e-12 && (radii[0] - 2.0).abs() < 1e-12);
-            assert!((sweep - 4.0).abs() < 1e-12);
+            let (centre, radius) = (arc.ellipse.centre, arc.ellipse.radii[0]);
+            assert!(distance(centre, [3.0, 1.0, 0.0]) < 1e-12 && (radius - 2.0).abs() < 1e-12);
+            assert!((arc.sweep - 4.0).abs() < 1e-12);
             for (p, k) in curve.sampled(4).into_iter().zip(0..) {
                 assert!(distance(p, at(f64::from(k))) < 1e-12);
             }

@@ -1,138 +1,92 @@
 //! Faces in a plane: solids without thickness, two opposite cut planes with one more quadric at most, which are drawn
 //! exactly.
 
-use super::arrangement::{Boundary, Sample};
-use super::compile::{
-    CONIC, Cell, Compiled, EDGE, Parting, beside, compiled, cuts, deviation, halving,
-};
+use super::arrangement::Sample;
+use super::cell::{Cell, Compiled};
+use super::chart::Separator;
+use super::compile::Task;
 use super::conics::{Conic, between};
-use super::courses::Courses;
+use super::courses::MAX_PIECES;
 use super::cover::Term;
-use super::curve::Curve;
-use super::model::{EdgeUse, Model};
+use super::curve::{Curve, PlaneOf};
+use super::model::EdgeUse;
+use super::parting::{EDGE, Parting, halving};
 use super::planes::Planes;
-use super::slabs::{Band, Slabs};
+use super::slabs::Band;
 use super::surface::Surface;
 use super::terms::{Rules, terms};
-use super::vector::{Vector, along, distance, dot, minus};
+use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use imogene_scene::MAX_CUTS;
 
 /// Cut planes that are left beside the two of the face itself.
-pub const SIDES: usize = MAX_CUTS - 2;
+const SIDES: usize = MAX_CUTS - 2;
 
 /// A plane that is nearer to parallel than this (cosine) to the face does not bound it; one upright on it does instead.
 const TOO_FLAT: f64 = 0.99;
 
 /// Compiles a face in a plane.
-pub fn plane_face(model: &Model, index: usize, courses: &Courses, planes: &mut Planes) -> Compiled {
-    let face = &model.faces[index];
-    let Surface::Plane { origin, normal } = face.surface else {
-        return Compiled::rejected("it is not plane");
-    };
-    let flat = planes.find_or_add(origin, normal);
-    let (parting, conics, chords, off) = match border(model, index, courses, planes, true) {
-        Ok(Border {
-            parting,
-            conics,
-            chords,
-            deviation,
-            ..
-        }) => (parting, conics, chords, deviation),
-        Err(reason) => return Compiled::rejected(reason),
-    };
-    let mut searched = parting.clone();
-    searched.split(planes, &chords);
+pub fn plane_face(task: Task, planes: &mut Planes) -> Result<Compiled, String> {
+    let surface = &task.face().surface;
+    let flat = planes.find_or_add(surface.origin, surface.axis);
+    let border = border(task, true, planes)?;
+    let mut searched = border.parting.clone();
+    searched.split(planes, &border.chords);
     let refine = |parting: &Parting, terms: &[Term], samples: &[Sample]| {
-        refined(parting, terms, samples, &conics, &face.surface)
+        refined(parting, terms, samples, &border.conics, surface)
     };
     let rules = Rules {
         fits: &fits,
         refine: &refine,
     };
-    if let Ok(terms) = terms(model, &face.surface, &mut searched, planes, &rules) {
+    if let Ok(terms) = terms(task.model, surface, &mut searched, planes, &rules) {
         let cells = terms.iter().map(|term| cell(&searched, term, flat));
-        return compiled(model, face, Ok(cells.collect()), off);
+        return task.compiled(Ok(cells.collect()), border.deviation);
     }
-    let slabs = |parting: &Parting, planes: &mut Planes| {
-        let slabs = Slabs {
-            surface: &face.surface,
-            parting,
-            bands: &Band::whole(&face.surface),
-            flat: Some(flat),
-            size: model.size(),
-        };
-        slabs.cells(planes)
-    };
-    if let Ok(cells) = slabs(&parting, planes) {
-        return compiled(model, face, Ok(cells), off);
+    let bands = Band::whole(surface);
+    if let Ok(cells) = task.slabs(&border.parting, &bands, Some(flat), planes) {
+        return task.compiled(Ok(cells), border.deviation);
     }
     // A polygon can always be taken apart.
-    match border(model, index, courses, planes, false) {
-        Ok(polygon) => {
-            let cells = slabs(&polygon.parting, planes);
-            compiled(model, face, cells, polygon.deviation)
-        }
-        Err(reason) => Compiled::rejected(reason),
-    }
+    let polygon = self::border(task, false, planes)?;
+    let cells = task.slabs(&polygon.parting, &bands, Some(flat), planes);
+    task.compiled(cells, polygon.deviation)
 }
 
 /// The border of a face, with conics or with chords in their place.
-fn border<'a>(
-    model: &'a Model,
-    index: usize,
-    courses: &'a Courses,
-    planes: &mut Planes,
-    conics: bool,
-) -> Result<Border<'a>, String> {
-    let face = &model.faces[index];
-    let Surface::Plane { origin, normal } = face.surface else {
-        return Err("it is not plane".into());
-    };
+fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Result<Border<'a>, String> {
     let mut border = Border {
-        model,
-        face: index,
-        origin,
-        normal,
-        courses,
+        task,
         with_conics: conics,
         parting: Parting::default(),
         conics: vec![],
         chords: vec![],
-        deviation: deviation(model, face, courses)?,
+        deviation: task.deviation()?,
     };
-    for edge_use in face.border() {
+    for edge_use in task.face().border() {
         border.edge(edge_use, planes)?;
     }
     Ok(border)
 }
 
-fn conics_of(parting: &Parting, term: &Term) -> Vec<(usize, bool)> {
-    term.literals()
-        .filter(|(k, _)| parting.planes[*k].is_none())
-        .collect()
-}
-
 fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
-    let quadric = conics_of(parting, term).first().map(|(k, positive)| {
-        let super::chart::Separator::Quadric(implicit) = parting.separators[*k] else {
-            unreachable!("what has no plane is a quadric")
-        };
-        if *positive {
-            implicit.negated()
-        } else {
-            implicit
-        }
-    });
+    let quadric =
+        parting
+            .conics(term)
+            .first()
+            .and_then(|(k, positive)| match parting.separators[*k] {
+                Separator::Quadric(implicit) => Some(implicit.kept(*positive)),
+                Separator::Plane { .. } => None,
+            });
     Cell {
         quadric,
         flat: Some(flat),
-        cuts: cuts(parting, term),
+        cuts: parting.cuts(term),
     }
 }
 
 /// One object has one conic and no more sides than there are cut planes.
 fn fits(parting: &Parting, term: &Term) -> bool {
-    let own = conics_of(parting, term).len();
+    let own = parting.conics(term).len();
     own <= 1 && term.len() as usize - own <= SIDES
 }
 
@@ -143,48 +97,54 @@ fn refined(
     samples: &[Sample],
     conics: &[(usize, Conic)],
     surface: &Surface,
-) -> Vec<(Vector, Vector)> {
+) -> Vec<PlaneOf> {
     let mut new = vec![];
     let of = |k: usize| conics.iter().find(|(index, _)| *index == k).map(|(_, c)| c);
     for term in terms {
-        let own = conics_of(parting, term);
+        let own = parting.conics(term);
         for (i, (one, _)) in own.iter().enumerate() {
             for (other, _) in &own[i + 1..] {
                 if let (Some(a), Some(b)) = (of(*one), of(*other)) {
-                    new.extend(between(a, b, surface));
+                    new.extend(between(a, b, surface.axis));
                 }
             }
         }
     }
     if new.is_empty() {
-        new.extend(
-            terms
-                .iter()
-                .filter(|term| !fits(parting, term))
-                .map(|term| halving(term, samples, surface)),
-        );
+        let large = terms.iter().filter(|term| !fits(parting, term));
+        new.extend(large.map(|term| halving(term, samples, surface)));
     }
     new
 }
 
 /// The border of a plane face while its edges are collected.
 struct Border<'a> {
-    model: &'a Model,
-    face: usize,
-    origin: Vector,
-    normal: Vector,
-    courses: &'a Courses,
+    task: Task<'a>,
     /// Curves may be conics.
     with_conics: bool,
     parting: Parting,
     conics: Vec<(usize, Conic)>,
-    chords: Vec<(Vector, Vector)>,
+    chords: Vec<PlaneOf>,
     deviation: f64,
 }
 
 impl Border<'_> {
+    fn normal(&self) -> Vector {
+        self.task.face().surface.axis
+    }
+
+    /// Not too flat on the face.
+    fn is_steep(&self, normal: Vector) -> bool {
+        dot(normal, self.normal()).abs() < TOO_FLAT
+    }
+
+    /// The plane upright on the face through two points.
+    fn upright(&self, from: Vector, to: Vector) -> PlaneOf {
+        (from, unit(cross(minus(to, from), self.normal())))
+    }
+
     fn edge(&mut self, edge_use: EdgeUse, planes: &mut Planes) -> Result<(), String> {
-        let course = self.courses.of(edge_use.edge)?;
+        let course = self.task.courses.of(edge_use.edge)?;
         let pieces = match &course.chords {
             Some((chords, off)) => {
                 self.deviation = self.deviation.max(*off);
@@ -193,28 +153,21 @@ impl Border<'_> {
             None => &course.pieces,
         };
         for curve in pieces {
-            let separator = match curve {
-                Curve::Line { from, to } => self.side(edge_use.edge, *from, *to, planes),
-                _ => match curve.plane() {
-                    Some((_, normal)) if dot(normal, self.normal).abs() < TOO_FLAT => {
-                        let (point, normal) = curve.plane().expect("it has one");
-                        let plane = planes.find_or_add(point, normal);
-                        self.parting.plane(planes, plane, EDGE)
-                    }
-                    _ => match self.conic(edge_use.edge, curve) {
-                        Some(separator) => separator,
-                        None => {
-                            self.chords_of(edge_use, curve, planes)?;
-                            continue;
-                        }
-                    },
-                },
+            let plane = curve.plane().filter(|(_, normal)| self.is_steep(*normal));
+            let separator = match (curve, plane) {
+                (Curve::Line { from, to }, _) => Some(self.side(edge_use.edge, *from, *to, planes)),
+                (_, Some((point, normal))) => {
+                    let plane = planes.find_or_add(point, normal);
+                    Some(self.parting.plane(planes, plane, EDGE))
+                }
+                _ => self.conic(edge_use.edge, curve),
             };
-            self.parting.boundaries.push(Boundary {
-                separator,
-                curve: curve.clone(),
-                forward: edge_use.forward,
-            });
+            match separator {
+                Some(separator) => self
+                    .parting
+                    .border(separator, curve.clone(), edge_use.forward),
+                None => self.chords_of(edge_use, curve, planes)?,
+            }
         }
         Ok(())
     }
@@ -222,18 +175,23 @@ impl Border<'_> {
     /// The separator of a straight edge: the neighbour's plane if it has one that is not too flat, or one upright on
     /// the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector, planes: &mut Planes) -> usize {
+        let Task {
+            model,
+            courses,
+            index,
+        } = self.task;
         let mut own = None;
-        for other in self.model.neighbours(self.face, edge) {
-            own = own.or(match self.model.faces[other].surface {
-                Surface::Plane { origin, normal } => Some(planes.find_or_add(origin, normal)),
-                _ => self.courses.generator(other, edge),
+        for other in model.neighbours(index, edge) {
+            own = own.or(match model.faces[other].surface.plane() {
+                Some((origin, normal)) => Some(planes.find_or_add(origin, normal)),
+                None => courses.generator(other, edge),
             });
         }
-        let steep = |plane: &usize| dot(planes.get(*plane).normal, self.normal).abs() < TOO_FLAT;
-        let plane = match own.filter(steep) {
-            Some(plane) => plane,
-            None => planes.find_or_add(from, beside(minus(to, from), self.normal)),
-        };
+        let steep = own.filter(|plane| self.is_steep(planes.get(*plane).normal));
+        let plane = steep.unwrap_or_else(|| {
+            let (point, normal) = self.upright(from, to);
+            planes.find_or_add(point, normal)
+        });
         self.parting.plane(planes, plane, EDGE)
     }
 
@@ -243,29 +201,22 @@ impl Border<'_> {
         if !self.with_conics {
             return None;
         }
-        let neighbour = self
-            .model
-            .neighbours(self.face, edge)
-            .find_map(|other| self.model.faces[other].surface.implicit());
+        let Task { model, index, .. } = self.task;
+        let mut neighbours = model.neighbours(index, edge);
+        let neighbour = neighbours.find_map(|other| model.faces[other].surface.implicit());
+        let surface = &self.task.face().surface;
         let conic = match (neighbour, curve) {
-            (Some(implicit), _) => Conic::of(implicit, curve, self.origin, self.normal),
-            (
-                None,
-                Curve::Arc {
-                    centre, x, radii, ..
-                },
-            ) => Conic::upright(*centre, self.normal, *x, *radii),
+            (Some(implicit), _) => Conic::of(implicit, curve, surface.origin, surface.axis),
+            (None, Curve::Arc(arc)) => Conic::upright(&arc.ellipse, surface.axis),
             _ => return None,
         };
         let separator = self.parting.quadric(conic.implicit);
         if !self.conics.iter().any(|(index, _)| *index == separator) {
             self.conics.push((separator, conic));
         }
-        self.parting.ranks[separator] = CONIC;
         let [from, to] = curve.ends();
         if !curve.is_closed() && distance(from, to) > 0.0 {
-            self.chords
-                .push((from, beside(minus(to, from), self.normal)));
+            self.chords.push(self.upright(from, to));
         }
         Some(separator)
     }
@@ -277,29 +228,22 @@ impl Border<'_> {
         curve: &Curve,
         planes: &mut Planes,
     ) -> Result<(), String> {
-        let points = curve.sampled(64);
-        let (chain, off) = chain(&points, self.courses.max_deviation);
-        let edge = &self.model.edges[edge_use.edge];
-        if chain.len() > super::courses::MAX_PIECES || off > self.courses.max_deviation {
+        let most = self.task.courses.max_deviation;
+        let (chain, off) = chain(&curve.sampled(64), most);
+        if chain.len() > MAX_PIECES || off > most {
+            let edge = &self.task.model.edges[edge_use.edge].name;
             return Err(format!(
-                "edge `{}` is no conic and is not within {:.3e} of {} chords",
-                edge.name,
-                self.courses.max_deviation,
-                super::courses::MAX_PIECES
+                "edge `{edge}` is no conic and is not within {most:.3e} of {MAX_PIECES} chords"
             ));
         }
         self.deviation = self.deviation.max(off);
         for pair in chain.windows(2) {
-            let plane = planes.find_or_add(pair[0], beside(minus(pair[1], pair[0]), self.normal));
+            let (from, to) = (pair[0], pair[1]);
+            let (point, normal) = self.upright(from, to);
+            let plane = planes.find_or_add(point, normal);
             let separator = self.parting.plane(planes, plane, EDGE);
-            self.parting.boundaries.push(Boundary {
-                separator,
-                curve: Curve::Line {
-                    from: pair[0],
-                    to: pair[1],
-                },
-                forward: edge_use.forward,
-            });
+            self.parting
+                .border(separator, Curve::Line { from, to }, edge_use.forward);
         }
         Ok(())
     }
@@ -311,9 +255,8 @@ fn chain(points: &[Vector], max_deviation: f64) -> (Vec<Vector>, f64) {
     let (mut start, mut most) = (0, 0.0_f64);
     while start + 1 < points.len() {
         let off = |end: usize| {
-            points[start..=end]
-                .iter()
-                .map(|p| from_chord(*p, points[start], points[end]))
+            let own = points[start..=end].iter();
+            own.map(|p| from_chord(*p, points[start], points[end]))
                 .fold(0.0, f64::max)
         };
         let mut end = start + 1;

@@ -1,9 +1,9 @@
 //! Counts and verdicts of a compiled part.
 
-use super::compile::Verdict;
+use super::cell::{Compilation, Verdict};
 use super::courses::Courses;
+use super::curve::Curve;
 use super::model::Model;
-use super::scene::Compilation;
 use imogene_studies::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -154,7 +154,7 @@ fn edges(model: &Model, courses: &Courses) -> EdgeCounts {
     for (index, edge) in model.edges.iter().enumerate() {
         counts.total += 1;
         match (&edge.curve, edge.curve.plane()) {
-            (super::curve::Curve::Line { .. }, _) => counts.straight += 1,
+            (Curve::Line { .. }, _) => counts.straight += 1,
             (_, Some(_)) => counts.planar += 1,
             (_, None) => {
                 counts.spatial += 1;

@@ -1,24 +1,15 @@
 //! The scene of a compiled part.
 
-use super::compile::{Cell, Compiled};
+use super::cell::{Cell, Compilation};
 use super::model::{Model, Up};
 use super::planes::{Planes, SharedPlane};
-use super::vector::{Vector, along, cross, unit};
+use super::vector::{Vector, along, cross, opposite, unit};
 use imogene_golden::format::Format;
-use imogene_prepare::Framing;
-use imogene_prepare::{Options, refused};
+use imogene_prepare::{Framing, Options, refused};
 use imogene_scene::{
     Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
     fitting_from,
 };
-
-/// What became of a solid.
-pub enum Compilation {
-    /// One volume for all its faces.
-    Volume(Cell),
-    /// Each face by itself, in the order of the solid.
-    Faces(Vec<Compiled>),
-}
 
 /// The scene; nothing if no object is left.
 pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<SceneFile> {
@@ -49,7 +40,7 @@ pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<S
     if objects.is_empty() {
         return None;
     }
-    let camera = camera(model, &VIEWS[0], &objects);
+    let camera = camera(model, VIEWS[0], &objects);
     Some(SceneFile {
         background: [0.09, 0.11, 0.15],
         ambient: [1.0; 3],
@@ -70,7 +61,7 @@ pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> 
     }
     for view in &VIEWS[1..] {
         let other = SceneFile {
-            camera: camera(model, view, &scene.objects),
+            camera: camera(model, *view, &scene.objects),
             ..scene.clone()
         };
         if refusals(&other).is_empty() {
@@ -95,24 +86,23 @@ fn refusals(scene: &SceneFile) -> Vec<String> {
 
 /// A cell of a quadric face is a patch, one of a plane face a solid without thickness, a volume a solid.
 fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool) -> Object {
-    let mut cuts: Vec<Cut> = vec![];
-    if let Some(flat) = cell.flat {
-        cuts.extend([true, false].map(|positive| cut(planes.get(flat), positive)));
-    }
-    cuts.extend(
-        cell.cuts
-            .iter()
-            .map(|(plane, positive)| cut(planes.get(*plane), *positive)),
-    );
+    let flat = cell
+        .flat
+        .into_iter()
+        .flat_map(|flat| [(flat, true), (flat, false)]);
+    let cuts = flat.chain(cell.cuts.iter().copied());
+    let cuts = cuts
+        .map(|(plane, positive)| cut(planes.get(plane), positive))
+        .collect();
     let solid = cell.flat.is_some() || volume;
+    let shape = cell
+        .quadric
+        .map_or(Shape::Polyhedron, |implicit| Shape::Quadric {
+            coefficients: implicit.0,
+        });
     Object {
         name: name.to_owned(),
-        shape: match cell.quadric {
-            Some(implicit) => Shape::Quadric {
-                coefficients: implicit.0,
-            },
-            None => Shape::Polyhedron,
-        },
+        shape,
         processor: None,
         mode: if solid {
             Surface::Solid
@@ -130,55 +120,29 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool
 
 /// The cut that keeps the side of the plane's normal, or the other.
 fn cut(plane: SharedPlane, positive: bool) -> Cut {
-    Cut {
-        point: plane.point,
-        normal: if positive {
-            // Without the sign of a zero.
-            plane.normal.map(|v| 0.0 - v)
-        } else {
-            plane.normal
-        },
-    }
+    let SharedPlane { point, normal } = plane;
+    let normal = if positive { opposite(normal) } else { normal };
+    Cut { point, normal }
 }
 
 /// Where a part may be looked at from: the direction of the eye, in a picture in which y points up, and its distance
-/// in sizes of the part.
-struct View {
-    from: Vector,
-    sizes: f64,
-}
-
-/// The first from which all objects fit their words is taken, and the first of all, above on the right, if there is
-/// none. A cone that is seen nearly along its side has great words: the eye is near the endless cone.
-const VIEWS: [View; 5] = [
-    View {
-        from: [0.55, 0.62, 0.85],
-        sizes: 2.2,
-    },
-    View {
-        from: [0.5, 0.95, 0.75],
-        sizes: 2.2,
-    },
-    View {
-        from: [0.65, 0.35, 0.9],
-        sizes: 2.2,
-    },
-    View {
-        from: [0.5, 0.95, 0.75],
-        sizes: 5.0,
-    },
-    View {
-        from: [0.65, 0.35, 0.9],
-        sizes: 5.0,
-    },
+/// in sizes of the part. The first from which all objects fit their words is taken, and the first of all, above on the
+/// right, if there is none. A cone that is seen nearly along its side has great words: the eye is near the endless
+/// cone.
+const VIEWS: [(Vector, f64); 5] = [
+    ([0.55, 0.62, 0.85], 2.2),
+    ([0.5, 0.95, 0.75], 2.2),
+    ([0.65, 0.35, 0.9], 2.2),
+    ([0.5, 0.95, 0.75], 5.0),
+    ([0.65, 0.35, 0.9], 5.0),
 ];
 
 /// The objects, as large as the picture lets them be.
-fn camera(model: &Model, view: &View, objects: &[Object]) -> Camera {
+fn camera(model: &Model, (from, sizes): (Vector, f64), objects: &[Object]) -> Camera {
     let size = model.size();
     let middle = model.middle();
-    let distance = rounded(view.sizes * size, size);
-    let towards = turned(model.up, unit(view.from));
+    let distance = rounded(sizes * size, size);
+    let towards = turned(model.up, unit(from));
     let right = unit(cross(turned(model.up, [0.0, 1.0, 0.0]), towards));
     let axes = [right, cross(towards, right), towards];
     let bodies = objects

@@ -1,53 +1,36 @@
 //! Support surfaces of faces.
 
-use super::vector::{Vector, across, along, cross, dot, length, minus, onto_plane, times, unit};
+use super::vector::{
+    Vector, across, along, cross, distance, dot, length, minus, onto_plane, times, unit,
+};
 
-/// What a face lies on. Directions have length 1.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Surface {
-    /// All points `p` with `(p - origin) . normal = 0`; the outside is where the normal points.
-    Plane {
-        /// A point.
-        origin: Vector,
-        /// Normal.
-        normal: Vector,
-    },
-    /// A right circular cylinder, endless.
-    Cylinder {
-        /// A point of the axis.
-        origin: Vector,
-        /// Direction of the axis.
-        axis: Vector,
-        /// Radius, above 0.
-        radius: f64,
-    },
-    /// A right circular cone: the nappe into which `axis` points.
-    Cone {
-        /// Apex.
-        apex: Vector,
-        /// Direction of the axis, from the apex into the nappe.
-        axis: Vector,
-        /// Angle between the axis and the surface, radians, between 0 and a right angle.
-        half_angle: f64,
-    },
-    /// A sphere.
-    Sphere {
-        /// Centre.
-        centre: Vector,
-        /// Radius, above 0.
-        radius: f64,
-    },
-    /// A torus, which is drawn as bands of cones.
-    Torus {
-        /// Centre.
-        centre: Vector,
-        /// Direction of the axis.
-        axis: Vector,
-        /// Radius of the middle of the tube; below 0 for the inner part of a torus that meets its axis.
-        major: f64,
-        /// Radius of the tube, above 0.
-        minor: f64,
-    },
+/// What a face lies on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// A point of a plane or of the axis; the apex of a cone, the centre of a sphere or torus.
+    pub origin: Vector,
+    /// Unit vector: the normal of a plane, which points outside; the direction of the axis, from the apex of a cone
+    /// into its nappe; of a sphere one of its poles.
+    pub axis: Vector,
+    /// Its kind with its sizes.
+    pub form: Form,
+}
+
+/// Kinds of surfaces.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Form {
+    /// All points `p` with `(p - origin) . axis = 0`.
+    #[default]
+    Plane,
+    /// A right circular cylinder, endless, of a radius above 0.
+    Cylinder(f64),
+    /// One nappe of a right circular cone: the angle between axis and surface, radians, up to a right angle.
+    Cone(f64),
+    /// A sphere of a radius above 0.
+    Sphere(f64),
+    /// A torus, which is drawn as bands of cones: the radius of the middle of the tube, below 0 for the inner part of
+    /// a torus that meets its axis, and that of the tube, above 0.
+    Torus(f64, f64),
     /// A surface that is not drawn, by its name.
     Other(String),
 }
@@ -63,30 +46,25 @@ impl Implicit {
         c
     }
 
+    /// The matrix of the second degree times a vector.
+    fn quadratic(&self, u: Vector) -> Vector {
+        let [a, b, c, d, e, f, ..] = self.0;
+        [[a, d, e], [d, b, f], [e, f, c]].map(|row| dot(row, u))
+    }
+
     /// Half the gradient at a point.
-    pub fn half_gradient(&self, [x, y, z]: Vector) -> Vector {
-        let [a, b, c, d, e, f, g, h, i, _] = self.0;
-        [
-            a * x + d * y + e * z + g,
-            d * x + b * y + f * z + h,
-            e * x + f * y + c * z + i,
-        ]
+    pub fn half_gradient(&self, p: Vector) -> Vector {
+        let [.., g, h, i, _] = self.0;
+        let of_p = self.quadratic(p);
+        [of_p[0] + g, of_p[1] + h, of_p[2] + i]
     }
 
     /// The value on `p + t v` as `[A, B, C]` of `A t^2 + B t + C`.
     pub fn on_line(&self, p: Vector, v: Vector) -> [f64; 3] {
-        let [a, b, c, d, e, f, g, h, i, j] = self.0;
-        let form = |u: Vector| {
-            [
-                a * u[0] + d * u[1] + e * u[2],
-                d * u[0] + b * u[1] + f * u[2],
-                e * u[0] + f * u[1] + c * u[2],
-            ]
-        };
-        let linear = [g, h, i];
-        let of_p = form(p);
+        let [.., g, h, i, j] = self.0;
+        let (linear, of_p) = ([g, h, i], self.quadratic(p));
         [
-            dot(v, form(v)),
+            dot(v, self.quadratic(v)),
             2.0 * (dot(v, of_p) + dot(linear, v)),
             dot(p, of_p) + 2.0 * dot(linear, p) + j,
         ]
@@ -98,271 +76,202 @@ impl Implicit {
         Implicit(self.0.map(|value| if value == 0.0 { 0.0 } else { -value }))
     }
 
-    /// From the matrix of the second degree, centred at `centre`, and the constant there.
-    fn centred(matrix: [Vector; 3], centre: Vector, constant: f64) -> Implicit {
-        let linear: Vector = std::array::from_fn(|k| -dot(matrix[k], centre));
-        Implicit([
-            matrix[0][0],
-            matrix[1][1],
-            matrix[2][2],
-            matrix[0][1],
-            matrix[0][2],
-            matrix[1][2],
-            linear[0],
-            linear[1],
-            linear[2],
-            constant - dot(linear, centre),
-        ])
+    /// The side that is kept: that where it is negative, or the other.
+    pub fn kept(&self, positive: bool) -> Implicit {
+        if positive { self.negated() } else { *self }
+    }
+
+    /// `one * identity - by * axis axis^T`, centred at `centre`, and the constant there.
+    fn centred(axis: Vector, by: f64, centre: Vector, constant: f64) -> Implicit {
+        let matrix: [Vector; 3] = std::array::from_fn(|r| {
+            std::array::from_fn(|c| {
+                let product = by * axis[r] * axis[c];
+                let value = if r == c { 1.0 - product } else { -product };
+                if value == 0.0 { 0.0 } else { value }
+            })
+        });
+        let [[a, d, e], [_, b, f], [_, _, c]] = matrix;
+        let linear = matrix.map(|row| -dot(row, centre));
+        let [g, h, i] = linear;
+        let constant = constant - dot(linear, centre);
+        Implicit([a, b, c, d, e, f, g, h, i, constant])
     }
 }
 
-/// `one * identity - by * axis axis^T`.
-fn projector(axis: Vector, one: f64, by: f64) -> [Vector; 3] {
-    std::array::from_fn(|r| {
-        std::array::from_fn(|c| {
-            let product = by * axis[r] * axis[c];
-            let value = if r == c { one - product } else { -product };
-            if value == 0.0 { 0.0 } else { value }
-        })
-    })
-}
-
 impl Surface {
+    /// Of a kind, with its point and its direction.
+    pub fn new(origin: Vector, axis: Vector, form: Form) -> Surface {
+        Surface { origin, axis, form }
+    }
+
+    /// A surface that is named only.
+    pub fn other(name: impl Into<String>) -> Surface {
+        Surface::new([0.0; 3], [0.0; 3], Form::Other(name.into()))
+    }
+
     /// Its word in a face list and in reports.
     pub fn name(&self) -> &str {
-        match self {
-            Self::Plane { .. } => "plane",
-            Self::Cylinder { .. } => "cylinder",
-            Self::Cone { .. } => "cone",
-            Self::Sphere { .. } => "sphere",
-            Self::Torus { .. } => "torus",
-            Self::Other(name) => name,
+        match &self.form {
+            Form::Plane => "plane",
+            Form::Cylinder(_) => "cylinder",
+            Form::Cone(_) => "cone",
+            Form::Sphere(_) => "sphere",
+            Form::Torus(..) => "torus",
+            Form::Other(name) => name,
         }
+    }
+
+    /// Point and normal of a plane.
+    pub fn plane(&self) -> Option<(Vector, Vector)> {
+        self.is_plane().then_some((self.origin, self.axis))
     }
 
     /// It is a plane.
     pub fn is_plane(&self) -> bool {
-        matches!(self, Self::Plane { .. })
+        self.form == Form::Plane
+    }
+
+    /// It is one nappe of a cone.
+    pub fn is_cone(&self) -> bool {
+        matches!(self.form, Form::Cone(_))
+    }
+
+    /// It is a sphere.
+    pub fn is_sphere(&self) -> bool {
+        matches!(self.form, Form::Sphere(_))
+    }
+
+    /// It is a torus.
+    pub fn is_torus(&self) -> bool {
+        matches!(self.form, Form::Torus(..))
+    }
+
+    /// It is named only.
+    pub fn is_other(&self) -> bool {
+        matches!(self.form, Form::Other(_))
     }
 
     /// The quadric, negative on the side of the axis or centre; nothing for a plane or another surface. That of a cone
     /// has both nappes.
     pub fn implicit(&self) -> Option<Implicit> {
-        match *self {
-            Self::Cylinder {
-                origin,
-                axis,
-                radius,
-            } => Some(Implicit::centred(
-                projector(axis, 1.0, 1.0),
-                // The point of the axis nearest to the frame's origin has the shortest numbers.
-                across(origin, axis),
-                -radius * radius,
-            )),
-            Self::Cone {
-                apex,
-                axis,
-                half_angle,
-            } => {
+        let Surface { origin, axis, .. } = *self;
+        match self.form {
+            // The point of the axis nearest to the frame's origin has the shortest numbers.
+            Form::Cylinder(radius) => {
+                let centre = across(origin, axis);
+                Some(Implicit::centred(axis, 1.0, centre, -radius * radius))
+            }
+            Form::Cone(half_angle) => {
                 let slope = clean_tangent(half_angle);
-                let matrix = projector(axis, 1.0, 1.0 + slope * slope);
-                Some(Implicit::centred(matrix, apex, 0.0))
+                Some(Implicit::centred(axis, 1.0 + slope * slope, origin, 0.0))
             }
-            Self::Sphere { centre, radius } => {
-                let identity = projector([0.0; 3], 1.0, 0.0);
-                Some(Implicit::centred(identity, centre, -radius * radius))
+            Form::Sphere(radius) => {
+                Some(Implicit::centred([0.0; 3], 0.0, origin, -radius * radius))
             }
-            Self::Plane { .. } | Self::Torus { .. } | Self::Other(_) => None,
+            Form::Plane | Form::Torus(..) | Form::Other(_) => None,
         }
     }
 
     /// The middle of the tube of a torus nearest to a point; nothing on the axis.
-    fn spine(centre: Vector, axis: Vector, major: f64, p: Vector) -> Option<Vector> {
-        let out = across(minus(p, centre), axis);
-        (length(out) > 0.0).then(|| along(centre, major, unit(out)))
+    fn spine(&self, major: f64, p: Vector) -> Option<Vector> {
+        Some(along(
+            self.origin,
+            major,
+            outwards(across(minus(p, self.origin), self.axis))?,
+        ))
     }
 
     /// The unit normal at a point of the surface, away from axis or centre; nothing at an apex and for another surface.
     pub fn normal_at(&self, p: Vector) -> Option<Vector> {
-        if let Self::Plane { normal, .. } = *self {
-            return Some(normal);
+        match self.form {
+            Form::Plane => Some(self.axis),
+            Form::Torus(major, _) => outwards(minus(p, self.spine(major, p)?)),
+            _ => outwards(self.implicit()?.half_gradient(p)),
         }
-        if let Self::Torus {
-            centre,
-            axis,
-            major,
-            ..
-        } = *self
-        {
-            let out = minus(p, Self::spine(centre, axis, major, p)?);
-            return (length(out) > 0.0).then(|| unit(out));
-        }
-        let gradient = self.implicit()?.half_gradient(p);
-        (length(gradient) > 0.0).then(|| unit(gradient))
     }
 
     /// The point of the surface nearest to `p`; nothing for another surface and on an axis, which has no nearest point.
     pub fn nearest(&self, p: Vector) -> Option<Vector> {
-        match *self {
-            Self::Plane { origin, normal } => Some(onto_plane(p, origin, normal)),
-            Self::Cylinder {
-                origin,
-                axis,
-                radius,
-            } => {
-                let out = across(minus(p, origin), axis);
-                let foot = minus(p, out);
-                (length(out) > 0.0).then(|| along(foot, radius, unit(out)))
-            }
-            Self::Cone {
-                apex,
-                axis,
-                half_angle,
-            } => {
-                let from = minus(p, apex);
-                let out = across(from, axis);
-                if length(out) == 0.0 {
-                    return (length(from) == 0.0).then_some(apex);
-                }
+        let from = minus(p, self.origin);
+        let out = across(from, self.axis);
+        match self.form {
+            Form::Plane => Some(onto_plane(p, self.origin, self.axis)),
+            Form::Cylinder(radius) => Some(along(minus(p, out), radius, outwards(out)?)),
+            Form::Cone(half_angle) => {
+                let Some(out) = outwards(out) else {
+                    return (length(from) == 0.0).then_some(self.origin);
+                };
                 let (sine, cosine) = half_angle.sin_cos();
-                let ray = along(times(cosine, axis), sine, unit(out));
-                Some(along(apex, dot(from, ray).max(0.0), ray))
+                let ray = along(times(cosine, self.axis), sine, out);
+                Some(along(self.origin, dot(from, ray).max(0.0), ray))
             }
-            Self::Sphere { centre, radius } => {
-                let out = minus(p, centre);
-                (length(out) > 0.0).then(|| along(centre, radius, unit(out)))
+            Form::Sphere(radius) => Some(along(self.origin, radius, outwards(from)?)),
+            Form::Torus(major, minor) => {
+                let spine = self.spine(major, p)?;
+                Some(along(spine, minor, outwards(minus(p, spine))?))
             }
-            Self::Torus {
-                centre,
-                axis,
-                major,
-                minor,
-            } => {
-                let spine = Self::spine(centre, axis, major, p)?;
-                let out = minus(p, spine);
-                (length(out) > 0.0).then(|| along(spine, minor, unit(out)))
-            }
-            Self::Other(_) => None,
+            Form::Other(_) => None,
         }
     }
 
     /// The surface at a distance along its own normal; nothing if there is none.
     pub fn offset(&self, by: f64) -> Option<Surface> {
         let wider = |radius: f64| (radius + by > 0.0).then_some(radius + by);
-        Some(match *self {
-            Self::Plane { origin, normal } => Self::Plane {
-                origin: along(origin, by, normal),
-                normal,
-            },
-            Self::Cylinder {
-                origin,
-                axis,
-                radius,
-            } => Self::Cylinder {
-                origin,
-                axis,
-                radius: wider(radius)?,
-            },
-            Self::Cone {
-                apex,
-                axis,
-                half_angle,
-            } => Self::Cone {
-                apex: along(apex, -by / half_angle.sin(), axis),
-                axis,
-                half_angle,
-            },
-            Self::Sphere { centre, radius } => Self::Sphere {
-                centre,
-                radius: wider(radius)?,
-            },
-            Self::Torus {
-                centre,
-                axis,
-                major,
-                minor,
-            } => Self::Torus {
-                centre,
-                axis,
-                major,
-                minor: wider(minor)?,
-            },
-            Self::Other(_) => return None,
-        })
+        let mut origin = self.origin;
+        let form = match &self.form {
+            Form::Plane => {
+                origin = along(origin, by, self.axis);
+                Form::Plane
+            }
+            Form::Cylinder(radius) => Form::Cylinder(wider(*radius)?),
+            Form::Cone(half_angle) => {
+                origin = along(origin, -by / half_angle.sin(), self.axis);
+                Form::Cone(*half_angle)
+            }
+            Form::Sphere(radius) => Form::Sphere(wider(*radius)?),
+            Form::Torus(major, minor) => Form::Torus(*major, wider(*minor)?),
+            Form::Other(_) => return None,
+        };
+        Some(Surface::new(origin, self.axis, form))
     }
 
     /// Whether two surfaces are the same within a length.
     pub fn same(&self, other: &Surface, tolerance: f64) -> bool {
-        let parallel = |u, v| length(cross(u, v)) <= 1e-9;
-        match (self, other) {
-            (
-                Self::Plane { origin, normal },
-                Self::Plane {
-                    origin: o,
-                    normal: n,
-                },
-            ) => parallel(*normal, *n) && dot(minus(*origin, *o), *n).abs() <= tolerance,
-            (
-                Self::Cylinder {
-                    origin,
-                    axis,
-                    radius,
-                },
-                Self::Cylinder {
-                    origin: o,
-                    axis: a,
-                    radius: r,
-                },
-            ) => {
-                parallel(*axis, *a)
-                    && (radius - r).abs() <= tolerance
-                    && length(across(minus(*origin, *o), *a)) <= tolerance
+        let apart = minus(self.origin, other.origin);
+        let parallel = length(cross(self.axis, other.axis)) <= 1e-9;
+        let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
+        match (&self.form, &other.form) {
+            (Form::Plane, Form::Plane) => parallel && dot(apart, other.axis).abs() <= tolerance,
+            (Form::Cylinder(r), Form::Cylinder(s)) => {
+                parallel && near(*r, *s) && length(across(apart, other.axis)) <= tolerance
             }
-            (
-                Self::Cone {
-                    apex,
-                    axis,
-                    half_angle,
-                },
-                Self::Cone {
-                    apex: o,
-                    axis: a,
-                    half_angle: h,
-                },
-            ) => {
-                parallel(*axis, *a)
-                    && dot(*axis, *a) > 0.0
-                    && (half_angle - h).abs() <= 1e-9
-                    && length(minus(*apex, *o)) <= tolerance
+            (Form::Cone(a), Form::Cone(b)) => {
+                let one_way = parallel && dot(self.axis, other.axis) > 0.0;
+                one_way && (a - b).abs() <= 1e-9 && length(apart) <= tolerance
             }
-            (
-                Self::Sphere { centre, radius },
-                Self::Sphere {
-                    centre: o,
-                    radius: r,
-                },
-            ) => (radius - r).abs() <= tolerance && length(minus(*centre, *o)) <= tolerance,
-            (
-                Self::Torus {
-                    centre,
-                    axis,
-                    major,
-                    minor,
-                },
-                Self::Torus {
-                    centre: o,
-                    axis: a,
-                    major: m,
-                    minor: n,
-                },
-            ) => {
-                parallel(*axis, *a)
-                    && (major - m).abs().max((minor - n).abs()) <= tolerance
-                    && length(minus(*centre, *o)) <= tolerance
+            (Form::Sphere(r), Form::Sphere(s)) => near(*r, *s) && length(apart) <= tolerance,
+            (Form::Torus(r, s), Form::Torus(t, u)) => {
+                parallel && near(*r, *t) && near(*s, *u) && length(apart) <= tolerance
             }
             _ => false,
         }
     }
+
+    /// The greatest distance of places from the surface; 0 for a surface that is not known.
+    pub fn gap(&self, places: &[Vector]) -> f64 {
+        let off = |p: &Vector| match (self.nearest(*p), &self.form) {
+            (Some(q), _) => distance(*p, q),
+            // On the axis: as far as the surface is from it.
+            (None, Form::Cylinder(radius) | Form::Sphere(radius)) => *radius,
+            _ => 0.0,
+        };
+        places.iter().map(off).fold(0.0, f64::max)
+    }
+}
+
+/// The direction of a vector that has one.
+fn outwards(out: Vector) -> Option<Vector> {
+    (length(out) > 0.0).then(|| unit(out))
 }
 
 /// The tangent of an angle, exactly 1 at 45 degrees: its square is a coefficient, and the rounding of pi does not
@@ -380,25 +289,14 @@ pub fn clean_tangent(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faces::vector::{distance, frame};
+    use crate::faces::vector::frame;
 
-    fn surfaces() -> Vec<Surface> {
+    fn surfaces() -> [Surface; 3] {
         let axis = unit([1.0, 2.0, -2.0]);
-        vec![
-            Surface::Cylinder {
-                origin: [3.0, 1.0, 2.0],
-                axis,
-                radius: 1.5,
-            },
-            Surface::Cone {
-                apex: [0.5, -1.0, 2.0],
-                axis,
-                half_angle: 0.6,
-            },
-            Surface::Sphere {
-                centre: [1.0, 1.0, -4.0],
-                radius: 2.0,
-            },
+        [
+            Surface::new([3.0, 1.0, 2.0], axis, Form::Cylinder(1.5)),
+            Surface::new([0.5, -1.0, 2.0], axis, Form::Cone(0.6)),
+            Surface::new([1.0, 1.0, -4.0], axis, Form::Sphere(2.0)),
         ]
     }
 
@@ -408,20 +306,16 @@ mod tests {
             let implicit = surface.implicit().unwrap();
             for k in 0..50 {
                 let t = f64::from(k);
-                let p = [
-                    t.sin() * 3.0 + 4.0,
-                    t.cos() * 2.0 - 3.0,
-                    (0.7 * t).sin() * 4.0,
-                ];
+                let (x, y) = (t.sin() * 3.0 + 4.0, t.cos() * 2.0 - 3.0);
+                let p = [x, y, (0.7 * t).sin() * 4.0];
                 let q = surface.nearest(p).unwrap();
                 assert!(implicit.value(q).abs() < 1e-12, "{surface:?}");
                 let Some(normal) = surface.normal_at(q) else {
                     continue;
                 };
-                let off = minus(p, q);
-                let is_apex =
-                    matches!(&surface, Surface::Cone { apex, .. } if distance(q, *apex) < 1e-12);
-                assert!(is_apex || length(cross(off, normal)) < 1e-9, "{surface:?}");
+                let is_apex = surface.is_cone() && distance(q, surface.origin) < 1e-12;
+                let off = cross(minus(p, q), normal);
+                assert!(is_apex || length(off) < 1e-9, "{surface:?}");
             }
         }
     }
@@ -429,12 +323,8 @@ mod tests {
     #[test]
     fn a_point_on_the_axis_is_inside() {
         for surface in surfaces() {
-            let inside = match surface {
-                Surface::Cylinder { origin, .. } => origin,
-                Surface::Cone { apex, axis, .. } => along(apex, 2.0, axis),
-                Surface::Sphere { centre, .. } => centre,
-                _ => unreachable!(),
-            };
+            let up = if surface.is_cone() { 2.0 } else { 0.0 };
+            let inside = along(surface.origin, up, surface.axis);
             let implicit = surface.implicit().unwrap();
             assert!(implicit.value(inside) < 0.0);
             assert!(implicit.negated().value(inside) > 0.0);
@@ -443,11 +333,8 @@ mod tests {
 
     #[test]
     fn cones_of_forty_five_degrees_have_whole_coefficients() {
-        let cone = Surface::Cone {
-            apex: [0.0; 3],
-            axis: [0.0, 1.0, 0.0],
-            half_angle: 45.0_f64.to_radians(),
-        };
+        let form = Form::Cone(45.0_f64.to_radians());
+        let cone = Surface::new([0.0; 3], [0.0, 1.0, 0.0], form);
         assert_eq!(cone.implicit().unwrap().0[..3], [1.0, -1.0, 1.0]);
     }
 

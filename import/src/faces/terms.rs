@@ -1,13 +1,13 @@
 //! Terms of a face, split until each is one object.
 
-use super::arrangement::{Confusion, Division, MAX_SEPARATORS, Sample};
-use super::compile::Parting;
+use super::arrangement::{Division, MAX_SEPARATORS, Sample};
 use super::cover::{Conflict, Term, cover};
 use super::curve::PlaneOf;
 use super::model::Model;
+use super::parting::{Parting, within};
 use super::planes::Planes;
 use super::surface::Surface;
-use super::vector::{Vector, along, dot, minus, plus, times, unit};
+use super::vector::{minus, plus, times, unit};
 
 /// Most rounds of splitting a face before it is given up: the depth limit of trim structures (thesis section III.4.2).
 pub const MAX_ROUNDS: usize = 13;
@@ -45,7 +45,7 @@ pub fn terms(
     }
     let start = parting.clone();
     match attempt(model, surface, parting, planes, rules, false) {
-        Err(Trouble::Unresolved(_)) if matches!(surface, Surface::Plane { .. }) => {
+        Err(Trouble::Unresolved(_)) if surface.is_plane() => {
             *parting = start;
             attempt(model, surface, parting, planes, rules, true)
         }
@@ -85,7 +85,7 @@ fn attempt(
         };
         let samples = division
             .samples()
-            .map_err(|confusion| Trouble::Wrong(reason(confusion)))?;
+            .map_err(|reason| Trouble::Wrong(reason.into()))?;
         if samples.len() > MOST_SAMPLES {
             break;
         }
@@ -114,24 +114,8 @@ fn attempt(
     Err(Trouble::Unresolved(trouble))
 }
 
-fn reason(confusion: Confusion) -> String {
-    match confusion {
-        Confusion::Open => "its loops are not closed on the surface",
-        Confusion::Orientation => {
-            "its loops contradict each other: the face has to be on the left of every edge"
-        }
-        Confusion::TooMany => "it has more than 128 different planes",
-    }
-    .to_owned()
-}
-
 /// A plane between two pieces that no separator tells apart.
-fn between(conflict: &Conflict, surface: &Surface) -> (Vector, Vector) {
+fn between(conflict: &Conflict, surface: &Surface) -> PlaneOf {
     let (p, q) = (conflict.inside.point, conflict.outside.point);
-    let middle = times(0.5, plus(p, q));
-    let mut normal = minus(q, p);
-    if let Surface::Plane { normal: flat, .. } = surface {
-        normal = along(normal, -dot(normal, *flat), *flat);
-    }
-    (middle, unit(normal))
+    (times(0.5, plus(p, q)), unit(within(minus(q, p), surface)))
 }

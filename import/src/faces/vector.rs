@@ -95,3 +95,26 @@ pub fn positive_angle(angle: f64) -> f64 {
         turned
     }
 }
+
+/// The opposite vector, without the sign of a zero.
+pub fn opposite(v: Vector) -> Vector {
+    v.map(|value| 0.0 - value)
+}
+
+/// The middle of points.
+pub fn mean(points: &[Vector]) -> Vector {
+    let share = 1.0 / points.len().max(1) as f64;
+    points.iter().fold([0.0; 3], |sum, p| along(sum, share, *p))
+}
+
+/// Least and greatest of some numbers.
+pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    values.fold(none, |[low, high], v| [low.min(v), high.max(v)])
+}
+
+/// Least and greatest coordinates of points; nothing without points.
+pub fn hull(points: &[Vector]) -> Option<[Vector; 2]> {
+    let ranges: [_; 3] = std::array::from_fn(|k| range(points.iter().map(|p| p[k])));
+    (!points.is_empty()).then(|| [0, 1].map(|end| ranges.map(|range| range[end])))
+}

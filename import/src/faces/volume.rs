@@ -4,14 +4,15 @@
 //! are the faces.
 
 use super::arrangement::{Boundary, Division};
+use super::cell::Cell;
 use super::chart::Separator;
-use super::compile::Cell;
+use super::compile::Task;
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::{COINCIDENT, Model, border};
 use super::planes::Planes;
 use super::surface::{Implicit, Surface};
-use super::vector::{Vector, dot, minus};
+use super::vector::{distance, dot, minus};
 use imogene_scene::MAX_CUTS;
 
 /// The half-spaces of a solid.
@@ -24,9 +25,13 @@ struct Body {
 /// The one cell that is the whole solid, if there is one.
 pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Planes) -> Option<Cell> {
     let faces = &model.solids[solid].faces;
-    let exact = |face: &usize| {
-        super::compile::deviation(model, &model.faces[*face], courses)
-            .is_ok_and(|off| off <= model.rounding())
+    let exact = |index: &usize| {
+        let task = Task {
+            model,
+            courses,
+            index: *index,
+        };
+        task.deviation().is_ok_and(|off| off <= model.rounding())
     };
     if faces.is_empty() || !faces.iter().all(exact) {
         return None;
@@ -36,10 +41,8 @@ pub fn volume(model: &Model, solid: usize, courses: &Courses, planes: &mut Plane
         return Some(body.cell());
     }
     // A cone goes on beyond its apex unless something keeps its other nappe off.
-    let (Surface::Cone { apex, axis, .. }, _) = body.quadric.clone()? else {
-        return None;
-    };
-    let nappes = planes.find_or_add(apex, axis);
+    let (Surface { origin, axis, .. }, _) = body.quadric.clone().filter(|q| q.0.is_cone())?;
+    let nappes = planes.find_or_add(origin, axis);
     let positive = dot(planes.get(nappes).normal, axis) > 0.0;
     body.cuts.push((nappes, positive));
     (body.cuts.len() <= MAX_CUTS && proven(model, faces, &body, planes)).then(|| body.cell())
@@ -61,7 +64,7 @@ fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
         cuts: vec![],
     };
     for face in faces.iter().map(|face| &model.faces[*face]) {
-        if let Surface::Plane { origin, normal } = face.surface {
+        if let Some((origin, normal)) = face.surface.plane() {
             let index = planes.find_or_add(origin, normal);
             let outwards = dot(planes.get(index).normal, normal) > 0.0;
             let kept = (index, outwards == face.reversed);
@@ -73,17 +76,13 @@ fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
             }
             continue;
         }
-        let mut implicit = face.surface.implicit()?;
-        if face.reversed {
-            implicit = implicit.negated();
-        }
+        let implicit = face.surface.implicit()?.kept(face.reversed);
         match &body.quadric {
             None => body.quadric = Some((face.surface.clone(), implicit)),
             Some((surface, known)) => {
                 let same = surface.same(&face.surface, COINCIDENT * model.size());
-                let [_, _, a] = known.on_line(model.middle(), [0.0; 3]);
-                let [_, _, b] = implicit.on_line(model.middle(), [0.0; 3]);
-                if !same || (a > 0.0) != (b > 0.0) {
+                let [a, b] = [known, &implicit].map(|q| q.value(model.middle()) > 0.0);
+                if !same || a != b {
                     return None;
                 }
             }
@@ -94,31 +93,22 @@ fn body(model: &Model, faces: &[usize], planes: &mut Planes) -> Option<Body> {
 
 /// Whether the AND of all half-spaces keeps of every surface exactly its faces.
 fn proven(model: &Model, faces: &[usize], body: &Body, planes: &Planes) -> bool {
-    let (flat, curved): (Vec<usize>, Vec<usize>) = faces
-        .iter()
-        .partition(|face| model.faces[**face].surface.is_plane());
+    let is_flat = |face: &&usize| model.faces[**face].surface.is_plane();
+    let (flat, curved): (Vec<usize>, Vec<usize>) = faces.iter().partition(is_flat);
     let on_quadric = curved.is_empty() || keeps(model, &curved, body, None, planes);
-    on_quadric
-        && body.cuts.iter().enumerate().all(|(index, (plane, _))| {
-            let shared = planes.get(*plane);
-            let own: Vec<usize> = flat
-                .iter()
-                .copied()
-                .filter(|face| match model.faces[*face].surface {
-                    Surface::Plane { origin, normal } => {
-                        dot(normal, shared.normal).abs() > 1.0 - 1e-12
-                            && on_plane(model, origin, shared.point, shared.normal)
-                    }
-                    _ => false,
-                })
-                .collect();
-            // The plane between the nappes of a cone has no face of its own.
-            own.is_empty() || keeps(model, &own, body, Some(index), planes)
-        })
-}
-
-fn on_plane(model: &Model, p: Vector, origin: Vector, normal: Vector) -> bool {
-    dot(minus(p, origin), normal).abs() <= COINCIDENT * model.size()
+    let on_cut = |(index, (plane, _)): (usize, &(usize, bool))| {
+        let shared = planes.get(*plane);
+        let is_on = |face: &&usize| {
+            let Surface { origin, axis, .. } = model.faces[**face].surface;
+            let off = dot(minus(origin, shared.point), shared.normal).abs();
+            let along = dot(axis, shared.normal).abs() > 1.0 - 1e-12;
+            along && off <= COINCIDENT * model.size()
+        };
+        let own: Vec<usize> = flat.iter().filter(is_on).copied().collect();
+        // The plane between the nappes of a cone has no face of its own.
+        own.is_empty() || keeps(model, &own, body, Some(index), planes)
+    };
+    on_quadric && body.cuts.iter().enumerate().all(on_cut)
 }
 
 /// The same on one surface: that of cut number `cut`, or of the quadric.
@@ -135,9 +125,8 @@ fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes
     if let (Some((_, implicit)), Some(_)) = (&body.quadric, cut) {
         separators.push(Separator::Quadric(*implicit));
     }
-    let uses = faces
-        .iter()
-        .flat_map(|face| model.faces[*face].loops.iter().flatten().copied());
+    let loops = faces.iter().flat_map(|face| &model.faces[*face].loops);
+    let uses = loops.flatten().copied();
     let mut boundaries = vec![];
     for edge_use in border(uses) {
         let curve = model.edges[edge_use.edge].curve.clone();
@@ -156,27 +145,25 @@ fn keeps(model: &Model, faces: &[usize], body: &Body, cut: Option<usize>, planes
         boundaries: &boundaries,
         size: model.size(),
     };
-    division.samples().is_ok_and(|samples| {
-        samples
-            .iter()
-            .all(|sample| (sample.sides == wanted) == sample.inside)
-    })
+    let samples = division.samples();
+    samples.is_ok_and(|all| all.iter().all(|own| (own.sides == wanted) == own.inside))
 }
 
 /// The separator on which a curve lies.
 fn carrier(model: &Model, curve: &Curve, separators: &[Separator], body: &Body) -> Option<usize> {
     let tolerance = COINCIDENT * model.size();
     let points = curve.sampled(16);
+    let on_quadric = |p: &[f64; 3]| {
+        let (surface, _) = body.quadric.as_ref()?;
+        Some(distance(*p, surface.nearest(*p)?))
+    };
     separators.iter().position(|separator| match separator {
-        Separator::Plane { normal, offset } => points
-            .iter()
-            .all(|p| (dot(*normal, *p) - offset).abs() <= tolerance),
-        Separator::Quadric(_) => {
-            let surface = body.quadric.as_ref().map(|(surface, _)| surface);
-            points.iter().all(|p| {
-                let nearest = surface.and_then(|s| s.nearest(*p));
-                nearest.is_some_and(|q| super::vector::distance(*p, q) <= tolerance)
-            })
+        Separator::Plane { normal, offset } => {
+            let off = |p: &[f64; 3]| (dot(*normal, *p) - offset).abs();
+            points.iter().all(|p| off(p) <= tolerance)
         }
+        Separator::Quadric(_) => points
+            .iter()
+            .all(|p| on_quadric(p).is_some_and(|off| off <= tolerance)),
     })
 }

@@ -1,8 +1,7 @@
 //! Assemblies: the molecules of a file as copies of its chains, moved by operators.
 
-use super::structure::{listed, unusable};
-use super::words::Word;
-use crate::error::ImportError;
+use super::words::{Word, listed};
+use crate::error::{ImportError, unusable};
 use std::collections::HashMap;
 
 /// Most operators of a part of an assembly; the largest virus shells have some thousand.

@@ -2,9 +2,8 @@
 
 use super::assembly::{Assemblies, Copies, Operator, Part, Rows};
 use super::columns::Columns;
-use super::structure::unusable;
 use super::words::Words;
-use crate::error::{ImportError, Place};
+use crate::error::{ImportError, Place, unusable};
 
 /// The remarks read so far.
 #[derive(Default)]
@@ -123,20 +122,19 @@ impl Reading {
 }
 
 fn no_number(columns: &Columns, first: usize, last: usize) -> ImportError {
-    ImportError::Malformed {
-        file: columns.file().to_owned(),
-        place: Place {
-            line: columns.line(),
-            column: columns.end().min(first),
-        },
-        problem: format!(
+    let place = Place {
+        line: columns.line(),
+        column: columns.end().min(first),
+    };
+    ImportError::new(
+        columns.file(),
+        Some(place),
+        format!(
             "`{}` of an operator is not a number",
             columns.field(first, last)
         ),
-        accepted: format!(
-            "a decimal number such as 0.500000 in columns {first} to {last} would be accepted"
-        ),
-    }
+        format!("a decimal number such as 0.500000 in columns {first} to {last} would be accepted"),
+    )
 }
 
 /// The names of a list.

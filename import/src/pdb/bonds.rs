@@ -1,7 +1,7 @@
 //! Which atoms are bonded: those near enough for their covalent radii, and those that the file says are.
 
-use super::structure::{Atom, End, unusable};
-use crate::error::ImportError;
+use super::structure::{Atom, End};
+use crate::error::{ImportError, unusable};
 use std::collections::{HashMap, HashSet};
 
 /// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel

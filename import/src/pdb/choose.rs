@@ -4,9 +4,9 @@ use super::alternates::located;
 use super::assembly::Moved;
 use super::options::{ModelChoice, Options};
 use super::select::Selection;
-use super::structure::{Atom, Structure, is_water, listed, unusable};
-use super::words::{Word, Words};
-use crate::error::ImportError;
+use super::structure::{Atom, Structure, is_water};
+use super::words::{Word, Words, listed};
+use crate::error::{ImportError, unusable};
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 

@@ -57,13 +57,8 @@ impl<'a> Columns<'a> {
                 *c as char
             }
         };
-        let text: String = self
-            .bytes(first, last)
-            .trim_ascii()
-            .iter()
-            .map(plain)
-            .collect();
-        text
+        let bytes = self.bytes(first, last).trim_ascii();
+        bytes.iter().map(plain).collect()
     }
 
     /// The character of a column; a space behind the end of the line.
@@ -105,18 +100,15 @@ impl<'a> Columns<'a> {
             let bytes = self.bytes(first, last);
             let blanks = bytes.iter().take_while(|c| c.is_ascii_whitespace()).count();
             let at = if text.is_empty() { 0 } else { blanks };
-            ImportError::Malformed {
-                file: self.file.to_owned(),
-                place: Place {
-                    line: self.number,
-                    // Where the line ends if it ends before.
-                    column: (first + at).min(self.end()),
-                },
-                problem,
-                accepted: format!(
-                    "a decimal number such as -12.345 in columns {first} to {last} would be accepted"
-                ),
-            }
+            // Where the line ends if it ends before.
+            let place = Place {
+                line: self.number,
+                column: (first + at).min(self.end()),
+            };
+            let accepted = format!(
+                "a decimal number such as -12.345 in columns {first} to {last} would be accepted"
+            );
+            ImportError::new(self.file, Some(place), problem, accepted)
         })
     }
 }

@@ -3,9 +3,9 @@
 use super::biomt;
 use super::columns::Columns;
 use super::element::{self, Element, UNKNOWN};
-use super::structure::{Atom, End, Model, Remark, Structure, unusable};
+use super::structure::{Atom, End, Model, Remark, Structure};
 use super::words::{Serial, Word};
-use crate::error::ImportError;
+use crate::error::{ImportError, unusable};
 
 /// State of a reading.
 #[derive(Default)]

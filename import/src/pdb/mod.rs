@@ -26,9 +26,9 @@ pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;
 
 use crate::Imported;
-use crate::error::ImportError;
+use crate::error::{ImportError, unusable};
 use imogene_scene::{Molecule, SceneFile};
-use structure::{Structure, unusable};
+use structure::Structure;
 
 /// The formats of structures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Which atoms of a model are asked for by chain and residue.
 
 use super::options::Residues;
-use super::structure::{Atom, Structure, listed, unusable};
-use super::words::{Word, Words};
-use crate::error::ImportError;
+use super::structure::{Atom, Structure};
+use super::words::{Word, Words, listed};
+use crate::error::{ImportError, unusable};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Chains and residues that are drawn.

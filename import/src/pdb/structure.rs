@@ -3,7 +3,6 @@
 use super::assembly::Assemblies;
 use super::element::Element;
 use super::words::{Serial, Word, Words};
-use crate::error::ImportError;
 use std::collections::HashMap;
 
 /// An atom; millions of them are held.
@@ -104,31 +103,6 @@ impl Structure {
     pub fn count(&self, remark: Remark) -> usize {
         self.remarks.get(&remark).copied().unwrap_or(0)
     }
-}
-
-/// A refusal of the file as a whole.
-pub fn unusable(
-    file: &str,
-    problem: impl Into<String>,
-    accepted: impl Into<String>,
-) -> ImportError {
-    ImportError::Unusable {
-        file: file.to_owned(),
-        problem: problem.into(),
-        accepted: accepted.into(),
-    }
-}
-
-/// Some names for a message, and how many more there are.
-pub fn listed(names: impl IntoIterator<Item = impl Into<String>>) -> String {
-    const SHOWN: usize = 20;
-    let mut names: Vec<String> = names.into_iter().map(Into::into).collect();
-    if names.len() > SHOWN {
-        let more = names.len() - SHOWN;
-        names.truncate(SHOWN);
-        names.push(format!("{more} more"));
-    }
-    names.join(", ")
 }
 
 #[cfg(test)]

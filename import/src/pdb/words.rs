@@ -109,6 +109,18 @@ impl Serial {
     }
 }
 
+/// Some names for a message, and how many more there are.
+pub fn listed(names: impl IntoIterator<Item = impl Into<String>>) -> String {
+    const SHOWN: usize = 20;
+    let mut names: Vec<String> = names.into_iter().map(Into::into).collect();
+    if names.len() > SHOWN {
+        let more = names.len() - SHOWN;
+        names.truncate(SHOWN);
+        names.push(format!("{more} more"));
+    }
+    names.join(", ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,8 +1,7 @@
 //! One cell of a grid as cut surfaces, in coordinates (u, height, v) of the cell: u east and v south, 0 to 1 each.
 
 use super::exact::proportional;
-use super::grid::{Corners, is_plane, twist};
-use super::ruled::ruled_pieces;
+use super::grid::{Corners, twist};
 use imogene_algebra::rational::integer;
 use imogene_scene::{Cut, Mesh};
 use num_rational::BigRational;
@@ -77,16 +76,6 @@ pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
         coefficients: bilinear(z)?,
         cuts: cuts.map(|(edge, by)| edge.cut(by)).collect(),
     })
-}
-
-/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the bilinear patch where the cell is a plane or the
-/// eye stands over it.
-pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Option<Vec<Piece>> {
-    let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
-    if is_plane(z) || over {
-        return Some(vec![bilinear_piece(z, outwards)?]);
-    }
-    ruled_pieces(z, eye, outwards)
 }
 
 /// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner. The heights are decimals.

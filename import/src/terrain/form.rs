@@ -2,12 +2,12 @@
 
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
-use super::map::{Map, VIEW, unusable};
+use super::map::{Map, VIEW};
 use crate::ImportError;
+use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_golden::format::Format;
-use imogene_prepare::Framing;
-use imogene_prepare::{Options, refused};
+use imogene_prepare::{Framing, Options, refused};
 
 /// Pixels by which a patch may bulge from its two facets (C17 of the source's systems).
 const FLAT: f64 = 0.5;
@@ -112,11 +112,8 @@ impl Map<'_> {
         let facets_before = count(cells, Form::Facets);
         for cell in cells.iter_mut() {
             // A cell is within the hull of its corners.
-            if self
-                .corners_from_eye(cell)
-                .iter()
-                .all(|(along, _)| *along <= 0.0)
-            {
+            let corners = self.corners_from_eye(cell);
+            if corners.iter().all(|(along, _)| *along <= 0.0) {
                 cell.form = Form::LeftOut;
             }
         }

@@ -1,12 +1,23 @@
 //! Where the terrain, the eye and the picture are.
 
 use super::grid::HeightGrid;
-use super::objects::BANDS;
 use super::options::TerrainOptions;
 use crate::ImportError;
+use crate::error::unusable;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_scene::{Camera, ImageSize, Light, Material, Node, SceneFile};
 use num_rational::BigRational;
+
+/// Colours of altitudes, lowest first, as on a map.
+pub(super) const BANDS: [[f64; 3]; 7] = [
+    [0.25, 0.45, 0.30],
+    [0.40, 0.58, 0.32],
+    [0.60, 0.68, 0.38],
+    [0.78, 0.72, 0.46],
+    [0.70, 0.56, 0.38],
+    [0.58, 0.48, 0.42],
+    [0.93, 0.94, 0.96],
+];
 
 /// Height of the picture at the distance of the screen plane, in viewer distances.
 pub(super) const VIEW: f64 = 0.8;
@@ -35,7 +46,7 @@ impl<'a> Map<'a> {
         let (low, high) = grid.range().ok_or_else(|| {
             unusable(
                 file,
-                "no node of the region has a height".into(),
+                "no node of the region has a height",
                 "choose another region",
             )
         })?;
@@ -122,12 +133,4 @@ impl<'a> Map<'a> {
 /// The number rounded to three digits.
 fn short(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
-}
-
-pub(super) fn unusable(file: &str, problem: String, accepted: &str) -> ImportError {
-    ImportError::Unusable {
-        file: file.to_owned(),
-        problem,
-        accepted: accepted.to_owned(),
-    }
 }

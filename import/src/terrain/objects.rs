@@ -1,24 +1,15 @@
 //! The objects of a cell, and how far they reach beyond its edges.
 
-use super::cell::{Cells, Piece, bilinear_piece, facets, pieces_for};
+use super::cell::{Cells, Piece, bilinear_piece, facets};
 use super::exact::decimals;
 use super::form::{Cell, Form};
 use super::grid::is_plane;
-use super::map::{Map, unusable};
+use super::map::{BANDS, Map};
+use super::ruled::pieces_for;
 use crate::ImportError;
+use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{Object, Scale, Shape, Step, Surface};
-
-/// Colours of altitudes, lowest first, as on a map.
-pub(super) const BANDS: [[f64; 3]; 7] = [
-    [0.25, 0.45, 0.30],
-    [0.40, 0.58, 0.32],
-    [0.60, 0.68, 0.38],
-    [0.78, 0.72, 0.46],
-    [0.70, 0.56, 0.38],
-    [0.58, 0.48, 0.42],
-    [0.93, 0.94, 0.96],
-];
 
 /// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a sixteenth of a pixel.
 const OVERLAP: f64 = 1.0 / 16.0;
@@ -113,7 +104,7 @@ impl Map<'_> {
     fn digits(&self) -> ImportError {
         unusable(
             self.file,
-            "the heights, the distance of nodes and the eye have too many digits together for exact surfaces".into(),
+            "the heights, the distance of nodes and the eye have too many digits together for exact surfaces",
             "about 5 significant digits each are possible",
         )
     }

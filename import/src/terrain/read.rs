@@ -1,7 +1,8 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use super::text::{Word, decoded, malformed, shown, words};
+use super::text::{Word, decoded, shown, words};
+use crate::error::unusable;
 use crate::{ImportError, Place};
 
 /// Largest magnitude of a height or a distance.
@@ -62,16 +63,12 @@ struct Reader<'a> {
 type Header = [Option<f64>; KEYS.len()];
 
 impl<'a> Reader<'a> {
-    fn malformed(&self, place: Place, problem: String, accepted: &str) -> ImportError {
-        malformed(self.file, place, problem, accepted)
+    fn malformed(&self, place: Place, problem: impl Into<String>, accepted: &str) -> ImportError {
+        ImportError::new(self.file, Some(place), problem, accepted)
     }
 
-    fn unusable(&self, problem: String, accepted: &str) -> ImportError {
-        ImportError::Unusable {
-            file: self.file.to_owned(),
-            problem,
-            accepted: accepted.to_owned(),
-        }
+    fn unusable(&self, problem: impl Into<String>, accepted: &str) -> ImportError {
+        unusable(self.file, problem, accepted)
     }
 
     /// Every word of the text.
@@ -202,7 +199,7 @@ impl<'a> Reader<'a> {
             (Some(size), None, None) => Ok([size, size]),
             (None, Some(dx), Some(dy)) => Ok([dx, dy]),
             _ => Err(self.unusable(
-                "the header does not say once how far the nodes are apart".to_owned(),
+                "the header does not say once how far the nodes are apart",
                 "`cellsize N`, or `dx N` and `dy N`, are needed",
             )),
         }
@@ -210,10 +207,8 @@ impl<'a> Reader<'a> {
 
     fn check_count(&self, columns: usize, rows: usize) -> Result<(), ImportError> {
         if columns.saturating_mul(rows) > MAX_NODES {
-            return Err(self.unusable(
-                format!("{columns} x {rows} nodes"),
-                &format!("at most {MAX_NODES} are read"),
-            ));
+            let accepted = format!("at most {MAX_NODES} are read");
+            return Err(self.unusable(format!("{columns} x {rows} nodes"), &accepted));
         }
         Ok(())
     }
@@ -230,11 +225,7 @@ impl<'a> Reader<'a> {
             if first.text == "step" {
                 if step.is_some() || rows > 0 {
                     let accepted = "one line `step EAST SOUTH` before the first row is expected";
-                    return Err(self.malformed(
-                        first.place,
-                        "`step` out of place".to_owned(),
-                        accepted,
-                    ));
+                    return Err(self.malformed(first.place, "`step` out of place", accepted));
                 }
                 step = Some(self.plain_step(row.skip(1), first.place)?);
                 continue;
@@ -243,27 +234,18 @@ impl<'a> Reader<'a> {
             let mut end = first.place;
             for word in row {
                 end = word.place;
-                let missing = word.text == "-";
-                heights.push(if missing {
-                    None
-                } else {
-                    Some(self.number(word, "height")?)
-                });
+                let known = (word.text != "-").then(|| self.number(word, "height"));
+                heights.push(known.transpose()?);
                 if heights.len() > MAX_NODES {
-                    return Err(self.unusable(
-                        "too many heights".to_owned(),
-                        &format!("at most {MAX_NODES} are read"),
-                    ));
+                    let accepted = format!("at most {MAX_NODES} are read");
+                    return Err(self.unusable("too many heights", &accepted));
                 }
             }
             let count = heights.len() - before;
             if rows > 0 && count != columns {
                 let problem = format!("a row of {count} heights after rows of {columns}");
-                return Err(self.malformed(
-                    end,
-                    problem,
-                    "every row has the same number of heights",
-                ));
+                let accepted = "every row has the same number of heights";
+                return Err(self.malformed(end, problem, accepted));
             }
             (columns, rows) = (count, rows + 1);
         }
@@ -284,19 +266,17 @@ impl<'a> Reader<'a> {
         let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
         let mut next = || {
             let word = values.next();
-            let word = word.ok_or_else(|| {
-                self.malformed(place, "a distance is missing".to_owned(), accepted)
-            })?;
+            let word =
+                word.ok_or_else(|| self.malformed(place, "a distance is missing", accepted))?;
             self.positive(word, "distance of two nodes")
         };
         let step = [next()?, next()?];
         match values.next() {
             None => Ok(step),
-            Some(word) => Err(self.malformed(
-                word.place,
-                format!("{} too many", shown(word.text)),
-                accepted,
-            )),
+            Some(word) => {
+                let problem = format!("{} too many", shown(word.text));
+                Err(self.malformed(word.place, problem, accepted))
+            }
         }
     }
 
@@ -309,7 +289,7 @@ impl<'a> Reader<'a> {
     ) -> Result<HeightGrid, ImportError> {
         if heights.iter().all(Option::is_none) {
             return Err(self.unusable(
-                "no node has a height".to_owned(),
+                "no node has a height",
                 "the four corners of at least one cell are needed",
             ));
         }

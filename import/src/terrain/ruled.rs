@@ -4,9 +4,9 @@
 //! surface is swept by the lines that rest on both edges and on the vertical through the eye: that vertical is one of its lines, so the eye lies on it. In the outer
 //! ones they pass adjacent edges, and the surface is the plane of the two.
 
-use super::cell::{Edge, Piece, surface};
+use super::cell::{Edge, Piece, bilinear_piece, surface};
 use super::exact::proportional;
-use super::grid::{Corners, twist};
+use super::grid::{Corners, is_plane, twist};
 use imogene_algebra::rational::{fraction, integer};
 use imogene_scene::Cut;
 use num_rational::BigRational;
@@ -31,6 +31,16 @@ pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<
     sectors
         .map(|sector| piece(z, eye, &sector, outwards))
         .collect()
+}
+
+/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the bilinear patch where the cell is a plane or the
+/// eye stands over it.
+pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Option<Vec<Piece>> {
+    let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
+    if is_plane(z) || over {
+        return Some(vec![bilinear_piece(z, outwards)?]);
+    }
+    ruled_pieces(z, eye, outwards)
 }
 
 /// The corners (u, v) as their lines of sight turn.

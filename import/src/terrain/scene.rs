@@ -2,8 +2,9 @@
 
 use super::form::{Cell, Form, count};
 use super::grid::HeightGrid;
-use super::map::{Map, unusable};
+use super::map::Map;
 use super::options::{Region, TerrainOptions};
+use crate::error::unusable;
 use crate::{ImportError, Imported};
 use imogene_scene::SceneFile;
 use serde_json::json;
@@ -21,11 +22,8 @@ pub fn scene_of(
     let map = Map::new(&grid, file, options)?;
     let mut cells = map.cells(&grid);
     if cells.is_empty() {
-        return Err(unusable(
-            file,
-            "no cell has all four heights".into(),
-            "a cell needs its four corners",
-        ));
+        let accepted = "a cell needs its four corners";
+        return Err(unusable(file, "no cell has all four heights", accepted));
     }
     let flat = map.choose_facets(&mut cells);
     let (by_facets, left_out) = map.replace_refused(&mut cells)?;
@@ -98,7 +96,7 @@ fn chosen(
             "at least two nodes a side within the grid of {} x {} nodes are needed",
             whole[0], whole[1]
         );
-        return Err(unusable(file, problem, &accepted));
+        return Err(unusable(file, problem, accepted));
     }
     let part = grid.part(first, nodes, every);
     let cells = (part.columns - 1) * (part.rows - 1);
@@ -106,7 +104,7 @@ fn chosen(
         let accepted = format!(
             "at most {MAX_CELLS} are possible; take a region, or every second or third node"
         );
-        return Err(unusable(file, format!("{cells} cells"), &accepted));
+        return Err(unusable(file, format!("{cells} cells"), accepted));
     }
     Ok(part)
 }
@@ -120,7 +118,7 @@ impl Map<'_> {
         if scene.objects.is_empty() {
             return Err(unusable(
                 self.file,
-                "every cell lies behind the eye".into(),
+                "every cell lies behind the eye",
                 "an eye and a target that see the terrain are needed",
             ));
         }

@@ -39,23 +39,14 @@ pub fn decoded<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, ImportError> 
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
         let line = good.lines().count().max(1);
         let column = good.lines().last().map_or(0, |line| line.chars().count()) + 1;
-        malformed(
+        let place = Some(Place { line, column });
+        ImportError::new(
             file,
-            Place { line, column },
-            "this is not UTF-8 text".to_owned(),
+            place,
+            "this is not UTF-8 text",
             "a grid of heights is plain text",
         )
     })
-}
-
-/// The error of a place.
-pub fn malformed(file: &str, place: Place, problem: String, accepted: &str) -> ImportError {
-    ImportError::Malformed {
-        file: file.to_owned(),
-        place,
-        problem,
-        accepted: accepted.to_owned(),
-    }
 }
 
 /// A word for a message: at most a few characters of it.

@@ -99,11 +99,9 @@ impl Drawn {
 
 /// Where a ray meets a surface, in front of the eye.
 fn hits(surface: &Surface, eye: Vector, ray: Vector) -> Vec<f64> {
-    let all = match *surface {
-        Surface::Plane { origin, normal } => {
-            vec![dot(minus(origin, eye), normal) / dot(ray, normal)]
-        }
-        _ => {
+    let all = match surface.plane() {
+        Some((origin, normal)) => vec![dot(minus(origin, eye), normal) / dot(ray, normal)],
+        None => {
             let [a, b, c] = surface.implicit().unwrap().on_line(eye, ray);
             let root = (b * b - 4.0 * a * c).sqrt();
             vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]

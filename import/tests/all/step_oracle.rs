@@ -8,7 +8,7 @@ use imogene_import::faces::vector::{
     Vector, along, cross, distance, dot, length, minus, plus, times, unit,
 };
 use imogene_import::faces::{
-    Cell, Compilation, FaceOptions, Part, Surface, Verdict, compile, compile_step,
+    Cell, Compilation, FaceOptions, Form, Part, Surface, Verdict, compile, compile_step,
 };
 use std::f64::consts::TAU;
 
@@ -53,8 +53,8 @@ fn on_border(
     p: Vector,
     reach: f64,
 ) -> Option<Option<bool>> {
-    if let Surface::Cone { apex, axis, .. } = surface {
-        match dot(minus(p, *apex), *axis) {
+    if surface.is_cone() {
+        match dot(minus(p, surface.origin), surface.axis) {
             // On the other nappe no face is expected, and near the apex there is no normal.
             height if height < -0.01 => return Some(None),
             height if height < 0.01 => return None,
@@ -83,7 +83,7 @@ fn agrees(part: &Part, solid: usize, inside: &dyn Fn(Vector) -> bool) {
     let faces = compiled(part, solid);
     let size = part.model.size();
     for (face, ..) in &faces {
-        if matches!(face.surface, Surface::Torus { .. } | Surface::Other(_)) {
+        if face.surface.is_torus() || face.surface.is_other() {
             continue;
         }
         let on_same: Vec<_> = faces
@@ -308,7 +308,7 @@ fn step_files_and_face_lists_of_the_same_part_agree() {
         let (ours, theirs) = (compiled(&one, 0), compiled(&other, 0));
         for (face, verdict, cells) in &ours {
             let place = format!("{name}, {}", face.name);
-            if let Surface::Torus { .. } = &face.surface {
+            if face.surface.is_torus() {
                 let twin = theirs
                     .iter()
                     .find(|(twin, ..)| twin.surface.same(&face.surface, 1e-9));
@@ -382,10 +382,9 @@ fn step_files_agree_with_the_winding_of_their_loops() {
 fn normals_have_length_one() {
     for name in ["stand", "fixture"] {
         for face in &step(name).model.faces {
-            if let Surface::Plane { normal, .. } | Surface::Cylinder { axis: normal, .. } =
-                face.surface
-            {
-                assert!(distance(unit(normal), normal) < 1e-15);
+            let Surface { axis, ref form, .. } = face.surface;
+            if matches!(form, Form::Plane | Form::Cylinder(_)) {
+                assert!(distance(unit(axis), axis) < 1e-15);
             }
         }
     }

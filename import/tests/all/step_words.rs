@@ -2,7 +2,7 @@
 //! name.
 
 use crate::common::bar::{BAR, changed, is_whole, part, read};
-use imogene_import::faces::{Compilation, Surface, Verdict};
+use imogene_import::faces::{Compilation, Verdict};
 use std::fmt::Write;
 
 #[test]
@@ -185,9 +185,10 @@ fn angles_are_in_the_units_of_the_file() {
         changes.extend(degrees);
         let text = changed(&changes);
         is_whole(&text, [-3.0, -3.0, 0.0], [3.0, 3.0, 2.0]);
-        let Surface::Cone { apex, axis, .. } = part(&text).model.faces[0].surface else {
-            panic!("a cone")
-        };
+        let part = part(&text);
+        let cone = &part.model.faces[0].surface;
+        let (apex, axis) = (cone.origin, cone.axis);
+        assert!(cone.is_cone());
         assert!(apex[2] + 1.0 < 1e-12 && axis == [0.0, 0.0, 1.0], "{apex:?}");
     }
 }

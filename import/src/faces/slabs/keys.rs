@@ -1,51 +1,46 @@
 //! The planes and the quadric that bound a strip within a slab.
 
-use super::super::chart::Separator;
-use super::super::planes::Planes;
-use super::super::surface::Surface;
-use super::super::vector::Vector;
 use super::strips::{Crossing, Strip};
-use super::{OVERLAP, Work};
+use super::work::{OVERLAP, Work};
+use crate::faces::chart::Separator;
+use crate::faces::planes::Planes;
+use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
 
 /// What a band has of a strip.
-pub(super) struct Part {
-    pub(super) band: usize,
+pub struct Part {
+    pub band: usize,
     /// Of the band, as many turns on as the strip is.
-    pub(super) ends: [f64; 2],
+    pub ends: [f64; 2],
     /// Of a place in both.
-    pub(super) v: f64,
+    pub v: f64,
     /// Whether the strip goes on beyond each end.
-    pub(super) goes_on: [bool; 2],
+    pub goes_on: [bool; 2],
 }
 
 /// Planes and at most one quadric of a cell, by separators and sides.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Key {
-    pub(super) band: usize,
-    pub(super) sides: Vec<(usize, bool)>,
-    pub(super) planes: Vec<(usize, bool)>,
+pub struct Key {
+    pub band: usize,
+    pub sides: Vec<(usize, bool)>,
+    pub planes: Vec<(usize, bool)>,
 }
 
 impl Work<'_> {
     /// The bands that a strip has a part of, with their ends at its turn, and a v of it in each.
-    pub(super) fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
+    pub fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
         let [low, high] = self.extent(slab, strip);
-        let turns: &[f64] = if self.sheet.is_tube() {
-            &[-TAU, 0.0, TAU, 2.0 * TAU]
-        } else {
-            &[0.0]
-        };
+        let turns = if self.chart.is_tube() { -1..=2 } else { 0..=0 };
         let mut found = vec![];
         for (band, own) in self.face.bands.iter().enumerate() {
-            for turn in turns {
-                let ends = own.ends.map(|v| v + turn);
-                let least = 1e-9
-                    * if ends[0].is_finite() {
-                        ends[1] - ends[0]
-                    } else {
-                        1.0
-                    };
+            for turn in turns.clone() {
+                let ends = own.ends.map(|v| v + f64::from(turn) * TAU);
+                let height = if ends[0].is_finite() {
+                    ends[1] - ends[0]
+                } else {
+                    1.0
+                };
+                let least = 1e-9 * height;
                 if ends[1].min(high) - ends[0].max(low) > least {
                     let v = self.inner(strip.at, ends);
                     let goes_on = [low < ends[0] - least, high > ends[1] + least];
@@ -63,7 +58,7 @@ impl Work<'_> {
 
     /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; nothing if
     /// these are too near.
-    pub(super) fn keys(
+    pub fn keys(
         &self,
         slab: usize,
         strip: &Strip,
@@ -97,7 +92,7 @@ impl Work<'_> {
                 key.sides.push(side);
             }
             if self.parallels {
-                let plane = self.sheet.parallel_plane(range[end], planes);
+                let plane = self.chart.parallel_plane(range[end], planes);
                 key.planes.push((plane, planes.is_positive(plane, sample)));
             }
         }
@@ -139,7 +134,7 @@ impl Work<'_> {
     }
 
     /// A strip that lies between two conics as two cells; nothing if these are too near.
-    pub(super) fn between_conics(
+    pub fn between_conics(
         &self,
         slab: usize,
         strip: &Strip,
@@ -171,7 +166,7 @@ impl Work<'_> {
     }
 
     /// The part of a cell on the side of the parallel `at` on which `v` is, without one of its sides.
-    pub(super) fn half(
+    pub fn half(
         &self,
         key: &Key,
         slab: usize,
@@ -182,14 +177,14 @@ impl Work<'_> {
     ) -> Key {
         let mut half = key.clone();
         half.sides.retain(|side| Some(*side) != without);
-        let plane = self.sheet.parallel_plane(at, planes);
-        let inside = self.sheet.point(self.middle(slab), v);
+        let plane = self.chart.parallel_plane(at, planes);
+        let inside = self.chart.point(self.middle(slab), v);
         half.planes.push((plane, planes.is_positive(plane, inside)));
         half
     }
 
     /// Least and greatest v at which the surface of a border crosses its strip again.
-    pub(super) fn comes_back(
+    pub fn comes_back(
         &self,
         slab: usize,
         strip: &Strip,
@@ -201,7 +196,7 @@ impl Work<'_> {
         let mut back: Option<[f64; 2]> = None;
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
             let u = from + share * (to - from);
-            let all = self.sheet.crossings(u, separator);
+            let all = self.chart.crossings(u, separator);
             let near = |v: &&f64| (**v - strip.at[end]).abs();
             let own = all
                 .iter()
@@ -218,25 +213,22 @@ impl Work<'_> {
     }
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.
-    pub(super) fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
-        if let Surface::Cone { .. } = self.face.surface {
-            let plane = self.sheet.parallel_plane(0.0, planes);
-            let inside = self.sheet.on_axis(self.face.size);
+    pub fn band_planes(&self, part: &Part, planes: &mut Planes) -> Vec<(usize, bool)> {
+        if self.face.surface.is_cone() {
+            let plane = self.chart.parallel_plane(0.0, planes);
+            let inside = self.chart.on_axis(self.face.size);
             return vec![(plane, planes.is_positive(plane, inside))];
         }
         if !part.ends[0].is_finite() {
             return vec![];
         }
-        let heights = part.ends.map(|v| self.sheet.meridian(v).1);
-        let inside = self.sheet.on_axis(0.5 * (heights[0] + heights[1]));
+        let heights = part.ends.map(|v| self.chart.meridian(v).1);
+        let inside = self.chart.on_axis(0.5 * (heights[0] + heights[1]));
         let plane = |end: usize| {
-            let share = if part.goes_on[end] {
-                OVERLAP
-            } else {
-                self.face.bands[part.band].beyond
-            };
+            let border = self.face.bands[part.band].beyond;
+            let share = if part.goes_on[end] { OVERLAP } else { border };
             let height = heights[end] + share * (heights[end] - heights[1 - end]);
-            let plane = self.sheet.level_plane(height, planes);
+            let plane = self.chart.level_plane(height, planes);
             (plane, planes.is_positive(plane, inside))
         };
         [0, 1].map(plane).to_vec()

@@ -10,72 +10,30 @@ mod probes;
 mod rail;
 mod sectors;
 mod strips;
+mod work;
 
-use super::compile::{Cell, Parting};
-use super::curve::Curve;
+pub use work::{Band, OVERLAP, Slabs};
+
+use super::cell::Cell;
 use super::planes::Planes;
-use super::sheet::Sheet;
-use super::surface::{Implicit, Surface};
-use super::vector::{minus, unit};
-use rail::Rail;
 use sectors::{Run, join};
+use work::Work;
 
 /// Most times that slabs are halved.
 const MAX_HALVINGS: usize = 6;
-/// Greatest gap between the ends of two pieces of a border that follow each other, in sizes of the part or radians.
-const WIDEST_GAP: f64 = 1e-4;
-/// Share of its height by which a band goes on under or over the next, so that the rounding of both leaves no pixel to
-/// neither. Out there a chord is a twelfth of the deviation off.
-pub const OVERLAP: f64 = 0.02;
-
-/// A part of the surface between two parallels, drawn as one quadric.
-#[derive(Clone, Debug)]
-pub struct Band {
-    /// Its quadric; nothing on a plane.
-    pub quadric: Option<Implicit>,
-    /// Least and greatest v.
-    pub ends: [f64; 2],
-    /// Share of its height by which it goes on beyond the border of its face, within the deviation.
-    pub beyond: f64,
-}
-
-impl Band {
-    /// All of a surface.
-    pub fn whole(surface: &Surface) -> Vec<Band> {
-        vec![Band {
-            quadric: surface.implicit(),
-            ends: [f64::NEG_INFINITY, f64::INFINITY],
-            beyond: 0.0,
-        }]
-    }
-}
-
-/// What is needed to take a face apart.
-pub struct Slabs<'a> {
-    /// What it lies on.
-    pub surface: &'a Surface,
-    /// Its border.
-    pub parting: &'a Parting,
-    /// What it is drawn with.
-    pub bands: &'a [Band],
-    /// The plane of a face that is flat.
-    pub flat: Option<usize>,
-    /// Size of the part, scene units.
-    pub size: f64,
-}
 
 impl Slabs<'_> {
     /// The cells of the face.
     pub fn cells(&self, planes: &mut Planes) -> Result<Vec<Cell>, String> {
-        let sheet = self.sheet().ok_or("it has no coordinates")?;
-        let rails = self.rails(&sheet);
+        let chart = self.chart().ok_or("it has no coordinates")?;
+        let rails = self.rails(&chart);
         let mut more = vec![];
         for round in 0..=MAX_HALVINGS {
             let work = Work {
                 face: self,
-                sheet: &sheet,
+                chart: &chart,
                 rails: &rails,
-                limits: self.limits(&sheet, &rails, &more),
+                limits: self.limits(&chart, &rails, &more),
                 parallels: round > 0,
             };
             match work.cells(planes)? {
@@ -85,32 +43,6 @@ impl Slabs<'_> {
         }
         Err("parts of its border are too near to each other".into())
     }
-
-    fn sheet(&self) -> Option<Sheet> {
-        let north = match self.surface {
-            Surface::Plane { .. } => self.parting.boundaries.iter().find_map(|b| match b.curve {
-                Curve::Line { from, to } => Some(unit(minus(to, from))),
-                _ => None,
-            }),
-            Surface::Sphere { centre, radius } => Some(super::chart::free_pole(
-                *centre,
-                *radius,
-                &self.parting.separators,
-            )),
-            _ => None,
-        };
-        Sheet::of(self.surface, north)
-    }
-}
-
-/// One try with the ends of slabs.
-struct Work<'a> {
-    face: &'a Slabs<'a>,
-    sheet: &'a Sheet,
-    rails: &'a [Rail],
-    limits: Vec<f64>,
-    /// Strips are also bounded by parallels.
-    parallels: bool,
 }
 
 /// The u of slabs that have to be halved.
@@ -125,14 +57,13 @@ impl Work<'_> {
             let middle = self.middle(slab);
             for strip in strips.iter().filter(|strip| strip.inside) {
                 for part in self.bands_of(slab, strip) {
-                    let sample = self.sheet.point(middle, part.v);
-                    match self.keys(slab, strip, &part, sample, planes) {
-                        Some(keys) => {
-                            for key in keys {
-                                join(&mut runs, key, slab, sample);
-                            }
-                        }
-                        None => crowded.push(middle),
+                    let sample = self.chart.point(middle, part.v);
+                    let keys = self.keys(slab, strip, &part, sample, planes);
+                    if keys.is_none() {
+                        crowded.push(middle);
+                    }
+                    for key in keys.into_iter().flatten() {
+                        join(&mut runs, key, slab, sample);
                     }
                 }
             }
@@ -155,19 +86,10 @@ impl Work<'_> {
             }
         }
         crowded.extend(self.lost(&cells, &strips, planes));
-        Ok(if crowded.is_empty() {
-            Ok(cells)
-        } else {
-            crowded.retain(|u| u.is_finite());
-            Err(crowded)
-        })
-    }
-
-    fn slabs(&self) -> usize {
-        self.limits.len().saturating_sub(1)
-    }
-
-    fn middle(&self, slab: usize) -> f64 {
-        0.5 * (self.limits[slab] + self.limits[slab + 1])
+        if crowded.is_empty() {
+            return Ok(Ok(cells));
+        }
+        crowded.retain(|u| u.is_finite());
+        Ok(Err(crowded))
     }
 }

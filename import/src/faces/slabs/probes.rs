@@ -1,14 +1,19 @@
 //! Places at which cells are asked whether they have all of the face and nothing else.
 
-use super::super::compile::Cell;
-use super::super::planes::Planes;
 use super::strips::Strip;
-use super::{Crowded, WIDEST_GAP, Work};
+use super::work::{WIDEST_GAP, Work};
+use crate::faces::cell::Cell;
+use crate::faces::planes::Planes;
 
 impl Work<'_> {
+    /// Whether cells are strips, without a doubt.
+    fn is_exact(&self) -> bool {
+        !self.chart.is_ball() && self.face.flat.is_none()
+    }
+
     /// Slabs with places of the face that no cell has.
-    pub(super) fn lost(&self, cells: &[Cell], strips: &[Vec<Strip>], planes: &Planes) -> Crowded {
-        if !self.sheet.is_ball() && self.face.flat.is_none() {
+    pub fn lost(&self, cells: &[Cell], strips: &[Vec<Strip>], planes: &Planes) -> Vec<f64> {
+        if self.is_exact() {
             return vec![];
         }
         let mut lost = vec![];
@@ -17,7 +22,7 @@ impl Work<'_> {
             for strip in strips.iter().filter(|strip| strip.inside) {
                 let mut places = self.probes(strip.at).into_iter();
                 let taken = |v: f64| {
-                    let p = self.sheet.point(middle, v);
+                    let p = self.chart.point(middle, v);
                     cells.iter().any(|cell| cell.takes(p, planes))
                 };
                 if !places.all(taken) {
@@ -29,22 +34,19 @@ impl Work<'_> {
     }
 
     /// Whether a cell has places of strips that are not of the face.
-    pub(super) fn takes_others(&self, cell: &Cell, strips: &[Vec<Strip>], planes: &Planes) -> bool {
-        let exact = !self.sheet.is_ball() && self.face.flat.is_none();
-        if exact {
-            return false;
-        }
-        strips.iter().enumerate().any(|(slab, strips)| {
-            let middle = self.middle(slab);
-            strips.iter().filter(|strip| !strip.inside).any(|strip| {
-                let mut places = self.probes(strip.at).into_iter();
-                places.any(|v| cell.takes(self.sheet.point(middle, v), planes))
+    pub fn takes_others(&self, cell: &Cell, strips: &[Vec<Strip>], planes: &Planes) -> bool {
+        !self.is_exact()
+            && strips.iter().enumerate().any(|(slab, strips)| {
+                let middle = self.middle(slab);
+                strips.iter().filter(|strip| !strip.inside).any(|strip| {
+                    let mut places = self.probes(strip.at).into_iter();
+                    places.any(|v| cell.takes(self.chart.point(middle, v), planes))
+                })
             })
-        })
     }
 
     /// Places between two v, far out where one is open: a conic may come back there.
-    pub(super) fn probes(&self, [low, high]: [f64; 2]) -> Vec<f64> {
+    pub fn probes(&self, [low, high]: [f64; 2]) -> Vec<f64> {
         if high - low <= WIDEST_GAP * self.face.size {
             return vec![];
         }

@@ -1,34 +1,30 @@
 //! The border of a face on its way over the surface, and the lines that divide it into slabs.
 
-use super::super::arrangement::{Boundary, SMALLEST_PIECE};
-use super::super::curve::Curve;
-use super::super::sheet::Sheet;
-use super::{Slabs, WIDEST_GAP};
+use super::work::{Slabs, WIDEST_GAP};
+use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
+use crate::faces::chart::Chart;
+use crate::faces::curve::Curve;
+use crate::faces::vector::range;
 use std::f64::consts::TAU;
 
 /// Steps of an arc on its way over the surface.
 const ARC_STEPS: usize = 96;
 
 /// A piece of the border on its way over the surface.
-pub(super) struct Rail {
-    pub(super) separator: usize,
-    pub(super) path: Vec<[f64; 2]>,
-    pub(super) forward: bool,
+pub struct Rail {
+    pub separator: usize,
+    pub path: Vec<[f64; 2]>,
+    pub forward: bool,
 }
 
 impl Rail {
-    pub(super) fn is_upright(&self, narrow: f64) -> bool {
-        let [low, high] = self
-            .path
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [u, _]| {
-                [low.min(*u), high.max(*u)]
-            });
+    pub fn is_upright(&self, narrow: f64) -> bool {
+        let [low, high] = range(self.path.iter().map(|[u, _]| *u));
         high - low <= narrow
     }
 
     /// The u of its ends and of the places where it turns back.
-    pub(super) fn limits(&self) -> Vec<f64> {
+    pub fn limits(&self) -> Vec<f64> {
         let path = &self.path;
         let mut limits = vec![path[0][0], path[path.len() - 1][0]];
         for three in path.windows(3) {
@@ -43,7 +39,7 @@ impl Rail {
     }
 
     /// v where it crosses the line u, and whether it runs eastwards there.
-    pub(super) fn crossings(&self, u: f64, round: bool) -> Vec<(f64, bool)> {
+    pub fn crossings(&self, u: f64, round: bool) -> Vec<(f64, bool)> {
         let mut found = vec![];
         for pair in self.path.windows(2) {
             let [[a, v], [b, w]] = [pair[0], pair[1]];
@@ -60,7 +56,7 @@ impl Rail {
 }
 
 impl Slabs<'_> {
-    pub(super) fn rails(&self, sheet: &Sheet) -> Vec<Rail> {
+    pub fn rails(&self, chart: &Chart) -> Vec<Rail> {
         let rail = |boundary: &Boundary| {
             let steps = match boundary.curve {
                 Curve::Line { .. } => 1,
@@ -68,7 +64,7 @@ impl Slabs<'_> {
             };
             Rail {
                 separator: boundary.separator,
-                path: sheet.path(&boundary.curve.sampled(steps)),
+                path: chart.path(&boundary.curve.sampled(steps)),
                 forward: boundary.forward,
             }
         };
@@ -76,19 +72,19 @@ impl Slabs<'_> {
     }
 
     /// The ends of all slabs, ascending; the first again behind the last, once round, if u is an angle.
-    pub(super) fn limits(&self, sheet: &Sheet, rails: &[Rail], more: &[f64]) -> Vec<f64> {
+    pub fn limits(&self, chart: &Chart, rails: &[Rail], more: &[f64]) -> Vec<f64> {
         let mut limits: Vec<f64> = rails.iter().flat_map(Rail::limits).collect();
         limits.extend(more);
         limits.retain(|u| u.is_finite());
-        if sheet.is_round() {
+        if chart.is_round() {
             for u in &mut limits {
                 *u = u.rem_euclid(TAU);
             }
         }
         limits.sort_by(f64::total_cmp);
-        let narrow = self.narrow(sheet);
+        let narrow = self.narrow(chart);
         limits.dedup_by(|next, kept| *next - *kept <= narrow);
-        if sheet.is_round() {
+        if chart.is_round() {
             if limits.len() > 1 && limits[0] + TAU - limits[limits.len() - 1] <= narrow {
                 limits.pop();
             }
@@ -97,23 +93,18 @@ impl Slabs<'_> {
                 None => limits = vec![0.0, TAU],
             }
         }
-        self.without_gaps(sheet, rails, limits)
+        self.without_gaps(chart, rails, limits)
     }
 
     /// Limits without slabs between two ends that should be one: there a line crosses the border an odd number of
     /// times.
-    pub(super) fn without_gaps(
-        &self,
-        sheet: &Sheet,
-        rails: &[Rail],
-        mut limits: Vec<f64>,
-    ) -> Vec<f64> {
-        let widest = WIDEST_GAP * if sheet.is_round() { 1.0 } else { self.size };
+    pub fn without_gaps(&self, chart: &Chart, rails: &[Rail], mut limits: Vec<f64>) -> Vec<f64> {
+        let widest = WIDEST_GAP * if chart.is_round() { 1.0 } else { self.size };
         let crossings = |u: f64| -> usize {
-            let each = rails
+            rails
                 .iter()
-                .map(|rail| rail.crossings(u, sheet.is_round()).len());
-            each.sum()
+                .map(|rail| rail.crossings(u, chart.is_round()).len())
+                .sum()
         };
         let mut slab = 0;
         while limits.len() > 2 && slab + 1 < limits.len() {
@@ -122,7 +113,7 @@ impl Slabs<'_> {
                 slab += 1;
             } else if slab + 2 < limits.len() {
                 limits.remove(slab + 1);
-            } else if sheet.is_round() {
+            } else if chart.is_round() {
                 // The last limit is the first again.
                 limits.remove(0);
                 let last = limits.len() - 1;
@@ -135,7 +126,7 @@ impl Slabs<'_> {
     }
 
     /// Slabs that are no wider than this are none: two ends that should be one.
-    pub(super) fn narrow(&self, sheet: &Sheet) -> f64 {
-        10.0 * SMALLEST_PIECE * if sheet.is_round() { 1.0 } else { self.size }
+    pub fn narrow(&self, chart: &Chart) -> f64 {
+        10.0 * SMALLEST_PIECE * if chart.is_round() { 1.0 } else { self.size }
     }
 }

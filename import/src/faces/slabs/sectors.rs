@@ -1,12 +1,12 @@
 //! Neighbouring slabs that have a cell in common, and the sectors that their cells become.
 
-use super::super::chart::Separator;
-use super::super::compile::Cell;
-use super::super::planes::Planes;
-use super::super::vector::Vector;
-use super::Work;
 use super::keys::Key;
-use std::f64::consts::{PI, TAU};
+use super::work::Work;
+use crate::faces::cell::Cell;
+use crate::faces::chart::{Separator, nearest_turn};
+use crate::faces::planes::Planes;
+use crate::faces::vector::Vector;
+use std::f64::consts::TAU;
 
 /// Places of a line v at which two planes are asked whether they keep more than a sector.
 const PROBES: u32 = 64;
@@ -14,15 +14,15 @@ const PROBES: u32 = 64;
 const WIDEST: f64 = 2.2;
 
 /// Neighbouring slabs that have a cell in common.
-pub(super) struct Run {
-    pub(super) key: Key,
-    pub(super) slabs: [usize; 2],
+pub struct Run {
+    pub key: Key,
+    pub slabs: [usize; 2],
     /// A point of it in every slab.
-    pub(super) samples: Vec<Vector>,
+    pub samples: Vec<Vector>,
 }
 
 /// Adds a cell of a slab to the run that it continues.
-pub(super) fn join(runs: &mut Vec<Run>, key: Key, slab: usize, sample: Vector) {
+pub fn join(runs: &mut Vec<Run>, key: Key, slab: usize, sample: Vector) {
     let before = runs
         .iter_mut()
         .rev()
@@ -41,10 +41,10 @@ pub(super) fn join(runs: &mut Vec<Run>, key: Key, slab: usize, sample: Vector) {
 }
 
 impl Work<'_> {
-    /// On a round sheet the last slab and the first are neighbours.
-    pub(super) fn close(&self, runs: &mut Vec<Run>) {
+    /// On a round chart the last slab and the first are neighbours.
+    pub fn close(&self, runs: &mut Vec<Run>) {
         let last = self.slabs().saturating_sub(1);
-        if !self.sheet.is_round() || last == 0 {
+        if !self.chart.is_round() || last == 0 {
             return;
         }
         let mut index = 0;
@@ -65,17 +65,17 @@ impl Work<'_> {
         }
     }
 
-    pub(super) fn limit(&self, index: usize) -> f64 {
+    pub fn limit(&self, index: usize) -> f64 {
         let slabs = self.slabs();
         let turns = index / slabs;
         self.limits[index % slabs] + turns as f64 * TAU
     }
 
     /// The spans of u of a run, none wider than two planes through an axis can bound, each with a sample.
-    pub(super) fn sectors(&self, run: &Run) -> Vec<([f64; 2], Vector)> {
+    pub fn sectors(&self, run: &Run) -> Vec<([f64; 2], Vector)> {
         let whole = [f64::NEG_INFINITY, f64::INFINITY];
         let (from, to) = (self.limit(run.slabs[0]), self.limit(run.slabs[1] + 1));
-        if !self.sheet.is_round() {
+        if !self.chart.is_round() {
             let to = self.limits[run.slabs[1] + 1];
             return vec![([self.limits[run.slabs[0]], to], run.samples[0])];
         }
@@ -88,19 +88,13 @@ impl Work<'_> {
             .map(|k| {
                 let span = [from + step * k as f64, from + step * (k + 1) as f64];
                 let middle = 0.5 * (span[0] + span[1]);
-                let v = self.sheet.coordinates(run.samples[0])[1];
-                (span, self.sheet.point(middle, v))
+                let v = self.chart.coordinates(run.samples[0])[1];
+                (span, self.chart.point(middle, v))
             })
             .collect()
     }
 
-    pub(super) fn cell(
-        &self,
-        run: &Run,
-        span: [f64; 2],
-        sample: Vector,
-        planes: &mut Planes,
-    ) -> Cell {
+    pub fn cell(&self, run: &Run, span: [f64; 2], sample: Vector, planes: &mut Planes) -> Cell {
         let parting = self.face.parting;
         let mut cell = Cell {
             quadric: self.face.bands[run.key.band].quadric,
@@ -111,11 +105,7 @@ impl Work<'_> {
             match (parting.planes[*separator], parting.separators[*separator]) {
                 (Some(plane), _) => cell.cuts.push((plane, *positive)),
                 (None, Separator::Quadric(implicit)) => {
-                    cell.quadric = Some(if *positive {
-                        implicit.negated()
-                    } else {
-                        implicit
-                    });
+                    cell.quadric = Some(implicit.kept(*positive));
                 }
                 _ => {}
             }
@@ -130,30 +120,25 @@ impl Work<'_> {
 
     /// The planes at both ends of a span: those of edges that are there, if together they keep nothing else of the
     /// line v.
-    pub(super) fn sides(
-        &self,
-        span: [f64; 2],
-        sample: Vector,
-        planes: &mut Planes,
-    ) -> [(usize, bool); 2] {
-        let v = self.sheet.coordinates(sample)[1];
+    pub fn sides(&self, span: [f64; 2], sample: Vector, planes: &mut Planes) -> [(usize, bool); 2] {
+        let v = self.chart.coordinates(sample)[1];
         let width = span[1] - span[0];
         let edges = span.map(|u| self.edge_at(u, span, v, planes));
         let meridians = [0, 1].map(|end| {
-            let plane = self.sheet.meridian_plane(span[end], planes);
+            let plane = self.chart.meridian_plane(span[end], planes);
             // The normal of a plane that was there before may point the other way.
             let inwards = if end == 0 { 1e-3 } else { -1e-3 } * width;
-            let beside = self.sheet.point(span[end] + inwards, v);
+            let beside = self.chart.point(span[end] + inwards, v);
             (plane, planes.is_positive(plane, beside))
         });
         let own = [0, 1].map(|end| edges[end].unwrap_or(meridians[end]));
         let elsewhere = |k: u32| {
             let u = span[1] + (TAU - width) * (f64::from(k) + 0.5) / f64::from(PROBES);
-            let p = self.sheet.point(u, v);
+            let p = self.chart.point(u, v);
             own.iter()
                 .all(|(plane, positive)| planes.is_positive(*plane, p) == *positive)
         };
-        if !self.sheet.is_round() || edges == [None; 2] || !(0..PROBES).any(elsewhere) {
+        if !self.chart.is_round() || edges == [None; 2] || !(0..PROBES).any(elsewhere) {
             own
         } else {
             meridians
@@ -161,26 +146,26 @@ impl Work<'_> {
     }
 
     /// The plane of an upright edge at an end of a span, if it has all of the span on one side.
-    pub(super) fn edge_at(
+    pub fn edge_at(
         &self,
         u: f64,
         span: [f64; 2],
         v: f64,
         planes: &Planes,
     ) -> Option<(usize, bool)> {
-        let narrow = 2.0 * self.face.narrow(self.sheet);
+        let narrow = 2.0 * self.face.narrow(self.chart);
         let upright = self.rails.iter().filter(|rail| rail.is_upright(narrow));
         for rail in upright {
             let mut off = rail.path[0][0] - u;
-            if self.sheet.is_round() {
-                off = (off + PI).rem_euclid(TAU) - PI;
+            if self.chart.is_round() {
+                off = nearest_turn(off, 0.0);
             }
             let plane = self.face.parting.planes[rail.separator];
             let Some(plane) = plane.filter(|_| off.abs() <= narrow) else {
                 continue;
             };
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
-            let sides = shares.map(|u| planes.is_positive(plane, self.sheet.point(u, v)));
+            let sides = shares.map(|u| planes.is_positive(plane, self.chart.point(u, v)));
             if sides == [sides[0]; 3] {
                 return Some((plane, sides[0]));
             }

@@ -1,42 +1,38 @@
 //! What lies between the crossings of a slab with the border.
 
-use super::super::surface::Surface;
-use super::Work;
-use std::f64::consts::{PI, TAU};
+use super::work::Work;
+use crate::faces::chart::nearest_turn;
+use std::f64::consts::TAU;
 
 /// A crossing of the middle of a slab.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Crossing {
-    pub(super) v: f64,
-    pub(super) rail: usize,
+pub struct Crossing {
+    pub v: f64,
+    pub rail: usize,
     /// It runs eastwards.
-    pub(super) east: bool,
+    pub east: bool,
     /// The face is above, as the direction of the border says.
-    pub(super) above: bool,
+    pub above: bool,
 }
 
 /// What is between two crossings of a slab; a side without one is open.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Strip {
-    pub(super) ends: [Option<Crossing>; 2],
+pub struct Strip {
+    pub ends: [Option<Crossing>; 2],
     /// v of the ends in the middle of the slab.
-    pub(super) at: [f64; 2],
-    pub(super) inside: bool,
+    pub at: [f64; 2],
+    pub inside: bool,
 }
 
 impl Work<'_> {
     /// The strips of every slab.
-    pub(super) fn strips(&self) -> Result<Vec<Vec<Strip>>, String> {
+    pub fn strips(&self) -> Result<Vec<Vec<Strip>>, String> {
         let crossings: Vec<Vec<Crossing>> = (0..self.slabs())
             .map(|slab| self.crossings(self.middle(slab)))
             .collect();
-        let oriented = self.sheet.is_ball() || self.sheet.is_tube();
-        if crossings.iter().any(|all| all.len() % 2 == 1)
-            && !matches!(
-                self.face.surface,
-                Surface::Cone { .. } | Surface::Sphere { .. }
-            )
-        {
+        let oriented = self.chart.is_ball() || self.chart.is_tube();
+        let has_end = self.face.surface.is_cone() || self.chart.is_ball();
+        if !has_end && crossings.iter().any(|all| all.len() % 2 == 1) {
             return Err("its loops are not closed on the surface".into());
         }
         let below = if oriented {
@@ -45,21 +41,18 @@ impl Work<'_> {
             vec![false; crossings.len()]
         };
         let of = |(all, below): (&Vec<Crossing>, bool)| {
-            let first = match self.face.surface {
-                // A cone is entered from its open end, since its apex may belong to the face.
-                Surface::Cone { .. } => all.len() % 2 == 1,
-                _ => below,
-            };
-            self.between(all, first)
+            // A cone is entered from its open end, since its apex may belong to the face.
+            let odd = self.face.surface.is_cone() && all.len() % 2 == 1;
+            self.between(all, odd || below)
         };
         Ok(crossings.iter().zip(below).map(of).collect())
     }
 
-    pub(super) fn crossings(&self, u: f64) -> Vec<Crossing> {
+    pub fn crossings(&self, u: f64) -> Vec<Crossing> {
         let mut all = vec![];
         for (index, rail) in self.rails.iter().enumerate() {
-            for (v, east) in rail.crossings(u, self.sheet.is_round()) {
-                let v = if self.sheet.is_tube() {
+            for (v, east) in rail.crossings(u, self.chart.is_round()) {
+                let v = if self.chart.is_tube() {
                     v.rem_euclid(TAU)
                 } else {
                     v
@@ -78,7 +71,7 @@ impl Work<'_> {
 
     /// For each slab whether what is below its first crossing is of the face: what most of its crossings say, or what
     /// the slab beside it says.
-    pub(super) fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
+    pub fn below(&self, crossings: &[Vec<Crossing>]) -> Vec<bool> {
         let votes = |all: &[Crossing]| -> i64 {
             let vote = |(index, crossing): (usize, &Crossing)| {
                 // Every other crossing is entered.
@@ -87,14 +80,9 @@ impl Work<'_> {
             };
             all.iter().enumerate().map(vote).sum()
         };
-        let said: Vec<Option<bool>> = crossings
-            .iter()
-            .map(|all| match votes(all) {
-                0 => None,
-                sum => Some(sum > 0),
-            })
-            .collect();
-        if self.sheet.is_ball() {
+        let said = crossings.iter().map(|all| votes(all));
+        let said: Vec<Option<bool>> = said.map(|sum| (sum != 0).then_some(sum > 0)).collect();
+        if self.chart.is_ball() {
             // All lines begin at one pole.
             let sum: i64 = said
                 .iter()
@@ -110,14 +98,9 @@ impl Work<'_> {
     }
 
     /// Whether a line of a tube that no border crosses is in the face: what the next border to the west says.
-    pub(super) fn beside(
-        &self,
-        slab: usize,
-        crossings: &[Vec<Crossing>],
-        said: &[Option<bool>],
-    ) -> bool {
+    pub fn beside(&self, slab: usize, crossings: &[Vec<Crossing>], said: &[Option<bool>]) -> bool {
         let slabs = self.slabs();
-        let narrow = self.face.narrow(self.sheet);
+        let narrow = self.face.narrow(self.chart);
         for step in 0..slabs {
             let own = (slab + slabs - step) % slabs;
             if step > 0
@@ -143,9 +126,14 @@ impl Work<'_> {
         true
     }
 
-    pub(super) fn between(&self, all: &[Crossing], first: bool) -> Vec<Strip> {
-        let [low, high] = self.sheet.reach();
-        if self.sheet.is_tube() {
+    pub fn between(&self, all: &[Crossing], first: bool) -> Vec<Strip> {
+        let [end, high] = self.chart.reach();
+        let low = if self.face.surface.is_cone() {
+            0.0
+        } else {
+            end
+        };
+        if self.chart.is_tube() {
             let count = all.len();
             if count == 0 {
                 return vec![Strip {
@@ -184,7 +172,7 @@ impl Work<'_> {
     }
 
     /// Least and greatest v of a border over a slab, near where it crosses the middle.
-    pub(super) fn range(&self, slab: usize, crossing: &Crossing, at: f64) -> [f64; 2] {
+    pub fn range(&self, slab: usize, crossing: &Crossing, at: f64) -> [f64; 2] {
         let (from, to) = (self.limits[slab], self.limits[slab + 1]);
         let inner = 1e-6 * (to - from);
         let rail = &self.rails[crossing.rail];
@@ -193,11 +181,11 @@ impl Work<'_> {
         for k in 0..=steps {
             let u = from + inner + (to - from - 2.0 * inner) * f64::from(k) / f64::from(steps);
             // A closed piece has two branches, which run in opposite directions.
-            let branch = rail.crossings(u, self.sheet.is_round()).into_iter();
+            let branch = rail.crossings(u, self.chart.is_round()).into_iter();
             let v = branch
                 .filter(|(_, east)| *east == crossing.east)
                 .map(|(v, _)| {
-                    if self.sheet.is_tube() {
+                    if self.chart.is_tube() {
                         nearest_turn(v, at)
                     } else {
                         v
@@ -212,14 +200,14 @@ impl Work<'_> {
     }
 
     /// From the lowest place of the border below to the highest of that above.
-    pub(super) fn extent(&self, slab: usize, strip: &Strip) -> [f64; 2] {
+    pub fn extent(&self, slab: usize, strip: &Strip) -> [f64; 2] {
         let low = strip.ends[0].map_or(strip.at[0], |c| self.range(slab, &c, strip.at[0])[0]);
         let high = strip.ends[1].map_or(strip.at[1], |c| self.range(slab, &c, strip.at[1])[1]);
         [low, high]
     }
 
     /// A v between both ends, in the band if that has any.
-    pub(super) fn inner(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
+    pub fn inner(&self, [low, high]: [f64; 2], [from, to]: [f64; 2]) -> f64 {
         let (a, b) = (low.max(from), high.min(to));
         let [a, b] = if a < b { [a, b] } else { [low, high] };
         match (a.is_finite(), b.is_finite()) {
@@ -229,9 +217,4 @@ impl Work<'_> {
             (false, false) => 0.0,
         }
     }
-}
-
-/// An angle as many turns on as makes it nearest to another.
-fn nearest_turn(v: f64, at: f64) -> f64 {
-    at + (v - at + PI).rem_euclid(TAU) - PI
 }

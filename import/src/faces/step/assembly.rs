@@ -1,11 +1,10 @@
 //! Representations, and where they are placed in each other (ISO 10303-43, -44).
 
-use super::args::Args;
-use super::exchange::{Entity, Exchange};
+use super::measure::Measure;
 use super::placement::{Placement, placement};
 use super::units::{Context, context};
-use crate::ImportError;
 use std::collections::{HashMap, HashSet};
+use step21::{Args, Entity, Error, Exchange};
 
 /// Most representations inside each other.
 const DEEPEST: usize = 64;
@@ -14,9 +13,9 @@ const MOST_PLACED: usize = 10_000;
 
 /// A representation where it is placed.
 #[derive(Clone, Copy, Debug)]
-pub struct Placed<'e, 'a> {
+pub struct Placed<'a> {
     /// The representation.
-    pub representation: Args<'e, 'a>,
+    pub representation: Args<'a>,
     /// Where it is.
     pub place: Placement,
     /// Its number among those of its kind, from 0.
@@ -36,9 +35,10 @@ struct Link {
 
 /// The representations of a file. Those that a relationship without a placement joins are one group.
 #[derive(Debug)]
-pub struct Assembly<'e, 'a> {
-    file: &'e Exchange<'a>,
-    representations: Vec<Args<'e, 'a>>,
+pub struct Assembly<'a> {
+    file: &'a Exchange<'a>,
+    measure: Measure,
+    representations: Vec<Args<'a>>,
     index: HashMap<u64, usize>,
     group: Vec<usize>,
     links: HashMap<usize, Vec<Link>>,
@@ -63,28 +63,24 @@ const DEFINING: [&str; 2] = [
     "PROPERTY_DEFINITION_REPRESENTATION",
 ];
 
-impl<'a> Exchange<'a> {
-    /// The two representations of a relationship, whichever of its subtypes says so.
-    fn relation<'e>(&'e self, entity: &'e Entity<'a>) -> Result<[&'e Entity<'a>; 2], ImportError> {
-        let args = if entity.complex {
-            self.need(entity, &["REPRESENTATION_RELATIONSHIP"])?
-        } else {
-            let own: Vec<&str> = entity.records.iter().map(|r| r.name).collect();
-            self.need(entity, &own)?
-        };
-        Ok([args.entity(2)?, args.entity(3)?])
-    }
+/// The two representations of a relationship, whichever of its subtypes says so.
+fn relation(entity: Entity) -> Result<[Entity; 2], Error> {
+    let own: Vec<&str> = entity.records.iter().map(|r| r.name).collect();
+    let whole = entity.complex.then(|| vec!["REPRESENTATION_RELATIONSHIP"]);
+    let args = entity.need(&whole.unwrap_or(own))?;
+    Ok([args.entity(2)?, args.entity(3)?])
 }
 
 fn is_shape(name: &str) -> bool {
     name.ends_with("SHAPE_REPRESENTATION") && name != "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"
 }
 
-impl<'e, 'a> Assembly<'e, 'a> {
+impl<'a> Assembly<'a> {
     /// Of a file.
-    pub fn read(file: &'e Exchange<'a>) -> Self {
+    pub fn read(file: &'a Exchange<'a>) -> Self {
         let mut all = Assembly {
             file,
+            measure: Measure::of(file),
             representations: vec![],
             index: HashMap::new(),
             group: vec![],
@@ -94,7 +90,7 @@ impl<'e, 'a> Assembly<'e, 'a> {
             lost: HashSet::new(),
             notes: vec![],
         };
-        for entity in &file.entities {
+        for entity in file.entities() {
             let Some(record) = entity.records.iter().find(|r| is_shape(r.name)) else {
                 continue;
             };
@@ -103,7 +99,7 @@ impl<'e, 'a> Assembly<'e, 'a> {
             } else {
                 record.name
             };
-            if let Some(args) = file.find(entity, &[name]) {
+            if let Some(args) = entity.find(&[name]) {
                 all.index.insert(entity.id, all.representations.len());
                 all.group.push(all.representations.len());
                 all.representations.push(args);
@@ -117,13 +113,13 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// Keeps what was found, and says why something was not.
-    fn keep<T>(&mut self, what: &str, found: Result<T, ImportError>) -> Option<T> {
+    fn keep<T>(&mut self, what: &str, found: Result<T, Error>) -> Option<T> {
         found
-            .map_err(|error| self.notes.push(format!("{what}: {}", error.detail())))
+            .map_err(|error| self.notes.push(format!("{what}: {error}")))
             .ok()
     }
 
-    fn find(&self, entity: &Entity) -> Option<usize> {
+    fn find(&self, entity: Entity) -> Option<usize> {
         self.index.get(&entity.id).map(|index| self.group[*index])
     }
 
@@ -135,10 +131,10 @@ impl<'e, 'a> Assembly<'e, 'a> {
         ];
         let file = self.file;
         for args in file.all(&names) {
-            if file.find(args.entity, &PLACING).is_some() {
+            if args.entity.find(&PLACING).is_some() {
                 continue;
             }
-            let found = self.file.relation(args.entity);
+            let found = relation(args.entity);
             let Some(ends) = self.keep("a relationship is left out", found) else {
                 continue;
             };
@@ -182,44 +178,24 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// The number and the name of the product whose shape a representation is.
-    fn product(&self, args: &Args<'e, 'a>) -> Result<Option<(u64, String)>, ImportError> {
-        let find = |entity, names| self.file.find(entity, names);
-        let Some(shape) = find(args.entity(0)?, &["PRODUCT_DEFINITION_SHAPE"]) else {
+    fn product(&self, args: &Args<'a>) -> Result<Option<(u64, String)>, Error> {
+        let Some(shape) = args.entity(0)?.find(&["PRODUCT_DEFINITION_SHAPE"]) else {
             return Ok(None);
         };
         let names = [
             "PRODUCT_DEFINITION",
             "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS",
         ];
-        let Some(definition) = find(shape.entity(2)?, &names) else {
+        let Some(definition) = shape.entity(2)?.find(&names) else {
             return Ok(None);
         };
-        let name = self.product_name(&definition).unwrap_or_default();
+        let name = product_name(&definition).unwrap_or_default();
         Ok(Some((definition.entity.id, name)))
     }
 
-    /// The name of a product; nothing if it has no words for it.
-    fn product_name(&self, definition: &Args<'e, 'a>) -> Option<String> {
-        let formations = [
-            "PRODUCT_DEFINITION_FORMATION",
-            "PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE",
-        ];
-        let formation = self.file.find(definition.entity(2).ok()?, &formations)?;
-        let product = self.file.find(formation.entity(2).ok()?, &["PRODUCT"])?;
-        let name = product.text(1);
-        Some(if name.is_empty() {
-            product.text(0)
-        } else {
-            name
-        })
-    }
-
     /// The context of a representation.
-    pub fn context(&self, representation: &Args<'e, 'a>) -> Result<Context, ImportError> {
-        match representation.maybe(2)? {
-            Some(entity) => context(self.file, entity),
-            None => Ok(Context::default()),
-        }
+    pub fn context(&self, representation: &Args) -> Result<Context, Error> {
+        context(representation.maybe(2)?, self.measure)
     }
 
     /// `NEXT_ASSEMBLY_USAGE_OCCURRENCE` and what places it.
@@ -235,7 +211,7 @@ impl<'e, 'a> Assembly<'e, 'a> {
         for placed in file.all(&PLACING) {
             let link = self.component(&placed, &wholes);
             if link.is_err()
-                && let Ok(ends) = file.relation(placed.entity)
+                && let Ok(ends) = relation(placed.entity)
                 && let Some(child) = self.find(ends[0])
             {
                 self.lost.insert(child);
@@ -247,10 +223,10 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// The relationship that places a usage, and the product that uses.
-    fn usage(&self, args: &Args<'e, 'a>) -> Result<Option<(u64, u64)>, ImportError> {
+    fn usage(&self, args: &Args<'a>) -> Result<Option<(u64, u64)>, Error> {
         let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"])?;
         let names = ["NEXT_ASSEMBLY_USAGE_OCCURRENCE"];
-        let usage = self.file.find(shape.entity(2)?, &names);
+        let usage = shape.entity(2)?.find(&names);
         usage
             .map(|usage| Ok((args.entity(0)?.id, usage.entity(3)?.id)))
             .transpose()
@@ -259,10 +235,10 @@ impl<'e, 'a> Assembly<'e, 'a> {
     /// The group that has a component, and where.
     fn component(
         &self,
-        placed: &Args<'e, 'a>,
+        placed: &Args<'a>,
         wholes: &HashMap<u64, u64>,
-    ) -> Result<Option<(usize, Link)>, ImportError> {
-        let ends = self.file.relation(placed.entity)?;
+    ) -> Result<Option<(usize, Link)>, Error> {
+        let ends = relation(placed.entity)?;
         let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
             return Ok(None);
         };
@@ -271,7 +247,7 @@ impl<'e, 'a> Assembly<'e, 'a> {
         let mut frames = [Placement::IN_PLACE; 2];
         for (k, index) in [first, second].into_iter().enumerate() {
             let context = self.context(&self.representations[index])?;
-            frames[k] = placement(self.file, operator.entity(2 + k)?, &context)?;
+            frames[k] = placement(operator.entity(2 + k)?, &context)?;
         }
         // The first is the component, unless its product is the one that uses.
         let whole = wholes.get(&placed.entity.id);
@@ -289,13 +265,12 @@ impl<'e, 'a> Assembly<'e, 'a> {
 
     /// `MAPPED_ITEM`.
     fn place_mapped(&mut self) {
-        let file = self.file;
         for index in 0..self.representations.len() {
             let own = self.representations[index];
             // Items that cannot be read are reported where the solids are.
             let items = own.list(1).unwrap_or_default();
             for item in items.iter().filter_map(|item| own.as_entity(item).ok()) {
-                let Some(item) = file.find(item, &["MAPPED_ITEM"]) else {
+                let Some(item) = item.find(&["MAPPED_ITEM"]) else {
                     continue;
                 };
                 let link = self.mapped(&own, &item);
@@ -312,14 +287,14 @@ impl<'e, 'a> Assembly<'e, 'a> {
         }
     }
 
-    fn mapped(&self, own: &Args<'e, 'a>, item: &Args<'e, 'a>) -> Result<Option<Link>, ImportError> {
+    fn mapped(&self, own: &Args<'a>, item: &Args<'a>) -> Result<Option<Link>, Error> {
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
             return Ok(None);
         };
         let inner = self.context(&self.representations[source])?;
-        let origin = placement(self.file, map.entity(0)?, &inner)?;
-        let target = placement(self.file, item.entity(2)?, &self.context(own)?)?;
+        let origin = placement(map.entity(0)?, &inner)?;
+        let target = placement(item.entity(2)?, &self.context(own)?)?;
         Ok(Some(Link {
             child: self.group[source],
             place: target.after(&origin.inverse()),
@@ -356,11 +331,9 @@ impl<'e, 'a> Assembly<'e, 'a> {
     }
 
     /// All representations where they are placed, whole assemblies first.
-    pub fn placed(&self) -> Result<Vec<Placed<'e, 'a>>, ImportError> {
-        let mut waiting: Vec<(usize, Placement, usize, u64)> = self
-            .roots()
-            .into_iter()
-            .rev()
+    pub fn placed(&self) -> Result<Vec<Placed<'a>>, Error> {
+        let roots = self.roots().into_iter().rev();
+        let mut waiting: Vec<(usize, Placement, usize, u64)> = roots
             .map(|group| (group, Placement::IN_PLACE, 0, 0))
             .collect();
         let mut members = vec![vec![]; self.group.len()];
@@ -372,10 +345,13 @@ impl<'e, 'a> Assembly<'e, 'a> {
         while let Some((group, place, depth, id)) = waiting.pop() {
             if depth > DEEPEST || placed.len() > MOST_PLACED {
                 let at = self.file.get(id).map_or(0, |entity| entity.at);
-                return Err(self.file.source.error(
+                return Err(Error::at(
+                    self.file.bytes,
                     at,
                     format!("`#{id}` places a part in itself, or too many parts in each other"),
-                    format!("at most {DEEPEST} assemblies in each other and {MOST_PLACED} placements are possible"),
+                    format!(
+                        "at most {DEEPEST} assemblies in each other and {MOST_PLACED} placements are possible"
+                    ),
                 ));
             }
             for index in &members[group] {
@@ -399,4 +375,20 @@ impl<'e, 'a> Assembly<'e, 'a> {
             _ => Ok(placed),
         }
     }
+}
+
+/// The name of a product; nothing if it has no words for it.
+fn product_name(definition: &Args) -> Option<String> {
+    let formations = [
+        "PRODUCT_DEFINITION_FORMATION",
+        "PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE",
+    ];
+    let formation = definition.entity(2).ok()?.find(&formations)?;
+    let product = formation.entity(2).ok()?.find(&["PRODUCT"])?;
+    let name = product.text(1);
+    Some(if name.is_empty() {
+        product.text(0)
+    } else {
+        name
+    })
 }

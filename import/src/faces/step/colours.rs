@@ -1,10 +1,8 @@
 //! Colours of solids and faces (ISO 10303-46).
 
-use super::args::Args;
-use super::exchange::{Entity, Exchange, Kind, Value};
-use crate::ImportError;
 use imogene_scene::Material;
 use std::collections::HashMap;
+use step21::{Args, Entity, Error, Exchange, Kind, Value};
 
 /// From red, green and blue, 0 to 1.
 pub type Colour = [f64; 3];
@@ -44,20 +42,17 @@ pub fn colours(file: &Exchange) -> (HashMap<u64, Colour>, Vec<String>) {
     let (mut colours, mut problems) = (HashMap::new(), vec![]);
     for item in file.all(&["STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"]) {
         match styled(file, &item) {
-            Ok(Some((target, colour))) => {
-                colours.insert(target, colour);
-            }
-            Ok(None) => {}
-            Err(error) => problems.push(format!("a colour: {}", error.detail())),
+            Ok(found) => colours.extend(found),
+            Err(error) => problems.push(format!("a colour: {error}")),
         }
     }
     (colours, problems)
 }
 
 /// What a style is of, and its colour.
-fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, ImportError> {
+fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, Error> {
     // A complex one has the name of its item in another record, and its target in this.
-    let first = if item.entity.complex { 0 } else { 1 };
+    let first = item.first();
     let Some(target) = item.maybe(first + 1)? else {
         return Ok(None);
     };
@@ -71,17 +66,13 @@ fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, ImportE
 }
 
 /// The first colour of a surface that an entity leads to.
-fn colour_of(
-    file: &Exchange,
-    entity: &Entity,
-    steps: &mut usize,
-) -> Result<Option<Colour>, ImportError> {
-    if let Some(args) = file.find(entity, &["DRAUGHTING_PRE_DEFINED_COLOUR"]) {
+fn colour_of(file: &Exchange, entity: Entity, steps: &mut usize) -> Result<Option<Colour>, Error> {
+    if let Some(args) = entity.find(&["DRAUGHTING_PRE_DEFINED_COLOUR"]) {
         let name = args.text(0);
         let known = PREDEFINED.iter().find(|(word, _)| *word == name);
         return Ok(known.map(|(_, colour)| *colour));
     }
-    let Some(args) = file.find(entity, &ON_THE_WAY) else {
+    let Some(args) = entity.find(&ON_THE_WAY) else {
         return Ok(None);
     };
     if args.record.name == "COLOUR_RGB" {
@@ -97,34 +88,29 @@ fn colour_of(
     if *steps == 0 {
         return Err(args.error(
             "its colour is defined by itself, or by too many others",
-            &format!("at most {MOST_STEPS} steps to a colour are possible"),
+            format!("at most {MOST_STEPS} steps to a colour are possible"),
         ));
     }
     *steps -= 1;
     // Lists of styles have several members; the first that leads to a colour is taken.
     let mut named = vec![];
-    for value in &args.record.values {
-        references(value, &mut named);
-    }
-    for id in named {
-        if let Some(next) = file.get(id)
-            && let Some(colour) = colour_of(file, next, steps)?
-        {
-            return Ok(Some(colour));
+    references(&args.record.values, &mut named);
+    for next in named.into_iter().filter_map(|id| file.get(id)) {
+        let colour = colour_of(file, next, steps)?;
+        if colour.is_some() {
+            return Ok(colour);
         }
     }
     Ok(None)
 }
 
-fn references(value: &Value, found: &mut Vec<u64>) {
-    match &value.kind {
-        Kind::Reference(id) => found.push(*id),
-        Kind::List(values) | Kind::Typed(_, values) => {
-            for value in values {
-                references(value, found);
-            }
+fn references(values: &[Value], found: &mut Vec<u64>) {
+    for value in values {
+        match &value.kind {
+            Kind::Reference(id) => found.push(*id),
+            Kind::List(values) | Kind::Typed(_, values) => references(values, found),
+            _ => {}
         }
-        _ => {}
     }
 }
 
@@ -139,13 +125,8 @@ impl Palette {
     /// The name of the material of a colour; grey without one.
     pub fn material(&mut self, colour: Option<Colour>) -> String {
         let rgb = colour.unwrap_or(GREY);
-        let name = match colour {
-            None => "grey".to_owned(),
-            Some(_) => {
-                let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
-                format!("#{r:02x}{g:02x}{b:02x}")
-            }
-        };
+        let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
+        let name = colour.map_or("grey".to_owned(), |_| format!("#{r:02x}{g:02x}{b:02x}"));
         if !self.materials.iter().any(|m| m.name == name) {
             self.materials.push(Material {
                 name: name.clone(),

@@ -1,18 +1,14 @@
 //! Curves of edges (ISO 10303-42, clause 4.4), cut at their vertices.
 
-use super::args::Args;
-use super::exchange::{Entity, Exchange};
 use super::placement::{Placement, direction, placement, point};
 use super::spline::Spline;
 use super::units::Context;
-use crate::ImportError;
-use crate::faces::arc::{Ellipse, Tolerance};
-use crate::faces::build::MAX_NUMBER;
 use crate::faces::build_edge::MISSED;
-use crate::faces::curve::Curve;
+use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
 use crate::faces::model::COINCIDENT;
-use crate::faces::vector::{Vector, across, distance, dot, length, minus, unit};
-use crate::faces::words::with_article;
+use crate::faces::source::MAX_NUMBER;
+use crate::faces::vector::{Vector, across, distance, dot, length, minus, opposite, unit};
+use step21::{Args, Entity, Error, with_article};
 
 /// Most curves that are defined by each other.
 const LONGEST_CHAIN: usize = 8;
@@ -26,11 +22,9 @@ pub type Found = Result<(&'static str, Curve), String>;
 
 /// An edge between its vertices, in the space of its representation, millimetres.
 #[derive(Clone, Copy, Debug)]
-pub struct Span<'e, 'a> {
-    /// The file.
-    pub file: &'e Exchange<'a>,
+pub struct Span<'a> {
     /// What its numbers mean.
-    pub context: &'e Context,
+    pub context: &'a Context,
     /// Start and end.
     pub ends: [Vector; 2],
     /// Both are one vertex.
@@ -39,43 +33,36 @@ pub struct Span<'e, 'a> {
     pub forward: bool,
 }
 
-impl<'e, 'a> Span<'e, 'a> {
+impl<'a> Span<'a> {
     /// The part of a curve between the ends.
-    pub fn of(mut self, mut entity: &'e Entity<'a>) -> Result<Found, ImportError> {
-        let file = self.file;
+    pub fn of(mut self, mut entity: Entity<'a>) -> Result<Found, Error> {
         for _ in 0..LONGEST_CHAIN {
             let on_surface = ["SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"];
-            if let Some(args) = file.find(entity, &on_surface) {
+            if let Some(args) = entity.find(&on_surface) {
                 entity = args.entity(1)?;
-            } else if let Some(args) = file.find(entity, &["TRIMMED_CURVE"]) {
+            } else if let Some(args) = entity.find(&["TRIMMED_CURVE"]) {
                 self.forward ^= !args.flag(4)?;
                 entity = args.entity(1)?;
-            } else if Spline::is_one(file, entity) {
+            } else if Spline::is_one(entity) {
                 return self.spline(entity);
-            } else if let Some(args) = file.find(entity, &["LINE"]) {
+            } else if let Some(args) = entity.find(&["LINE"]) {
                 return self.line(&args);
-            } else if let Some(args) = file.find(entity, &["CIRCLE", "ELLIPSE"]) {
+            } else if let Some(args) = entity.find(&["CIRCLE", "ELLIPSE"]) {
                 return self.ellipse(&args);
-            } else if let Some(args) = file.find(entity, &["HYPERBOLA", "PARABOLA"]) {
+            } else if let Some(args) = entity.find(&["HYPERBOLA", "PARABOLA"]) {
                 return self.open_conic(&args);
             } else {
                 let names = entity.name();
-                let other = names.contains("CURVE") || names.contains("POLYLINE");
-                if !other {
-                    return file
-                        .need(entity, &["LINE", "CIRCLE", "ELLIPSE", "curve"])
-                        .map(|_| Err(names));
+                if !names.contains("CURVE") && !names.contains("POLYLINE") {
+                    entity.need(&["LINE", "CIRCLE", "ELLIPSE", "curve"])?;
+                    return Ok(Err(names));
                 }
                 return Ok(Err(format!("{} is not read", with_article(&names))));
             }
         }
-        Err(file.source.error(
-            entity.at,
-            format!(
-                "`#{}` {}: it is defined by itself, or by too many others",
-                entity.id,
-                entity.name()
-            ),
+        let (id, name) = (entity.id, entity.name());
+        Err(entity.error(
+            format!("`#{id}` {name}: it is defined by itself, or by too many others"),
             format!("at most {LONGEST_CHAIN} curves defined by each other are possible"),
         ))
     }
@@ -84,18 +71,17 @@ impl<'e, 'a> Span<'e, 'a> {
     fn tolerance(&self, size: f64) -> Tolerance {
         let [from, to] = self.ends;
         let numbers = COINCIDENT * length(from).max(length(to)).max(size);
-        let extent = self.file.extent * self.context.length;
-        let missed = MISSED * size.max(extent);
+        let missed = MISSED * size.max(self.context.extent);
         Tolerance {
             missed: missed.max(self.context.uncertainty).max(numbers),
             shortest: numbers,
         }
     }
 
-    fn line(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
-        let origin = point(self.file, args.entity(1)?, self.context)?;
+    fn line(&self, args: &Args<'a>) -> Result<Found, Error> {
+        let origin = point(args.entity(1)?, self.context)?;
         let vector = args.named(2, &["VECTOR"])?;
-        let course = direction(self.file, vector.entity(1)?)?;
+        let course = direction(vector.entity(1)?)?;
         let [from, to] = self.ends;
         let tolerance = self.tolerance(distance(from, to));
         if distance(from, to) <= tolerance.shortest {
@@ -110,23 +96,20 @@ impl<'e, 'a> Span<'e, 'a> {
         })
     }
 
-    fn radius(&self, args: &Args, index: usize) -> Result<f64, ImportError> {
+    fn radius(&self, args: &Args, index: usize) -> Result<f64, Error> {
         radius(args, index, self.context)
     }
 
-    fn ellipse(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
-        let place = placement(self.file, args.entity(1)?, self.context)?;
+    fn ellipse(&self, args: &Args<'a>) -> Result<Found, Error> {
+        let place = placement(args.entity(1)?, self.context)?;
         let [x, _, z] = place.axes;
         let first = self.radius(args, 2)?;
         let circle = args.record.name == "CIRCLE";
         let second = if circle { first } else { self.radius(args, 3)? };
-        let normal = if self.forward { z } else { z.map(|v| 0.0 - v) };
+        let normal = if self.forward { z } else { opposite(z) };
         let towards = across(minus(self.ends[0], place.origin), normal);
-        let x = if circle && length(towards) > COINCIDENT * first {
-            unit(towards)
-        } else {
-            x
-        };
+        let is_off = circle && length(towards) > COINCIDENT * first;
+        let x = if is_off { unit(towards) } else { x };
         let ellipse = Ellipse {
             centre: place.origin,
             normal,
@@ -140,8 +123,8 @@ impl<'e, 'a> Span<'e, 'a> {
     }
 
     /// A hyperbola or a parabola: points on it, evenly in its parameter.
-    fn open_conic(&self, args: &Args<'e, 'a>) -> Result<Found, ImportError> {
-        let place = placement(self.file, args.entity(1)?, self.context)?;
+    fn open_conic(&self, args: &Args<'a>) -> Result<Found, Error> {
+        let place = placement(args.entity(1)?, self.context)?;
         let first = self.radius(args, 2)?;
         let hyperbola = args.record.name == "HYPERBOLA";
         let second = if hyperbola {
@@ -176,8 +159,8 @@ impl<'e, 'a> Span<'e, 'a> {
         Ok(self.through(points, false))
     }
 
-    fn spline(&self, entity: &Entity) -> Result<Found, ImportError> {
-        let spline = Spline::read(self.file, entity, self.context)?;
+    fn spline(&self, entity: Entity) -> Result<Found, Error> {
+        let spline = Spline::read(entity, self.context)?;
         let [low, high] = spline.domain();
         let [(start, off), (end, other)] = self.ends.map(|p| spline.nearest(p));
         let reach = self.reach(&spline);
@@ -241,7 +224,8 @@ impl<'e, 'a> Span<'e, 'a> {
         let first = points[0];
         let size = points
             .iter()
-            .fold(0.0_f64, |most, p| most.max(distance(*p, first)));
+            .map(|p| distance(*p, first))
+            .fold(0.0, f64::max);
         let least = self.tolerance(size).shortest;
         if !closed {
             let last = points.len() - 1;
@@ -259,7 +243,7 @@ impl<'e, 'a> Span<'e, 'a> {
 }
 
 /// A length above 0 and up to the largest coordinate, millimetres.
-pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64, ImportError> {
+pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64, Error> {
     let written = args.number(index)?;
     let radius = written * context.length;
     if (1e-9..=MAX_NUMBER).contains(&radius) {
@@ -267,7 +251,7 @@ pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64, Impor
     }
     Err(args.error(
         format!("a radius of {written}"),
-        &format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed"),
+        format!("a length above 0 and up to {MAX_NUMBER:e} mm is needed"),
     ))
 }
 
@@ -278,31 +262,21 @@ pub fn placed(curve: Curve, place: &Placement) -> Curve {
             from: place.point(from),
             to: place.point(to),
         },
-        Curve::Arc {
-            centre,
-            normal,
-            x,
-            radii,
-            start,
-            sweep,
-        } => Curve::Arc {
-            centre: place.point(centre),
-            normal: place.direction(normal),
-            x: place.direction(x),
-            radii,
-            start,
-            sweep,
-        },
-        Curve::Points {
-            points,
-            closed,
-            plane,
-            slack,
-        } => Curve::Points {
-            points: points.into_iter().map(|p| place.point(p)).collect(),
-            closed,
-            plane: plane.map(|(p, n)| (place.point(p), place.direction(n))),
-            slack,
-        },
+        Curve::Arc(arc) => Curve::Arc(Arc {
+            ellipse: Ellipse {
+                centre: place.point(arc.ellipse.centre),
+                normal: place.direction(arc.ellipse.normal),
+                x: place.direction(arc.ellipse.x),
+                ..arc.ellipse
+            },
+            ..arc
+        }),
+        Curve::Points(line) => Curve::Points(Polyline {
+            points: line.points.iter().map(|p| place.point(*p)).collect(),
+            plane: line
+                .plane
+                .map(|(p, n)| (place.point(p), place.direction(n))),
+            ..line
+        }),
     }
 }

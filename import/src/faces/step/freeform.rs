@@ -1,15 +1,13 @@
 //! B-spline surfaces, and those that a curve makes by a straight move or a turn (ISO 10303-42, clause 4.4), as patches.
 
-use super::args::Args;
 use super::curves::radius;
-use super::exchange::{Entity, Exchange};
 use super::knots::{implied_knots, weights, written_knots};
 use super::placement::{Placement, direction, placement, point};
 use super::spline::Spline;
 use super::units::Context;
-use crate::ImportError;
-use crate::faces::bezier::{Patch, Pole, patches, pieces};
-use crate::faces::vector::{Vector, across, along, cross, dot, length, minus, plus, times};
+use crate::faces::bezier::{Patch, Pole, patches, plain};
+use crate::faces::vector::{Vector, across, along, cross, distance, dot, minus, plus, times};
+use step21::{Args, Entity, Error};
 
 /// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
@@ -27,34 +25,28 @@ const KINDS: [&str; 4] = [
 ];
 
 /// The patches of a free-form surface; nothing for one of another kind.
-pub fn freeform(
-    file: &Exchange,
-    entity: &Entity,
-    context: &Context,
-) -> Result<Option<Vec<Patch>>, ImportError> {
-    if let Some(kind) = file.find(entity, &KINDS) {
-        return spline_surface(file, entity, &kind, context).map(Some);
+pub fn freeform(entity: Entity, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
+    if let Some(kind) = entity.find(&KINDS) {
+        return spline_surface(entity, &kind, context).map(Some);
     }
-    if let Some(args) = file.find(entity, &["SURFACE_OF_LINEAR_EXTRUSION"]) {
-        return extrusion(file, &args, context);
+    match entity.find(&["SURFACE_OF_LINEAR_EXTRUSION", "SURFACE_OF_REVOLUTION"]) {
+        Some(args) if args.record.name == "SURFACE_OF_REVOLUTION" => revolution(&args, context),
+        Some(args) => extrusion(&args, context),
+        None => Ok(None),
     }
-    if let Some(args) = file.find(entity, &["SURFACE_OF_REVOLUTION"]) {
-        return revolution(file, &args, context);
-    }
-    Ok(None)
 }
 
-fn spline_surface<'e, 'a>(
-    file: &'e Exchange<'a>,
-    entity: &'e Entity<'a>,
-    kind: &Args<'e, 'a>,
+fn spline_surface<'a>(
+    entity: Entity<'a>,
+    kind: &Args<'a>,
     context: &Context,
-) -> Result<Vec<Patch>, ImportError> {
-    let (surface, first) = if entity.complex {
-        (file.need(entity, &["B_SPLINE_SURFACE"])?, 0)
-    } else {
-        (*kind, 1)
-    };
+) -> Result<Vec<Patch>, Error> {
+    let whole = entity
+        .complex
+        .then(|| entity.need(&["B_SPLINE_SURFACE"]))
+        .transpose()?;
+    let surface = whole.unwrap_or(*kind);
+    let first = surface.first();
     let degrees = [surface.whole(first)?, surface.whole(first + 1)?];
     let rows = surface.list(first + 2)?;
     let mut poles: Vec<Vec<Pole>> = vec![];
@@ -65,8 +57,8 @@ fn spline_surface<'e, 'a>(
         if count > MOST_POLES {
             break;
         }
-        let pole = |entity| -> Result<Pole, ImportError> {
-            let [x, y, z] = point(file, entity, context)?;
+        let pole = |entity| -> Result<Pole, Error> {
+            let [x, y, z] = point(entity, context)?;
             Ok([x, y, z, 1.0])
         };
         poles.push(entities.into_iter().map(pole).collect::<Result<_, _>>()?);
@@ -81,7 +73,7 @@ fn spline_surface<'e, 'a>(
             "degrees 1 to 25 and in both directions more control points than the degree, up to 40000, are possible",
         ));
     }
-    if let Some(rational) = file.find(entity, &["RATIONAL_B_SPLINE_SURFACE"]) {
+    if let Some(rational) = entity.find(&["RATIONAL_B_SPLINE_SURFACE"]) {
         let rows = rational.list(0)?;
         if rows.len() != poles.len() {
             return Err(rational.error(
@@ -90,10 +82,8 @@ fn spline_surface<'e, 'a>(
             ));
         }
         for (row, values) in poles.iter_mut().zip(rows) {
-            for (pole, weight) in
-                row.iter_mut()
-                    .zip(weights(&rational, &rational.numbers_of(values)?, width)?)
-            {
+            let weights = weights(&rational, &rational.numbers_of(values)?, width)?;
+            for (pole, weight) in row.iter_mut().zip(weights) {
                 *pole = pole.map(|value| value * weight);
             }
         }
@@ -116,33 +106,31 @@ fn spline_surface<'e, 'a>(
 
 /// The curve that is moved or turned, as Bezier pieces; nothing for a curve of another kind. Of a line it is a part,
 /// not at its origin, which may be on the axis.
-fn profile<'e, 'a>(
-    file: &'e Exchange<'a>,
-    mut entity: &'e Entity<'a>,
+fn profile<'a>(
+    mut entity: Entity<'a>,
     context: &Context,
     reach: f64,
-) -> Result<Option<Vec<Vec<Pole>>>, ImportError> {
+) -> Result<Option<Vec<Vec<Pole>>>, Error> {
     for _ in 0..8 {
-        let Some(args) = file.find(entity, &["TRIMMED_CURVE", "SURFACE_CURVE", "SEAM_CURVE"])
-        else {
+        let Some(args) = entity.find(&["TRIMMED_CURVE", "SURFACE_CURVE", "SEAM_CURVE"]) else {
             break;
         };
         entity = args.entity(1)?;
     }
-    if Spline::is_one(file, entity) {
-        return Ok(Some(Spline::read(file, entity, context)?.pieces_of()));
+    if Spline::is_one(entity) {
+        return Ok(Some(Spline::read(entity, context)?.bezier()));
     }
-    if let Some(args) = file.find(entity, &["LINE"]) {
-        let origin = point(file, args.entity(1)?, context)?;
-        let course = direction(file, args.named(2, &["VECTOR"])?.entity(1)?)?;
+    if let Some(args) = entity.find(&["LINE"]) {
+        let origin = point(args.entity(1)?, context)?;
+        let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
         let pole = |factor: f64| {
             let [x, y, z] = along(origin, factor, course);
             [x, y, z, 1.0]
         };
         return Ok(Some(vec![vec![pole(reach), pole(2.0 * reach)]]));
     }
-    if let Some(args) = file.find(entity, &["CIRCLE", "ELLIPSE"]) {
-        let place = placement(file, args.entity(1)?, context)?;
+    if let Some(args) = entity.find(&["CIRCLE", "ELLIPSE"]) {
+        let place = placement(args.entity(1)?, context)?;
         let first = radius(&args, 2, context)?;
         let second = match args.record.name {
             "CIRCLE" => first,
@@ -162,70 +150,52 @@ fn arcs(centre: Vector, x: Vector, y: Vector) -> Vec<Vec<Pole>> {
         [x * weight, y * weight, z * weight, weight]
     };
     let turns = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [1.0, 0.0]];
-    turns
-        .windows(2)
-        .map(|pair| {
-            let [[a, b], [c, d]] = [pair[0], pair[1]];
-            vec![pole(a, b, 1.0), pole(a + c, b + d, corner), pole(c, d, 1.0)]
-        })
-        .collect()
+    let quarter = |pair: &[[f64; 2]]| {
+        let [[a, b], [c, d]] = [pair[0], pair[1]];
+        vec![pole(a, b, 1.0), pole(a + c, b + d, corner), pole(c, d, 1.0)]
+    };
+    turns.windows(2).map(quarter).collect()
 }
 
-fn extrusion<'e, 'a>(
-    file: &'e Exchange<'a>,
-    args: &Args<'e, 'a>,
-    context: &Context,
-) -> Result<Option<Vec<Patch>>, ImportError> {
-    let course = direction(file, args.named(2, &["VECTOR"])?.entity(1)?)?;
-    let Some(curve) = profile(file, args.entity(1)?, context, 1.0)? else {
+fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
+    let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
+    let Some(curve) = profile(args.entity(1)?, context, 1.0)? else {
         return Ok(None);
     };
     let reach = REACH * extent(&curve);
-    let moved = |pole: &Pole, factor: f64| -> Pole {
-        let weight = pole[3];
-        std::array::from_fn(|k| match k {
-            3 => weight,
-            _ => pole[k] + factor * weight * course[k],
-        })
+    let moved = |[x, y, z, weight]: Pole, factor: f64| -> Pole {
+        let [a, b, c] = course.map(|value| factor * weight * value);
+        [x + a, y + b, z + c, weight]
     };
+    let both = |pole: &Pole| [moved(*pole, -reach), moved(*pole, reach)];
     let patch = |piece: &Vec<Pole>| Patch {
         degrees: [piece.len() - 1, 1],
-        poles: piece
-            .iter()
-            .flat_map(|pole| [moved(pole, -reach), moved(pole, reach)])
-            .collect(),
+        poles: piece.iter().flat_map(both).collect(),
     };
     Ok(Some(curve.iter().map(patch).collect()))
 }
 
 fn extent(curve: &[Vec<Pole>]) -> f64 {
-    let plain = |p: &Pole| [p[0] / p[3], p[1] / p[3], p[2] / p[3]];
     let first = plain(&curve[0][0]);
     let points = curve.iter().flatten().map(plain);
-    points.map(|p| length(minus(p, first))).fold(0.0, f64::max)
+    points.map(|p| distance(p, first)).fold(0.0, f64::max)
 }
 
-fn revolution<'e, 'a>(
-    file: &'e Exchange<'a>,
-    args: &Args<'e, 'a>,
-    context: &Context,
-) -> Result<Option<Vec<Patch>>, ImportError> {
+fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
     let placed = args.named(2, &["AXIS1_PLACEMENT"])?;
-    let origin = point(file, placed.entity(1)?, context)?;
+    let origin = point(placed.entity(1)?, context)?;
     let axis = match placed.maybe(2)? {
-        Some(entity) => direction(file, entity)?,
+        Some(entity) => direction(entity)?,
         None => [0.0, 0.0, 1.0],
     };
-    let Some(curve) = profile(file, args.entity(1)?, context, 1.0)? else {
+    let Some(curve) = profile(args.entity(1)?, context, 1.0)? else {
         return Ok(None);
     };
     let mut all = vec![];
     for piece in &curve {
         // For each control point the circle on which it is turned, or its place on the axis.
-        let circles: Vec<Vec<Vec<Pole>>> = piece
-            .iter()
-            .map(|pole| turned(pole, origin, axis))
-            .collect();
+        let circles = piece.iter().map(|pole| turned(pole, origin, axis));
+        let circles: Vec<Vec<Vec<Pole>>> = circles.collect();
         for quarter in 0..4 {
             let poles = (0..3).flat_map(|k| circles.iter().map(move |circle| circle[quarter][k]));
             all.push(Patch {
@@ -238,36 +208,22 @@ fn revolution<'e, 'a>(
 }
 
 fn turned(pole: &Pole, origin: Vector, axis: Vector) -> Vec<Vec<Pole>> {
-    let weight = pole[3];
-    let p = [pole[0] / weight, pole[1] / weight, pole[2] / weight];
-    let from = minus(p, origin);
+    let from = minus(plain(pole), origin);
     let centre = along(origin, dot(from, axis), axis);
     let out = across(from, axis);
-    let scaled = |pole: Pole| pole.map(|value| value * weight);
-    let circle = arcs(centre, out, cross(axis, out));
+    let mut circle = arcs(centre, out, cross(axis, out));
+    for own in circle.iter_mut().flatten() {
+        *own = own.map(|value| value * pole[3]);
+    }
     circle
-        .into_iter()
-        .map(|piece| piece.into_iter().map(scaled).collect())
-        .collect()
 }
 
 /// Patches where their part is placed.
-pub fn placed(patches: Vec<Patch>, place: &Placement) -> Vec<Patch> {
-    let moved = |pole: Pole| {
+pub fn placed(mut patches: Vec<Patch>, place: &Placement) -> Vec<Patch> {
+    for pole in patches.iter_mut().flat_map(|patch| &mut patch.poles) {
         let weight = pole[3];
-        let [x, y, z] = place.point([pole[0] / weight, pole[1] / weight, pole[2] / weight]);
-        [x * weight, y * weight, z * weight, weight]
-    };
-    let moved = |patch: Patch| Patch {
-        poles: patch.poles.into_iter().map(moved).collect(),
-        ..patch
-    };
-    patches.into_iter().map(moved).collect()
-}
-
-impl Spline {
-    /// Its Bezier pieces.
-    fn pieces_of(&self) -> Vec<Vec<Pole>> {
-        pieces(self.degree, &self.knots, &self.poles)
+        let [x, y, z] = place.point(plain(pole));
+        *pole = [x * weight, y * weight, z * weight, weight];
     }
+    patches
 }

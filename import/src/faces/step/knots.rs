@@ -1,10 +1,9 @@
 //! Knots and weights of B-spline curves and surfaces.
 
-use super::args::Args;
-use crate::ImportError;
+use step21::{Args, Error};
 
 /// Weights of control points, checked.
-pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>, ImportError> {
+pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>, Error> {
     if weights.len() != count {
         return Err(args.error(
             format!("{} weights for {count} control points", weights.len()),
@@ -29,7 +28,7 @@ pub fn written_knots(
     places: [usize; 2],
     degree: usize,
     count: usize,
-) -> Result<Vec<f64>, ImportError> {
+) -> Result<Vec<f64>, Error> {
     let times = args.wholes(places[0])?;
     let values = args.numbers(places[1])?;
     let total: usize = times.iter().sum();
@@ -67,7 +66,7 @@ pub fn implied_knots(
     name: &str,
     degree: usize,
     count: usize,
-) -> Result<Vec<f64>, ImportError> {
+) -> Result<Vec<f64>, Error> {
     let total = count + degree + 1;
     let clamped = |index: usize, last: usize| index.clamp(degree, last) - degree;
     let is = |kind: &str| name.starts_with(kind);

@@ -1,12 +1,10 @@
 //! Points, directions and placements (ISO 10303-42, clause 4.4).
 
-use super::args::Args;
-use super::exchange::{Entity, Exchange};
 use super::units::Context;
-use crate::ImportError;
-use crate::faces::build::MAX_NUMBER;
 use crate::faces::planes::clean;
+use crate::faces::source::MAX_NUMBER;
 use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, times, unit};
+use step21::{Args, Entity, Error};
 
 /// Turned and moved: coordinates along three axes become those of the space around.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +13,12 @@ pub struct Placement {
     pub origin: Vector,
     /// Where the axes come to be, right-handed and of length 1.
     pub axes: [Vector; 3],
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        Self::IN_PLACE
+    }
 }
 
 impl Placement {
@@ -61,7 +65,7 @@ impl Placement {
 }
 
 /// The numbers of a point or a direction.
-fn triple(args: &Args, index: usize) -> Result<Vector, ImportError> {
+fn triple(args: &Args, index: usize) -> Result<Vector, Error> {
     let numbers = args.numbers(index)?;
     let count = numbers.len();
     numbers.try_into().map_err(|_| {
@@ -73,24 +77,20 @@ fn triple(args: &Args, index: usize) -> Result<Vector, ImportError> {
 }
 
 /// A point, millimetres.
-pub fn point(file: &Exchange, entity: &Entity, context: &Context) -> Result<Vector, ImportError> {
-    let args = file.need(entity, &["CARTESIAN_POINT"])?;
+pub fn point(entity: Entity, context: &Context) -> Result<Vector, Error> {
+    let args = entity.need(&["CARTESIAN_POINT"])?;
     let point = triple(&args, 1)?.map(|value| value * context.length);
     if point.iter().any(|value| value.abs() > MAX_NUMBER) {
-        return Err(args.error(
-            "it is too far off",
-            &format!(
-                "coordinates from {:e} to {MAX_NUMBER:e} mm are possible",
-                -MAX_NUMBER
-            ),
-        ));
+        let least = -MAX_NUMBER;
+        let accepted = format!("coordinates from {least:e} to {MAX_NUMBER:e} mm are possible");
+        return Err(args.error("it is too far off", accepted));
     }
     Ok(point)
 }
 
 /// A direction of length 1.
-pub fn direction(file: &Exchange, entity: &Entity) -> Result<Vector, ImportError> {
-    let args = file.need(entity, &["DIRECTION"])?;
+pub fn direction(entity: Entity) -> Result<Vector, Error> {
+    let args = entity.need(&["DIRECTION"])?;
     let numbers = triple(&args, 1)?;
     if !(1e-9..=MAX_NUMBER).contains(&length(numbers)) {
         return Err(args.error(
@@ -102,32 +102,24 @@ pub fn direction(file: &Exchange, entity: &Entity) -> Result<Vector, ImportError
 }
 
 /// An `AXIS2_PLACEMENT_3D` in the space of its own representation, millimetres.
-pub fn placement(
-    file: &Exchange,
-    entity: &Entity,
-    context: &Context,
-) -> Result<Placement, ImportError> {
-    let args = file.need(entity, &["AXIS2_PLACEMENT_3D"])?;
-    let origin = point(file, args.entity(1)?, context)?;
-    let given = |index| -> Result<Option<Vector>, ImportError> {
+pub fn placement(entity: Entity, context: &Context) -> Result<Placement, Error> {
+    let args = entity.need(&["AXIS2_PLACEMENT_3D"])?;
+    let origin = point(args.entity(1)?, context)?;
+    let given = |index| -> Result<Option<Vector>, Error> {
         let entity = args.maybe(index)?;
-        entity.map(|entity| direction(file, entity)).transpose()
+        entity.map(direction).transpose()
     };
     let z = given(2)?.unwrap_or([0.0, 0.0, 1.0]);
     let wanted = given(3)?.unwrap_or([1.0, 0.0, 0.0]);
-    let x = across(wanted, z);
+    let mut x = across(wanted, z);
     // The standard takes another axis of the frame if the wanted one is along z.
-    let x = if length(x) < 1e-9 {
-        let [_, y, _] = Placement::IN_PLACE.axes;
-        let other = across(if z[0].abs() > 0.9 { y } else { [1.0, 0.0, 0.0] }, z);
-        if length(other) < 1e-9 {
-            frame(z, 0.0)[0]
-        } else {
-            other
-        }
-    } else {
-        x
-    };
+    if length(x) < 1e-9 {
+        let [first, second, _] = Placement::IN_PLACE.axes;
+        x = across(if z[0].abs() > 0.9 { second } else { first }, z);
+    }
+    if length(x) < 1e-9 {
+        x = frame(z, 0.0)[0];
+    }
     let x = clean(unit(x));
     Ok(Placement {
         origin,

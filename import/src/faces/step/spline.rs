@@ -1,11 +1,11 @@
 //! B-spline curves, rational ones among them (ISO 10303-42, clause 4.4.34).
 
-use super::exchange::{Entity, Exchange};
 use super::knots::{implied_knots, weights, written_knots};
 use super::placement::point;
 use super::units::Context;
-use crate::ImportError;
+use crate::faces::bezier::{Pole, de_boor, pieces};
 use crate::faces::vector::{Vector, distance};
+use step21::{Entity, Error};
 
 /// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
@@ -22,7 +22,7 @@ pub struct Spline {
     /// Each as often as it counts.
     pub knots: Vec<f64>,
     /// Control points times their weights, and the weights.
-    pub poles: Vec<[f64; 4]>,
+    pub poles: Vec<Pole>,
 }
 
 /// Records that say what the knots are.
@@ -35,20 +35,16 @@ const KINDS: [&str; 4] = [
 
 impl Spline {
     /// Whether an entity is one.
-    pub fn is_one(file: &Exchange, entity: &Entity) -> bool {
-        file.find(entity, &KINDS).is_some()
+    pub fn is_one(entity: Entity) -> bool {
+        entity.find(&KINDS).is_some()
     }
 
     /// From its words.
-    pub fn read(
-        file: &Exchange,
-        entity: &Entity,
-        context: &Context,
-    ) -> Result<Spline, ImportError> {
-        let kind = file.need(entity, &KINDS)?;
+    pub fn read(entity: Entity, context: &Context) -> Result<Spline, Error> {
+        let kind = entity.need(&KINDS)?;
         // In a complex entity every part has its own parameters, in a simple one they follow a name.
         let (curve, first) = if entity.complex {
-            (file.need(entity, &["B_SPLINE_CURVE"])?, 0)
+            (entity.need(&["B_SPLINE_CURVE"])?, 0)
         } else {
             (kind, 1)
         };
@@ -61,13 +57,13 @@ impl Spline {
                 "degrees 1 to 25 and more control points than the degree, up to 10000, are possible",
             ));
         }
-        let weights = match file.find(entity, &["RATIONAL_B_SPLINE_CURVE"]) {
+        let weights = match entity.find(&["RATIONAL_B_SPLINE_CURVE"]) {
             Some(args) => weights(&args, &args.numbers(0)?, count)?,
             None => vec![1.0; count],
         };
         let mut poles = vec![];
         for (entity, weight) in points.into_iter().zip(weights) {
-            let [x, y, z] = point(file, entity, context)?.map(|value| value * weight);
+            let [x, y, z] = point(entity, context)?.map(|value| value * weight);
             poles.push([x, y, z, weight]);
         }
         let knots = match kind.record.name {
@@ -102,24 +98,15 @@ impl Spline {
         let after = self.knots.partition_point(|knot| *knot <= u);
         // The last piece has its end.
         let span = (after.max(1) - 1).clamp(self.degree, self.poles.len() - 1);
-        let mut points = self.poles[span - self.degree..=span].to_vec();
-        for round in 1..=self.degree {
-            for k in (round..=self.degree).rev() {
-                let left = self.knots[span - self.degree + k];
-                let right = self.knots[span + 1 + k - round];
-                let share = if right > left {
-                    (u - left) / (right - left)
-                } else {
-                    0.0
-                };
-                let before = points[k - 1];
-                for (value, before) in points[k].iter_mut().zip(before) {
-                    *value = (1.0 - share) * before + share * *value;
-                }
-            }
-        }
-        let [x, y, z, weight] = points[self.degree];
+        let own = &self.poles[span - self.degree..=span];
+        let point = de_boor(self.degree, &self.knots, own, span, |_| u);
+        let [x, y, z, weight] = point;
         [x / weight, y / weight, z / weight]
+    }
+
+    /// Its Bezier pieces.
+    pub fn bezier(&self) -> Vec<Vec<Pole>> {
+        pieces(self.degree, &self.knots, &self.poles)
     }
 
     /// The parameter of the point of the curve nearest to `p`, and their distance.
@@ -135,11 +122,7 @@ impl Spline {
         // A third of the interval goes in every round.
         for _ in 0..80 {
             let [c, d] = [a + (b - a) / 3.0, b - (b - a) / 3.0];
-            if off(c) <= off(d) {
-                b = d;
-            } else {
-                a = c;
-            }
+            (a, b) = if off(c) <= off(d) { (a, d) } else { (c, b) };
         }
         [low, high, place(best), 0.5 * (a + b)]
             .map(|u| (u, off(u)))
@@ -212,13 +195,8 @@ mod tests {
             "ISO-10303-21;HEADER;ENDSEC;DATA;#2=CARTESIAN_POINT('',(0.,0.,0.));#3=CARTESIAN_POINT('',(1.,2.,0.));
 #4=CARTESIAN_POINT('',(2.,0.,0.));#5=CARTESIAN_POINT('',(3.,-2.,0.));#6=CARTESIAN_POINT('',(4.,0.,0.));#1={text};ENDSEC;END-ISO-10303-21;"
         );
-        let source = super::super::source::Source {
-            file: "f",
-            bytes: text.as_bytes(),
-        };
-        let file = Exchange::parse(source).unwrap();
-        let entity = file.get(1).unwrap();
-        Spline::read(&file, entity, &Context::default()).map_err(|e| e.to_string())
+        let file = step21::Exchange::parse(text.as_bytes()).unwrap();
+        Spline::read(file.get(1).unwrap(), &Context::default()).map_err(|e| e.to_string())
     }
 
     #[test]

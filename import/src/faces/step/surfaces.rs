@@ -1,15 +1,13 @@
 //! Surfaces of faces (ISO 10303-42, clause 4.4).
 
-use super::args::Args;
 use super::curves::radius;
-use super::exchange::{Entity, Exchange};
 use super::freeform::{freeform, placed};
 use super::placement::{Placement, placement};
 use super::units::Context;
-use crate::ImportError;
 use crate::faces::canonical::canonical;
-use crate::faces::surface::{Surface, clean_tangent};
-use crate::faces::vector::along;
+use crate::faces::surface::{Form, Surface, clean_tangent};
+use crate::faces::vector::{along, opposite};
+use step21::{Args, Entity, Error};
 
 /// The surface of a face.
 #[derive(Clone, Debug)]
@@ -37,7 +35,7 @@ impl Found {
     fn refused(name: &str, reason: String) -> Found {
         Found {
             refused: Some(reason),
-            ..Found::exact(Surface::Other(name.into()))
+            ..Found::exact(Surface::other(name))
         }
     }
 }
@@ -59,52 +57,50 @@ const DEEPEST: usize = 8;
 /// The surface of a face, placed. The axis of a cone goes into the nappe that its radius is on. A free-form surface
 /// that is a quadric, a plane or a torus within `tolerance`, millimetres, is taken for it.
 pub fn surface(
-    file: &Exchange,
-    entity: &Entity,
+    entity: Entity,
     context: &Context,
     place: &Placement,
     tolerance: f64,
-) -> Result<Found, ImportError> {
-    surface_at(file, entity, context, place, tolerance, 0)
+) -> Result<Found, Error> {
+    surface_at(entity, context, place, tolerance, 0)
 }
 
 fn surface_at(
-    file: &Exchange,
-    entity: &Entity,
+    entity: Entity,
     context: &Context,
     place: &Placement,
     tolerance: f64,
     depth: usize,
-) -> Result<Found, ImportError> {
-    if let Some(args) = file.find(entity, &KNOWN) {
-        return known(file, &args, context, place);
+) -> Result<Found, Error> {
+    if let Some(args) = entity.find(&KNOWN) {
+        return known(&args, context, place);
     }
-    let inner = |args: &Args| -> Result<Found, ImportError> {
+    let inner = |args: &Args| -> Result<Found, Error> {
         if depth == DEEPEST {
             return Err(args.error(
                 "it is defined by itself, or by too many others",
-                &format!("at most {DEEPEST} surfaces defined by each other are possible"),
+                format!("at most {DEEPEST} surfaces defined by each other are possible"),
             ));
         }
-        surface_at(file, args.entity(1)?, context, place, tolerance, depth + 1)
+        surface_at(args.entity(1)?, context, place, tolerance, depth + 1)
     };
-    if let Some(args) = file.find(entity, &PARTS) {
+    if let Some(args) = entity.find(&PARTS) {
         let mut found = inner(&args)?;
         if args.record.name == PARTS[0] && args.flag(6)? != args.flag(7)? {
             found.opposite = !found.opposite;
         }
         return Ok(found);
     }
-    if let Some(args) = file.find(entity, &["OFFSET_SURFACE"]) {
+    if let Some(args) = entity.find(&["OFFSET_SURFACE"]) {
         let basis = inner(&args)?;
         let by = args.number(2)? * context.length;
         let by = if basis.opposite { -by } else { by };
         return Ok(match basis.surface.offset(by) {
             Some(surface) => Found { surface, ..basis },
-            None => Found::exact(Surface::Other("offset surface".into())),
+            None => Found::exact(Surface::other("offset surface")),
         });
     }
-    if let Some(patches) = freeform(file, entity, context)?
+    if let Some(patches) = freeform(entity, context)?
         && let Some(found) = canonical(&placed(patches, place), tolerance)
     {
         return Ok(Found {
@@ -114,85 +110,67 @@ fn surface_at(
             opposite: found.opposite,
         });
     }
-    other(file, entity).map(|name| Found::exact(Surface::Other(name)))
+    other(entity).map(|name| Found::exact(Surface::other(name)))
 }
 
-fn known(
-    file: &Exchange,
-    args: &Args,
-    context: &Context,
-    place: &Placement,
-) -> Result<Found, ImportError> {
-    let own = placement(file, args.entity(1)?, context)?;
+fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found, Error> {
+    let own = placement(args.entity(1)?, context)?;
     let own = place.after(&own);
-    let (origin, axis) = (own.origin, own.axes[2]);
-    let surface = match args.record.name {
-        "PLANE" => Surface::Plane {
-            origin,
-            normal: axis,
-        },
-        "CYLINDRICAL_SURFACE" => Surface::Cylinder {
-            origin,
-            axis,
-            radius: radius(args, 2, context)?,
-        },
-        "SPHERICAL_SURFACE" => Surface::Sphere {
-            centre: origin,
-            radius: radius(args, 2, context)?,
-        },
-        "TOROIDAL_SURFACE" | "DEGENERATE_TOROIDAL_SURFACE" => Surface::Torus {
-            centre: origin,
-            axis,
-            major: radius(args, 2, context)?,
-            minor: radius(args, 3, context)?,
-        },
-        _ => {
-            let radius = args.number(2)? * context.length;
-            let angle = args.number(3)? * context.angle;
-            if !(0.0..=1e9).contains(&radius) {
-                return Err(args.error(
-                    format!("a radius of {radius} mm"),
-                    "0 to 1e9 mm are possible",
-                ));
-            }
-            if !(0.1..=89.9).contains(&angle.abs().to_degrees()) {
-                let reason = format!(
-                    "an angle of {} degrees between axis and surface is out of range, 0.1 to 89.9 degrees are possible",
-                    angle.to_degrees()
-                );
-                return Ok(Found::refused("cone", reason));
-            }
-            // A negative angle, which some systems write, narrows the cone along its axis.
-            let axis = if angle < 0.0 {
-                axis.map(|v| 0.0 - v)
-            } else {
-                axis
-            };
-            Surface::Cone {
-                apex: along(origin, -radius / clean_tangent(angle.abs()), axis),
-                axis,
-                half_angle: angle.abs(),
-            }
-        }
+    let sized = |index| radius(args, index, context);
+    let form = match args.record.name {
+        "PLANE" => Form::Plane,
+        "CYLINDRICAL_SURFACE" => Form::Cylinder(sized(2)?),
+        "SPHERICAL_SURFACE" => Form::Sphere(sized(2)?),
+        "CONICAL_SURFACE" => return cone(args, context, &own),
+        _ => Form::Torus(sized(2)?, sized(3)?),
     };
-    Ok(Found::exact(surface))
+    Ok(Found::exact(Surface::new(own.origin, own.axes[2], form)))
+}
+
+fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found, Error> {
+    let radius = args.number(2)? * context.length;
+    let angle = args.number(3)? * context.angle;
+    if !(0.0..=1e9).contains(&radius) {
+        let problem = format!("a radius of {radius} mm");
+        return Err(args.error(problem, "0 to 1e9 mm are possible"));
+    }
+    if !(0.1..=89.9).contains(&angle.abs().to_degrees()) {
+        let reason = format!(
+            "an angle of {} degrees between axis and surface is out of range, 0.1 to 89.9 degrees are possible",
+            angle.to_degrees()
+        );
+        return Ok(Found::refused("cone", reason));
+    }
+    // A negative angle, which some systems write, narrows the cone along its axis.
+    let axis = if angle < 0.0 {
+        opposite(own.axes[2])
+    } else {
+        own.axes[2]
+    };
+    let apex = along(own.origin, -radius / clean_tangent(angle.abs()), axis);
+    Ok(Found::exact(Surface::new(
+        apex,
+        axis,
+        Form::Cone(angle.abs()),
+    )))
 }
 
 /// The name of a surface that is no quadric, as in a face list where that has one.
-fn other(file: &Exchange, entity: &Entity) -> Result<String, ImportError> {
+fn other(entity: Entity) -> Result<String, Error> {
+    const NAMES: [(&str, &str); 6] = [
+        ("TOROIDAL_SURFACE", "torus"),
+        ("B_SPLINE_SURFACE", "bspline"),
+        ("BEZIER_SURFACE", "bspline"),
+        ("UNIFORM_SURFACE", "bspline"),
+        ("SURFACE_OF_REVOLUTION", "revolution"),
+        ("SURFACE_OF_LINEAR_EXTRUSION", "extrusion"),
+    ];
     let has = |part: &str| entity.records.iter().any(|r| r.name.contains(part));
-    Ok(if has("TOROIDAL_SURFACE") {
-        "torus".into()
-    } else if has("B_SPLINE_SURFACE") || has("BEZIER_SURFACE") || has("UNIFORM_SURFACE") {
-        "bspline".into()
-    } else if has("SURFACE_OF_REVOLUTION") {
-        "revolution".into()
-    } else if has("SURFACE_OF_LINEAR_EXTRUSION") {
-        "extrusion".into()
-    } else if has("SURFACE") && !has("CURVE") {
-        entity.name().to_lowercase().replace('_', " ")
-    } else {
-        file.need(entity, &["PLANE", "surface"])?;
-        String::new()
-    })
+    if let Some((_, name)) = NAMES.iter().find(|(part, _)| has(part)) {
+        return Ok((*name).into());
+    }
+    if !has("SURFACE") || has("CURVE") {
+        entity.need(&["PLANE", "surface"])?;
+    }
+    Ok(entity.name().to_lowercase().replace('_', " "))
 }

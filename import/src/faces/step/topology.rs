@@ -1,18 +1,16 @@
 //! Shells, faces, loops, edges and vertices (ISO 10303-42, clause 5).
 
-use super::args::Args;
 use super::curves::{Span, placed};
-use super::exchange::{Entity, Exchange};
 use super::placement::{Placement, point};
 use super::surfaces::{Found, surface};
 use super::units::Context;
-use crate::ImportError;
 use crate::faces::build::MAX_PARTS;
 use crate::faces::curve::Curve;
-use crate::faces::model::{Edge, EdgeUse, Face, Solid, border};
-use crate::faces::surface::Surface;
+use crate::faces::model::{Edge, EdgeUse, Face, Solid, border, reversed};
+use crate::faces::surface::{Form, Surface};
 use crate::faces::vector::{Vector, distance, dot, length, minus};
 use std::collections::HashMap;
+use step21::{Args, Entity, Error};
 
 /// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known
 /// when it has been read.
@@ -23,10 +21,10 @@ const SAME_PLACE: f64 = 1e-7;
 const MAX_USES: usize = 200_000;
 
 /// A representation where it is placed: its edges and vertices are its own.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Space {
-    context: Context,
-    place: Placement,
+    pub context: Context,
+    pub place: Placement,
     /// Edges by their number, or why they are none.
     edges: HashMap<u64, Result<usize, String>>,
     /// Vertices by their number.
@@ -40,24 +38,11 @@ pub struct Space {
 impl Space {
     /// Of a context and a placement.
     pub fn new(context: Context, place: Placement) -> Self {
-        Self {
+        Space {
             context,
             place,
-            edges: HashMap::new(),
-            vertices: HashMap::new(),
-            sides: HashMap::new(),
-            surfaces: HashMap::new(),
+            ..Space::default()
         }
-    }
-
-    /// What the representation takes for the same place, millimetres.
-    pub fn uncertainty(&self) -> f64 {
-        self.context.uncertainty
-    }
-
-    /// What the digits of the file's coordinates leave open, millimetres.
-    pub fn precision(&self, file: &Exchange) -> f64 {
-        file.last_digit * self.context.length
     }
 }
 
@@ -65,9 +50,8 @@ impl Space {
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
 
 /// What has been read of the part.
-#[derive(Debug)]
-pub struct Topology<'e, 'a> {
-    file: &'e Exchange<'a>,
+#[derive(Debug, Default)]
+pub struct Topology {
     /// Edges.
     pub edges: Vec<Edge>,
     /// Faces.
@@ -81,38 +65,25 @@ pub struct Topology<'e, 'a> {
     uses: usize,
 }
 
-impl<'e, 'a> Topology<'e, 'a> {
-    /// Nothing yet.
-    pub fn new(file: &'e Exchange<'a>) -> Self {
-        Self {
-            file,
-            edges: vec![],
-            faces: vec![],
-            origins: vec![],
-            solids: vec![],
-            vertices: vec![],
-            uses: 0,
-        }
-    }
+fn too_many(what: &str, most: usize) -> Error {
+    Error::whole(
+        format!("more than {most} {what}, parts that are placed often counted as often"),
+        "a smaller assembly is needed",
+    )
+}
 
-    fn too_many(&self, what: &str, most: usize) -> ImportError {
-        self.file.source.unusable(
-            format!("more than {most} {what}, parts that are placed often counted as often"),
-            "a smaller assembly is needed",
-        )
-    }
-
+impl Topology {
     /// Adds the faces of shells as one solid.
     pub fn solid(
         &mut self,
         space: &mut Space,
-        shells: &[&'e Entity<'a>],
+        shells: &[Entity],
         name: String,
         material: String,
-    ) -> Result<(), ImportError> {
+    ) -> Result<(), Error> {
         let first = self.faces.len();
         for (index, shell) in shells.iter().enumerate() {
-            self.shell(space, shell, index)?;
+            self.shell(space, *shell, index)?;
         }
         self.solids.push(Solid {
             name,
@@ -122,20 +93,15 @@ impl<'e, 'a> Topology<'e, 'a> {
         Ok(())
     }
 
-    fn shell(
-        &mut self,
-        space: &mut Space,
-        entity: &'e Entity<'a>,
-        index: usize,
-    ) -> Result<(), ImportError> {
+    fn shell(&mut self, space: &mut Space, entity: Entity, index: usize) -> Result<(), Error> {
         let oriented = ["ORIENTED_CLOSED_SHELL", "ORIENTED_OPEN_SHELL"];
-        let (shell, outwards) = match self.file.find(entity, &oriented) {
+        let (shell, outwards) = match entity.find(&oriented) {
             Some(args) => (args.named(2, &SHELLS)?, args.flag(3)?),
-            None => (self.file.need(entity, &SHELLS)?, true),
+            None => (entity.need(&SHELLS)?, true),
         };
         for value in shell.list(1)? {
             if self.faces.len() == MAX_PARTS {
-                return Err(self.too_many("faces", MAX_PARTS));
+                return Err(too_many("faces", MAX_PARTS));
             }
             let (id, face) = match shell.as_entity(value) {
                 Ok(entity) => (entity.id, self.oriented_face(space, entity, outwards)),
@@ -144,12 +110,9 @@ impl<'e, 'a> Topology<'e, 'a> {
             // A bad face costs itself.
             let face = face.unwrap_or_else(|error| Face {
                 name: format!("#{id}"),
-                surface: Surface::Other("face".into()),
-                loops: vec![],
-                reversed: false,
-                material: None,
-                off: 0.0,
-                refused: Some(error.detail()),
+                surface: Surface::other("face"),
+                refused: Some(error.to_string()),
+                ..Face::default()
             });
             self.faces.push(face);
             self.origins.push((id, index));
@@ -160,10 +123,10 @@ impl<'e, 'a> Topology<'e, 'a> {
     fn oriented_face(
         &mut self,
         space: &mut Space,
-        entity: &'e Entity<'a>,
+        entity: Entity,
         outwards: bool,
-    ) -> Result<Face, ImportError> {
-        match self.file.find(entity, &["ORIENTED_FACE"]) {
+    ) -> Result<Face, Error> {
+        match entity.find(&["ORIENTED_FACE"]) {
             Some(args) => {
                 let own = args.flag(3)?;
                 self.face(space, args.entity(2)?, outwards == own)
@@ -173,13 +136,8 @@ impl<'e, 'a> Topology<'e, 'a> {
     }
 
     /// A face; `outwards` says that its normal leaves the solid.
-    fn face(
-        &mut self,
-        space: &mut Space,
-        entity: &'e Entity<'a>,
-        outwards: bool,
-    ) -> Result<Face, ImportError> {
-        let args = self.file.need(entity, &["ADVANCED_FACE", "FACE_SURFACE"])?;
+    fn face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face, Error> {
+        let args = entity.need(&["ADVANCED_FACE", "FACE_SURFACE"])?;
         let same_sense = args.flag(3)?;
         let Found {
             mut surface,
@@ -191,34 +149,34 @@ impl<'e, 'a> Topology<'e, 'a> {
         let same_sense = same_sense != opposite;
         let mut loops = vec![];
         for bound in args.entities(1)? {
-            let bound = self.file.need(bound, &["FACE_BOUND", "FACE_OUTER_BOUND"])?;
+            let bound = bound.need(&["FACE_BOUND", "FACE_OUTER_BOUND"])?;
             match self.bound(space, &bound)? {
                 Ok(uses) if uses.is_empty() => {}
                 // The left of a loop is that of the face's own normal.
                 Ok(uses) if same_sense => loops.push(uses),
-                Ok(uses) => loops.push(reversed(uses)),
+                Ok(uses) => loops.push(reversed(&uses)),
                 Err(reason) => refused = refused.or(Some(reason)),
             }
         }
         let bare = border(loops.iter().flatten().copied()).is_empty();
-        match &mut surface {
+        match surface.form {
             // Its seam alone bounds nothing.
-            Surface::Sphere { .. } | Surface::Torus { .. } if bare => loops.clear(),
-            Surface::Other(_) => {}
-            other if bare && refused.is_none() => {
-                refused = Some(format!(
-                    "it has no border, and a {} is endless",
-                    other.name()
-                ));
+            Form::Sphere(_) | Form::Torus(..) if bare => loops.clear(),
+            Form::Other(_) => {}
+            _ if bare && refused.is_none() => {
+                let name = surface.name();
+                refused = Some(format!("it has no border, and a {name} is endless"));
             }
-            Surface::Cone { apex, axis, .. } if self.is_behind(&loops, *apex, *axis) => {
-                *axis = axis.map(|v| 0.0 - v);
+            Form::Cone(_) if self.is_behind(&loops, &surface) => {
+                surface.axis = surface.axis.map(|v| 0.0 - v);
             }
-            Surface::Torus { .. } => surface = self.nearer_part(surface, &loops),
+            Form::Torus(major, minor) => {
+                surface.form = self.nearer_part(&surface, major, minor, &loops);
+            }
             _ => {}
         }
         if refused.is_some() {
-            surface = Surface::Other(surface.name().to_owned());
+            surface = Surface::other(surface.name());
         }
         let label = args.text(0);
         Ok(Face {
@@ -237,53 +195,44 @@ impl<'e, 'a> Topology<'e, 'a> {
     }
 
     /// A surface; each is looked at once in a representation.
-    fn surface(&mut self, space: &mut Space, entity: &'e Entity<'a>) -> Result<Found, ImportError> {
+    fn surface(&mut self, space: &mut Space, entity: Entity) -> Result<Found, Error> {
         if let Some(known) = space.surfaces.get(&entity.id) {
             return Ok(known.clone());
         }
-        let tolerance = CANONICAL * self.file.extent * space.context.length;
-        let found = surface(self.file, entity, &space.context, &space.place, tolerance)?;
+        let tolerance = CANONICAL * space.context.extent;
+        let found = surface(entity, &space.context, &space.place, tolerance)?;
         space.surfaces.insert(entity.id, found.clone());
         Ok(found)
     }
 
+    /// Points of edges.
+    fn places<'u>(&self, edges: impl IntoIterator<Item = &'u EdgeUse>) -> Vec<Vector> {
+        let curves = edges.into_iter().map(|own| &self.edges[own.edge].curve);
+        curves.flat_map(|curve| curve.sampled(8)).collect()
+    }
+
     /// Whether edges are on the side of an apex from which the axis comes.
-    fn is_behind(&self, loops: &[Vec<EdgeUse>], apex: Vector, axis: Vector) -> bool {
-        let edges = border(loops.iter().flatten().copied());
-        let points = edges
+    fn is_behind(&self, loops: &[Vec<EdgeUse>], cone: &Surface) -> bool {
+        let points = self.places(&border(loops.iter().flatten().copied()));
+        let heights = points
             .iter()
-            .flat_map(|edge_use| self.edges[edge_use.edge].curve.sampled(8));
-        points.map(|p| dot(minus(p, apex), axis)).sum::<f64>() < 0.0
+            .map(|p| dot(minus(*p, cone.origin), cone.axis));
+        heights.sum::<f64>() < 0.0
     }
 
     /// A torus that meets its axis has an outer and an inner part: that on which the border is.
-    fn nearer_part(&self, torus: Surface, loops: &[Vec<EdgeUse>]) -> Surface {
-        let Surface::Torus {
-            centre,
-            axis,
-            major,
-            minor,
-        } = torus
-        else {
-            return torus;
-        };
-        let inner = Surface::Torus {
-            centre,
-            axis,
-            major: -major,
-            minor,
-        };
+    fn nearer_part(&self, torus: &Surface, major: f64, minor: f64, loops: &[Vec<EdgeUse>]) -> Form {
+        let inner = Surface::new(torus.origin, torus.axis, Form::Torus(-major, minor));
         let off = |surface: &Surface| -> f64 {
-            let edges = loops.iter().flatten();
-            let points = edges.flat_map(|u| self.edges[u.edge].curve.sampled(8));
+            let points = self.places(loops.iter().flatten()).into_iter();
             points
                 .filter_map(|p| Some(distance(p, surface.nearest(p)?)))
                 .sum()
         };
-        if minor > major && off(&inner) < off(&torus) {
-            inner
+        if minor > major && off(&inner) < off(torus) {
+            inner.form
         } else {
-            torus
+            torus.form.clone()
         }
     }
 
@@ -291,60 +240,51 @@ impl<'e, 'a> Topology<'e, 'a> {
     fn bound(
         &mut self,
         space: &mut Space,
-        args: &Args<'e, 'a>,
-    ) -> Result<Result<Vec<EdgeUse>, String>, ImportError> {
+        args: &Args,
+    ) -> Result<Result<Vec<EdgeUse>, String>, Error> {
         let entity = args.entity(1)?;
         let forward = args.flag(2)?;
-        if let Some(vertex) = self.file.find(entity, &["VERTEX_LOOP"]) {
+        if let Some(vertex) = entity.find(&["VERTEX_LOOP"]) {
             vertex.named(1, &["VERTEX_POINT"])?;
             return Ok(Ok(vec![]));
         }
-        if let Some(polygon) = self.file.find(entity, &["POLY_LOOP"]) {
+        if let Some(polygon) = entity.find(&["POLY_LOOP"]) {
             let uses = self.polygon(space, &polygon)?;
-            return Ok(Ok(if forward { uses } else { reversed(uses) }));
+            return Ok(Ok(if forward { uses } else { reversed(&uses) }));
         }
-        let args = self
-            .file
-            .need(entity, &["EDGE_LOOP", "VERTEX_LOOP", "POLY_LOOP"])?;
+        let args = entity.need(&["EDGE_LOOP", "VERTEX_LOOP", "POLY_LOOP"])?;
         let mut uses = vec![];
         let mut refused = None;
         for entity in args.entities(1)? {
             self.uses += 1;
             if self.uses > MAX_USES {
-                return Err(self.too_many("edges in loops", MAX_USES));
+                return Err(too_many("edges in loops", MAX_USES));
             }
-            let oriented = self.file.need(entity, &["ORIENTED_EDGE"])?;
+            let oriented = entity.need(&["ORIENTED_EDGE"])?;
             let (edge, forward) = (oriented.entity(3)?, oriented.flag(4)?);
             match self.edge(space, edge)? {
                 Ok(edge) => uses.push((EdgeUse { edge, forward }, entity.id)),
                 Err(reason) => refused = refused.or(Some(reason)),
             }
         }
-        if let Some(reason) = refused {
+        if let Some(reason) = refused.or_else(|| self.check_chain(&args, &uses).err()) {
             return Ok(Err(reason));
         }
-        if let Err(reason) = self.check_chain(&args, &uses) {
-            return Ok(Err(reason));
-        }
-        let uses = uses.into_iter().map(|(edge_use, _)| edge_use).collect();
-        Ok(Ok(if forward { uses } else { reversed(uses) }))
+        let uses: Vec<EdgeUse> = uses.into_iter().map(|(edge_use, _)| edge_use).collect();
+        Ok(Ok(if forward { uses } else { reversed(&uses) }))
     }
 
     /// The sides of a polygon; those that two polygons share are one edge.
-    fn polygon(
-        &mut self,
-        space: &mut Space,
-        args: &Args<'e, 'a>,
-    ) -> Result<Vec<EdgeUse>, ImportError> {
+    fn polygon(&mut self, space: &mut Space, args: &Args) -> Result<Vec<EdgeUse>, Error> {
         let points = args.entities(1)?;
         let mut uses = vec![];
         for (index, from) in points.iter().enumerate() {
             let to = points[(index + 1) % points.len()];
             if self.edges.len() == MAX_PARTS {
-                return Err(self.too_many("edges", MAX_PARTS));
+                return Err(too_many("edges", MAX_PARTS));
             }
-            let place = |entity| point(self.file, entity, &space.context);
-            let ends = [place(from)?, place(to)?].map(|p| space.place.point(p));
+            let place = |entity| point(entity, &space.context);
+            let ends = [place(*from)?, place(to)?].map(|p| space.place.point(p));
             if ends[0] == ends[1] {
                 continue;
             }
@@ -378,13 +318,9 @@ impl<'e, 'a> Topology<'e, 'a> {
                 "{place}: it has no edge; at least one edge is needed"
             ));
         }
-        let ends = |edge_use: EdgeUse| {
-            let [from, to] = self.edges[edge_use.edge].vertices.unwrap_or_default();
-            if edge_use.forward {
-                [from, to]
-            } else {
-                [to, from]
-            }
+        let ends = |own: EdgeUse| {
+            let [from, to] = self.edges[own.edge].vertices.unwrap_or_default();
+            if own.forward { [from, to] } else { [to, from] }
         };
         for (index, (edge_use, id)) in uses.iter().enumerate() {
             let (next, after) = uses[(index + 1) % uses.len()];
@@ -406,38 +342,28 @@ impl<'e, 'a> Topology<'e, 'a> {
         distance(p, q) <= SAME_PLACE * size
     }
 
-    fn vertex(
-        &mut self,
-        space: &mut Space,
-        args: &Args<'e, 'a>,
-        index: usize,
-    ) -> Result<usize, ImportError> {
+    fn vertex(&mut self, space: &mut Space, args: &Args, index: usize) -> Result<usize, Error> {
         let vertex = args.named(index, &["VERTEX_POINT"])?;
         if let Some(known) = space.vertices.get(&vertex.entity.id) {
             return Ok(*known);
         }
-        let place = point(self.file, vertex.entity(1)?, &space.context)?;
+        let place = point(vertex.entity(1)?, &space.context)?;
         self.vertices.push(place);
         let index = self.vertices.len() - 1;
         space.vertices.insert(vertex.entity.id, index);
         Ok(index)
     }
 
-    fn edge(
-        &mut self,
-        space: &mut Space,
-        entity: &'e Entity<'a>,
-    ) -> Result<Result<usize, String>, ImportError> {
+    fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Result<usize, String>, Error> {
         if let Some(known) = space.edges.get(&entity.id) {
             return Ok(known.clone());
         }
         if self.edges.len() == MAX_PARTS {
-            return Err(self.too_many("edges", MAX_PARTS));
+            return Err(too_many("edges", MAX_PARTS));
         }
-        let args = self.file.need(entity, &["EDGE_CURVE"])?;
+        let args = entity.need(&["EDGE_CURVE"])?;
         let vertices = [self.vertex(space, &args, 1)?, self.vertex(space, &args, 2)?];
         let span = Span {
-            file: self.file,
             context: &space.context,
             ends: vertices.map(|index| self.vertices[index]),
             closed: vertices[0] == vertices[1] || self.same_place(vertices[0], vertices[1]),
@@ -445,7 +371,7 @@ impl<'e, 'a> Topology<'e, 'a> {
         };
         // Other faces of the edge are refused with the same words.
         let found = args.entity(3).and_then(|curve| span.of(curve));
-        let found = found.unwrap_or_else(|error| Err(error.detail()));
+        let found = found.unwrap_or_else(|error| Err(error.to_string()));
         let edge = found
             .map(|(kind, curve)| {
                 self.edges.push(Edge {
@@ -461,15 +387,4 @@ impl<'e, 'a> Topology<'e, 'a> {
         space.edges.insert(entity.id, edge.clone());
         Ok(edge)
     }
-}
-
-/// A loop the other way round.
-fn reversed(uses: Vec<EdgeUse>) -> Vec<EdgeUse> {
-    uses.into_iter()
-        .rev()
-        .map(|edge_use| EdgeUse {
-            forward: !edge_use.forward,
-            ..edge_use
-        })
-        .collect()
 }

@@ -1,8 +1,7 @@
 //! Units of a representation (ISO 10303-41, clause 21).
 
-use super::args::Args;
-use super::exchange::{Entity, Exchange};
-use crate::ImportError;
+use super::measure::Measure;
+use step21::{Args, Entity, Error};
 
 /// Most conversions of a unit by another.
 const LONGEST_CHAIN: usize = 8;
@@ -16,6 +15,10 @@ pub struct Context {
     pub angle: f64,
     /// What the file takes for the same place, millimetres.
     pub uncertainty: f64,
+    /// The greatest difference of two coordinates of the file along an axis, millimetres.
+    pub extent: f64,
+    /// What the digits of the file's coordinates leave open, millimetres.
+    pub precision: f64,
 }
 
 impl Default for Context {
@@ -24,6 +27,8 @@ impl Default for Context {
             length: 1.0,
             angle: 1.0,
             uncertainty: 0.0,
+            extent: 0.0,
+            precision: 0.0,
         }
     }
 }
@@ -31,28 +36,27 @@ impl Default for Context {
 /// Most that a file may take for the same place, millimetres: more would hide what does not fit.
 const MOST_UNCERTAIN: f64 = 0.01;
 
-/// The context that a representation names; without units lengths are millimetres and angles radians.
-pub fn context(file: &Exchange, entity: &Entity) -> Result<Context, ImportError> {
+/// The context that a representation names, if it does; without units lengths are millimetres and angles radians.
+pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context, Error> {
     let mut context = Context::default();
-    if let Some(args) = file.find(entity, &["GLOBAL_UNIT_ASSIGNED_CONTEXT"]) {
+    let args = |name| entity.and_then(|entity| entity.find(&[name]));
+    if let Some(args) = args("GLOBAL_UNIT_ASSIGNED_CONTEXT") {
         for unit in args.entities(0)? {
-            if let Some(length) = unit_of(file, unit, LENGTH, 0)? {
-                context.length = length;
-            }
-            if let Some(angle) = unit_of(file, unit, ANGLE, 0)? {
-                context.angle = angle;
-            }
+            context.length = unit_of(unit, LENGTH, 0)?.unwrap_or(context.length);
+            context.angle = unit_of(unit, ANGLE, 0)?.unwrap_or(context.angle);
         }
     }
-    if let Some(args) = file.find(entity, &["GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT"]) {
+    if let Some(args) = args("GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT") {
         for measure in args.entities(0)? {
-            let args = file.need(measure, &["UNCERTAINTY_MEASURE_WITH_UNIT"])?;
-            if let Some(length) = unit_of(file, args.entity(1)?, LENGTH, 0)? {
+            let args = measure.need(&["UNCERTAINTY_MEASURE_WITH_UNIT"])?;
+            if let Some(length) = unit_of(args.entity(1)?, LENGTH, 0)? {
                 let value = (args.number(0)? * length).clamp(0.0, MOST_UNCERTAIN);
                 context.uncertainty = context.uncertainty.max(value);
             }
         }
     }
+    context.extent = measure.extent * context.length;
+    context.precision = measure.last_digit * context.length;
     Ok(context)
 }
 
@@ -80,44 +84,36 @@ const ANGLE: Quantity = Quantity {
 };
 
 /// How many millimetres or radians a unit is; nothing if it is one of another quantity.
-fn unit_of(
-    file: &Exchange,
-    entity: &Entity,
-    quantity: Quantity,
-    chain: usize,
-) -> Result<Option<f64>, ImportError> {
-    if file.find(entity, &[quantity.part]).is_none() {
+fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f64>, Error> {
+    if entity.find(&[quantity.part]).is_none() {
         return Ok(None);
     }
-    if let Some(args) = file.find(entity, &["SI_UNIT"]) {
+    if let Some(args) = entity.find(&["SI_UNIT"]) {
         return si_unit(&args, quantity).map(Some);
     }
-    let args = file.need(entity, &["SI_UNIT", "CONVERSION_BASED_UNIT"])?;
+    let args = entity.need(&["SI_UNIT", "CONVERSION_BASED_UNIT"])?;
     if chain == LONGEST_CHAIN {
         return Err(args.error(
             "it is defined by itself, or by too many others",
-            &format!("at most {LONGEST_CHAIN} conversions are possible"),
+            format!("at most {LONGEST_CHAIN} conversions are possible"),
         ));
     }
-    let measure = file.find(
-        args.entity(1)?,
-        &[
-            "LENGTH_MEASURE_WITH_UNIT",
-            "PLANE_ANGLE_MEASURE_WITH_UNIT",
-            "MEASURE_WITH_UNIT",
-        ],
-    );
-    let Some(measure) = measure else {
+    let measures = [
+        "LENGTH_MEASURE_WITH_UNIT",
+        "PLANE_ANGLE_MEASURE_WITH_UNIT",
+        "MEASURE_WITH_UNIT",
+    ];
+    let Some(measure) = args.entity(1)?.find(&measures) else {
         return Err(args.error(
             "it has no measure",
             "a LENGTH_MEASURE_WITH_UNIT or a PLANE_ANGLE_MEASURE_WITH_UNIT is needed",
         ));
     };
     let factor = measure.number(0)?;
-    let Some(base) = unit_of(file, measure.entity(1)?, quantity, chain + 1)? else {
+    let Some(base) = unit_of(measure.entity(1)?, quantity, chain + 1)? else {
         return Err(measure.error(
             "its unit is of another quantity",
-            &format!("a {} is needed", quantity.part),
+            format!("a {} is needed", quantity.part),
         ));
     };
     let value = factor * base;
@@ -130,27 +126,21 @@ fn unit_of(
     Ok(Some(value))
 }
 
-fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, ImportError> {
+fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, Error> {
     // As a part of a complex entity it has its own two parameters, alone also that of `NAMED_UNIT`.
     let first = if args.record.values.len() > 2 { 1 } else { 0 };
     if args.word(first + 1)? != Some(quantity.name) {
         return Err(args.error(
             format!("it is no unit of a {}", quantity.part),
-            &format!("`.{}.` is needed", quantity.name),
+            format!("`.{}.` is needed", quantity.name),
         ));
     }
-    let power = match args.word(first)? {
-        None => 0,
-        Some(prefix) => PREFIXES
-            .iter()
-            .find(|(name, _)| *name == prefix)
-            .map(|(_, power)| *power)
-            .ok_or_else(|| {
-                args.error(
-                    format!("`.{prefix}.` is no prefix of this program"),
-                    "`.NANO.` to `.KILO.` are possible, and `$`",
-                )
-            })?,
+    let prefix = args.word(first)?.unwrap_or("");
+    let Some((_, power)) = PREFIXES.iter().find(|(name, _)| *name == prefix) else {
+        return Err(args.error(
+            format!("`.{prefix}.` is no prefix of this program"),
+            "`.NANO.` to `.KILO.` are possible, and `$`",
+        ));
     };
     // A power of ten divides exactly where it would not multiply so.
     let power = power + quantity.power;
@@ -158,7 +148,8 @@ fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, ImportError> {
     Ok(if power < 0 { 1.0 / ten } else { ten })
 }
 
-const PREFIXES: [(&str, i32); 8] = [
+const PREFIXES: [(&str, i32); 9] = [
+    ("", 0),
     ("KILO", 3),
     ("HECTO", 2),
     ("DECA", 1),
@@ -172,7 +163,7 @@ const PREFIXES: [(&str, i32); 8] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faces::step::source::Source;
+    use step21::Exchange;
 
     fn read(units: &str) -> Result<Context, String> {
         let text = format!(
@@ -180,12 +171,8 @@ mod tests {
 GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9)) REPRESENTATION_CONTEXT('',''));
 {units}#9=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-4),#2,'','');ENDSEC;END-ISO-10303-21;"
         );
-        let source = Source {
-            file: "f",
-            bytes: text.as_bytes(),
-        };
-        let file = Exchange::parse(source).map_err(|e| e.to_string())?;
-        context(&file, file.get(1).unwrap()).map_err(|e| e.to_string())
+        let file = Exchange::parse(text.as_bytes()).map_err(|e| e.to_string())?;
+        context(file.get(1), Measure::default()).map_err(|e| e.to_string())
     }
 
     #[test]

@@ -5,8 +5,8 @@ mod decode;
 use super::cif::{
     ATOMS, Atoms, Table, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
 };
-use super::structure::{Remark, Structure, unusable};
-use crate::error::ImportError;
+use super::structure::{Remark, Structure};
+use crate::error::{ImportError, unusable};
 use decode::{Budget, Values, array, decode, get, text};
 use rmpv::ValueRef;
 

@@ -12,9 +12,9 @@ pub use atoms::{Atoms, WANTED};
 pub use meaning::finish;
 pub use table::{Cell, Table};
 
-use super::structure::{Remark, Structure, unusable};
+use super::structure::{Remark, Structure};
 use super::words::plain;
-use crate::error::ImportError;
+use crate::error::{ImportError, unusable};
 use std::collections::HashMap;
 use token::{Token, Tokens};
 

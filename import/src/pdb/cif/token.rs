@@ -152,22 +152,6 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Line and column of a byte.
-    pub fn place(&self, offset: usize) -> Place {
-        let before = &self.bytes[..offset.min(self.bytes.len())];
-        // Old Macintosh files end their lines with a carriage return alone.
-        let end = if self.bytes.contains(&b'\n') {
-            b'\n'
-        } else {
-            b'\r'
-        };
-        let start = before.iter().rposition(|b| *b == end).map_or(0, |k| k + 1);
-        Place {
-            line: before.iter().filter(|b| **b == end).count() + 1,
-            column: String::from_utf8_lossy(&before[start..]).chars().count() + 1,
-        }
-    }
-
     /// What is wrong at a byte, and what would be accepted there.
     pub fn malformed(
         &self,
@@ -175,12 +159,14 @@ impl<'a> Tokens<'a> {
         problem: impl Into<String>,
         accepted: impl Into<String>,
     ) -> ImportError {
-        ImportError::Malformed {
-            file: self.file.to_owned(),
-            place: self.place(offset),
-            problem: problem.into(),
-            accepted: accepted.into(),
-        }
+        // Old Macintosh files end their lines with a carriage return alone.
+        let end = if self.bytes.contains(&b'\n') {
+            b'\n'
+        } else {
+            b'\r'
+        };
+        let place = Place::of(self.bytes, offset, end);
+        ImportError::new(self.file, Some(place), problem, accepted)
     }
 }
 

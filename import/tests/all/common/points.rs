@@ -1,7 +1,7 @@
 //! Points of surfaces, and whether cells keep them.
 
 use imogene_import::faces::vector::{Vector, along, dot, frame, minus, plus, times};
-use imogene_import::faces::{Cell, Part, Surface};
+use imogene_import::faces::{Cell, Form, Part, Surface};
 use std::f64::consts::TAU;
 
 /// Whether a point of the surface is in one of the cells: the half-spaces as they stand in the scene.
@@ -34,46 +34,31 @@ impl Even {
 /// A point of a surface in or near a ball.
 pub fn point_of(surface: &Surface, middle: Vector, size: f64, even: &mut Even) -> Vector {
     let reach = 0.75 * size;
-    match *surface {
-        Surface::Plane { origin, normal } => {
-            let foot = along(middle, -dot(minus(middle, origin), normal), normal);
-            let [e, f] = frame(normal, 0.0);
+    let Surface { origin, axis, .. } = *surface;
+    let [e, f] = frame(axis, 0.0);
+    let round = |angle: f64| plus(times(angle.cos(), e), times(angle.sin(), f));
+    match surface.form {
+        Form::Plane => {
+            let foot = along(middle, -dot(minus(middle, origin), axis), axis);
             let (a, b) = (even.next() - 0.5, even.next() - 0.5);
             along(along(foot, 2.0 * reach * a, e), 2.0 * reach * b, f)
         }
-        Surface::Cylinder {
-            origin,
-            axis,
-            radius,
-        } => {
-            let [e, f] = frame(axis, 0.0);
+        Form::Cylinder(radius) => {
             let (angle, height) = (TAU * even.next(), 2.0 * reach * (even.next() - 0.5));
             let foot = along(origin, dot(minus(middle, origin), axis) + height, axis);
-            plus(
-                foot,
-                plus(
-                    times(radius * angle.cos(), e),
-                    times(radius * angle.sin(), f),
-                ),
-            )
+            along(foot, radius, round(angle))
         }
-        Surface::Cone {
-            apex,
-            axis,
-            half_angle,
-        } => {
-            let [e, f] = frame(axis, 0.0);
+        Form::Cone(half_angle) => {
             let (angle, t) = (TAU * even.next(), 4.0 * reach * (even.next() - 0.5));
-            let out = plus(times(angle.cos(), e), times(angle.sin(), f));
             let (sine, cosine) = half_angle.sin_cos();
-            plus(apex, plus(times(t * cosine, axis), times(t * sine, out)))
+            along(along(origin, t * cosine, axis), t * sine, round(angle))
         }
-        Surface::Sphere { centre, radius } => {
+        Form::Sphere(radius) => {
             let z = 2.0 * even.next() - 1.0;
             let angle = TAU * even.next();
             let r = (1.0 - z * z).sqrt();
-            along(centre, radius, [r * angle.cos(), r * angle.sin(), z])
+            along(origin, radius, [r * angle.cos(), r * angle.sin(), z])
         }
-        Surface::Torus { .. } | Surface::Other(_) => unreachable!("not drawn as one surface"),
+        Form::Torus(..) | Form::Other(_) => unreachable!("not drawn as one surface"),
     }
 }

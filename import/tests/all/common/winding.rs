@@ -4,7 +4,7 @@ use imogene_import::faces::model::{Face, Model};
 use imogene_import::faces::vector::{
     Vector, along, cross, distance, dot, frame, length, minus, times, unit,
 };
-use imogene_import::faces::{Curve, Surface};
+use imogene_import::faces::{Curve, Form, Surface};
 use std::f64::consts::TAU;
 
 /// Steps of a curved edge.
@@ -28,7 +28,7 @@ impl Oracle {
         for edge_use in face.loops.iter().flatten() {
             let curve = &model.edges[edge_use.edge].curve;
             let mut points = match curve {
-                Curve::Points { .. } => on_surfaces(model, edge_use.edge, curve.sampled(1)),
+                Curve::Points(_) => on_surfaces(model, edge_use.edge, curve.sampled(1)),
                 _ => curve.sampled(STEPS),
             };
             if !matches!(curve, Curve::Line { .. }) {
@@ -62,10 +62,9 @@ impl Oracle {
 
     /// Least and greatest coordinates of the loops, or of the whole sphere.
     pub fn bounds(&self) -> [Vector; 2] {
-        let mut bounds = match self.surface {
-            Surface::Sphere { centre, radius } => {
-                [centre.map(|v| v - radius), centre.map(|v| v + radius)]
-            }
+        let origin = self.surface.origin;
+        let mut bounds = match self.surface.form {
+            Form::Sphere(radius) => [origin.map(|v| v - radius), origin.map(|v| v + radius)],
             _ => [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
         };
         for p in self.chains.iter().flatten() {
@@ -95,23 +94,22 @@ impl Oracle {
 
     /// Whether the face has a point.
     pub fn has(&self, p: Vector) -> bool {
-        match &self.surface {
-            Surface::Plane { origin, normal } => {
-                let [e, f] = frame(*normal, 0.0);
-                let flat = |q: Vector| [dot(minus(q, *origin), e), dot(minus(q, *origin), f)];
+        let Surface { origin, axis, .. } = self.surface;
+        match self.surface.form {
+            Form::Plane => {
+                let [e, f] = frame(axis, 0.0);
+                let flat = |q: Vector| [dot(minus(q, origin), e), dot(minus(q, origin), f)];
                 self.winding(flat(p), flat) != 0
             }
-            Surface::Cylinder { origin, axis, .. } => self.rolled(p, *origin, *axis),
-            Surface::Cone { apex, axis, .. } => {
-                dot(minus(p, *apex), *axis) > 0.0 && self.rolled(p, *apex, *axis)
-            }
-            Surface::Sphere { .. } => {
+            Form::Cylinder(_) => self.rolled(p, origin, axis),
+            Form::Cone(_) => dot(minus(p, origin), axis) > 0.0 && self.rolled(p, origin, axis),
+            Form::Sphere(_) => {
                 if self.chains.is_empty() {
                     return true;
                 }
                 self.winding(self.projected(p), |q| self.projected(q)) != 0
             }
-            Surface::Torus { .. } | Surface::Other(_) => unreachable!("not drawn as one surface"),
+            Form::Torus(..) | Form::Other(_) => unreachable!("not drawn as one surface"),
         }
     }
 
@@ -156,9 +154,10 @@ impl Oracle {
 
     /// Stereographic projection of a sphere from the pole, seen from outside with its sense kept.
     fn projected(&self, p: Vector) -> [f64; 2] {
-        let Surface::Sphere { centre, radius } = self.surface else {
+        let Form::Sphere(radius) = self.surface.form else {
             unreachable!("spheres alone are projected")
         };
+        let centre = self.surface.origin;
         let up = unit(minus(self.pole, centre));
         let [e, f] = frame(up, 0.0);
         let q = times(1.0 / radius, minus(p, centre));
@@ -169,11 +168,10 @@ impl Oracle {
 
     /// A point of the sphere to the right of an edge and nearer to it than to any other.
     fn outside(&self) -> Vector {
-        let (Surface::Sphere { centre, radius }, Some(chain)) =
-            (&self.surface, self.chains.first())
-        else {
+        let (Form::Sphere(radius), Some(chain)) = (&self.surface.form, self.chains.first()) else {
             return [0.0; 3];
         };
+        let centre = &self.surface.origin;
         let middle = chain.len() / 2;
         let normal = unit(minus(chain[middle], *centre));
         let course = minus(chain[middle + 1], chain[middle - 1]);
@@ -198,7 +196,8 @@ impl Oracle {
 /// Least radius of curvature of an edge, for the sagitta of its chords.
 fn smallest_radius(curve: &Curve) -> f64 {
     match curve {
-        Curve::Arc { radii, .. } => {
+        Curve::Arc(arc) => {
+            let radii = arc.ellipse.radii;
             let (a, b) = (radii[0].min(radii[1]), radii[0].max(radii[1]));
             a * a / b
         }

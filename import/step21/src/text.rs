@@ -18,6 +18,13 @@ pub fn decoded(bytes: &[u8]) -> String {
         .collect()
 }
 
+/// `a torus`, `an EDGE_CURVE`: a name with its article.
+pub fn with_article(name: &str) -> String {
+    // A u at the start of the names in question is that of "uniform".
+    let vowel = name.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']);
+    format!("{} {name}", if vowel { "an" } else { "a" })
+}
+
 /// A directive at the start of a text: its length and what it stands for.
 fn directive(text: &str) -> Option<(usize, String)> {
     let hexadecimal = |digits: &str, width: usize| {

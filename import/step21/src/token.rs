@@ -1,7 +1,6 @@
 //! Words of a STEP file (ISO 10303-21, clause 6).
 
-use super::source::Source;
-use crate::ImportError;
+use super::error::Error;
 
 /// What a word is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +42,7 @@ impl Token<'_> {
 /// Reads words one after the other.
 #[derive(Debug)]
 pub struct Tokens<'a> {
-    source: Source<'a>,
+    bytes: &'a [u8],
     next: usize,
     /// Where the word that was read last begins.
     pub at: usize,
@@ -51,25 +50,25 @@ pub struct Tokens<'a> {
 
 impl<'a> Tokens<'a> {
     /// From the start of a file.
-    pub fn new(source: Source<'a>) -> Self {
-        let mark = source.bytes.starts_with(b"\xef\xbb\xbf");
+    pub fn new(bytes: &'a [u8]) -> Self {
+        let mark = bytes.starts_with(b"\xef\xbb\xbf");
         Self {
-            source,
+            bytes,
             next: if mark { 3 } else { 0 },
             at: 0,
         }
     }
 
     fn rest(&self) -> &'a [u8] {
-        &self.source.bytes[self.next..]
+        &self.bytes[self.next..]
     }
 
-    fn error(&self, problem: impl Into<String>, accepted: &str) -> ImportError {
-        self.source.error(self.at, problem, accepted)
+    fn error(&self, problem: impl Into<String>, accepted: &str) -> Error {
+        Error::at(self.bytes, self.at, problem, accepted)
     }
 
     /// The next word.
-    pub fn read(&mut self) -> Result<Token<'a>, ImportError> {
+    pub fn read(&mut self) -> Result<Token<'a>, Error> {
         self.skip()?;
         self.at = self.next;
         let Some(first) = self.rest().first().copied() else {
@@ -100,7 +99,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// White space, comments and the print directives `\N\` and `\F\`.
-    fn skip(&mut self) -> Result<(), ImportError> {
+    fn skip(&mut self) -> Result<(), Error> {
         loop {
             let rest = self.rest();
             match rest {
@@ -127,21 +126,18 @@ impl<'a> Tokens<'a> {
         std::str::from_utf8(taken).unwrap_or("")
     }
 
-    fn reference(&mut self) -> Result<Token<'a>, ImportError> {
+    fn reference(&mut self) -> Result<Token<'a>, Error> {
         let digits = self.take_while(1, |byte| byte.is_ascii_digit());
         digits.parse().map(Token::Reference).map_err(|_| {
-            self.error(
-                if digits.is_empty() {
-                    "`#` without a number".to_owned()
-                } else {
-                    format!("the number of `#{}` is too large", shortened(digits))
-                },
-                format!("references are `#1` to `#{}`", u64::MAX).as_str(),
-            )
+            let problem = match digits {
+                "" => "`#` without a number".to_owned(),
+                _ => format!("the number of `#{}` is too large", shortened(digits)),
+            };
+            self.error(problem, &format!("references are `#1` to `#{}`", u64::MAX))
         })
     }
 
-    fn number(&mut self) -> Result<Token<'a>, ImportError> {
+    fn number(&mut self) -> Result<Token<'a>, Error> {
         let is_part = |byte: u8| byte.is_ascii_digit() || b"+-.Ee".contains(&byte);
         let digits = self.take_while(0, is_part);
         match digits.parse::<f64>() {
@@ -156,7 +152,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    fn word(&mut self) -> Result<Token<'a>, ImportError> {
+    fn word(&mut self) -> Result<Token<'a>, Error> {
         let is_part = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
         let word = self.take_while(1, is_part);
         if word.is_empty() || self.rest().first() != Some(&b'.') {
@@ -170,22 +166,20 @@ impl<'a> Tokens<'a> {
     }
 
     /// Up to the closing quote; two quotes are one.
-    fn text(&mut self) -> Result<Token<'a>, ImportError> {
+    fn text(&mut self) -> Result<Token<'a>, Error> {
         let start = self.next + 1;
         self.quoted(b'\'', "a string")?;
         while self.rest().first() == Some(&b'\'') {
             self.quoted(b'\'', "a string")?;
         }
-        Ok(Token::Text(&self.source.bytes[start..self.next - 1]))
+        Ok(Token::Text(&self.bytes[start..self.next - 1]))
     }
 
-    fn quoted(&mut self, quote: u8, what: &str) -> Result<(), ImportError> {
+    fn quoted(&mut self, quote: u8, what: &str) -> Result<(), Error> {
         let inside = &self.rest()[1..];
         let Some(end) = inside.iter().position(|byte| *byte == quote) else {
-            return Err(self.error(
-                format!("{what} has no end"),
-                format!("`{}` ends {what}", char::from(quote)).as_str(),
-            ));
+            let accepted = format!("`{}` ends {what}", char::from(quote));
+            return Err(self.error(format!("{what} has no end"), &accepted));
         };
         self.next += end + 2;
         Ok(())

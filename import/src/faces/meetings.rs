@@ -1,0 +1,257 @@
+//! Where separators turn and meet on a surface, by the coordinate u of its chart.
+
+use super::chart::{Chart, Separator};
+use super::polynomial::{harmonic, quadratic, roots_between};
+use super::surface::{Form, Implicit, Surface};
+use super::vector::{Vector, along, cross, dot, length, minus, plus, positive_angle, times};
+use std::f64::consts::PI;
+
+impl Chart {
+    /// All u at which the number of crossings of a separator may change, or at which it lies along the line u.
+    pub fn turns(&self, separator: &Separator) -> Vec<f64> {
+        let Surface { origin, axis, .. } = self.surface;
+        let (normal, offset) = match separator {
+            Separator::Plane { normal, offset } => (*normal, *offset),
+            Separator::Quadric(implicit) => return self.turns_of_conic(implicit),
+        };
+        let [n1, n2] = self.e.map(|e| dot(normal, e));
+        let (up, rest) = (dot(normal, axis), offset - dot(normal, origin));
+        match self.surface.form {
+            Form::Plane if n2.abs() <= 1e-12 && n1 != 0.0 => vec![rest / n1],
+            Form::Cylinder(radius) => harmonic(radius * n1, radius * n2, rest),
+            Form::Cone(angle) => {
+                let (sine, cosine) = angle.sin_cos();
+                harmonic(sine * n1, sine * n2, -cosine * up)
+            }
+            Form::Sphere(radius) => {
+                let rest = rest / radius;
+                let square = rest * rest - up * up;
+                let mut turns = vec![];
+                if square >= 0.0 {
+                    turns.extend(harmonic(n1, n2, square.sqrt()));
+                    turns.extend(harmonic(n1, n2, -square.sqrt()));
+                }
+                turns.extend(harmonic(n1, n2, 0.0));
+                turns
+            }
+            _ => vec![],
+        }
+    }
+
+    fn turns_of_conic(&self, implicit: &Implicit) -> Vec<f64> {
+        if self.is_round() {
+            return vec![];
+        }
+        let (a, b, c) = self.conic(implicit);
+        // Discriminant of the quadratic in v, as a polynomial in u.
+        let disc = [
+            b[0] * b[0] - 4.0 * a * c[0],
+            2.0 * b[0] * b[1] - 4.0 * a * c[1],
+            b[1] * b[1] - 4.0 * a * c[2],
+        ];
+        let mut turns = quadratic(disc[2], disc[1], disc[0]);
+        turns.extend(quadratic(0.0, b[1], b[0]));
+        turns
+    }
+
+    /// All u at which two separators cross each other on the surface.
+    pub fn meetings(&self, one: &Separator, other: &Separator) -> Vec<f64> {
+        match (one, other) {
+            (
+                Separator::Plane { normal, offset },
+                Separator::Plane {
+                    normal: n,
+                    offset: o,
+                },
+            ) => self.two_planes((*normal, *offset), (*n, *o)),
+            (Separator::Quadric(one), Separator::Quadric(other)) => self.two_conics(one, other),
+            (Separator::Plane { normal, offset }, Separator::Quadric(implicit))
+            | (Separator::Quadric(implicit), Separator::Plane { normal, offset }) => {
+                self.plane_and_conic((*normal, *offset), implicit)
+            }
+        }
+    }
+
+    fn two_planes(&self, (n, c): (Vector, f64), (m, d): (Vector, f64)) -> Vec<f64> {
+        let direction = cross(n, m);
+        let square = dot(direction, direction);
+        if square <= 1e-24 {
+            return vec![];
+        }
+        let sum = plus(times(c, cross(m, direction)), times(d, cross(direction, n)));
+        let start = times(1.0 / square, sum);
+        let u_at = |t: f64| self.u_of(along(start, t, direction));
+        if let Some((origin, normal)) = self.surface.plane() {
+            let slope = dot(direction, normal);
+            if slope.abs() <= 1e-13 * length(direction) {
+                return vec![];
+            }
+            return vec![u_at(dot(minus(origin, start), normal) / slope)];
+        }
+        let Some(implicit) = self.surface.implicit() else {
+            return vec![];
+        };
+        let [a, b, c] = implicit.on_line(start, direction);
+        let meetings = quadratic(a, b, c).into_iter().map(u_at);
+        // A point of the other nappe lies on the line of the opposite angle.
+        let both = |u: f64| {
+            [
+                Some(u),
+                self.surface.is_cone().then(|| positive_angle(u + PI)),
+            ]
+        };
+        meetings.flat_map(both).flatten().collect()
+    }
+
+    fn plane_and_conic(&self, (n, c): (Vector, f64), implicit: &Implicit) -> Vec<f64> {
+        let [n1, n2] = self.e.map(|e| dot(n, e));
+        let square = n1 * n1 + n2 * n2;
+        if self.is_round() || square <= 1e-24 {
+            return vec![];
+        }
+        let rest = (c - dot(n, self.surface.origin)) / square;
+        let start = self.point(rest * n1, rest * n2);
+        let direction = along(times(-n2, self.e[0]), n1, self.e[1]);
+        let [a, b, c] = implicit.on_line(start, direction);
+        let meetings = quadratic(a, b, c).into_iter();
+        meetings
+            .map(|t| self.u_of(along(start, t, direction)))
+            .collect()
+    }
+
+    /// Roots of the resultant of the two quadratics in v.
+    fn two_conics(&self, one: &Implicit, other: &Implicit) -> Vec<f64> {
+        if self.is_round() {
+            return vec![];
+        }
+        let [(a, b, c), (d, f, g)] = [one, other].map(|implicit| self.conic(implicit));
+        let combine = |factor: f64, u: &[f64], by: f64, v: &[f64]| -> Vec<f64> {
+            let at = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
+            let most = u.len().max(v.len());
+            (0..most)
+                .map(|k| factor * at(u, k) - by * at(v, k))
+                .collect()
+        };
+        let product = |u: &[f64], v: &[f64]| -> Vec<f64> {
+            let mut all = vec![0.0; u.len() + v.len() - 1];
+            for (i, x) in u.iter().enumerate() {
+                for (j, y) in v.iter().enumerate() {
+                    all[i + j] += x * y;
+                }
+            }
+            all
+        };
+        let ag = combine(a, &g, d, &c);
+        let af = combine(a, &f, d, &b);
+        let bg: Vec<f64> = combine(1.0, &product(&b, &g), 1.0, &product(&f, &c));
+        let resultant = combine(1.0, &product(&ag, &ag), 1.0, &product(&af, &bg));
+        let mut reach = self.turns_of_conic(one);
+        reach.extend(self.turns_of_conic(other));
+        let ends = [
+            reach.iter().min_by(|a, b| a.total_cmp(b)),
+            reach.iter().max_by(|a, b| a.total_cmp(b)),
+        ];
+        let [Some(low), Some(high)] = ends else {
+            return vec![];
+        };
+        let margin = high - low;
+        roots_between(&resultant, low - margin, high + margin)
+    }
+
+    /// A quadric on a plane as a quadratic in v: `a`, and the coefficients of `b` and `c` in u, lowest power first.
+    fn conic(&self, implicit: &Implicit) -> (f64, [f64; 2], [f64; 3]) {
+        let (origin, e) = (self.surface.origin, self.e);
+        let [uu, u, one] = implicit.on_line(origin, e[0]);
+        let [vv, v, _] = implicit.on_line(origin, e[1]);
+        let [_, both, _] = implicit.on_line(along(origin, 1.0, e[0]), e[1]);
+        (vv, [v, both - v], [one, u, uu])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faces::vector::unit;
+
+    fn charts() -> [Chart; 4] {
+        let axis = unit([1.0, 2.0, -2.0]);
+        [
+            Surface::new([1.0, 2.0, 3.0], axis, Form::Plane),
+            Surface::new([3.0, 1.0, 2.0], axis, Form::Cylinder(1.5)),
+            Surface::new([0.5, -1.0, 2.0], axis, Form::Cone(0.6)),
+            Surface::new([1.0, 1.0, -4.0], axis, Form::Sphere(2.0)),
+        ]
+        .map(|surface| Chart::free(&surface, &[]).unwrap())
+    }
+
+    fn through(chart: &Chart, more: f64) -> Separator {
+        let normal = unit([0.3, 0.9, 0.2]);
+        let offset = dot(normal, chart.point(1.0, 0.3)) + more;
+        Separator::Plane { normal, offset }
+    }
+
+    #[test]
+    fn points_of_a_chart_lie_on_the_surface_at_their_u() {
+        for chart in charts() {
+            for k in 0..60 {
+                let (u, w) = (0.1 * f64::from(k), 0.02 * f64::from(k) + 0.05);
+                let p = chart.point(u, w);
+                let q = chart.surface.nearest(p).unwrap();
+                assert!(length(minus(p, q)) < 1e-12, "{chart:?}");
+                assert!((chart.u_of(p) - u).abs() < 1e-12, "{chart:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn crossings_lie_on_the_separator() {
+        for chart in charts() {
+            let separator = through(&chart, 0.0);
+            let Separator::Plane { normal, offset } = separator else {
+                unreachable!()
+            };
+            let mut found = 0;
+            for k in 0..60 {
+                let u = 0.1 * f64::from(k);
+                for w in chart.crossings(u, &separator) {
+                    let off = dot(normal, chart.point(u, w)) - offset;
+                    assert!(off.abs() < 1e-9, "{chart:?}");
+                    found += 1;
+                }
+            }
+            assert!(found > 20, "{chart:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_of_crossings_change_at_turns_alone() {
+        for chart in charts() {
+            let separator = through(&chart, 0.4);
+            let turns = chart.turns(&separator);
+            let count = |u: f64| chart.crossings(u, &separator).len();
+            for k in 0..2000 {
+                let (u, v) = (f64::from(k) * 0.003, f64::from(k + 1) * 0.003);
+                if !turns.iter().any(|t| (u - 1e-9..=v + 1e-9).contains(t)) {
+                    assert_eq!(count(u), count(v), "{chart:?} at {u}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn conics_on_a_plane_meet_where_both_are_zero() {
+        let axis = [0.0, 0.0, 1.0];
+        let chart = Chart::free(&Surface::new([0.0; 3], axis, Form::Plane), &[]).unwrap();
+        let circle = |x: f64| {
+            let surface = Surface::new([x, 0.0, 0.0], axis, Form::Cylinder(1.0));
+            Separator::Quadric(surface.implicit().unwrap())
+        };
+        // x = 1/2, y = +-sqrt(3)/2
+        let meetings = chart.meetings(&circle(0.0), &circle(1.0));
+        for y in [-0.75_f64.sqrt(), 0.75_f64.sqrt()] {
+            let u = chart.u_of([0.5, y, 0.0]);
+            let near = |m: &f64| (m - u).abs() < 1e-7;
+            assert!(meetings.iter().any(near), "{meetings:?}");
+        }
+    }
+}

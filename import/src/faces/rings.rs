@@ -1,0 +1,172 @@
+//! Bands of cones for a torus, which meet in circles of it.
+//!
+//! The bands are the same for all faces of one torus, and as far as the angles are quarters of a turn for all tori
+//! with one radius of the tube. An edge across them, a circle about the tube, becomes the chords of the bands for the
+//! plane face beside it.
+
+use super::chart::Chart;
+use super::curve::Curve;
+use super::model::{Face, Model};
+use super::slabs::{Band, OVERLAP};
+use super::surface::{Form, Surface};
+use super::vector::{Vector, dot, minus, range};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Most bands of a quarter of the tube.
+const MAX_BANDS: f64 = 1e5;
+/// Most bands of one torus.
+pub const MOST: usize = 1000;
+/// Angles nearer than this are one, radians.
+const SAME_ANGLE: f64 = 1e-7;
+
+/// The bands of a torus, by the angles between them.
+#[derive(Clone, Debug)]
+pub struct Rings {
+    /// Ascending, from 0 up to a whole turn, the first again at the end.
+    angles: Vec<f64>,
+    /// Greatest angle of a band; what is wider between two angles is reached by no face.
+    step: f64,
+    /// How far the cones are inside the torus, scene units.
+    pub deviation: f64,
+}
+
+impl Rings {
+    /// Within a deviation; edges that are parallels of the torus are between bands.
+    pub fn of(model: &Model, surface: &Surface, max_deviation: f64) -> Option<Rings> {
+        let Form::Torus(_, minor) = surface.form else {
+            return None;
+        };
+        let chart = Chart::of(surface, None)?;
+        // Half the angle of a chord of this sagitta.
+        let half = (1.0 - (max_deviation / minor).min(0.25)).acos();
+        let count = (0.5 * FRAC_PI_2 / half).ceil().clamp(1.0, MAX_BANDS);
+        let step = FRAC_PI_2 / count;
+        let (edges, ranges) = reached(model, surface, &chart);
+        let is_reached = |k: &usize| {
+            let (low, high) = (*k as f64 * step, (*k + 1) as f64 * step);
+            ranges.iter().any(|[from, to]| {
+                let turn = ((from - high) / TAU).ceil() * TAU;
+                low + turn <= *to
+            })
+        };
+        let wanted: Vec<usize> = (0..4 * count as usize).filter(is_reached).collect();
+        if wanted.len() > MOST {
+            return None;
+        }
+        let ends = |k: &usize| [*k as f64 * step, (*k + 1) as f64 * step];
+        let mut angles: Vec<f64> = wanted.iter().flat_map(ends).collect();
+        angles.sort_by(f64::total_cmp);
+        angles.dedup_by(|next, kept| *next - *kept <= SAME_ANGLE);
+        if angles.last().is_some_and(|last| *last >= TAU - SAME_ANGLE) {
+            angles.pop();
+            if angles.first().is_none_or(|first| *first > SAME_ANGLE) {
+                angles.insert(0, 0.0);
+            }
+        }
+        for v in edges {
+            let off = |angle: &f64| {
+                let off = (angle - v).rem_euclid(TAU);
+                off.min(TAU - off)
+            };
+            if angles.iter().all(|angle| off(angle) > SAME_ANGLE) {
+                angles.push(v.rem_euclid(TAU));
+            }
+        }
+        angles.sort_by(f64::total_cmp);
+        angles.push(angles[0] + TAU);
+        Some(Rings {
+            angles,
+            step,
+            deviation: minor * (1.0 - (0.5 * step).cos()),
+        })
+    }
+
+    /// The cones.
+    pub fn bands(&self, chart: &Chart) -> Vec<Band> {
+        let band = |pair: &[f64]| {
+            let surface = chart.chord(pair[0], pair[1])?;
+            let [(out, up), (other, higher)] = [pair[0], pair[1]].map(|v| chart.meridian(v));
+            let chord = (other - out).hypot(higher - up);
+            Some(Band {
+                quadric: Some(surface.implicit()?),
+                ends: [pair[0], pair[1]],
+                beyond: OVERLAP.min(0.5 * self.deviation / chord),
+            })
+        };
+        let pairs = self.angles.windows(2);
+        let narrow = pairs.filter(|pair| pair[1] - pair[0] <= self.step + SAME_ANGLE);
+        narrow.filter_map(band).collect()
+    }
+}
+
+/// The angles of edges that are parallels of a torus, and all that its faces reach over.
+fn reached(model: &Model, surface: &Surface, chart: &Chart) -> (Vec<f64>, Vec<[f64; 2]>) {
+    let same = |face: &&Face| face.surface.same(surface, model.rounding());
+    let (mut parallels, mut ranges) = (vec![], vec![]);
+    for face in model.faces.iter().filter(same) {
+        if face.loops.is_empty() {
+            ranges.push([0.0, TAU]);
+        }
+        for edge_use in face.loops.iter().flatten() {
+            let path = chart.path(&model.edges[edge_use.edge].curve.sampled(32));
+            let range = range(path.iter().map(|[_, v]| *v));
+            if range[1] - range[0] <= SAME_ANGLE {
+                parallels.push(path[0][1]);
+            }
+            ranges.push(range);
+        }
+    }
+    // A face goes from the lowest to the highest of its borders only if these, or a seam, join them.
+    if ranges.iter().all(|[low, high]| high - low <= SAME_ANGLE) {
+        ranges.push([0.0, TAU]);
+    }
+    (parallels, ranges)
+}
+
+/// The chords of an edge about the tube of a torus, from its start to its end; nothing for other edges.
+pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Curve>, f64)> {
+    let curve = &model.edges[edge].curve;
+    let Curve::Arc(arc) = curve else {
+        return None;
+    };
+    let of_torus = |face: &usize| {
+        let surface = &model.faces[*face].surface;
+        let Form::Torus(_, minor) = surface.form else {
+            return None;
+        };
+        let (ellipse, off) = (&arc.ellipse, model.rounding());
+        let about = ellipse
+            .radii
+            .iter()
+            .all(|radius| (radius - minor).abs() <= off);
+        (about && dot(ellipse.normal, surface.axis).abs() <= 1e-9).then_some(surface)
+    };
+    let surface = model.users[edge].iter().find_map(of_torus)?;
+    let rings = Rings::of(model, surface, max_deviation)?;
+    let chart = Chart::of(surface, None)?;
+    let path = chart.path(&curve.sampled(96));
+    let first = path[0];
+    // A circle about the tube is one line u = constant.
+    if path.iter().any(|[u, _]| (u - first[0]).abs() > 1e-6) {
+        return None;
+    }
+    let (from, to) = (first[1], path[path.len() - 1][1]);
+    let mut angles = vec![from];
+    let (low, high) = (from.min(to) + SAME_ANGLE, from.max(to) - SAME_ANGLE);
+    let turns = [-TAU, 0.0, TAU].into_iter();
+    let turned = turns.flat_map(|turn| rings.angles[1..].iter().map(move |v| v + turn));
+    let mut inner: Vec<f64> = turned.filter(|v| *v > low && *v < high).collect();
+    inner.sort_by(f64::total_cmp);
+    if to < from {
+        inner.reverse();
+    }
+    angles.extend(inner);
+    angles.push(to);
+    let mut points: Vec<Vector> = angles.iter().map(|v| chart.point(first[0], *v)).collect();
+    let last = points.len() - 1;
+    [points[0], points[last]] = curve.ends();
+    let pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
+    let lines = pairs.filter(|(from, to)| minus(*from, *to) != [0.0; 3]);
+    let lines = lines.map(|(from, to)| Curve::Line { from, to });
+    Some((lines.collect(), rings.deviation))
+}

@@ -1,0 +1,203 @@
+//! From the items of representations to solids.
+
+use super::assembly::{Assembly, Placed};
+use super::colours::{Colour, Palette};
+use super::placement::Placement;
+use super::summary::Summary;
+use super::topology::{SHELLS, Space, Topology};
+use crate::faces::model::Model;
+use std::collections::{HashMap, HashSet};
+use step21::{Entity, Error, Exchange, Kind, decoded};
+
+/// Items that have no faces of their own and are expected beside solids.
+const SILENT: [&str; 3] = ["AXIS2_PLACEMENT_3D", "MAPPED_ITEM", "CARTESIAN_POINT"];
+
+/// What has been found in a file and in those beside it.
+#[derive(Default)]
+pub struct Found {
+    pub model: Model,
+    pub palette: Palette,
+    /// Names of solids that are taken, and how often.
+    names: HashMap<String, usize>,
+}
+
+/// Reads the representations of a file.
+pub struct Reader<'f, 'a> {
+    found: &'f mut Found,
+    assembly: &'f Assembly<'a>,
+    colours: HashMap<u64, Colour>,
+    topology: Topology,
+    /// Items by the placement that has them already.
+    seen: HashSet<(usize, u64)>,
+    /// For each item that is drawn, how many faces it has.
+    placed: HashMap<u64, usize>,
+    summary: Summary,
+}
+
+impl<'f, 'a> Reader<'f, 'a> {
+    /// Of a file with its colours; what is found is added.
+    pub fn new(
+        found: &'f mut Found,
+        assembly: &'f Assembly<'a>,
+        colours: HashMap<u64, Colour>,
+        summary: Summary,
+    ) -> Self {
+        Reader {
+            found,
+            assembly,
+            colours,
+            topology: Topology::default(),
+            seen: HashSet::new(),
+            placed: HashMap::new(),
+            summary,
+        }
+    }
+
+    /// Reads the items of a representation where it is placed; those that cannot be read are missing.
+    pub fn representation(&mut self, part: &Placed<'a>, place: Placement) {
+        let own = part.representation;
+        let read = self
+            .assembly
+            .context(&own)
+            .and_then(|context| Ok((context, own.list(1)?)));
+        let (context, items) = match read {
+            Ok(read) => read,
+            Err(error) => return self.leave_out(part, &error),
+        };
+        let mut space = Space::new(context, place);
+        for item in items {
+            let solid = own
+                .as_entity(item)
+                .and_then(|item| self.item(part, &mut space, item));
+            if let Err(error) = solid {
+                self.leave_out(part, &error);
+            }
+        }
+    }
+
+    fn leave_out(&mut self, part: &Placed, error: &Error) {
+        let name = self.assembly.name(part.group);
+        let part = if name.is_empty() {
+            "left out".into()
+        } else {
+            format!("part `{name}`")
+        };
+        self.summary.missing.push(format!("{part}: {error}"));
+    }
+
+    fn item(&mut self, part: &Placed, space: &mut Space, item: Entity) -> Result<(), Error> {
+        if !self.seen.insert((part.occurrence, item.id)) {
+            return Ok(());
+        }
+        let shells = shells(item)?;
+        if shells.is_empty() {
+            if item.find(&SILENT).is_none() {
+                *self.summary.left_out.entry(item.name()).or_default() += 1;
+            }
+            return Ok(());
+        }
+        let model = &mut self.found.model;
+        model.uncertainty = model.uncertainty.max(space.context.uncertainty);
+        model.precision = model.precision.max(space.context.precision);
+        let name = self.name_of(self.assembly.name(part.group), item);
+        let own = self.colours.get(&item.id).copied();
+        let material = self.found.palette.material(own);
+        let first = self.topology.faces.len();
+        self.topology.solid(space, &shells, name, material)?;
+        self.colour(own, &shells, first);
+        self.placed
+            .insert(item.id, self.topology.faces.len() - first);
+        Ok(())
+    }
+
+    /// Moves what was read to what has been found.
+    pub fn finish(mut self, file: &Exchange) -> Summary {
+        self.summary.faces = self.placed.values().sum();
+        let of_shells = file
+            .all(&SHELLS)
+            .flat_map(|shell| shell.list(1).unwrap_or_default());
+        let of_shells = of_shells.filter_map(|face| match face.kind {
+            Kind::Reference(id) => Some(id),
+            _ => None,
+        });
+        let of_shells: HashSet<u64> = of_shells.collect();
+        self.summary.unplaced_faces = of_shells.len().saturating_sub(self.summary.faces);
+        let model = &mut self.found.model;
+        let (first_edge, first_face) = (model.edges.len(), model.faces.len());
+        let loops = self
+            .topology
+            .faces
+            .iter_mut()
+            .flat_map(|face| &mut face.loops);
+        for edge_use in loops.flatten() {
+            edge_use.edge += first_edge;
+        }
+        for face in self
+            .topology
+            .solids
+            .iter_mut()
+            .flat_map(|solid| &mut solid.faces)
+        {
+            *face += first_face;
+        }
+        model.edges.append(&mut self.topology.edges);
+        model.faces.append(&mut self.topology.faces);
+        model.solids.append(&mut self.topology.solids);
+        self.summary
+    }
+
+    /// A name that no other solid has: that of the product, or the item's own.
+    fn name_of(&mut self, product: &str, item: Entity) -> String {
+        let label = match &item.records[..] {
+            [record] => match record.values.first().map(|value| &value.kind) {
+                Some(Kind::Text(label)) => decoded(label),
+                _ => String::new(),
+            },
+            _ => String::new(),
+        };
+        let words = [product.trim(), label.trim()];
+        let plain = words.into_iter().find(|word| !word.is_empty());
+        let plain = plain.map_or(format!("#{}", item.id), str::to_owned);
+        let names = &mut self.found.names;
+        let mut name = plain.clone();
+        while names.contains_key(&name) {
+            let count = names.entry(plain.clone()).or_insert(1);
+            *count += 1;
+            name = format!("{plain} {count}");
+        }
+        names.insert(name.clone(), 1);
+        name
+    }
+
+    /// The colours of faces that are not that of their solid: their own, or that of their shell.
+    fn colour(&mut self, own: Option<Colour>, shells: &[Entity], first: usize) {
+        let of = |id: u64| self.colours.get(&id).copied();
+        for index in first..self.topology.faces.len() {
+            let (face, shell) = self.topology.origins[index];
+            let colour = of(face).or_else(|| of(shells[shell].id));
+            if colour.is_some() && colour != own {
+                let material = self.found.palette.material(colour);
+                self.topology.faces[index].material = Some(material);
+            }
+        }
+    }
+}
+
+/// The shells of an item; none if it is of another kind.
+fn shells(item: Entity) -> Result<Vec<Entity>, Error> {
+    if let Some(args) = item.find(&["SHELL_BASED_SURFACE_MODEL"]) {
+        return args.entities(args.first());
+    }
+    if let Some(voids) = item.find(&["BREP_WITH_VOIDS"]) {
+        let whole = item
+            .complex
+            .then(|| item.need(&["MANIFOLD_SOLID_BREP"]))
+            .transpose()?;
+        let outer = whole.unwrap_or(voids);
+        let mut shells = vec![outer.entity(outer.first())?];
+        shells.extend(voids.entities(2 * voids.first())?);
+        return Ok(shells);
+    }
+    let solid = item.find(&["MANIFOLD_SOLID_BREP", "FACETED_BREP"]);
+    solid.map_or(Ok(vec![]), |args| Ok(vec![args.entity(args.first())?]))
+}

@@ -1,0 +1,273 @@
+//! Entities by their names, and parameters by what they have to be.
+
+use super::error::Error;
+use super::exchange::Exchange;
+use super::text::{decoded, with_article};
+use super::token::shortened;
+use super::value::{Instance, Kind, Record, Value};
+use std::fmt::Display;
+use std::ops::Deref;
+
+/// An entity of a file.
+#[derive(Clone, Copy, Debug)]
+pub struct Entity<'a> {
+    file: &'a Exchange<'a>,
+    own: &'a Instance<'a>,
+}
+
+impl<'a> Deref for Entity<'a> {
+    type Target = Instance<'a>;
+
+    fn deref(&self) -> &Instance<'a> {
+        self.own
+    }
+}
+
+impl<'a> Entity<'a> {
+    fn new(file: &'a Exchange<'a>, own: &'a Instance<'a>) -> Self {
+        Entity { file, own }
+    }
+
+    /// An error at the entity.
+    pub fn error(&self, problem: impl Into<String>, accepted: impl Into<String>) -> Error {
+        Error::at(self.file.bytes, self.at, problem, accepted)
+    }
+
+    /// Its record that has one of these names.
+    pub fn find(&self, names: &[&str]) -> Option<Args<'a>> {
+        let record = self
+            .own
+            .records
+            .iter()
+            .find(|record| names.contains(&record.name))?;
+        let entity = *self;
+        Some(Args { entity, record })
+    }
+
+    /// The same, and an error if there is none.
+    pub fn need(&self, names: &[&str]) -> Result<Args<'a>, Error> {
+        self.find(names).ok_or_else(|| {
+            let problem = format!("`#{}` is {}", self.id, with_article(&self.name()));
+            let others = names.iter().skip(1).map(|name| format!(" or {name}"));
+            let first = names
+                .first()
+                .map_or("nothing".into(), |name| with_article(name));
+            let needed = first + &others.collect::<String>();
+            self.error(problem, format!("{needed} is needed where it is named"))
+        })
+    }
+
+    /// Its name for a message: of a complex one the names of its parts.
+    pub fn name(&self) -> String {
+        let names: Vec<&str> = self.own.records.iter().map(|record| record.name).collect();
+        match names[..] {
+            [] => "( )".into(),
+            [name] => shortened(name),
+            _ => format!("( {} )", shortened(&names.join(" "))),
+        }
+    }
+}
+
+impl Exchange<'_> {
+    /// An entity by its number.
+    pub fn get(&self, id: u64) -> Option<Entity<'_>> {
+        let place = *self.index.get(&id)?;
+        Some(Entity::new(self, &self.instances[place]))
+    }
+
+    /// All entities in their order.
+    pub fn entities(&self) -> impl Iterator<Item = Entity<'_>> {
+        self.instances.iter().map(|own| Entity::new(self, own))
+    }
+
+    /// Those that have one of these records.
+    pub fn all<'e>(&'e self, names: &'e [&str]) -> impl Iterator<Item = Args<'e>> {
+        self.entities().filter_map(|entity| entity.find(names))
+    }
+}
+
+/// A record of an entity, whose parameters are asked for by their number, from 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Args<'a> {
+    /// The entity.
+    pub entity: Entity<'a>,
+    /// The record.
+    pub record: &'a Record<'a>,
+}
+
+impl<'a> Args<'a> {
+    /// An error of the whole entity.
+    pub fn error(&self, problem: impl Display, accepted: impl Into<String>) -> Error {
+        let entity = self.entity;
+        let problem = format!(
+            "`#{}` {}: {problem}",
+            entity.id,
+            shortened(self.record.name)
+        );
+        entity.error(problem, accepted)
+    }
+
+    fn wrong(&self, value: &Value, needed: &str) -> Error {
+        let values = &self.record.values;
+        let place = values.iter().position(|v| v.at >= value.at);
+        let place = place.map_or(values.len(), |p| p + 1);
+        let problem = format!("parameter {place} is {}", value.name());
+        let whole = self.error(problem, format!("{needed} is needed"));
+        Error::at(
+            self.entity.file.bytes,
+            value.at,
+            whole.problem,
+            whole.accepted,
+        )
+    }
+
+    /// The place of the first parameter behind the name, which only a simple entity has.
+    pub fn first(&self) -> usize {
+        usize::from(!self.entity.complex)
+    }
+
+    /// A parameter.
+    pub fn value(&self, index: usize) -> Result<&'a Value<'a>, Error> {
+        self.record.values.get(index).ok_or_else(|| {
+            self.error(
+                format!("it has {} parameters", self.record.values.len()),
+                format!("at least {} are needed", index + 1),
+            )
+        })
+    }
+
+    fn as_number(&self, value: &Value) -> Result<f64, Error> {
+        match &value.kind {
+            Kind::Number(number, _) => Ok(*number),
+            Kind::Typed(_, values) if values.len() == 1 => match values[0].kind {
+                Kind::Number(number, _) => Ok(number),
+                _ => Err(self.wrong(value, "a number")),
+            },
+            _ => Err(self.wrong(value, "a number")),
+        }
+    }
+
+    /// A number.
+    pub fn number(&self, index: usize) -> Result<f64, Error> {
+        self.as_number(self.value(index)?)
+    }
+
+    /// A list of numbers.
+    pub fn numbers(&self, index: usize) -> Result<Vec<f64>, Error> {
+        self.numbers_of(self.value(index)?)
+    }
+
+    /// The numbers of a list in a list.
+    pub fn numbers_of(&self, value: &Value) -> Result<Vec<f64>, Error> {
+        let list = self.members(value)?.iter();
+        list.map(|value| self.as_number(value)).collect()
+    }
+
+    /// A whole number that is not negative.
+    fn as_whole(&self, value: &Value) -> Result<usize, Error> {
+        match value.kind {
+            Kind::Number(number, true) if (0.0..=1e9).contains(&number) => Ok(number as usize),
+            _ => Err(self.wrong(value, "a whole number from 0 to 1000000000")),
+        }
+    }
+
+    /// A whole number that is not negative.
+    pub fn whole(&self, index: usize) -> Result<usize, Error> {
+        self.as_whole(self.value(index)?)
+    }
+
+    /// A list of them.
+    pub fn wholes(&self, index: usize) -> Result<Vec<usize>, Error> {
+        let list = self.list(index)?;
+        list.iter().map(|value| self.as_whole(value)).collect()
+    }
+
+    /// `.T.` or `.F.`
+    pub fn flag(&self, index: usize) -> Result<bool, Error> {
+        let value = self.value(index)?;
+        match value.kind {
+            Kind::Word("T") => Ok(true),
+            Kind::Word("F") => Ok(false),
+            _ => Err(self.wrong(value, "`.T.` or `.F.`")),
+        }
+    }
+
+    /// An enumerated value; nothing for `$`.
+    pub fn word(&self, index: usize) -> Result<Option<&'a str>, Error> {
+        let value = self.value(index)?;
+        match value.kind {
+            Kind::Word(word) => Ok(Some(word)),
+            Kind::Omitted => Ok(None),
+            _ => Err(self.wrong(value, "an enumerated value such as `.MILLI.`")),
+        }
+    }
+
+    /// A string; empty if it is not given.
+    pub fn text(&self, index: usize) -> String {
+        match self.record.values.get(index).map(|value| &value.kind) {
+            Some(Kind::Text(text)) => decoded(text).trim().to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// A list.
+    pub fn list(&self, index: usize) -> Result<&'a [Value<'a>], Error> {
+        self.members(self.value(index)?)
+    }
+
+    fn members<'v>(&self, value: &'v Value<'a>) -> Result<&'v [Value<'a>], Error> {
+        match &value.kind {
+            Kind::List(values) => Ok(values),
+            _ => Err(self.wrong(value, "a list")),
+        }
+    }
+
+    /// The entity that a value names.
+    pub fn as_entity(&self, value: &Value) -> Result<Entity<'a>, Error> {
+        let Kind::Reference(id) = value.kind else {
+            return Err(self.wrong(value, "a reference such as `#12`"));
+        };
+        self.entity.file.get(id).ok_or_else(|| {
+            let own = (self.entity.id, shortened(self.record.name));
+            Error::at(
+                self.entity.file.bytes,
+                value.at,
+                format!(
+                    "`#{}` {} names `#{id}`, which is not in the file",
+                    own.0, own.1
+                ),
+                "the number of an entity of this file is needed",
+            )
+        })
+    }
+
+    /// The entity that is named.
+    pub fn entity(&self, index: usize) -> Result<Entity<'a>, Error> {
+        self.as_entity(self.value(index)?)
+    }
+
+    /// The entity that is named; nothing for `$` and `*`.
+    pub fn maybe(&self, index: usize) -> Result<Option<Entity<'a>>, Error> {
+        let value = self.value(index)?;
+        match value.kind {
+            Kind::Omitted | Kind::Derived => Ok(None),
+            _ => self.as_entity(value).map(Some),
+        }
+    }
+
+    /// A list of entities.
+    pub fn entities(&self, index: usize) -> Result<Vec<Entity<'a>>, Error> {
+        self.entities_of(self.value(index)?)
+    }
+
+    /// The entities of a list in a list.
+    pub fn entities_of(&self, value: &Value<'a>) -> Result<Vec<Entity<'a>>, Error> {
+        let list = self.members(value)?.iter();
+        list.map(|value| self.as_entity(value)).collect()
+    }
+
+    /// The record that the entity named has, of these names.
+    pub fn named(&self, index: usize, names: &[&str]) -> Result<Args<'a>, Error> {
+        self.entity(index)?.need(names)
+    }
+}

@@ -1,0 +1,53 @@
+//! What is wrong with a file.
+
+use std::fmt;
+
+/// What is wrong, where, and what would be accepted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    /// Line and column in characters, from 1; nothing of the file as a whole.
+    pub place: Option<(usize, usize)>,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be accepted.
+    pub accepted: String,
+}
+
+impl Error {
+    /// Of the file as a whole.
+    pub fn whole(problem: impl Into<String>, accepted: impl Into<String>) -> Error {
+        Error {
+            place: None,
+            problem: problem.into(),
+            accepted: accepted.into(),
+        }
+    }
+
+    /// At a byte of a file.
+    pub fn at(
+        bytes: &[u8],
+        at: usize,
+        problem: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Error {
+        let before = &bytes[..at.min(bytes.len())];
+        let newline = before.iter().rposition(|byte| *byte == b'\n');
+        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+        let own = String::from_utf8_lossy(&before[newline.map_or(0, |place| place + 1)..]);
+        Error {
+            place: Some((line, own.chars().count() + 1)),
+            ..Error::whole(problem, accepted)
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((line, column)) = self.place {
+            write!(f, "{line}:{column}: ")?;
+        }
+        write!(f, "{}; {}", self.problem, self.accepted)
+    }
+}
+
+impl std::error::Error for Error {}

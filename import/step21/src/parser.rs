@@ -1,0 +1,207 @@
+//! From the words of a file to its records (ISO 10303-21, clauses 5 to 10).
+
+use super::error::Error;
+use super::token::{Token, Tokens};
+use super::value::{Instance, Kind, Record, Value};
+use std::collections::HashMap;
+
+/// Most lists inside each other.
+const DEEPEST: usize = 32;
+
+/// Reads a file from its start.
+pub struct Parser<'a> {
+    bytes: &'a [u8],
+    tokens: Tokens<'a>,
+    /// The word that is next.
+    token: Token<'a>,
+    instances: Vec<Instance<'a>>,
+    index: HashMap<u64, usize>,
+}
+
+/// The records of the header, the entities and their places by their numbers.
+type Parts<'a> = (Vec<Record<'a>>, Vec<Instance<'a>>, HashMap<u64, usize>);
+
+impl<'a> Parser<'a> {
+    /// Reads a whole file.
+    pub fn read(bytes: &'a [u8]) -> Result<Parts<'a>, Error> {
+        let mut parser = Parser {
+            bytes,
+            tokens: Tokens::new(bytes),
+            token: Token::End,
+            instances: vec![],
+            index: HashMap::new(),
+        };
+        let not_step = |_| {
+            let accepted = "a file that begins with `ISO-10303-21;` is needed";
+            Error::at(bytes, 0, "this is no STEP file", accepted)
+        };
+        parser.step().map_err(not_step)?;
+        parser.keyword("ISO-10303-21").map_err(not_step)?;
+        parser.sign(b';')?;
+        parser.keyword("HEADER")?;
+        parser.sign(b';')?;
+        let mut header = vec![];
+        while parser.token != Token::Keyword("ENDSEC") {
+            header.push(parser.record(0)?);
+            parser.sign(b';')?;
+        }
+        parser.step()?;
+        parser.sign(b';')?;
+        while parser.token != Token::Keyword("END-ISO-10303-21") {
+            parser.section()?;
+        }
+        Ok((header, parser.instances, parser.index))
+    }
+
+    fn section(&mut self) -> Result<(), Error> {
+        let is_data = match self.token {
+            Token::Keyword("DATA") => true,
+            Token::Keyword("ANCHOR" | "REFERENCE" | "SIGNATURE") => false,
+            _ => {
+                let needed = "a section, `DATA;`, or the end of the file, `END-ISO-10303-21;`,";
+                return Err(self.unexpected(needed));
+            }
+        };
+        self.step()?;
+        if is_data && self.token == Token::Sign(b'(') {
+            self.list(0)?;
+        }
+        self.sign(b';')?;
+        while self.token != Token::Keyword("ENDSEC") {
+            if is_data {
+                let entity = self.entity()?;
+                let place = self.instances.len();
+                if self.index.insert(entity.id, place).is_some() {
+                    let problem = format!("`#{}` is there already", entity.id);
+                    let accepted = "every entity needs a number of its own";
+                    return Err(Error::at(self.bytes, entity.at, problem, accepted));
+                }
+                self.instances.push(entity);
+            } else if self.token == Token::End {
+                return Err(self.unexpected("`ENDSEC;`"));
+            } else {
+                self.step()?;
+            }
+        }
+        self.step()?;
+        self.sign(b';')
+    }
+
+    fn step(&mut self) -> Result<(), Error> {
+        self.token = self.tokens.read()?;
+        Ok(())
+    }
+
+    fn error(&self, problem: impl Into<String>, accepted: String) -> Error {
+        Error::at(self.bytes, self.tokens.at, problem, accepted)
+    }
+
+    fn unexpected(&self, needed: &str) -> Error {
+        let problem = format!("{} is not expected here", self.token.name());
+        self.error(problem, format!("{needed} is needed"))
+    }
+
+    fn sign(&mut self, sign: u8) -> Result<(), Error> {
+        if self.token != Token::Sign(sign) {
+            return Err(self.unexpected(&format!("`{}`", char::from(sign))));
+        }
+        self.step()
+    }
+
+    fn keyword(&mut self, word: &str) -> Result<(), Error> {
+        if self.token != Token::Keyword(word) {
+            return Err(self.unexpected(&format!("`{word};`")));
+        }
+        self.step()
+    }
+
+    /// `#12 = NAME(...);` or `#12 = ( A(...) B(...) );`
+    fn entity(&mut self) -> Result<Instance<'a>, Error> {
+        let Token::Reference(id) = self.token else {
+            return Err(self.unexpected("an entity such as `#1 = NAME(...);` or `ENDSEC;`"));
+        };
+        let at = self.tokens.at;
+        self.step()?;
+        self.sign(b'=')?;
+        let mut records = vec![];
+        let complex = self.token == Token::Sign(b'(');
+        if complex {
+            self.step()?;
+            while self.token != Token::Sign(b')') {
+                records.push(self.record(0)?);
+            }
+            self.step()?;
+        } else {
+            records.push(self.record(0)?);
+        }
+        self.sign(b';')?;
+        Ok(Instance {
+            id,
+            at,
+            records,
+            complex,
+        })
+    }
+
+    fn record(&mut self, depth: usize) -> Result<Record<'a>, Error> {
+        let Token::Keyword(name) = self.token else {
+            return Err(self.unexpected("the name of an entity"));
+        };
+        self.step()?;
+        let values = self.list(depth)?;
+        Ok(Record { name, values })
+    }
+
+    /// `(` parameters `)`
+    fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>, Error> {
+        if depth > DEEPEST {
+            return Err(self.error(
+                "a list inside too many others",
+                format!("at most {DEEPEST} lists inside each other are possible"),
+            ));
+        }
+        self.sign(b'(')?;
+        let mut values = vec![];
+        if self.token == Token::Sign(b')') {
+            self.step()?;
+            return Ok(values);
+        }
+        loop {
+            values.push(self.value(depth)?);
+            match self.token {
+                Token::Sign(b',') => self.step()?,
+                Token::Sign(b')') => {
+                    self.step()?;
+                    return Ok(values);
+                }
+                _ => return Err(self.unexpected("`,` or `)`")),
+            }
+        }
+    }
+
+    fn value(&mut self, depth: usize) -> Result<Value<'a>, Error> {
+        let at = self.tokens.at;
+        let kind = match self.token {
+            Token::Sign(b'(') => Kind::List(self.list(depth + 1)?),
+            Token::Keyword(_) => {
+                let typed = self.record(depth + 1)?;
+                Kind::Typed(typed.name, typed.values)
+            }
+            simple => {
+                let kind = match simple {
+                    Token::Sign(b'$') => Kind::Omitted,
+                    Token::Sign(b'*') => Kind::Derived,
+                    Token::Number(value, whole) => Kind::Number(value, whole),
+                    Token::Text(text) => Kind::Text(text),
+                    Token::Word(word) => Kind::Word(word),
+                    Token::Bits => Kind::Bits,
+                    Token::Reference(id) => Kind::Reference(id),
+                    _ => return Err(self.unexpected("a parameter")),
+                };
+                self.step()?;
+                kind
+            }
+        };
+        Ok(Value { at, kind })
+    }
+}

@@ -1,0 +1,75 @@
+//! Entities and their parameters as they are written.
+
+use super::text::with_article;
+use super::token::shortened;
+
+/// A parameter.
+#[derive(Clone, Debug)]
+pub struct Value<'a> {
+    /// Where it begins.
+    pub at: usize,
+    /// What it is.
+    pub kind: Kind<'a>,
+}
+
+/// Kinds of parameters.
+#[derive(Clone, Debug)]
+pub enum Kind<'a> {
+    /// `$`: not given.
+    Omitted,
+    /// `*`: follows from others.
+    Derived,
+    /// A number, and whether it is written as a whole one.
+    Number(f64, bool),
+    /// What stands between the quotes of a string.
+    Text(&'a [u8]),
+    /// An enumerated value, without its points.
+    Word(&'a str),
+    /// Bits.
+    Bits,
+    /// An entity by its number.
+    Reference(u64),
+    /// A list.
+    List(Vec<Value<'a>>),
+    /// A value with the name of its type, as `LENGTH_MEASURE(1.)`.
+    Typed(&'a str, Vec<Value<'a>>),
+}
+
+impl Value<'_> {
+    /// For a message.
+    pub fn name(&self) -> String {
+        match &self.kind {
+            Kind::Omitted => "`$`".into(),
+            Kind::Derived => "`*`".into(),
+            Kind::Number(value, _) => format!("the number {value}"),
+            Kind::Text(_) => "a string".into(),
+            Kind::Word(word) => format!("`.{}.`", shortened(word)),
+            Kind::Bits => "a binary value".into(),
+            Kind::Reference(id) => format!("`#{id}`"),
+            Kind::List(values) => format!("a list of {}", values.len()),
+            Kind::Typed(name, _) => with_article(&shortened(name)),
+        }
+    }
+}
+
+/// A name with its parameters.
+#[derive(Clone, Debug)]
+pub struct Record<'a> {
+    /// Name of the entity or, of a complex one, of a part of it.
+    pub name: &'a str,
+    /// Its parameters.
+    pub values: Vec<Value<'a>>,
+}
+
+/// An entity as it is written.
+#[derive(Clone, Debug)]
+pub struct Instance<'a> {
+    /// Its number.
+    pub id: u64,
+    /// Where it begins.
+    pub at: usize,
+    /// One record, or those of `( A() B() )`.
+    pub records: Vec<Record<'a>>,
+    /// It is written as `( A() B() )`.
+    pub complex: bool,
+}
