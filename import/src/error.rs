@@ -12,6 +12,7 @@ pub struct Place {
     pub column: usize,
 }
 
+#[cfg(any(feature = "pdb", feature = "cad"))]
 impl Place {
     /// Of a byte of a text whose lines end so.
     pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {

@@ -1,7 +1,7 @@
 //! What a file is, by what it holds and else by what it is called.
 
+#[cfg(feature = "pdb")]
 use crate::pdb::Format;
-use crate::terrain::is_grid_keyword;
 use std::fmt;
 
 /// Kinds of files that are read.
@@ -78,6 +78,7 @@ impl Kind {
     }
 
     /// The format, if it is a structure.
+    #[cfg(feature = "pdb")]
     pub fn format(self) -> Option<Format> {
         match self {
             Kind::Pdb => Some(Format::Pdb),
@@ -149,6 +150,25 @@ fn is_cif(word: &str) -> bool {
         .iter()
         .any(|start| word.starts_with(start))
 }
+
+/// Whether a word is a keyword of the header of an ESRI ASCII grid, in any case.
+pub fn is_grid_keyword(word: &str) -> bool {
+    KEYS.contains(&word.to_lowercase().as_str())
+}
+
+/// The keywords of that header.
+pub(crate) const KEYS: [&str; 10] = [
+    "ncols",
+    "nrows",
+    "xllcorner",
+    "yllcorner",
+    "xllcenter",
+    "yllcenter",
+    "cellsize",
+    "dx",
+    "dy",
+    "nodata_value",
+];
 
 /// A row of numbers, or the line that gives their distances.
 fn is_heights(line: &str) -> bool {

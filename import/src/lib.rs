@@ -1,11 +1,16 @@
 //! Readers of real data: each turns one kind of file into a [`SceneFile`] and says what it left out, what is exact and
 //! what is not.
+//!
+//! Each kind of file is a feature: `pdb` for molecules, `cad` for face lists and STEP, `terrain` for grids of heights.
 
 mod compressed;
 mod error;
+#[cfg(feature = "cad")]
 pub mod faces;
 mod kind;
+#[cfg(feature = "pdb")]
 pub mod pdb;
+#[cfg(feature = "terrain")]
 pub mod terrain;
 
 pub use compressed::{is_compressed, unpack};

@@ -4,8 +4,9 @@
 //! separators keep their order, so that each piece of a slab is one strip between two of them. Every connected region of the surface is open and
 //! thus has a strip in some slab: no region is without a sample, whatever its shape.
 
-use super::chart::{Chart, Separator, nearest_turn};
+use super::chart::{Chart, nearest_turn};
 use super::curve::Curve;
+use super::planes::Separator;
 use super::surface::{Form, Surface};
 use super::vector::{Vector, dot, positive_angle};
 use std::f64::consts::TAU;

@@ -1,29 +1,10 @@
 //! Two numbers (u, v) for each point of a surface: planes cut out the lines u = constant.
 
-use super::planes::Planes;
+use super::planes::{Planes, Separator};
 use super::polynomial::{harmonic, quadratic};
-use super::surface::{Form, Implicit, Surface};
+use super::surface::{Form, Surface};
 use super::vector::{Vector, along, cross, dot, frame, length, minus, plus, positive_angle, times};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// Something whose sign divides a surface in two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Separator {
-    /// The sign of `normal . p - offset`, of a unit normal.
-    Plane { normal: Vector, offset: f64 },
-    /// The sign of a quadric; divides planes alone.
-    Quadric(Implicit),
-}
-
-impl Separator {
-    /// Whether a point is on the positive side.
-    pub fn is_positive(&self, p: Vector) -> bool {
-        match self {
-            Self::Plane { normal, offset } => dot(*normal, p) > *offset,
-            Self::Quadric(implicit) => implicit.value(p) > 0.0,
-        }
-    }
-}
 
 /// A surface with coordinates. u runs eastwards, v northwards, and both turn counter-clockwise seen from the side of
 /// the surface's own normal.

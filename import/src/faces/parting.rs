@@ -1,10 +1,9 @@
 //! How a face is divided: separators with what they are in the scene.
 
 use super::arrangement::{Boundary, MAX_SEPARATORS, Sample};
-use super::chart::Separator;
 use super::cover::Term;
 use super::curve::PlaneOf;
-use super::planes::Planes;
+use super::planes::{Planes, Separator};
 use super::surface::{Implicit, Surface};
 use super::vector::{Vector, along, dot, mean, minus, unit};
 

@@ -3,7 +3,6 @@
 
 use super::arrangement::Sample;
 use super::cell::{Cell, Compiled};
-use super::chart::Separator;
 use super::compile::Task;
 use super::conics::{Conic, between};
 use super::courses::MAX_PIECES;
@@ -11,7 +10,7 @@ use super::cover::Term;
 use super::curve::{Curve, PlaneOf};
 use super::model::EdgeUse;
 use super::parting::{EDGE, Parting, halving};
-use super::planes::Planes;
+use super::planes::{Planes, Separator};
 use super::slabs::Band;
 use super::surface::Surface;
 use super::terms::{Rules, terms};

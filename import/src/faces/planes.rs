@@ -1,7 +1,26 @@
 //! The planes of a part, each with one description that all faces use.
 
-use super::chart::Separator;
+use super::surface::Implicit;
 use super::vector::{Vector, cross, dot, length, minus};
+
+/// Something whose sign divides a surface in two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Separator {
+    /// The sign of `normal . p - offset`, of a unit normal.
+    Plane { normal: Vector, offset: f64 },
+    /// The sign of a quadric; divides planes alone.
+    Quadric(Implicit),
+}
+
+impl Separator {
+    /// Whether a point is on the positive side.
+    pub fn is_positive(&self, p: Vector) -> bool {
+        match self {
+            Self::Plane { normal, offset } => dot(*normal, p) > *offset,
+            Self::Quadric(implicit) => implicit.value(p) > 0.0,
+        }
+    }
+}
 
 /// A plane as it stands in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]

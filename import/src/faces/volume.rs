@@ -5,12 +5,11 @@
 
 use super::arrangement::{Boundary, Division};
 use super::cell::Cell;
-use super::chart::Separator;
 use super::compile::Task;
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::{COINCIDENT, Model, border};
-use super::planes::Planes;
+use super::planes::{Planes, Separator};
 use super::surface::{Implicit, Surface};
 use super::vector::{distance, dot, minus};
 use imogene_scene::MAX_CUTS;

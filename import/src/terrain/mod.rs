@@ -12,13 +12,15 @@ pub mod random_field;
 mod read;
 mod ruled;
 mod scene;
+mod store;
 mod text;
 mod write;
 
+pub use crate::kind::is_grid_keyword;
 pub use cell::Cells;
 pub use grid::{HeightGrid, MAX_NODES};
 pub use options::{Region, TerrainOptions};
-pub use read::{Format, is_grid_keyword, read};
+pub use read::{Format, read};
 pub use scene::{MAX_CELLS, scene_of};
 pub use write::heights_text;
 

@@ -4,6 +4,7 @@
 //! Regions are visited south-west, south-east, north-west, north-east, and what no later region needs is freed at once: the storage grows with the
 //! side of the grid, not with its area.
 
+use super::store::Store;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -85,40 +86,6 @@ pub fn field(options: &FieldOptions) -> Result<Field, FieldError> {
         most_vertices: maker.vertices.most,
         most_edges: maker.edges.most,
     })
-}
-
-/// Records that are taken and given back, and how many there were at most.
-struct Store<T> {
-    records: Vec<T>,
-    free: Vec<usize>,
-    most: usize,
-}
-
-impl<T> Default for Store<T> {
-    fn default() -> Self {
-        Store {
-            records: vec![],
-            free: vec![],
-            most: 0,
-        }
-    }
-}
-
-impl<T> Store<T> {
-    fn take(&mut self, record: T) -> usize {
-        let index = match self.free.pop() {
-            Some(index) => {
-                self.records[index] = record;
-                index
-            }
-            None => {
-                self.records.push(record);
-                self.records.len() - 1
-            }
-        };
-        self.most = self.most.max(self.records.len() - self.free.len());
-        index
-    }
 }
 
 #[derive(Clone, Copy)]

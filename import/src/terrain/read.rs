@@ -3,6 +3,7 @@
 use super::grid::{HeightGrid, MAX_NODES};
 use super::text::{Word, decoded, shown, words};
 use crate::error::unusable;
+use crate::kind::{KEYS, is_grid_keyword};
 use crate::{ImportError, Place};
 
 /// Largest magnitude of a height or a distance.
@@ -35,24 +36,6 @@ fn format_of(text: &str) -> Format {
         Format::Plain
     }
 }
-
-/// Whether a word is a keyword of the header of an ESRI ASCII grid, in any case.
-pub fn is_grid_keyword(word: &str) -> bool {
-    KEYS.contains(&word.to_lowercase().as_str())
-}
-
-const KEYS: [&str; 10] = [
-    "ncols",
-    "nrows",
-    "xllcorner",
-    "yllcorner",
-    "xllcenter",
-    "yllcenter",
-    "cellsize",
-    "dx",
-    "dy",
-    "nodata_value",
-];
 
 struct Reader<'a> {
     file: &'a str,

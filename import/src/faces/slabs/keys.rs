@@ -1,9 +1,9 @@
 //! The planes and the quadric that bound a strip within a slab.
 
+use super::face::OVERLAP;
 use super::strips::{Crossing, Strip};
-use super::work::{OVERLAP, Work};
-use crate::faces::chart::Separator;
-use crate::faces::planes::Planes;
+use super::work::Work;
+use crate::faces::planes::{Planes, Separator};
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
 

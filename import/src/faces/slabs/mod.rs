@@ -5,6 +5,7 @@
 //! six half-spaces at most: those of the slab, of the piece below and of that above, and of two parallels where the
 //! surface is curved along v. The search of [`super::terms`] finds fewer parts where it finds any; this always ends.
 
+mod face;
 mod keys;
 mod probes;
 mod rail;
@@ -12,7 +13,7 @@ mod sectors;
 mod strips;
 mod work;
 
-pub use work::{Band, OVERLAP, Slabs};
+pub use face::{Band, OVERLAP, Slabs};
 
 use super::cell::Cell;
 use super::planes::Planes;

@@ -1,7 +1,8 @@
 //! Places at which cells are asked whether they have all of the face and nothing else.
 
+use super::face::WIDEST_GAP;
 use super::strips::Strip;
-use super::work::{WIDEST_GAP, Work};
+use super::work::Work;
 use crate::faces::cell::Cell;
 use crate::faces::planes::Planes;
 

@@ -1,6 +1,6 @@
 //! The border of a face on its way over the surface, and the lines that divide it into slabs.
 
-use super::work::{Slabs, WIDEST_GAP};
+use super::face::{Slabs, WIDEST_GAP};
 use crate::faces::arrangement::{Boundary, SMALLEST_PIECE};
 use crate::faces::chart::Chart;
 use crate::faces::curve::Curve;

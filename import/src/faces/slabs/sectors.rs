@@ -3,8 +3,8 @@
 use super::keys::Key;
 use super::work::Work;
 use crate::faces::cell::Cell;
-use crate::faces::chart::{Separator, nearest_turn};
-use crate::faces::planes::Planes;
+use crate::faces::chart::nearest_turn;
+use crate::faces::planes::{Planes, Separator};
 use crate::faces::vector::Vector;
 use std::f64::consts::TAU;
 
