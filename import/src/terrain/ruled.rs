@@ -33,8 +33,8 @@ pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<
         .collect()
 }
 
-/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the bilinear patch where the cell is a plane or the
-/// eye stands over it.
+/// The pieces of a cell as an eye sees it that stands at `eye` (u, v), moved outwards as [`bilinear_piece`] is; the
+/// bilinear patch where the cell is a plane or the eye stands over it.
 pub fn pieces_for(z: &Corners, eye: &[BigRational; 2], outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let over = eye.iter().all(|e| *e >= integer(0) && *e <= integer(1));
     if is_plane(z) || over {
