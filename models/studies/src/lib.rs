@@ -5,11 +5,11 @@ pub mod detail;
 pub mod evaluate;
 pub mod fit;
 pub mod growth_plot;
-pub mod picture;
-pub mod preview;
+pub mod kit;
 pub mod root_errors;
 pub mod shading_trial;
 pub mod sweep;
-pub mod text;
 pub mod trade;
 pub mod trial;
+
+pub use kit::{picture, preview, text};

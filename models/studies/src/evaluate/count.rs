@@ -3,15 +3,14 @@
 //! The weights are the source's (Nyiri, 5.1.2): an addition, subtraction, multiplication or test is 1, a division or root 8. The source does not say what a
 //! conversion to a whole number weighs; here it is 1. A change of sign is free: it goes into the addition or subtraction that follows. Assignments are free.
 
-use serde::Serialize;
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Weight of a division or a root (Nyiri, 5.1.2).
 pub const LONG: u64 = 8;
 
-/// Operations that were done; the keys are stable.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+/// Operations that were done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Additions and subtractions.
     pub additions: u64,
@@ -58,21 +57,9 @@ impl Counter {
         self.0.get()
     }
 
-    fn addition(&self) {
-        self.note(|tally| tally.additions += 1);
-    }
-
-    fn multiplication(&self) {
-        self.note(|tally| tally.multiplications += 1);
-    }
-
-    fn division(&self) {
-        self.note(|tally| tally.divisions += 1);
-    }
-
-    fn note(&self, change: impl FnOnce(&mut Tally)) {
+    fn note(&self, kind: fn(&mut Tally) -> &mut u64) {
         let mut tally = self.0.get();
-        change(&mut tally);
+        *kind(&mut tally) += 1;
         self.0.set(tally);
     }
 }
@@ -82,11 +69,6 @@ pub fn cost(work: impl FnOnce(&Counter)) -> Tally {
     let counter = Counter::default();
     work(&counter);
     counter.tally()
-}
-
-/// The same with the source's weights.
-pub fn weighted(work: impl FnOnce(&Counter)) -> f64 {
-    cost(work).weighted() as f64
 }
 
 /// A number whose operations are counted.
@@ -112,10 +94,15 @@ impl<'c> Counted<'c> {
         self + self
     }
 
+    /// A number that is the result of an operation.
+    fn counted(self, kind: fn(&mut Tally) -> &mut u64, value: f64) -> Counted<'c> {
+        self.counter.note(kind);
+        self.with(value)
+    }
+
     /// Its square root.
     pub fn root(self) -> Counted<'c> {
-        self.counter.note(|tally| tally.roots += 1);
-        self.with(self.value.sqrt())
+        self.counted(|tally| &mut tally.roots, self.value.sqrt())
     }
 
     /// One over it.
@@ -125,7 +112,7 @@ impl<'c> Counted<'c> {
 
     /// Is it less than another?
     pub fn is_below(self, other: Counted<'c>) -> bool {
-        self.counter.note(|tally| tally.tests += 1);
+        self.counter.note(|tally| &mut tally.tests);
         self.value < other.value
     }
 
@@ -136,7 +123,7 @@ impl<'c> Counted<'c> {
 
     /// Is it zero?
     pub fn is_zero(self) -> bool {
-        self.counter.note(|tally| tally.tests += 1);
+        self.counter.note(|tally| &mut tally.tests);
         self.value == 0.0
     }
 
@@ -157,14 +144,12 @@ impl<'c> Counted<'c> {
 
     /// The nearest whole number.
     pub fn rounded(self) -> Counted<'c> {
-        self.counter.note(|tally| tally.roundings += 1);
-        self.with(self.value.round())
+        self.counted(|tally| &mut tally.roundings, self.value.round())
     }
 
     /// The whole number at or below it.
     pub fn floor(self) -> Counted<'c> {
-        self.counter.note(|tally| tally.roundings += 1);
-        self.with(self.value.floor())
+        self.counted(|tally| &mut tally.roundings, self.value.floor())
     }
 
     /// Times a scale, rounded.
@@ -176,32 +161,28 @@ impl<'c> Counted<'c> {
 impl Add for Counted<'_> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        self.counter.addition();
-        self.with(self.value + other.value)
+        self.counted(|tally| &mut tally.additions, self.value + other.value)
     }
 }
 
 impl Sub for Counted<'_> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self.counter.addition();
-        self.with(self.value - other.value)
+        self.counted(|tally| &mut tally.additions, self.value - other.value)
     }
 }
 
 impl Mul for Counted<'_> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        self.counter.multiplication();
-        self.with(self.value * other.value)
+        self.counted(|tally| &mut tally.multiplications, self.value * other.value)
     }
 }
 
 impl Div for Counted<'_> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        self.counter.division();
-        self.with(self.value / other.value)
+        self.counted(|tally| &mut tally.divisions, self.value / other.value)
     }
 }
 

@@ -1,13 +1,12 @@
 //! How many zones a box touches (source: 1.3.2, chapter 5).
 
-use super::EvaluateError;
-use super::row::{Group, Row};
-use super::scenes::{Moving, ZONE_SIDE};
-use imogene_golden::machine::zone::ZoneMachine;
+use super::error::EvaluateError;
+use super::scenes::{Moving, ZONE_SIDE, zone_machine};
 use imogene_plan::zone::plan::ZonePlan;
+use serde::Serialize;
 
 /// Shares of the places at which a box touches 1, 2 and 4 zones; the rest touches more.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Touched {
     /// One zone.
     pub one: f64,
@@ -67,76 +66,18 @@ pub fn formula(size: f64, side: f64) -> f64 {
 }
 
 /// Mean zones of a ball of 80 pixels in the plans of a zone machine, at all places of a zone.
-fn planned(ball: &Moving) -> Result<f64, EvaluateError> {
-    let machine = ZoneMachine {
-        object_processors: 1,
-        planes: 4,
-        volume_processors: 0,
-        volume_planes: 0,
-        zone_width: ZONE_SIDE,
-        zone_height: ZONE_SIDE,
-        samples: 1,
-    };
+pub fn planned(ball: &Moving) -> Result<f64, EvaluateError> {
     let side = i64::from(ZONE_SIDE);
     let mut zones = 0;
-    for x in 0..side {
-        for y in 0..side {
-            let plan = ZonePlan::of(&ball.at(&[[x, y]], [3 * ZONE_SIDE; 2]), machine)?;
-            zones += plan
-                .zones
-                .iter()
-                .map(|zone| zone.parts.len())
-                .sum::<usize>();
-        }
+    for place in (0..side).flat_map(|x| (0..side).map(move |y| [x, y])) {
+        let plan = ZonePlan::of(&ball.at(&[place], [3 * ZONE_SIDE; 2]), zone_machine(1))?;
+        zones += plan
+            .zones
+            .iter()
+            .map(|zone| zone.parts.len())
+            .sum::<usize>();
     }
     Ok(zones as f64 / (side * side) as f64)
-}
-
-/// The rows.
-///
-/// # Errors
-///
-/// When the ball does not fit the machine: a defect.
-pub fn group(ball: &Moving) -> Result<Group, EvaluateError> {
-    let (small, half) = (
-        touched(20, 32, Edges::Anywhere),
-        touched(80, 64, Edges::Anywhere),
-    );
-    let zones = |name: &str, printed: f64, ours: f64| {
-        let size = match name.contains("factor") {
-            true => "zones",
-            false => "share",
-        };
-        Row::new(name, "chapter 5", printed, ours, size)
-    };
-    let pixels = "a box of whole pixels has its first and its last pixel in it: (l + L - 1) / L zones each way in place of (l + L) / L";
-    Ok(Group {
-        name: "duplication",
-        title: "Duplication: zones that a box touches",
-        about: "A square box is put at every place of a grid over a zone, and the zones it touches are counted. The source's formula is (l + L)(h + H) / (L H) for a box l x h in zones L x H."
-            .into(),
-        rows: vec![
-            zones("20 in 32: one zone", 0.141, small.one),
-            zones("20 in 32: two zones", 0.469, small.two),
-            zones("20 in 32: four zones", 0.391, small.four),
-            zones("20 in 32: duplication factor", 2.641, small.mean),
-            zones("80 in 128: duplication factor", 2.641, touched(80, 128, Edges::Anywhere).mean),
-            zones("80 in 64: duplication factor", 5.0, half.mean)
-                .corrected(formula(80.0, 64.0))
-                .why("the print rounds; up to nine zones are touched, so its shares of 1, 2 and 4 zones do not hold here"),
-            zones("20 in 32, whole pixels: duplication factor", 2.641, touched(20, 32, Edges::OnPixels).mean).why(pixels),
-            zones("80 in 128, whole pixels: duplication factor", 2.641, touched(80, 128, Edges::OnPixels).mean).why(pixels),
-            zones("80 in 128, plans of our zone machine: duplication factor", 2.641, planned(ball)?).why(
-                "a prepared ball of 80 x 80 pixels at all 16 384 places of a zone: the zones whose passes load it",
-            ),
-        ]
-        .into_iter()
-        .map(|row| match row.why.is_empty() {
-            true => row.why("counted; the print has three digits"),
-            false => row,
-        })
-        .collect(),
-    })
 }
 
 #[cfg(test)]

@@ -1,9 +1,12 @@
 //! The evaluation as text and as a page.
 
-use super::row::{Row, number};
-use super::{EvaluateError, Evaluation, duplication_plot, operations_plot};
-use crate::text::wrapped;
-use minijinja::{Environment, context};
+use super::error::EvaluateError;
+use super::plot::{duplication_plot, operations_plot};
+use super::row::{Evaluation, Row, number};
+use crate::kit::page::{line, rendered};
+use crate::kit::text::wrapped;
+use minijinja::context;
+use minijinja::value::Serde;
 use serde_json::{Value, json};
 
 const TEMPLATE: &str = include_str!("page/evaluation.html");
@@ -31,21 +34,18 @@ fn cells(row: &Row) -> [String; 8] {
         size if size < 0.5 => "0 %".to_owned(),
         _ => format!("{v:+.0} %"),
     });
-    let difference = row.difference.map(|v| {
-        if v.abs() < 5e-4 {
-            "0".to_owned()
-        } else {
-            signed(v)
-        }
+    let difference = row.difference.map(|v| match v.abs() {
+        size if size < 5e-4 => "0".to_owned(),
+        _ => signed(v),
     });
     [
         row.name.clone(),
         printed,
         or_dash(row.corrected.map(number)),
         number(row.ours),
-        row.unit.to_owned(),
+        row.unit.clone(),
         or_dash(difference.zip(percent).map(|(d, p)| format!("{d} ({p})"))),
-        row.section.to_owned(),
+        row.section.clone(),
         row.why.clone(),
     ]
 }
@@ -70,68 +70,42 @@ pub fn markdown(evaluation: &Evaluation) -> String {
     text += "\n![Zones that a box touches](images/duplication.svg)\n\n![Operations to prepare an object](images/operations.svg)\n";
     for group in &evaluation.groups {
         text += &format!(
-            "\n## {}\n\n{}\n\n| {} |\n|---|---:|---:|---:|---|---:|---|---|\n",
+            "\n## {}\n\n{}\n\n{}|---|---:|---:|---:|---|---:|---|---|\n",
             group.title,
             wrapped(&group.about, ""),
-            HEAD.join(" | ")
+            line(&HEAD)
         );
-        for row in &group.rows {
-            text += &format!("| {} |\n", cells(row).join(" | "));
-        }
+        text.extend(group.rows.iter().map(|row| line(&cells(row))));
     }
     text +=
         "\n## Printed and not counted\n\n| what | section | printed | why |\n|---|---|---|---|\n";
-    for one in &evaluation.omitted {
-        text += &format!(
-            "| {} | {} | {} | {} |\n",
-            one.name, one.section, one.printed, one.why
-        );
-    }
+    let omitted = evaluation.omitted.iter();
+    text.extend(omitted.map(|one| line(&[&one.name, &one.section, &one.printed, &one.why])));
     text
 }
 
 /// The page: one file with everything in it.
-///
-/// # Errors
-///
-/// When a plot cannot be drawn.
 pub fn page(evaluation: &Evaluation, version: &str) -> Result<String, EvaluateError> {
-    let failed = |error: minijinja::Error| EvaluateError::Draw {
-        what: "the page",
-        problem: format!("{error:#}"),
-    };
     let plots = [duplication_plot()?, operations_plot(evaluation)?];
-    let groups: Vec<Value> = evaluation
-        .groups
-        .iter()
-        .map(|group| {
-            let rows: Vec<Value> = group
-                .rows
-                .iter()
-                .map(|row| json!({ "cells": cells(row), "corrected": row.corrected.is_some(), "size": size(row) }))
-                .collect();
-            json!({ "name": group.name, "title": group.title, "about": group.about, "rows": rows })
-        })
-        .collect();
-    let mut environment = Environment::new();
-    environment
-        .add_template("evaluation.html", TEMPLATE)
-        .map_err(failed)?;
-    let template = environment
-        .get_template("evaluation.html")
-        .map_err(failed)?;
-    template
-        .render(context! {
-            groups => minijinja::value::Serde(groups),
-            omitted => minijinja::value::Serde(&evaluation.omitted),
-            introduction => INTRODUCTION.replace('*', ""),
-            head => HEAD,
-            rows => evaluation.groups.iter().map(|group| group.rows.len()).sum::<usize>(),
-            version,
-            plots,
-            style => STYLE,
-        })
-        .map_err(failed)
+    let groups = evaluation.groups.iter().map(|group| {
+        let rows = group.rows.iter().map(|row| {
+            json!({ "cells": cells(row), "corrected": row.corrected.is_some(), "size": size(row) })
+        });
+        let rows: Vec<Value> = rows.collect();
+        json!({ "name": group.name, "title": group.title, "about": group.about, "rows": rows })
+    });
+    let rows = evaluation.groups.iter().map(|group| group.rows.len());
+    let values = context! {
+        groups => Serde(groups.collect::<Vec<Value>>()),
+        omitted => Serde(&evaluation.omitted),
+        introduction => INTRODUCTION.replace('*', ""),
+        head => HEAD,
+        rows => rows.sum::<usize>(),
+        version,
+        plots,
+        style => STYLE,
+    };
+    Ok(rendered("the page cannot be made", TEMPLATE, values)?)
 }
 
 /// How far ours is from the source: the name of a style.

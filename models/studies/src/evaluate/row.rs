@@ -1,6 +1,23 @@
 //! A line of the evaluation: what the source prints, what we count, and why they differ.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+/// All that is counted; the keys are stable.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evaluation {
+    /// By subject.
+    pub groups: Vec<Group>,
+    /// What is not counted.
+    pub omitted: Vec<Omitted>,
+}
+
+impl Evaluation {
+    /// A row by the names of its group and itself.
+    pub fn row(&self, group: &str, name: &str) -> Option<&Row> {
+        let group = self.groups.iter().find(|g| g.name == group)?;
+        group.rows.iter().find(|row| row.name == name)
+    }
+}
 
 /// What the source prints.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -41,7 +58,7 @@ pub struct Row {
     /// What is counted.
     pub name: String,
     /// Section or table of the source.
-    pub section: &'static str,
+    pub section: String,
     /// What the source prints.
     pub printed: Printed,
     /// What it should print: its own sum or formula done again. None if the print is right, or cannot be done again.
@@ -49,7 +66,7 @@ pub struct Row {
     /// What we count.
     pub ours: f64,
     /// Unit of all of them.
-    pub unit: &'static str,
+    pub unit: String,
     /// Ours less the corrected, else the printed value.
     pub difference: Option<f64>,
     /// The same in percent of that value.
@@ -59,38 +76,19 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row without a correction.
-    pub fn new(
-        name: impl Into<String>,
-        section: &'static str,
-        printed: impl Into<Printed>,
-        ours: f64,
-        unit: &'static str,
-    ) -> Row {
-        let row = Row {
+    /// A row that is not compared yet.
+    pub fn new(name: &str, section: &str, printed: impl Into<Printed>, unit: &str) -> Row {
+        Row {
             name: name.into(),
-            section,
+            section: section.into(),
             printed: printed.into(),
             corrected: None,
-            ours,
-            unit,
+            ours: 0.0,
+            unit: unit.into(),
             difference: None,
             percent: None,
             why: String::new(),
-        };
-        row.compared()
-    }
-
-    /// What the source should print.
-    pub fn corrected(mut self, value: f64) -> Row {
-        self.corrected = Some(value);
-        self.compared()
-    }
-
-    /// Why ours differs, or how it is counted.
-    pub fn why(mut self, why: impl Into<String>) -> Row {
-        self.why = why.into();
-        self
+        }
     }
 
     /// The number that ours is compared with.
@@ -98,12 +96,13 @@ impl Row {
         self.corrected.or(self.printed.value)
     }
 
-    fn compared(mut self) -> Row {
-        self.difference = self.reference().map(|value| self.ours - value);
-        self.percent = self
-            .reference()
-            .filter(|&value| value != 0.0)
-            .map(|value| 100.0 * (self.ours / value - 1.0));
+    /// With our count, and with what the source should print if that is something else.
+    pub fn compared(mut self, ours: f64, corrected: Option<f64>) -> Row {
+        self.ours = ours;
+        self.corrected = corrected;
+        self.difference = self.reference().map(|value| ours - value);
+        let of_some = self.reference().filter(|&value| value != 0.0);
+        self.percent = of_some.map(|value| 100.0 * (ours / value - 1.0));
         self
     }
 }
@@ -112,9 +111,9 @@ impl Row {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Group {
     /// Short name.
-    pub name: &'static str,
+    pub name: String,
     /// Heading.
-    pub title: &'static str,
+    pub title: String,
     /// How the figures are counted.
     pub about: String,
     /// Its rows.
@@ -122,45 +121,38 @@ pub struct Group {
 }
 
 /// Something the source prints that is not counted again; the keys are stable.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Omitted {
     /// What.
-    pub name: &'static str,
+    pub name: String,
     /// Section or table of the source.
-    pub section: &'static str,
+    pub section: String,
     /// What it prints.
-    pub printed: &'static str,
+    pub printed: String,
     /// Why it is not counted.
-    pub why: &'static str,
+    pub why: String,
 }
 
 /// A number for a person: whole ones with spaces between thousands, others with four significant digits at least.
 pub fn number(value: f64) -> String {
     let size = value.abs();
-    let text = if value == value.round() || size >= 1000.0 {
-        format!("{size:.0}")
-    } else if size >= 100.0 {
-        format!("{size:.1}")
-    } else if size >= 10.0 {
-        format!("{size:.2}")
-    } else {
-        format!("{size:.3}")
+    let decimals = match size {
+        _ if value == value.round() || size >= 1000.0 => 0,
+        _ if size >= 100.0 => 1,
+        _ if size >= 10.0 => 2,
+        _ => 3,
     };
-    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
-    let digits = whole.len();
-    let mut grouped = String::new();
-    for (index, digit) in whole.chars().enumerate() {
-        if index > 0 && digits > 4 && (digits - index).is_multiple_of(3) {
+    let text = format!("{size:.decimals$}");
+    let whole = text.find('.').unwrap_or(text.len());
+    let mut grouped = String::from(if value < 0.0 { "-" } else { "" });
+    for (index, digit) in text.char_indices() {
+        if whole > 4 && (1..whole).contains(&index) && (whole - index).is_multiple_of(3) {
             grouped.push(' ');
         }
         grouped.push(digit);
     }
-    let sign = if value < 0.0 { "-" } else { "" };
-    if fraction.is_empty() {
-        format!("{sign}{grouped}")
-    } else {
-        format!("{sign}{grouped}.{fraction}")
-    }
+    grouped
 }
 
 #[cfg(test)]
@@ -169,41 +161,28 @@ mod tests {
 
     #[test]
     fn numbers_are_readable() {
-        let values = [
-            0.0,
-            4116.0,
-            225_732.0,
-            -1_600_000_000.0,
-            2.640625,
-            145.5,
-            14.625,
-            57_600.4,
-        ];
-        let expected = [
-            "0",
-            "4116",
-            "225 732",
-            "-1 600 000 000",
-            "2.641",
-            "145.5",
-            "14.62",
-            "57 600",
-        ];
-        assert_eq!(values.map(number), expected);
+        for (value, expected) in [
+            (0.0, "0"),
+            (4116.0, "4116"),
+            (225_732.0, "225 732"),
+            (-1_600_000_000.0, "-1 600 000 000"),
+            (2.640625, "2.641"),
+            (145.5, "145.5"),
+            (14.625, "14.62"),
+            (57_600.4, "57 600"),
+        ] {
+            assert_eq!(number(value), expected);
+        }
     }
 
     #[test]
     fn a_correction_is_what_ours_is_compared_with() {
-        let row = Row::new("x", "5.1", 600.0, 480.0, "operations");
-        assert_eq!(
-            (row.difference, row.percent),
-            (Some(-120.0), Some(100.0 * (0.8 - 1.0)))
-        );
-        let row = row.corrected(400.0);
+        let row = Row::new("x", "5.1", 600.0, "operations").compared(480.0, None);
+        let percent = 100.0 * (0.8 - 1.0);
+        assert_eq!((row.difference, row.percent), (Some(-120.0), Some(percent)));
+        let row = row.compared(480.0, Some(400.0));
         assert_eq!(row.difference, Some(80.0));
-        assert_eq!(
-            Row::new("x", "5.1", "more than 100", 3.0, "").difference,
-            None
-        );
+        let limit = Row::new("x", "5.1", "more than 100", "").compared(3.0, None);
+        assert_eq!(limit.difference, None);
     }
 }

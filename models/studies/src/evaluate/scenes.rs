@@ -1,7 +1,9 @@
 //! Prepared objects that the counts are taken from: real words, moved about in whole pixels.
 
-use super::EvaluateError;
+use super::error::EvaluateError;
+use super::hardware::MACHINE_PLANES;
 use imogene_golden::format::Format;
+use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
@@ -12,58 +14,21 @@ pub const ZONE_SIDE: u32 = 128;
 /// Side of the box of an object in the source's examples.
 pub const OBJECT_SIDE: u32 = 80;
 
-/// A ball of 80 pixels, whole, cut by three planes, and as a patch of four planes. The planes leave its outline as it
-/// is, and its centre is between pixels, so that its box is 80 x 80.
-const BALLS: &str = r#"
-format = 1
-title = "Balls of 80 pixels"
-image = { width = 80, height = 80 }
+/// A zone machine of so many object processors, with four planes and the source's greater zones.
+pub fn zone_machine(object_processors: usize) -> ZoneMachine {
+    ZoneMachine {
+        object_processors,
+        planes: MACHINE_PLANES,
+        volume_processors: 0,
+        volume_planes: 0,
+        zone_width: ZONE_SIDE,
+        zone_height: ZONE_SIDE,
+        samples: 1,
+    }
+}
 
-[camera]
-kind = "orthographic"
-eye = [0, 0, 100]
-target = [0, 0, 0]
-view_height = 80
-half_depth = 100
-
-[[materials]]
-name = "grey"
-colour = [0.5, 0.5, 0.5]
-
-[[objects]]
-name = "ball"
-kind = "sphere"
-radius = 39.75
-place = [{ translate = [-0.5, 0.5, 0] }]
-material = "grey"
-
-[[objects]]
-name = "solid"
-kind = "sphere"
-radius = 39.75
-material = "grey"
-place = [{ translate = [-0.5, 0.5, 0] }]
-cuts = [
-  { point = [0, 0, -20], normal = [0.1, 0, -1] },
-  { point = [0, 0, -22], normal = [0, 0.1, -1] },
-  { point = [0, 0, 30], normal = [-0.1, 0.1, 1] },
-]
-
-[[objects]]
-name = "patch"
-kind = "sphere"
-radius = 39.75
-mode = "patch"
-processor = "patch"
-material = "grey"
-place = [{ translate = [-0.5, 0.5, 0] }]
-cuts = [
-  { point = [0, 0, -20], normal = [0.1, 0, -1] },
-  { point = [0, 0, -22], normal = [0, 0.1, -1] },
-  { point = [0, 0, -24], normal = [-0.1, 0, -1] },
-  { point = [0, 0, -26], normal = [0, -0.1, -1] },
-]
-"#;
+/// A ball of 80 pixels, a solid and a patch of it.
+const BALLS: &str = include_str!("balls.toml");
 
 fn prepared(text: &str, name: &str, size: (u32, u32)) -> Result<PreparedScene, EvaluateError> {
     let framed = SceneFile::parse(text, name)?.frame(size.0, size.1)?;
@@ -100,10 +65,6 @@ impl Moving {
 }
 
 /// The ball, the solid of three planes and the patch of four.
-///
-/// # Errors
-///
-/// When they cannot be prepared: a defect.
 pub fn balls() -> Result<[Moving; 3], EvaluateError> {
     let scene = prepared(BALLS, "balls.toml", (OBJECT_SIDE, OBJECT_SIDE))?;
     let object = |index: usize| {
@@ -123,10 +84,6 @@ pub fn balls() -> Result<[Moving; 3], EvaluateError> {
 }
 
 /// Words of the other processors: a facet, a sphere and a cylinder.
-///
-/// # Errors
-///
-/// When the scenes cannot be prepared: a defect.
 pub fn others() -> Result<Vec<ProcessorWords>, EvaluateError> {
     let mesh = include_str!("../../../../scenes/processors/mesh.toml");
     let round = include_str!("../../../../scenes/processors/paraboloids.toml");

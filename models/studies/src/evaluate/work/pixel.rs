@@ -4,55 +4,36 @@
 
 use super::quadric::Kind;
 use crate::evaluate::count::{Counted, Counter};
+use serde_json::{Value, json};
 
 /// What a scan came to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scan {
-    /// Pixels that show the object.
-    pub inside: u64,
-    /// Other pixels of the box.
-    pub outside: u64,
-    /// Weighted operations at the former.
-    pub inside_cost: u64,
-    /// At the latter.
-    pub outside_cost: u64,
+    /// Pixels of the box that do not show the object, and that do.
+    pixels: [u64; 2],
+    /// Weighted operations at each of both.
+    costs: [u64; 2],
     /// Of steps from line to line.
-    pub line_cost: u64,
-    /// Lines.
-    pub lines: u64,
+    line_cost: u64,
+    lines: u64,
     /// Depths, line by line; none where the object is not seen.
-    pub depths: Vec<Option<f64>>,
+    depths: Vec<Option<f64>>,
 }
 
 impl Scan {
-    /// Pixels of the box.
-    pub fn pixels(&self) -> u64 {
-        self.inside + self.outside
-    }
-
-    /// All operations.
-    pub fn total(&self) -> u64 {
-        self.inside_cost + self.outside_cost + self.line_cost
-    }
-
-    /// Mean operations at a pixel that shows the object.
-    pub fn per_inside(&self) -> f64 {
-        self.inside_cost as f64 / self.inside as f64
-    }
-
-    /// Mean operations at another pixel.
-    pub fn per_outside(&self) -> f64 {
-        self.outside_cost as f64 / self.outside as f64
-    }
-
-    /// Operations of a line's step.
-    pub fn per_line(&self) -> f64 {
-        self.line_cost as f64 / self.lines as f64
-    }
-
-    /// All operations for each pixel that shows the object.
-    pub fn per_covered(&self) -> f64 {
-        self.total() as f64 / self.inside as f64
+    /// Mean operations at a pixel inside and outside and of a line's step, all, all for each pixel inside, and these in percent of the box.
+    pub fn figures(&self) -> Value {
+        let [outside, inside] = self.pixels.map(|count| count as f64);
+        let [outside_cost, inside_cost] = self.costs.map(|cost| cost as f64);
+        let total = (self.costs.iter().sum::<u64>() + self.line_cost) as f64;
+        json!({
+            "inside": inside_cost / inside,
+            "outside": outside_cost / outside,
+            "line": self.line_cost as f64 / self.lines as f64,
+            "total": total,
+            "covered": total / inside,
+            "percent": 100.0 * inside / (inside + outside),
+        })
     }
 }
 
@@ -65,7 +46,8 @@ struct Linear<'c> {
 }
 
 impl<'c> Linear<'c> {
-    fn new([across, down, line]: [Counted<'c>; 3]) -> Linear<'c> {
+    fn new(counter: &'c Counter, expression: [f64; 3]) -> Linear<'c> {
+        let [across, down, line] = counter.numbers(expression);
         Linear {
             across,
             down,
@@ -99,14 +81,14 @@ struct Quadratic<'c> {
 impl<'c> Quadratic<'c> {
     /// Of a x^2 + b y^2 + c xy + d x + e y + f; the differences are formed in the preparation.
     fn new(counter: &'c Counter, [a, b, c, d, e, f]: [f64; 6]) -> Quadratic<'c> {
-        let first = counter.number(d + a);
-        let value = counter.number(f);
+        let [a2, b2, c, first, line_step, value] =
+            counter.numbers([2.0 * a, 2.0 * b, c, d + a, e + b, f]);
         Quadratic {
-            a2: counter.number(2.0 * a),
-            b2: counter.number(2.0 * b),
-            c: counter.number(c),
+            a2,
+            b2,
+            c,
             line_first: first,
-            line_step: counter.number(e + b),
+            line_step,
             line: value,
             step: first,
             value,
@@ -135,32 +117,39 @@ fn scan<S>(
     pixel: impl Fn(&mut S) -> Option<f64>,
     line: impl Fn(&mut S),
 ) -> Scan {
+    let done = || counter.tally().weighted();
     let mut found = Scan::default();
     for _ in 0..side {
         for _ in 0..side {
-            let before = counter.tally().weighted();
+            let before = done();
             let depth = pixel(&mut state);
-            let cost = counter.tally().weighted() - before;
-            if depth.is_some() {
-                found.inside += 1;
-                found.inside_cost += cost;
-            } else {
-                found.outside += 1;
-                found.outside_cost += cost;
-            }
+            let inside = usize::from(depth.is_some());
+            found.pixels[inside] += 1;
+            found.costs[inside] += done() - before;
             found.depths.push(depth);
         }
-        let before = counter.tally().weighted();
+        let before = done();
         line(&mut state);
-        found.line_cost += counter.tally().weighted() - before;
+        found.line_cost += done() - before;
         found.lines += 1;
     }
     found
 }
 
+/// Half of a box of 20 x 20 pixels, with the diagonal: sides, depth, normal.
+pub const FACET: [[f64; 3]; 7] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [-1.0, -1.0, 19.0],
+    [3.0, -2.0, 500.0],
+    [4.0, 0.0, -40.0],
+    [0.0, 4.0, -40.0],
+    [0.0, 0.0, -100.0],
+];
+
 /// A facet on a box of so many pixels a side: sides not negative inside, depth, three components of the normal. Each pixel inside is compared with a z-buffer.
 pub fn facet(counter: &Counter, side: u64, expressions: [[f64; 3]; 7]) -> Scan {
-    let state = expressions.map(|e| Linear::new(counter.numbers(e)));
+    let state = expressions.map(|e| Linear::new(counter, e));
     let far = counter.number(f64::MAX);
     let pixel = |state: &mut [Linear<'_>; 7]| {
         let inside = state[..3].iter().all(|e| !e.value.is_negative());
@@ -178,13 +167,35 @@ pub fn facet(counter: &Counter, side: u64, expressions: [[f64; 3]; 7]) -> Scan {
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Linear part of the depth.
-    pub f1: [f64; 3],
+    f1: [f64; 3],
     /// Factors of x^2, y^2, xy, x, y and 1.
-    pub f2: [f64; 6],
+    f2: [f64; 6],
     /// Kind and expression: a depth, or not negative where a perpendicular plane keeps.
-    pub planes: Vec<(Kind, [f64; 3])>,
+    planes: Vec<(Kind, [f64; 3])>,
     /// Linear parts of the normal and factors of the root.
-    pub normal: ([[f64; 3]; 3], [f64; 3]),
+    normal: ([[f64; 3]; 3], [f64; 3]),
+}
+
+/// A ball that fills a box of so many pixels, cut by up to four planes: one from the front, one from the back, two along the line of sight.
+pub fn ball(side: u64, planes: usize) -> Object {
+    let middle = (side as f64 - 1.0) / 2.0;
+    let radius = side as f64 / 2.0;
+    let all = [
+        (Kind::Front, [0.5, 0.25, -0.8 * radius - 0.75 * middle]),
+        (Kind::Back, [-0.25, 0.5, 0.85 * radius - 0.25 * middle]),
+        (Kind::Perpendicular, [1.0, 0.0, -2.0]),
+        (Kind::Perpendicular, [0.0, -1.0, side as f64 - 3.0]),
+    ];
+    let constant = radius * radius - 2.0 * middle * middle;
+    Object {
+        f1: [0.0, 0.0, 0.0],
+        f2: [-1.0, -1.0, 0.0, 2.0 * middle, 2.0 * middle, constant],
+        planes: all[..planes].to_vec(),
+        normal: (
+            [[1.0, 0.0, -middle], [0.0, 1.0, -middle], [0.0, 0.0, 0.0]],
+            [0.0, 0.0, 1.0],
+        ),
+    }
 }
 
 struct State<'c> {
@@ -193,21 +204,21 @@ struct State<'c> {
     planes: Vec<(Kind, Linear<'c>)>,
     g: [Linear<'c>; 3],
     k: [Counted<'c>; 3],
+    /// The z-buffer.
+    far: Counted<'c>,
 }
 
 impl<'c> State<'c> {
     fn new(counter: &'c Counter, object: &Object) -> State<'c> {
-        let linear = |e: [f64; 3]| Linear::new(counter.numbers(e));
+        let linear = |e: [f64; 3]| Linear::new(counter, e);
+        let planes = object.planes.iter();
         State {
             f1: linear(object.f1),
             f2: Quadratic::new(counter, object.f2),
-            planes: object
-                .planes
-                .iter()
-                .map(|(kind, e)| (*kind, linear(*e)))
-                .collect(),
+            planes: planes.map(|(kind, e)| (*kind, linear(*e))).collect(),
             g: object.normal.0.map(linear),
             k: counter.numbers(object.normal.1),
+            far: counter.number(f64::MAX),
         }
     }
 
@@ -230,30 +241,37 @@ impl<'c> State<'c> {
     fn normal(&self, signed_root: Counted<'c>) -> [Counted<'c>; 3] {
         std::array::from_fn(|k| self.g[k].value + self.k[k] * signed_root)
     }
+
+    /// The root of f2; nothing outside the silhouette.
+    fn root(&self) -> Option<Counted<'c>> {
+        let outside = self.f2.value.is_negative();
+        (!outside).then(|| self.f2.value.root())
+    }
 }
 
-/// A solid seen from the side: its interval is cut by plane after plane.
-pub fn solid(counter: &Counter, side: u64, object: &Object) -> Scan {
-    let far = counter.number(f64::MAX);
-    let pixel = |state: &mut State<'_>| {
-        let depth = front_of_solid(state, far).map(|z| z.value);
+/// Scans an object; `depth` is that of what is seen at a pixel.
+fn object<'c>(
+    counter: &'c Counter,
+    side: u64,
+    object: &Object,
+    depth: impl Fn(&State<'c>) -> Option<Counted<'c>>,
+) -> Scan {
+    let pixel = |state: &mut State<'c>| {
+        let depth = depth(state).map(|z| z.value);
         state.pixel_step();
         depth
     };
-    scan(
-        counter,
-        side,
-        State::new(counter, object),
-        pixel,
-        State::line_step,
-    )
+    let state = State::new(counter, object);
+    scan(counter, side, state, pixel, State::line_step)
 }
 
-fn front_of_solid<'c>(state: &State<'c>, far: Counted<'c>) -> Option<Counted<'c>> {
-    if state.f2.value.is_negative() {
-        return None;
-    }
-    let root = state.f2.value.root();
+/// A solid seen from the side: its interval is cut by plane after plane.
+pub fn solid(counter: &Counter, side: u64, solid: &Object) -> Scan {
+    object(counter, side, solid, front_of_solid)
+}
+
+fn front_of_solid<'c>(state: &State<'c>) -> Option<Counted<'c>> {
+    let root = state.root()?;
     let (mut zf, mut zb) = (state.f1.value - root, state.f1.value + root);
     let mut is_quadric = true;
     for (kind, plane) in &state.planes {
@@ -276,7 +294,7 @@ fn front_of_solid<'c>(state: &State<'c>, far: Counted<'c>) -> Option<Counted<'c>
             _ => {}
         }
     }
-    if !zf.is_below(far) {
+    if !zf.is_below(state.far) {
         return None;
     }
     if is_quadric {
@@ -286,49 +304,32 @@ fn front_of_solid<'c>(state: &State<'c>, far: Counted<'c>) -> Option<Counted<'c>
 }
 
 /// A patch: the near face if all planes keep it, else the far one.
-pub fn patch(counter: &Counter, side: u64, object: &Object) -> Scan {
-    let far = counter.number(f64::MAX);
-    let pixel = |state: &mut State<'_>| {
-        let depth = face_of_patch(state, far).map(|z| z.value);
-        state.pixel_step();
-        depth
-    };
-    scan(
-        counter,
-        side,
-        State::new(counter, object),
-        pixel,
-        State::line_step,
-    )
+pub fn patch(counter: &Counter, side: u64, patch: &Object) -> Scan {
+    object(counter, side, patch, face_of_patch)
 }
 
-fn face_of_patch<'c>(state: &State<'c>, far: Counted<'c>) -> Option<Counted<'c>> {
-    if state.f2.value.is_negative() {
-        return None;
-    }
-    let root = state.f2.value.root();
-    for signed in [-root, root] {
-        let z = state.f1.value + signed;
+fn face_of_patch<'c>(state: &State<'c>) -> Option<Counted<'c>> {
+    let root = state.root()?;
+    let kept = |signed: &Counted<'c>| {
+        let z = state.f1.value + *signed;
         let keeps = |(kind, plane): &(Kind, Linear<'c>)| match kind {
             Kind::Front => !z.is_below(plane.value),
             Kind::Back => !plane.value.is_below(z),
             Kind::Perpendicular => !plane.value.is_negative(),
         };
-        if state.planes.iter().all(keeps) {
-            if !z.is_below(far) {
-                return None;
-            }
-            state.normal(signed);
-            return Some(z);
-        }
+        state.planes.iter().all(keeps).then_some((*signed, z))
+    };
+    let (signed, z) = [-root, root].iter().find_map(kept)?;
+    if !z.is_below(state.far) {
+        return None;
     }
-    None
+    state.normal(signed);
+    Some(z)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluate::software::{FACET, ball};
 
     fn at([a, b, c]: [f64; 3], x: f64, y: f64) -> f64 {
         a * x + b * y + c
@@ -341,17 +342,10 @@ mod tests {
         let counter = Counter::default();
         let side = 40;
         let object = ball(side, 4);
-        let (found_solid, found_patch) = (
-            solid(&counter, side, &object),
-            patch(&counter, side, &object),
-        );
-        assert!(found_patch.inside > 300 && found_patch.outside > 300);
-        for (index, (solid, patch)) in found_solid
-            .depths
-            .iter()
-            .zip(&found_patch.depths)
-            .enumerate()
-        {
+        let solid = solid(&counter, side, &object);
+        let patch = patch(&counter, side, &object);
+        assert!(patch.pixels.iter().all(|&count| count > 300));
+        for (index, (solid, patch)) in solid.depths.iter().zip(&patch.depths).enumerate() {
             let (x, y) = ((index as u64 % side) as f64, (index as u64 / side) as f64);
             let terms = [x * x, y * y, x * y, x, y, 1.0];
             let f2: f64 = object.f2.iter().zip(terms).map(|(v, t)| v * t).sum();
@@ -376,7 +370,7 @@ mod tests {
         let counter = Counter::default();
         let found = facet(&counter, 20, FACET);
         // Half of the box with the diagonal.
-        assert_eq!((found.inside, found.outside), (210, 190));
+        assert_eq!(found.pixels, [190, 210]);
         for (index, depth) in found.depths.iter().enumerate() {
             let (x, y) = ((index % 20) as f64, (index / 20) as f64);
             let expected = (x + y <= 19.0).then(|| at(FACET[3], x, y));

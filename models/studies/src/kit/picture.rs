@@ -5,7 +5,8 @@
 pub use imogene_files::{Outputs, WriteError, write_whole};
 use imogene_golden::machine::frame::Frame;
 use npyz::WriterBuilder;
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -19,37 +20,51 @@ pub struct ReadError {
     pub problem: String,
 }
 
+/// A PNG file whose head is read.
+fn opened(path: &Path, how: png::Transformations) -> Result<png::Reader<BufReader<File>>, String> {
+    let file = File::open(path).map_err(|e| e.to_string())?;
+    let mut decoder = png::Decoder::new(BufReader::new(file));
+    decoder.set_transformations(how);
+    decoder.read_info().map_err(|e| e.to_string())
+}
+
+/// The picture behind the head.
+fn samples(mut reader: png::Reader<BufReader<File>>) -> Result<(png::OutputInfo, Vec<u8>), String> {
+    let size = reader.output_buffer_size().ok_or("it is too large")?;
+    let mut samples = vec![0; size];
+    let info = reader.next_frame(&mut samples).map_err(|e| e.to_string())?;
+    Ok((info, samples))
+}
+
+/// Kind and samples of a PNG picture as it is; or why it cannot be read.
+pub fn read_png(path: &Path) -> Result<(png::OutputInfo, Vec<u8>), String> {
+    samples(opened(path, png::Transformations::IDENTITY)?)
+}
+
 /// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are less than half opaque count as black.
 pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
-    let fail = |problem: String| ReadError {
+    mask(path).map_err(|problem| ReadError {
         path: path.to_path_buf(),
         problem,
-    };
-    let file = std::fs::File::open(path).map_err(|e| fail(e.to_string()))?;
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
-    decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(|e| fail(e.to_string()))?;
+    })
+}
+
+fn mask(path: &Path) -> Result<(usize, usize, Vec<bool>), String> {
+    let reader = opened(path, png::Transformations::normalize_to_color8())?;
     let (width, height) = (reader.info().width, reader.info().height);
     if width.max(height) > MAX_MASK_SIDE {
-        return Err(fail(format!(
-            "{width} x {height} pixels are more than {MAX_MASK_SIDE} each way"
-        )));
+        let pixels = format!("{width} x {height} pixels");
+        return Err(format!("{pixels} are more than {MAX_MASK_SIDE} each way"));
     }
-    let size = reader.output_buffer_size();
-    let mut buffer = vec![0; size.ok_or_else(|| fail("it is too large".into()))?];
-    let info = reader
-        .next_frame(&mut buffer)
-        .map_err(|e| fail(e.to_string()))?;
-    let samples = info.color_type.samples();
-    let has_alpha = matches!(
-        info.color_type,
-        png::ColorType::GrayscaleAlpha | png::ColorType::Rgba
-    );
+    let (info, samples) = samples(reader)?;
+    let each = info.color_type.samples();
+    // Two or four samples: the last one is the opacity.
+    let colours = each - usize::from(each.is_multiple_of(2));
     let is_set = |pixel: &[u8]| {
-        let (colour, alpha) = pixel.split_at(samples - usize::from(has_alpha));
+        let (colour, alpha) = pixel.split_at(colours);
         colour.iter().any(|&c| c > 0) && alpha.iter().all(|&a| a >= 128)
     };
-    let pixels = buffer[..info.buffer_size()].chunks_exact(samples);
+    let pixels = samples[..info.buffer_size()].chunks_exact(each);
     Ok((
         width as usize,
         height as usize,

@@ -8,10 +8,6 @@ pub struct Preview(png::Writer<File>);
 
 impl Preview {
     /// Begins one of so many frames in an empty file.
-    ///
-    /// # Errors
-    ///
-    /// If nothing can be written there.
     pub fn new(file: File, (width, height): (u32, u32), frames: u32) -> Result<Self> {
         let mut encoder = png::Encoder::new(file, width, height);
         encoder.set_color(png::ColorType::Rgb);
@@ -24,10 +20,6 @@ impl Preview {
     /// Adds a frame, 8-bit RGB, that is shown for a time in seconds.
     ///
     /// The format takes times to a tenth of a millisecond; beyond 6.5 seconds to a millisecond.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be written.
     pub fn frame(&mut self, rgb: &[u8], seconds: f64) -> Result<()> {
         let (numerator, denominator) = delay(seconds);
         let set = self.0.set_frame_delay(numerator, denominator);
@@ -36,10 +28,7 @@ impl Preview {
     }
 
     /// Ends the file.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be written, or has not as many frames as were announced.
+    /// Fails if it cannot be written, or has not as many frames as were announced.
     pub fn finish(self) -> Result<()> {
         self.0.finish().map_err(Error::other)
     }

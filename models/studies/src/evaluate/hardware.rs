@@ -1,0 +1,105 @@
+//! Figures of the hardware: parts of the processors as they are emitted, and the table of resources.
+
+use super::error::EvaluateError;
+use imogene_plan::zone::clocks::ZoneTiming;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// The parts of a processor as it is emitted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parts {
+    /// Unit.
+    pub unit: String,
+    /// Its parameters besides the format, such as `4 planes`.
+    pub parameters: String,
+    /// First-degree elementary processors.
+    pub pe1: usize,
+    /// Second-degree elementary processors.
+    pub pe2: usize,
+    /// Square root networks.
+    pub roots: usize,
+    /// Multipliers.
+    pub multipliers: usize,
+}
+
+/// What the counts need of the hardware.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hardware {
+    /// The object processors in the base format.
+    pub processors: Vec<Parts>,
+    /// Clocks of a zone machine of [`MACHINE_PROCESSORS`] processors with four planes.
+    pub zone_timing: ZoneTiming,
+}
+
+/// Object processors of the zone machine whose clocks are handed in.
+pub const MACHINE_PROCESSORS: usize = 100;
+/// Their cut planes.
+pub const MACHINE_PLANES: usize = 4;
+
+/// The published figures, compiled in.
+const TABLE: &str = include_str!("../../../../docs/resources.json");
+/// The device of the figures that have a clock.
+pub const DEVICE: &str = "ecp5-45k";
+/// A device without multipliers: they are made of its cells.
+pub const PLAIN_DEVICE: &str = "ice40-hx8k";
+/// Gates, in transistors.
+pub const GATES: &str = "transistors";
+
+/// The resource table, as far as it is needed.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Resources {
+    rows: Vec<Line>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+struct Line {
+    section: String,
+    unit: String,
+    parameters: BTreeMap<String, usize>,
+    target: String,
+    figures: Figures,
+}
+
+/// Figures of a unit.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub struct Figures {
+    pub ff: Option<f64>,
+    pub cells: Option<f64>,
+    pub transistors: Option<f64>,
+    /// Clock.
+    pub fmax_mhz: Option<f64>,
+}
+
+impl Resources {
+    /// The table that is compiled in.
+    pub fn compiled_in() -> Result<Resources, EvaluateError> {
+        Ok(serde_json::from_str(TABLE)?)
+    }
+
+    /// A figure of a unit on a device, in the table of all units or of those with so many planes.
+    pub fn figure(
+        &self,
+        (what, figure): (&'static str, fn(&Figures) -> Option<f64>),
+        unit: &str,
+        target: &str,
+        planes: Option<usize>,
+    ) -> Result<f64, EvaluateError> {
+        let section = match (target, planes) {
+            (GATES, _) => "transistors",
+            (_, Some(_)) => "planes",
+            (_, None) => "units",
+        };
+        let is_wanted = |line: &&Line| {
+            let planes = planes.is_none_or(|n| line.parameters.get("planes") == Some(&n));
+            line.section == section && line.unit == unit && line.target == target && planes
+        };
+        let missing = |figure| EvaluateError::Missing {
+            unit: unit.into(),
+            target: target.into(),
+            figure,
+        };
+        let line = self.rows.iter().find(is_wanted);
+        let line = line.ok_or_else(|| missing("row"))?;
+        figure(&line.figures).ok_or_else(|| missing(what))
+    }
+}

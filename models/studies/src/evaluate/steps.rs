@@ -1,0 +1,312 @@
+//! Weighted operations of every step of the preparation, each found by running it.
+//!
+//! The numbers that the steps are run with are of no meaning: no step asks a question whose answer changes its cost, except where its name says so.
+
+use super::count::{Counted, Counter, Tally, cost};
+use super::work::facet::{self, Contour, Corners};
+use super::work::lighting::{Colours, Place, light, power};
+use super::work::{frame, quadric, zones};
+use serde_json::{Value, json};
+
+const MATRIX: [[f64; 4]; 4] = [
+    [2.0, -1.0, 3.0, 5.0],
+    [0.5, 4.0, 1.0, -2.0],
+    [7.0, 1.0, -3.0, 6.0],
+    [1.0, 0.25, 2.0, 3.0],
+];
+/// A sphere seen from the side, after perspective.
+const QUADRIC: [f64; 10] = [
+    1.0, 1.0, 1.7, 0.0, 0.02, -0.01, -20.0, 10.0, -380.0, 80_500.0,
+];
+const PLANE: [f64; 4] = [2.0, -4.0, -8.0, 16.0];
+const POINT: [f64; 3] = [1.0, 2.0, 3.0];
+/// Its middle corner is left of the long side, so that two sides are followed on the left: the longer case.
+const CORNERS: [[f64; 3]; 3] = [[10.0, 2.0, 7.0], [1.0, 9.0, -3.0], [12.0, 20.0, 11.0]];
+/// Corners of a box with sides along no axis of the screen: all of them are apart, six are on the outline.
+const CUBE: [[f64; 2]; 8] = [
+    [0.0, 0.0],
+    [40.0, 9.0],
+    [13.0, 30.0],
+    [53.0, 39.0],
+    [17.0, -6.0],
+    [57.0, 3.0],
+    [30.0, 24.0],
+    [70.0, 33.0],
+];
+/// Corners of a tetrahedron, all of them on the outline.
+const TETRAHEDRON: [[f64; 2]; 4] = [[0.0, 0.0], [40.0, 9.0], [13.0, 30.0], [53.0, 39.0]];
+/// The exponent up to 128 whose power takes most products.
+const WORST_EXPONENT: u32 = 127;
+
+/// A step by its name.
+type Step = (&'static str, fn(&Counter));
+
+const STEPS: &[Step] = &[
+    ("product", |c| done(frame::product(&matrix(c), &matrix(c)))),
+    ("affine_product", |c| {
+        done(frame::affine_product(&matrix(c), &matrix(c)))
+    }),
+    ("point", |c| {
+        done(frame::point(&matrix(c), c.numbers(POINT)))
+    }),
+    ("direction", |c| {
+        done(frame::direction(&matrix(c), c.numbers(POINT)))
+    }),
+    ("divide", |c| {
+        done(frame::divided(c.numbers([1.0, 2.0, 3.0, 4.0])))
+    }),
+    ("plane_image", |c| {
+        done(frame::plane(&matrix(c), c.numbers(PLANE)))
+    }),
+    ("quadric_in_full", |c| {
+        done(frame::quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
+    }),
+    ("quadric_image", |c| {
+        done(frame::quadric(&matrix(c), c.numbers(QUADRIC)))
+    }),
+    ("cofactors", |c| done(frame::cofactors(&matrix(c)))),
+    ("shared_cofactors", |c| {
+        done(frame::cofactors_of_shared_minors(&matrix(c)))
+    }),
+    ("determinant_alone", |c| {
+        done(frame::determinant_alone(&matrix(c)))
+    }),
+    ("determinant", |c| {
+        done(frame::determinant(&matrix(c), &matrix(c)))
+    }),
+    ("inverse", |c| {
+        done(frame::inverse(&matrix(c), c.number(2.0)))
+    }),
+    ("normalised", |c| done(frame::normalised(c.numbers(POINT)))),
+    ("contour", |c| done(contour(c))),
+    ("contour_and_followed", |c| {
+        let contour = contour(c);
+        done(quantities(c).map(|w| facet::followed(&contour, w)));
+    }),
+    ("contour_to_words", |c| {
+        let [depth, quantity] = c.numbers([8388.0, 32_767.0]);
+        done(facet::contour_words(
+            &contour(c),
+            quantities(c),
+            depth,
+            quantity,
+        ));
+    }),
+    ("expressions", |c| done(facet::expressions(corners(c)))),
+    ("expressions_and_expressed", |c| {
+        let facet = facet::expressions(corners(c));
+        done(quantities(c).map(|w| facet::expressed(&facet.shape, corners(c), w)));
+    }),
+    ("expressions_to_words", |c| {
+        let [depth, quantity] = c.numbers([8388.0, 32_767.0]);
+        done(facet::expression_words(
+            corners(c),
+            quantities(c),
+            depth,
+            quantity,
+        ));
+    }),
+    ("light", |c| lit_corners(c, Place::Far, Place::Far)),
+    ("light_near_source", |c| {
+        lit_corners(c, Place::Near, Place::Far)
+    }),
+    ("light_near_viewer", |c| {
+        lit_corners(c, Place::Far, Place::Near)
+    }),
+    ("light_near_both", |c| {
+        lit_corners(c, Place::Near, Place::Near)
+    }),
+    ("one_power", |c| done(power(c.number(0.9), WORST_EXPONENT))),
+    ("depth", |c| done(depth(c))),
+    ("depth_to_words", |c| {
+        let [scale, square] = c.numbers([8388.0, 7e7]);
+        done(quadric::depth_words(&depth(c), scale, square));
+    }),
+    ("normal", |c| {
+        done(quadric::normal(
+            c.numbers(QUADRIC),
+            &c.numbers(POINT),
+            c.number(0.001),
+        ));
+    }),
+    // With the search of its greatest component.
+    ("normal_to_words", |c| {
+        let depth = depth(c);
+        let normal = quadric::normal(c.numbers(QUADRIC), &depth.f1, c.number(0.001));
+        let root = quadric::greatest_f2(&depth.f2).root();
+        let window = c.numbers([-70.0, -90.0, 180.0, 170.0]);
+        let greatest = quadric::greatest_normal(&normal, root, window);
+        done(quadric::normal_words(&normal, greatest, c.number(0.001)));
+    }),
+    ("plane", |c| {
+        done(quadric::plane(
+            c.numbers(PLANE),
+            c.number(8388.0),
+            c.number(16e6),
+        ))
+    }),
+    ("plane_words", |c| {
+        done(quadric::plane_words(c.numbers(POINT), c.number(8388.0)))
+    }),
+    ("plane_normal", |c| {
+        done(quadric::constant_normal(c.numbers(POINT)))
+    }),
+    ("facet_box", |c| presort(c, &CUBE[..3])),
+    ("patch_box", |c| presort(c, &TETRAHEDRON)),
+    ("box_of_eight", |c| presort(c, &CUBE)),
+    ("outline_to_box", |c| {
+        let window = zones::box_of_outline(&depth(c).f2);
+        done(zones::zones(window, c.number(1.0 / 128.0)));
+    }),
+    ("facet_sides", |c| {
+        done(zones::outline(&points(c, &CUBE[..3])))
+    }),
+    ("facet_sides_and_corner", |c| {
+        corner(c, zones::outline(&points(c, &CUBE[..3])))
+    }),
+    ("patch_sides", |c| {
+        done(zones::outline(&points(c, &TETRAHEDRON)))
+    }),
+    ("patch_sides_and_corner", |c| {
+        corner(c, zones::outline(&points(c, &TETRAHEDRON)))
+    }),
+    ("quadric_sides", |c| {
+        done(zones::outline_of(&points(c, &CUBE), is_edge))
+    }),
+    ("quadric_sides_and_corner", |c| {
+        corner(c, zones::outline_of(&points(c, &CUBE), is_edge))
+    }),
+    ("moved_line", |c| {
+        let [k, l] = c.numbers([128.0, 256.0]);
+        done(zones::moved_line(&c.numbers(POINT), k, l));
+    }),
+    ("moved_conic", |c| {
+        let [k, l] = c.numbers([128.0, 256.0]);
+        done(zones::moved_conic(&c.numbers([1.0; 6]), k, l));
+    }),
+];
+
+/// What each step costs. Without products, where a factor is a power of two and they are shifts, a step costs its additions.
+pub fn costs() -> Vec<(String, Value)> {
+    let costs: Vec<(&str, Tally)> = STEPS
+        .iter()
+        .map(|(name, step)| (*name, cost(step)))
+        .collect();
+    let whole = costs
+        .iter()
+        .map(|(name, cost)| ((*name).into(), json!(cost.weighted())));
+    let moved = costs.iter().filter(|(name, _)| name.starts_with("moved"));
+    let shifted = moved.map(|(name, cost)| (format!("{name}_by_shifts"), json!(cost.additions)));
+    let exponent = ("worst_exponent".into(), json!(WORST_EXPONENT));
+    whole.chain(shifted).chain([exponent]).collect()
+}
+
+/// The result of a step has been counted and is of no further use.
+fn done<T>(_result: T) {}
+
+fn matrix(counter: &Counter) -> frame::Matrix<'_> {
+    MATRIX.map(|row| counter.numbers(row))
+}
+
+fn corners(counter: &Counter) -> Corners<'_> {
+    CORNERS.map(|corner| counter.numbers(corner))
+}
+
+fn quantities(counter: &Counter) -> [[Counted<'_>; 3]; 3] {
+    [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]].map(|w| counter.numbers(w))
+}
+
+fn contour(counter: &Counter) -> Contour<'_> {
+    facet::contour(corners(counter)).expect("the corners have an area")
+}
+
+fn depth(counter: &Counter) -> quadric::Depth<'_> {
+    quadric::depth(counter.numbers(QUADRIC)).expect("it has a depth")
+}
+
+fn points<'c>(counter: &'c Counter, list: &[[f64; 2]]) -> Vec<[Counted<'c>; 2]> {
+    list.iter().map(|p| counter.numbers(*p)).collect()
+}
+
+fn presort(counter: &Counter, list: &[[f64; 2]]) {
+    let window = zones::box_of(&points(counter, list));
+    zones::zones(window, counter.number(1.0 / 128.0));
+}
+
+/// A zone's corner against the sides of an outline.
+fn corner(counter: &Counter, sides: Vec<facet::Line<'_>>) {
+    facet::is_inside(&sides, counter.number(5.0), counter.number(6.0));
+}
+
+/// Two corners of the box in space are joined if they differ in one bit of their index.
+fn is_edge(i: usize, j: usize) -> bool {
+    (i ^ j).is_power_of_two()
+}
+
+/// Light at three corners.
+fn lit_corners<'c>(
+    counter: &'c Counter,
+    source: fn([Counted<'c>; 3]) -> Place<'c>,
+    viewer: fn([Counted<'c>; 3]) -> Place<'c>,
+) {
+    let direction = counter.numbers([0.0, 0.6, 0.8]);
+    let colours = Colours {
+        ambient: direction,
+        diffuse: direction,
+        specular: direction,
+        exponent: WORST_EXPONENT,
+    };
+    let point = counter.numbers([0.0; 3]);
+    for _ in 0..3 {
+        let normal = counter.numbers([0.1, 0.2, 0.9]);
+        light(
+            point,
+            normal,
+            &source(direction),
+            &viewer(direction),
+            &colours,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn weighted(name: &str) -> u64 {
+        let step = STEPS.iter().find(|(own, _)| *own == name);
+        cost(step.unwrap_or_else(|| panic!("no {name}")).1).weighted()
+    }
+
+    /// Counts that follow from the size of the matrices alone.
+    #[test]
+    fn products_cost_what_their_sizes_say() {
+        for (name, expected) in [
+            ("product", 16 * (4 + 3)),
+            ("affine_product", 12 * 5 + 3),
+            ("point", 4 * 6),
+            ("direction", 3 * 5),
+            ("divide", 8 + 3),
+            ("plane_image", 4 * 7),
+            ("quadric_in_full", 2 * 112),
+            ("quadric_image", 112 + 10 * 7),
+            ("cofactors", 16 * 14),
+            ("shared_cofactors", 12 * 3 + 16 * 5),
+            ("determinant", 7),
+            ("determinant_alone", 4 * 14 + 7),
+            ("inverse", 8 + 16),
+            ("normalised", 5 + 8 + 8 + 3),
+        ] {
+            assert_eq!(weighted(name), expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn outlines_have_the_sides_that_their_corners_are_tested_against() {
+        for (object, sides) in [("facet", 3), ("patch", 4), ("quadric", 6)] {
+            let set_up = weighted(&format!("{object}_sides"));
+            let corner = weighted(&format!("{object}_sides_and_corner")) - set_up;
+            assert_eq!(corner, sides * 5, "{object}");
+        }
+    }
+}

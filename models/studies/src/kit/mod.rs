@@ -1,0 +1,12 @@
+//! What all studies share: sentences, tables and pages, plots, pictures.
+
+mod error;
+pub mod page;
+pub mod picture;
+pub mod plot;
+pub mod preview;
+pub mod text;
+pub mod vector;
+pub mod words;
+
+pub use error::DrawError;

@@ -1,0 +1,45 @@
+//! Widths of machines: as long as asked for, then as short as scenes allow.
+
+use imogene_contract::MachineWords;
+use imogene_prepare::NeededWidths;
+
+/// The widths of a machine before it is known what its scenes require.
+pub const fn widest(
+    depth: u32,
+    normal: u32,
+    (guard_linear, guard_quadratic): (u32, u32),
+    dropped_rows: u32,
+) -> MachineWords {
+    MachineWords {
+        depth,
+        root: depth,
+        plane: depth + 12,
+        normal,
+        guard_linear,
+        guard_quadratic,
+        dropped_rows,
+    }
+}
+
+/// The narrowest widths that take all parts of a picture, and the parts in them. `prepared` gives the parts, or nothing if a word is too short for one.
+pub fn narrowest<T, E>(
+    wide: &MachineWords,
+    prepared: impl Fn(&MachineWords) -> Result<Option<Vec<T>>, E>,
+    needed: impl Fn(&T) -> NeededWidths,
+) -> Result<Option<(MachineWords, Vec<T>)>, E> {
+    let Some(in_wide) = prepared(wide)? else {
+        return Ok(None);
+    };
+    let each = in_wide.iter().map(needed);
+    let most = each.fold(NeededWidths::default(), |most, one| most.or(&one));
+    let mut widths = most.narrowed(wide);
+    // The root of the rounded words may need a bit more in the narrower word; never more than the wide one has.
+    while widths != *wide {
+        if let Some(parts) = prepared(&widths)? {
+            return Ok(Some((widths, parts)));
+        }
+        widths.root = (widths.root + 1).min(wide.root);
+        widths.plane = (widths.plane + 1).min(wide.plane);
+    }
+    Ok(Some((*wide, in_wide)))
+}
