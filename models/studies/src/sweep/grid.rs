@@ -3,10 +3,10 @@
 //! A scene file holds decimals of up to 15 significant digits; whatever a scene derives from its parameter is computed
 //! in rationals and must be such a decimal again, so that every scene is exactly what its parameter says.
 
-use super::Step;
 use imogene_algebra::rational::{from_decimal, to_f64};
-use imogene_golden::format::Format;
-use imogene_scene::{Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Surface};
+use imogene_scene::{
+    Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Step, Surface,
+};
 use num_rational::BigRational;
 
 /// The screen of a sweep unless it needs another. The picture is as high as it has lines, so that a scene unit is a
@@ -34,36 +34,10 @@ pub fn decimal(value: &BigRational) -> f64 {
 
 /// Decades `first`, `first / 10`, ... down to `last` as decimals, each times every mantissa.
 pub fn decades(mantissas: &[u32], exponents: impl Iterator<Item = i32>) -> Vec<String> {
-    exponents
-        .flat_map(|e| mantissas.iter().map(move |m| format!("{m}e{e}")))
-        .map(|text| plain(&text))
-        .collect()
-}
-
-/// A decimal without exponent.
-fn plain(text: &str) -> String {
-    let value: f64 = text.parse().expect("a decimal");
-    value.to_string()
-}
-
-/// The steps of some values in every series.
-pub fn steps(
-    series: usize,
-    values: &[String],
-    format: Format,
-    scene: impl Fn(usize, &BigRational) -> SceneFile,
-) -> Vec<Step> {
-    let of = |index: usize| {
-        let scene = &scene;
-        values.iter().map(move |value| Step {
-            series: index,
-            parameter: value.clone(),
-            scene: scene(index, &number(value)),
-            format: Ok(format),
-            with_naive: false,
-        })
-    };
-    (0..series).flat_map(of).collect()
+    let numbers = exponents.flat_map(|e| mantissas.iter().map(move |m| format!("{m}e{e}")));
+    // Without the exponent.
+    let plain = |text: String| text.parse::<f64>().expect("a decimal").to_string();
+    numbers.map(plain).collect()
 }
 
 /// Parallel projection along z, `half_depth` pixels to both sides of the origin.
@@ -82,13 +56,25 @@ pub fn orthographic(half_depth: f64) -> Camera {
 
 /// Central projection from (0, 0, distance) on the plane z = 0.
 pub fn perspective(distance: f64) -> Camera {
+    let [eye, target] = [[0.0, 0.0, distance], [0.0; 3]];
+    looking(eye, target, distance, f64::from(SCREEN.1), 0.5 * distance)
+}
+
+/// Central projection with the y axis upwards.
+pub fn looking(
+    eye: [f64; 3],
+    target: [f64; 3],
+    viewer_distance: f64,
+    view_height: f64,
+    near: f64,
+) -> Camera {
     Camera::Perspective {
-        eye: [0.0, 0.0, distance],
-        target: [0.0; 3],
+        eye,
+        target,
         up: [0.0, 1.0, 0.0],
-        viewer_distance: distance,
-        view_height: f64::from(SCREEN.1),
-        near: Some(0.5 * distance),
+        viewer_distance,
+        view_height,
+        near: Some(near),
         sample_at: [0.0; 2],
         node: Node::default(),
     }
@@ -127,6 +113,14 @@ pub fn solid(name: &str, shape: Shape, cuts: Vec<Cut>) -> Object {
         casts_shadow: true,
         group: None,
         visible: true,
+    }
+}
+
+/// A solid of that name that is moved.
+pub fn moved(name: &str, shape: Shape, cuts: Vec<Cut>, by: [f64; 3]) -> Object {
+    Object {
+        place: vec![Step::Translate(by)],
+        ..solid(name, shape, cuts)
     }
 }
 

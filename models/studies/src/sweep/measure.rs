@@ -1,18 +1,14 @@
 //! One prepared scene: the golden picture against the truth, beside the bounds that were proven before.
 
+use super::contour::displaced;
 use super::truth::{DEPTH_BITS, TruePixel, Truth};
-use imogene_algebra::rational::{from_f64_exact, power_of_two, to_f64};
+use crate::kit::vector::{Vector, cross, dot, length};
+use imogene_algebra::rational::to_f64;
 use imogene_analysis::bounds::{check, depth_bound, normal_bound, undecided_pixels};
-use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
-use imogene_prepare::forms::QuadraticForm;
-use imogene_prepare::{NeededWidths, PreparedQuadric, PreparedScene};
+use imogene_prepare::{NeededWidths, PreparedScene};
 use imogene_scene::FramedScene;
-use num_rational::BigRational;
-use num_traits::Signed;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -197,27 +193,21 @@ fn compare_pixels(figures: &mut Figures, scene: &FramedScene, prepared: &Prepare
     let golden = beam::render(&prepared.slots(), format, width, height, || ());
     let undecided = undecided_pixels(scene, prepared);
     let truth = Truth::new(scene, format.z_max());
-    let line = |y: usize| (0..width).map(move |x| (x, y));
-    let pixels: Vec<(usize, usize)> = (0..height).flat_map(line).collect();
-    let exact: Vec<Option<TruePixel>> = pixels
-        .par_iter()
-        .map(|&(x, y)| truth.at(x as i64, y as i64))
-        .collect();
+    let at = |index: usize| truth.at((index % width) as i64, (index / width) as i64);
+    let exact: Vec<Option<TruePixel>> = (0..width * height).into_par_iter().map(at).collect();
     figures.covered = golden.covered();
     for (index, exact) in exact.iter().enumerate() {
-        let at = [index % width, index / width];
         match difference(&golden, index, exact.as_ref()) {
-            Difference::None => {}
+            Difference::None => continue,
+            Difference::Same(exact) => {
+                compare_faces(figures, prepared, &golden, index, exact);
+                continue;
+            }
             Difference::Presence => figures.observed.silhouette_pixels += 1,
             Difference::Face => figures.observed.wrong_faces += 1,
-            Difference::Same(exact) => compare_faces(figures, prepared, &golden, index, exact),
         }
-        let differs = matches!(
-            difference(&golden, index, exact.as_ref()),
-            Difference::Presence | Difference::Face
-        );
-        if differs && !undecided[index] {
-            let [x, y] = at;
+        if !undecided[index] {
+            let (x, y) = (index % width, index / width);
             figures.violations.push(format!(
                 "pixel ({x}, {y}) shows another face than the truth and was not announced as undecided"
             ));
@@ -242,13 +232,10 @@ fn difference<'a>(golden: &Frame, index: usize, exact: Option<&'a TruePixel>) ->
     let id = golden.id[index];
     match exact {
         None if id < 0 => Difference::None,
-        Some(exact) if id >= 0 => {
-            if id as usize == exact.id && golden.number[index] == exact.number {
-                Difference::Same(exact)
-            } else {
-                Difference::Face
-            }
-        }
+        Some(exact) if id >= 0 => match (id as usize, golden.number[index]) {
+            face if face == (exact.id, exact.number) => Difference::Same(exact),
+            _ => Difference::Face,
+        },
         _ => Difference::Presence,
     }
 }
@@ -273,123 +260,22 @@ fn compare_faces(
     figures.normal(at, angle, normal_bound(object, exact.number, f2, normal));
 }
 
-fn degrees_between(u: [f64; 3], v: [f64; 3]) -> f64 {
-    let cross = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
-    let dot: f64 = u.iter().zip(&v).map(|(a, b)| a * b).sum();
-    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
-    sine.atan2(dot).to_degrees()
-}
-
-/// How far the computed contour is from the true one, to first order: `|q2 - f2|` over the length of the gradient of q2, at every point in which it crosses a
-/// line or a column of the screen box and that the planes keep. The numerator is exact; the bound of the check divides the greatest such difference by the least gradient.
-fn displaced(object: &PreparedQuadric, format: &Format) -> Option<f64> {
-    let window = object.words.screen_box;
-    if window.is_empty() {
-        return None;
-    }
-    let unit = power_of_two(format.guard_quadratic);
-    let residual = QuadraticForm::of_words(&object.words.f2).minus(&object.exact.f2.scaled(&unit));
-    let lines = (window.y0..=window.y1).flat_map(|y| crossings(object, y, Along::Line));
-    let columns = (window.x0..=window.x1).flat_map(|x| crossings(object, x, Along::Column));
-    let off = |point: Crossing| {
-        let [x, y] = point.at.map(from_f64_exact);
-        let off = to_f64(&residual.at(&x, &y)).abs();
-        is_kept(object, &x, &y).then(|| off / point.slope)
-    };
-    lines.chain(columns).filter_map(off).reduce(f64::max)
-}
-
-/// A point of the computed contour, with the length of the gradient there.
-struct Crossing {
-    at: [f64; 2],
-    slope: f64,
-}
-
-/// What a contour is crossed along.
-#[derive(Clone, Copy)]
-enum Along {
-    Line,
-    Column,
-}
-
-/// Where the computed contour crosses a line or a column of the screen box.
-fn crossings(object: &PreparedQuadric, number: i64, along: Along) -> Vec<Crossing> {
-    let window = object.words.screen_box;
-    let (first, last) = match along {
-        Along::Line => (window.x0, window.x1),
-        Along::Column => (window.y0, window.y1),
-    };
-    // About the middle, so that no digits are lost.
-    let middle = (first + last) / 2;
-    let q = &object.words.f2;
-    let (square, linear, constant, across) = match along {
-        Along::Line => {
-            let local = q.from_zone(middle, number);
-            (local.a, local.d, local.f, local.e)
-        }
-        Along::Column => {
-            let local = q.from_zone(number, middle);
-            (local.b, local.e, local.f, local.d)
-        }
-    };
-    let [a, b, c, across, mixed] = [square, linear, constant, across, q.c].map(|v| v as f64);
-    let root = (b * b - 4.0 * a * c).sqrt();
-    // The root that does not cancel, and the other from the product of both.
-    let steady = -0.5 * (b + root.copysign(b));
-    let found = [steady / a, c / steady].map(|u| {
-        let place = middle as f64 + u;
-        Crossing {
-            at: match along {
-                Along::Line => [place, number as f64],
-                Along::Column => [number as f64, place],
-            },
-            slope: (2.0 * a * u + b).hypot(mixed * u + across),
-        }
-    });
-    let inside = |p: &Crossing| {
-        let [x, y] = p.at;
-        (window.x0 as f64..=window.x1 as f64).contains(&x)
-            && (window.y0 as f64..=window.y1 as f64).contains(&y)
-    };
-    found
-        .into_iter()
-        .filter(|p| p.slope > 0.0 && inside(p))
-        .collect()
-}
-
-/// True if no plane removes the contour, whose depth is f1, at a place of the screen.
-fn is_kept(object: &PreparedQuadric, x: &BigRational, y: &BigRational) -> bool {
-    let depth = object.exact.f1.at(x, y);
-    let has_depth = !matches!(object.words.class, Class::Front | Class::Prism);
-    let planes = object.words.planes.iter().zip(&object.exact.planes);
-    planes.into_iter().all(|(words, exact)| {
-        let value = exact.at(x, y);
-        match words.kind {
-            PlaneKind::Perpendicular => !value.is_negative(),
-            PlaneKind::Front if has_depth => depth >= value,
-            PlaneKind::Back if has_depth => depth <= value,
-            _ => true,
-        }
-    })
+fn degrees_between(u: Vector, v: Vector) -> f64 {
+    length(cross(u, v)).atan2(dot(u, v)).to_degrees()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::grid::{BESIDE, cut, orthographic, scene, solid};
+    use crate::sweep::grid::{BESIDE, cut, moved, orthographic, scene};
     use imogene_golden::format::Format;
     use imogene_prepare::Framing;
-    use imogene_prepare::{PreparedObject, prepare};
-    use imogene_scene::{Shape, Step as Place};
+    use imogene_prepare::{PreparedObject, PreparedQuadric, prepare};
+    use imogene_scene::Shape;
 
     fn cut_ball() -> (FramedScene, PreparedScene) {
         let cuts = vec![cut([6.0, 0.0, 12.0], [0.5, 0.25, 1.0])];
-        let mut ball = solid("ball", Shape::Sphere { radius: 24.0 }, cuts);
-        ball.place = vec![Place::Translate(BESIDE)];
+        let ball = moved("ball", Shape::Sphere { radius: 24.0 }, cuts, BESIDE);
         let framed = scene("ball", orthographic(64.0), vec![ball]).frame(96, 72);
         let framed = framed.expect("valid");
         let prepared = prepare(&framed, Format::BASE).expect("fits");

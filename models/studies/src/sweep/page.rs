@@ -1,8 +1,9 @@
 //! A sweep as text: Markdown that reads well in a terminal too.
 
 use super::naive::FloatError;
-use super::{GivesOut, Notice, Record, SweepResult, runs};
-use crate::text::wrapped;
+use super::record::{GivesOut, Notice, Record, SweepResult, runs};
+use crate::kit::page::line;
+use crate::kit::text::wrapped;
 
 const HEAD: [&str; 15] = [
     "depth bound, words",
@@ -20,6 +21,12 @@ const HEAD: [&str; 15] = [
     "wrong face",
     "f2 needs, bits",
     "check",
+];
+const NAIVE_HEAD: [&str; 4] = [
+    "f32: depth, px",
+    "wrong outline",
+    "f64: depth, px",
+    "wrong outline",
 ];
 
 /// The heading of a sweep's section.
@@ -46,11 +53,7 @@ pub fn section(result: &SweepResult, pictures: &str) -> String {
 pub fn markdown(result: &SweepResult) -> String {
     let mut text = format!("{}\n", wrapped(result.about, ""));
     for name in result.series {
-        let records: Vec<&Record> = result
-            .records
-            .iter()
-            .filter(|r| r.series == *name)
-            .collect();
+        let records = result.of_series(name);
         if !records.is_empty() {
             text += &series(result, name, &records);
         }
@@ -69,40 +72,30 @@ pub fn markdown(result: &SweepResult) -> String {
 
 fn series(result: &SweepResult, name: &str, records: &[&Record]) -> String {
     let naive = records.iter().any(|r| r.naive.is_some());
-    let mut head: Vec<&str> = vec![result.axis.label];
-    head.extend(HEAD);
+    let mut head = [&[result.axis.label][..], &HEAD].concat();
     if naive {
-        head.extend([
-            "f32: depth, px",
-            "wrong outline",
-            "f64: depth, px",
-            "wrong outline",
-        ]);
+        head.extend(NAIVE_HEAD);
     }
     let rule = "|---".repeat(head.len());
-    let mut text = format!("\n*{name}*\n\n| {} |\n{rule}|\n", head.join(" | "));
+    let mut text = format!("\n*{name}*\n\n{}{rule}|\n", line(&head));
     for run in runs(records) {
-        if run[0].refused.is_some() {
-            text += &format!("| {} |\n", refused(&run, naive).join(" | "));
-            continue;
-        }
-        for record in run {
-            text += &format!("| {} |\n", cells(record, naive).join(" | "));
+        match run[0].refused {
+            Some(_) => text += &line(&refused(&run, head.len())),
+            None => text.extend(run.iter().map(|record| line(&cells(record, naive)))),
         }
     }
     text
 }
 
 /// One line for a run of refusals.
-fn refused(run: &[&Record], naive: bool) -> Vec<String> {
+fn refused(run: &[&Record], columns: usize) -> Vec<String> {
     let (first, last) = (&run[0].parameter, &run[run.len() - 1].parameter);
-    let values = if first == last {
-        first.clone()
-    } else {
-        format!("{first} to {last}")
+    let values = match first == last {
+        true => first.clone(),
+        false => format!("{first} to {last}"),
     };
     let mut cells = vec![values, "refused".into()];
-    cells.resize(1 + HEAD.len() + if naive { 4 } else { 0 }, String::new());
+    cells.resize(columns, String::new());
     cells
 }
 
@@ -120,10 +113,10 @@ fn cells(record: &Record, naive: bool) -> Vec<String> {
         depth(b.depth_px),
         depth(o.depth_px),
         of(f.covered > 0, b.silhouette_px),
-        of(
-            f.covered > 0 && o.silhouette_px.is_some(),
-            o.silhouette_px.unwrap_or(0.0),
-        ),
+        match o.silhouette_px {
+            Some(off) => of(f.covered > 0, off),
+            None => "-".into(),
+        },
         normal(b.normal_deg),
         normal(o.normal_deg),
         f.covered.to_string(),
@@ -131,12 +124,10 @@ fn cells(record: &Record, naive: bool) -> Vec<String> {
         o.silhouette_pixels.to_string(),
         o.wrong_faces.to_string(),
         f.needed.quadratic.to_string(),
-        if f.check_failed.is_none() {
-            "ok"
-        } else {
-            "fails"
-        }
-        .into(),
+        match f.check_failed {
+            None => "ok".into(),
+            Some(_) => "fails".into(),
+        },
     ];
     if naive {
         let floats = record.naive.iter().flat_map(|n| [n.single, n.double]);
@@ -152,23 +143,21 @@ fn giving_out(result: &SweepResult, found: &GivesOut) -> String {
         Notice::CheckFails => "drawn, but `imogene check` fails",
         Notice::NothingDrawn => "no pixel is drawn",
     };
-    let values = if found.first == found.last {
-        format!("at {}", found.first)
-    } else {
-        format!("from {} to {}", found.first, found.last)
+    let values = match found.first == found.last {
+        true => format!("at {}", found.first),
+        false => format!("from {} to {}", found.first, found.last),
     };
     let before = found.last_accepted.as_ref();
     let before = before.map_or_else(String::new, |value| format!(" ({value} is accepted)"));
-    let place = if result.series.len() > 1 {
-        format!("*{}*: ", found.series)
-    } else {
-        String::new()
+    let place = match result.series.len() {
+        1 => String::new(),
+        _ => format!("*{}*: ", found.series),
     };
     format!("{place}{what} {values}{before}\n\n    {}\n", found.message)
 }
 
 /// Three significant digits; an exponent where the number would be long.
-pub(super) fn figure(value: f64) -> String {
+fn figure(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".into()
@@ -188,19 +177,16 @@ mod tests {
 
     #[test]
     fn figures_have_three_significant_digits() {
-        let found = [
-            0.0,
-            0.012345,
-            1.0,
-            99_999.0,
-            123_456.0,
-            1.234e-9,
-            f64::INFINITY,
-        ]
-        .map(figure);
-        assert_eq!(
-            found,
-            ["0", "0.0123", "1.00", "99999", "1.23e5", "1.23e-9", "none"]
-        );
+        for (value, expected) in [
+            (0.0, "0"),
+            (0.012345, "0.0123"),
+            (1.0, "1.00"),
+            (99_999.0, "99999"),
+            (123_456.0, "1.23e5"),
+            (1.234e-9, "1.23e-9"),
+            (f64::INFINITY, "none"),
+        ] {
+            assert_eq!(figure(value), expected);
+        }
     }
 }

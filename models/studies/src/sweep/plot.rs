@@ -2,29 +2,17 @@
 //!
 //! Axes are drawn in powers of ten on linear ones, so that they can run towards small values and have a place for the value 0.
 
-use super::{Axis, Figures, Notice, Record, SweepResult};
-use plotters::coord::Shift;
+use super::family::Axis;
+use super::measure::Figures;
+use super::record::{Notice, Record, SweepResult};
+use crate::kit::DrawError;
+use crate::kit::plot::{Area, COLOURS, FONT, GREY, Outcome, span, svg};
 use plotters::prelude::*;
-use thiserror::Error;
 
 const PANEL: (u32, u32) = (470, 430);
 const FOOT: u32 = 22;
-const FONT: &str = "sans-serif";
-const COLOURS: [RGBColor; 4] = [
-    RGBColor(20, 90, 170),
-    RGBColor(200, 80, 20),
-    RGBColor(30, 130, 70),
-    RGBColor(130, 60, 150),
-];
-const GREY: RGBColor = RGBColor(225, 225, 225);
-
-/// A picture that could not be drawn.
-#[derive(Debug, Error)]
-#[error("the plot of the sweep `{name}` cannot be drawn: {problem}")]
-pub struct PlotError {
-    name: &'static str,
-    problem: String,
-}
+/// Lines of floating point.
+const FLOATS: RGBColor = COLOURS[4];
 
 /// One measure over the parameter.
 struct Panel {
@@ -52,36 +40,21 @@ const PANELS: [Panel; 3] = [
 ];
 
 /// Draws a sweep as SVG.
-pub fn plot(result: &SweepResult) -> Result<String, PlotError> {
-    draw(result).map_err(|problem| PlotError {
-        name: result.name,
-        problem: problem.to_string(),
-    })
-}
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-fn draw(result: &SweepResult) -> Result<String, Box<dyn std::error::Error>> {
+pub fn plot(result: &SweepResult) -> Result<String, DrawError> {
+    let what = format!("the plot of the sweep `{}` cannot be drawn", result.name);
     let legend = legend(result);
     let foot = FOOT * legend.len() as u32 + 16;
     let size = (PANEL.0 * PANELS.len() as u32, PANEL.1 + 40 + foot);
-    let mut text = String::new();
-    {
-        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        area.fill(&WHITE)?;
-        let area = area
-            .margin(10, 0, 0, 0)
-            .titled(&title(result), (FONT, 22))?;
+    svg(what, size, |area| {
+        let area = area.margin(10, 0, 0, 0);
+        let area = area.titled(&title(result), (FONT, 22))?;
         let (panels, below) = area.split_vertically(PANEL.1);
         let parts = panels.split_evenly((1, PANELS.len()));
         for (part, panel) in parts.iter().zip(&PANELS) {
             draw_panel(part, panel, result)?;
         }
-        draw_legend(&below, &legend)?;
-        area.present()?;
-    }
-    Ok(text)
+        draw_legend(&below, &legend)
+    })
 }
 
 fn title(result: &SweepResult) -> String {
@@ -149,11 +122,9 @@ struct Places {
 impl Places {
     fn of(result: &SweepResult) -> Places {
         let axis = result.axis;
-        let placed = || result.records.iter().filter_map(|r| axis.place(r.value));
-        let (low, high) = (
-            placed().fold(f64::INFINITY, f64::min),
-            placed().fold(f64::NEG_INFINITY, f64::max),
-        );
+        let placed = result.records.iter().filter_map(|r| axis.place(r.value));
+        let span = span(placed);
+        let (low, high) = (span.start, span.end);
         let with_zero = axis.logarithmic && result.records.iter().any(|r| r.value == 0.0);
         let zero = with_zero.then_some(if axis.falling { high + 1.0 } else { low - 1.0 });
         Places {
@@ -180,33 +151,20 @@ impl Places {
 fn lines(result: &SweepResult, panel: &Panel, places: &Places) -> Vec<Line> {
     let mut lines = vec![];
     for (name, colour) in result.series.iter().zip(COLOURS) {
-        let records: Vec<&Record> = result
-            .records
-            .iter()
-            .filter(|r| r.series == *name)
-            .collect();
+        let records = result.of_series(name);
         let mut add = |kind, measure: &dyn Fn(&Record) -> Option<f64>| {
             let point = |r: &&Record| {
                 let value = measure(r).filter(|v| *v > 0.0 && v.is_finite())?;
                 Some((places.at(r.value), value.log10()))
             };
             // A refusal, or a value that a logarithm does not show, breaks the line.
-            let mut points: Vec<(f64, f64)> = vec![];
-            for record in &records {
-                match point(record) {
-                    Some(at) => points.push(at),
-                    None => lines.push(Line {
-                        colour,
-                        kind,
-                        points: std::mem::take(&mut points),
-                    }),
-                }
+            for run in records.split(|r| point(r).is_none()) {
+                lines.push(Line {
+                    colour,
+                    kind,
+                    points: run.iter().filter_map(&point).collect(),
+                });
             }
-            lines.push(Line {
-                colour,
-                kind,
-                points,
-            });
         };
         add(Kind::Bound, &|r| (panel.bound)(r.figures.as_ref()?));
         add(Kind::Observed, &|r| (panel.observed)(r.figures.as_ref()?));
@@ -222,11 +180,8 @@ fn lines(result: &SweepResult, panel: &Panel, places: &Places) -> Vec<Line> {
 fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
     let places = Places::of(result);
     let lines = lines(result, panel, &places);
-    let heights = || lines.iter().flat_map(|l| &l.points).map(|p| p.1);
-    let (mut low, mut high) = (
-        heights().fold(f64::INFINITY, f64::min).floor(),
-        heights().fold(f64::NEG_INFINITY, f64::max).ceil(),
-    );
+    let heights = span(lines.iter().flat_map(|l| &l.points).map(|p| p.1));
+    let (mut low, mut high) = (heights.start.floor(), heights.end.ceil());
     if low > high {
         (low, high) = (-1.0, 0.0);
     }
@@ -260,117 +215,81 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
         .label_style((FONT, 13))
         .axis_desc_style((FONT, 14))
         .draw()?;
-    for line in &lines {
-        let points = line.points.iter().copied();
-        let colour = match line.kind {
-            Kind::Bound | Kind::Observed => line.colour,
-            Kind::Single | Kind::Double => RGBColor(90, 90, 90),
-        };
-        let style = colour.stroke_width(if line.kind == Kind::Bound { 2 } else { 1 });
-        if line.kind != Kind::Bound {
-            chart.draw_series(DashedLineSeries::new(points.clone(), 4, 3, style))?;
-        } else {
-            chart.draw_series(LineSeries::new(points.clone(), style))?;
-        }
-        match line.kind {
+    for Line {
+        colour,
+        kind,
+        points,
+    } in &lines
+    {
+        let points = || points.iter().copied();
+        let dashed = |style| DashedLineSeries::new(points(), 4, 3, style);
+        match kind {
             Kind::Bound => {
-                chart.draw_series(points.map(|p| Circle::new(p, 2, colour.filled())))?;
+                chart.draw_series(LineSeries::new(points(), colour.stroke_width(2)))?;
+                chart.draw_series(points().map(|p| Circle::new(p, 2, colour.filled())))?;
             }
             Kind::Observed => {
-                chart.draw_series(points.map(|p| Circle::new(p, 4, colour.stroke_width(1))))?;
+                chart.draw_series(dashed(colour.stroke_width(1)))?;
+                chart.draw_series(points().map(|p| Circle::new(p, 4, colour.stroke_width(1))))?;
             }
             Kind::Single => {
-                chart.draw_series(points.map(|p| TriangleMarker::new(p, 5, BLACK.filled())))?;
+                chart.draw_series(dashed(FLOATS.stroke_width(1)))?;
+                chart.draw_series(points().map(|p| TriangleMarker::new(p, 5, BLACK.filled())))?;
             }
             Kind::Double => {
-                chart.draw_series(points.map(|p| Circle::new(p, 3, BLACK.filled())))?;
+                chart.draw_series(dashed(FLOATS.stroke_width(1)))?;
+                chart.draw_series(points().map(|p| Circle::new(p, 3, BLACK.filled())))?;
             }
         }
     }
     let row = (top - high) / result.series.len() as f64;
-    for (index, name) in result.series.iter().enumerate() {
+    for (index, (name, colour)) in result.series.iter().zip(COLOURS).enumerate() {
         let height = top - row * (index as f64 + 0.5);
+        let records = result.of_series(name);
         let noticed = |by| {
-            let of = move |r: &&Record| r.series == *name && r.notice().is_some_and(|n| n.0 == by);
-            let records = result.records.iter().filter(of);
+            let of = move |r: &&&Record| r.notice().is_some_and(|n| n.0 == by);
             records
+                .iter()
+                .filter(of)
                 .map(|r| (places.at(r.value), height))
-                .collect::<Vec<_>>()
         };
-        let colour = COLOURS[index];
         let crosses = noticed(Notice::Refused);
-        chart.draw_series(
-            crosses
-                .into_iter()
-                .map(|p| Cross::new(p, 4, colour.stroke_width(2))),
-        )?;
+        chart.draw_series(crosses.map(|p| Cross::new(p, 4, colour.stroke_width(2))))?;
         let triangles = noticed(Notice::CheckFails);
-        chart.draw_series(
-            triangles
-                .into_iter()
-                .map(|p| TriangleMarker::new(p, 5, colour.filled())),
-        )?;
+        chart.draw_series(triangles.map(|p| TriangleMarker::new(p, 5, colour.filled())))?;
     }
     Ok(())
 }
 
-/// What stands below the panels.
-struct Entry {
-    text: String,
-    colour: RGBColor,
-    floats: bool,
-}
+/// What stands below the panels: a series in its colour, or what floating point makes.
+type Entry = (String, Option<RGBColor>);
 
 fn legend(result: &SweepResult) -> Vec<Entry> {
     let colours = result.series.iter().zip(COLOURS);
-    let mut entries: Vec<Entry> = colours
-        .map(|(name, colour)| Entry {
-            text: (*name).to_owned(),
-            colour,
-            floats: false,
-        })
-        .collect();
-    if result.records.iter().any(|r| r.naive.is_some()) {
-        entries.push(Entry {
-            text: "the same in floating point and scene coordinates: f32 triangles, f64 dots"
-                .into(),
-            colour: BLACK,
-            floats: true,
-        });
-    }
+    let series = colours.map(|(name, colour)| ((*name).to_owned(), Some(colour)));
+    let floats = "the same in floating point and scene coordinates: f32 triangles, f64 dots";
+    let with_floats = result.records.iter().any(|r| r.naive.is_some());
+    let mut entries: Vec<Entry> = series.collect();
+    entries.extend(with_floats.then(|| (floats.into(), None)));
+    entries[0].0 += ": proven bound (line), observed (circles); at the top: refused (crosses), check fails (triangles)";
     entries
 }
 
-fn draw_legend(area: &Area<'_>, entries: &[Entry]) -> Outcome {
-    for (index, entry) in entries.iter().enumerate() {
-        let y = 10 + FOOT as i32 * index as i32;
-        let colour = entry.colour;
-        if entry.floats {
-            area.draw(&TriangleMarker::new((55, y), 5, colour.filled()))?;
-            area.draw(&Circle::new((85, y), 3, colour.filled()))?;
-        } else {
-            area.draw(&PathElement::new(
-                [(30, y), (60, y)],
-                colour.stroke_width(2),
-            ))?;
+fn draw_legend(area: &Area, entries: &[Entry]) -> Outcome {
+    for ((text, colour), y) in entries.iter().zip((10..).step_by(FOOT as usize)) {
+        if let Some(colour) = colour {
+            let line = [(30, y), (60, y)];
+            area.draw(&PathElement::new(line, colour.stroke_width(2)))?;
             area.draw(&Circle::new((45, y), 2, colour.filled()))?;
             area.draw(&Circle::new((85, y), 4, colour.stroke_width(1)))?;
             area.draw(&Cross::new((105, y), 4, colour.stroke_width(2)))?;
             area.draw(&TriangleMarker::new((123, y), 5, colour.filled()))?;
-        }
-        let text = if index == 0 {
-            format!(
-                "{}: proven bound (line), observed (circles); at the top: refused (crosses), check fails (triangles)",
-                entry.text
-            )
         } else {
-            entry.text.clone()
-        };
-        area.draw(&Text::new(
-            text,
-            (140, y - 8),
-            (FONT, 15).into_font().color(&BLACK),
-        ))?;
+            area.draw(&TriangleMarker::new((55, y), 5, BLACK.filled()))?;
+            area.draw(&Circle::new((85, y), 3, BLACK.filled()))?;
+        }
+        let font = (FONT, 15).into_font().color(&BLACK);
+        area.draw(&Text::new(text.as_str(), (140, y - 8), font))?;
     }
     Ok(())
 }

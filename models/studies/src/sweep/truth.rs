@@ -134,7 +134,7 @@ fn direction(vector: [BigRational; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::find;
+    use crate::sweep::families::find;
     use imogene_analysis::exact::render::{DEPTH_FRACTION, render, to_frame};
     use imogene_golden::format::Format;
     use imogene_prepare::Framing;

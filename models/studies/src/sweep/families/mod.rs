@@ -1,28 +1,45 @@
-//! The sweeps, one file each.
+//! The sweeps.
 
-mod cylinder_axis;
-mod eye_distance;
-mod side_offset;
-mod sphere_radius;
-mod steep_plane;
-mod tangent_plane;
-mod thin;
-mod viewer_distance;
-mod word_length;
-mod world_offset;
+mod shapes;
+mod views;
 
-use super::Sweep;
+use super::family::Sweep;
+use thiserror::Error;
+
+/// In the order of the documentation.
+const ALL: &[Sweep] = &[
+    views::CYLINDER_AXIS,
+    views::EYE_DISTANCE,
+    shapes::STEEP_PLANE,
+    shapes::SPHERE_RADIUS,
+    views::WORLD_OFFSET,
+    views::SIDE_OFFSET,
+    views::VIEWER_DISTANCE,
+    shapes::TANGENT_PLANE,
+    shapes::THIN,
+    shapes::WORD_LENGTH,
+];
+
+/// A name that is no sweep.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error("there is no sweep `{name}`; the sweeps are {names}", names = names().join(", "))]
+pub struct UnknownSweep {
+    /// As given.
+    pub name: String,
+}
 
 /// Every sweep, in the order of the documentation.
-pub const ALL: &[Sweep] = &[
-    cylinder_axis::SWEEP,
-    eye_distance::SWEEP,
-    steep_plane::SWEEP,
-    sphere_radius::SWEEP,
-    world_offset::SWEEP,
-    side_offset::SWEEP,
-    viewer_distance::SWEEP,
-    tangent_plane::SWEEP,
-    thin::SWEEP,
-    word_length::SWEEP,
-];
+pub fn all() -> &'static [Sweep] {
+    ALL
+}
+
+/// Their names.
+pub fn names() -> Vec<&'static str> {
+    all().iter().map(|sweep| sweep.name).collect()
+}
+
+/// The sweep of a name.
+pub fn find(name: &str) -> Result<&'static Sweep, UnknownSweep> {
+    let found = all().iter().find(|sweep| sweep.name == name);
+    found.ok_or_else(|| UnknownSweep { name: name.into() })
+}

@@ -1,0 +1,140 @@
+//! What a sweep came to.
+
+use super::family::Axis;
+use super::measure::Figures;
+use super::naive::Naive;
+use serde::Serialize;
+
+/// What a step came to; the keys are stable.
+#[derive(Clone, Debug, Serialize)]
+pub struct Record {
+    /// Which of the sweep's series.
+    pub series: &'static str,
+    /// The parameter as a decimal.
+    pub parameter: String,
+    /// The same as a number.
+    pub value: f64,
+    /// The refusal, if the scene was not accepted.
+    pub refused: Option<String>,
+    /// What was measured, if it was.
+    pub figures: Option<Figures>,
+    /// What floating point makes of the same scene, where that is asked.
+    pub naive: Option<Naive>,
+}
+
+/// What is said before a scene is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Notice {
+    /// The preparation refuses it: no word would be right.
+    Refused,
+    /// It is prepared, and `imogene check` fails: a silhouette may be displaced by a pixel or more.
+    CheckFails,
+    /// It is prepared, and the check says that no pixel shows it.
+    NothingDrawn,
+}
+
+/// Where the format gives out in a series: a run of values with one notice; the keys are stable.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct GivesOut {
+    /// Which of the sweep's series.
+    pub series: &'static str,
+    /// In which way.
+    pub by: Notice,
+    /// The value before, if it was accepted and drawn.
+    pub last_accepted: Option<String>,
+    /// The first value with the notice.
+    pub first: String,
+    /// The last one.
+    pub last: String,
+    /// The message at the first value.
+    pub message: String,
+}
+
+/// A whole sweep; the keys are stable.
+#[derive(Clone, Debug, Serialize)]
+pub struct SweepResult {
+    /// Its name.
+    pub name: &'static str,
+    /// One line.
+    pub title: &'static str,
+    /// What it does and what it shows.
+    pub about: &'static str,
+    /// The parameter.
+    pub axis: Axis,
+    /// Depth word that was asked for; none if the sweep tries them all.
+    pub depth_word: Option<u32>,
+    /// The names of the series.
+    pub series: &'static [&'static str],
+    /// One for each step, series by series.
+    pub records: Vec<Record>,
+    /// Runs of values with a notice.
+    pub gives_out: Vec<GivesOut>,
+    /// Everything that breaks a rule; empty if all holds.
+    pub violations: Vec<String>,
+}
+
+impl SweepResult {
+    /// The records of a series.
+    pub(super) fn of_series(&self, name: &str) -> Vec<&Record> {
+        of_series(&self.records, name)
+    }
+}
+
+fn of_series<'a>(records: &'a [Record], name: &str) -> Vec<&'a Record> {
+    records.iter().filter(|r| r.series == name).collect()
+}
+
+impl Record {
+    /// Why nothing is drawn, or not within a pixel; none if all is well.
+    pub fn notice(&self) -> Option<(Notice, String)> {
+        if let Some(message) = &self.refused {
+            return Some((Notice::Refused, message.clone()));
+        }
+        let figures = self.figures.as_ref()?;
+        match &figures.check_failed {
+            Some(message) => Some((Notice::CheckFails, message.clone())),
+            None if figures.covered == 0 => {
+                Some((Notice::NothingDrawn, figures.problems.join("; ")))
+            }
+            None => None,
+        }
+    }
+
+    /// What notices for the same reason have in common: everything but the figures of the message.
+    fn reason(&self) -> Option<(Notice, String)> {
+        let (by, message) = self.notice()?;
+        let words = message.chars().filter(|c| c.is_alphabetic());
+        Some((by, words.collect()))
+    }
+}
+
+/// The runs of records with the same notice, or with none.
+pub(super) fn runs<'a>(records: &[&'a Record]) -> Vec<Vec<&'a Record>> {
+    let same = |a: &&Record, b: &&Record| a.reason() == b.reason();
+    records.chunk_by(same).map(<[_]>::to_vec).collect()
+}
+
+/// Every run of values with a notice.
+pub(super) fn gives_out(series: &[&'static str], records: &[Record]) -> Vec<GivesOut> {
+    let mut found = vec![];
+    for name in series {
+        let mut accepted = None;
+        for run in runs(&of_series(records, name)) {
+            let (first, last) = (run[0], run[run.len() - 1].parameter.clone());
+            let before = accepted.take();
+            match first.notice() {
+                Some((by, message)) => found.push(GivesOut {
+                    series: name,
+                    by,
+                    last_accepted: before,
+                    first: first.parameter.clone(),
+                    last,
+                    message,
+                }),
+                None => accepted = Some(last),
+            }
+        }
+    }
+    found
+}
