@@ -85,32 +85,20 @@ pub struct Cost {
 
 /// The members in the order of the table.
 pub fn family(format: &Format) -> Vec<Method> {
-    let mut family = vec![
-        Method::Restoring,
-        Method::NonRestoring,
-        Method::Iterative,
-        Method::Linear { corrections: 0 },
-        Method::Linear { corrections: 1 },
-        Method::Linear { corrections: 2 },
-        Method::Quadratic { corrections: 0 },
-        Method::Quadratic { corrections: 1 },
-        Method::Quadratic { corrections: 2 },
-    ];
-    let kept: Vec<u32> = [6, 8, 10, 12, 14, 16, 20, 24]
-        .into_iter()
-        .filter(|kept| *kept < format.root)
-        .collect();
-    family.extend(kept.iter().map(|&kept| Method::Rows { kept }));
-    family.extend(kept.iter().map(|&kept| Method::Leading { kept }));
+    let mut family = vec![Method::Restoring, Method::NonRestoring, Method::Iterative];
+    family.extend([0, 1, 2].map(|corrections| Method::Linear { corrections }));
+    family.extend([0, 1, 2].map(|corrections| Method::Quadratic { corrections }));
+    let kept = [6, 8, 10, 12, 14, 16, 20, 24].into_iter();
+    let kept = kept.filter(|kept| *kept < format.root);
+    family.extend(kept.clone().map(|kept| Method::Rows { kept }));
+    family.extend(kept.map(|kept| Method::Leading { kept }));
     family
 }
 
 /// The measured table of the family at the widths of a format.
 pub fn table(format: &Format) -> Vec<RootRow> {
-    family(format)
-        .into_par_iter()
-        .map(|method| row(method, format))
-        .collect()
+    let family = family(format).into_par_iter();
+    family.map(|method| row(method, format)).collect()
 }
 
 fn row(method: Method, format: &Format) -> RootRow {
@@ -266,10 +254,9 @@ fn cost(method: Method, root_bits: u32) -> Cost {
         multipliers,
         shifters,
         latency: method.latency(root_bits, 1),
-        interval: if method == Method::Iterative {
-            root_bits
-        } else {
-            1
+        interval: match method {
+            Method::Iterative => root_bits,
+            _ => 1,
         },
     }
 }
@@ -304,19 +291,13 @@ mod tests {
     fn integer_errors_of_the_specification() {
         let linear = [6.066, 1.681, 0.507];
         for (corrections, expected) in (0..).zip(linear) {
-            let found = percent(Method::Linear { corrections });
-            assert!(
-                (found - expected).abs() < 0.002,
-                "linear + {corrections}: {found}"
-            );
+            let off = percent(Method::Linear { corrections }) - expected;
+            assert!(off.abs() < 0.002, "linear + {corrections}: {off}");
         }
         let quadratic = [1.364, 0.540, 0.221];
         for (corrections, expected) in (0..).zip(quadratic) {
-            let found = percent(Method::Quadratic { corrections });
-            assert!(
-                (found - expected).abs() < 0.003,
-                "quadratic + {corrections}: {found}"
-            );
+            let off = percent(Method::Quadratic { corrections }) - expected;
+            assert!(off.abs() < 0.003, "quadratic + {corrections}: {off}");
         }
         let counts = |method| error(method, 24).max_lsb.round() as i64;
         assert!((counts(Method::Linear { corrections: 2 }) - 56_078).abs() <= 2);
@@ -341,14 +322,8 @@ mod tests {
         for (method, counts, mean) in SPHERE_TABLE {
             let found = sphere(method);
             assert_eq!(found.pixels, 18_707);
-            assert!(
-                (found.max_counts - counts).abs() <= 2.0,
-                "{method}: {found:?}"
-            );
-            assert!(
-                (found.mean_px - mean).abs() < 0.03 * mean,
-                "{method}: {found:?}"
-            );
+            let off = [found.max_counts - counts, found.mean_px - mean].map(f64::abs);
+            assert!(off[0] <= 2.0 && off[1] < 0.03 * mean, "{method}: {found:?}");
         }
     }
 
@@ -366,14 +341,10 @@ mod tests {
         let rows = rows.map(|(kept, max, mean)| (Method::Rows { kept }, max, mean));
         for (method, max, mean) in leading.into_iter().chain(rows) {
             let found = sphere(method);
-            assert!(
-                (found.max_px - max).abs() < 0.05 * max,
-                "{method}: {found:?}"
-            );
-            assert!(
-                (found.mean_px - mean).abs() < 0.05 * mean,
-                "{method}: {found:?}"
-            );
+            for (found, expected) in [(found.max_px, max), (found.mean_px, mean)] {
+                let off = (found - expected).abs();
+                assert!(off < 0.05 * expected, "{method}: {found} {expected}");
+            }
         }
     }
 

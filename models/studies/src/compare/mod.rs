@@ -101,10 +101,7 @@ pub struct Subject {
 
 impl Subject {
     /// Draws the truth of a scene at a size.
-    ///
-    /// # Errors
-    ///
-    /// When the size is out of range, or an object is not one that paraboloids can draw.
+    /// Fails if the size is out of range, or an object is not one that paraboloids can draw.
     pub fn new(
         file: &SceneFile,
         (width, height): (u32, u32),
@@ -129,10 +126,7 @@ impl Subject {
     }
 
     /// Draws a variant.
-    ///
-    /// # Errors
-    ///
-    /// When an object of it does not fit the machine.
+    /// Fails if an object of it does not fit the machine.
     pub fn draw(&self, variant: Variant) -> Result<Drawn, CompareError> {
         let sides = |object: usize| match variant {
             Variant::Facets(sides) => Some(sides),

@@ -22,13 +22,11 @@ pub struct FacetWork {
 
 /// The facets among the processors of a machine.
 pub fn facets(slots: &[Slot]) -> Vec<&FacetWords> {
-    let facet = |slot: &'_ Slot| matches!(slot.words, ProcessorWords::Facet(_));
+    let slots = slots.iter();
     slots
-        .iter()
-        .filter(|slot| facet(slot))
-        .map(|slot| match &slot.words {
-            ProcessorWords::Facet(words) => words,
-            _ => unreachable!("filtered"),
+        .filter_map(|slot| match &slot.words {
+            ProcessorWords::Facet(words) => Some(words),
+            _ => None,
         })
         .collect()
 }

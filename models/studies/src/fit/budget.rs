@@ -153,64 +153,55 @@ impl Budget {
 
     /// The options of the command line that give it.
     pub fn options(&self) -> String {
-        let mut text = String::new();
-        let mut add = |name: &str, value: Option<String>| {
-            if let Some(value) = value {
-                text += &format!(" --max-{name} {value}");
-            }
-        };
-        add("depth-error", self.depth.map(|limit| limit.to_string()));
-        add(
-            "silhouette-errors",
-            self.silhouette.map(|limit| limit.to_string()),
-        );
-        add("face-errors", self.faces.map(|limit| limit.to_string()));
-        add("colour-error", self.colour.map(|limit| limit.to_string()));
-        add("normal-error", self.normal.map(|limit| limit.to_string()));
-        text
+        let limits = [
+            ("depth-error", self.depth.map(|limit| limit.to_string())),
+            (
+                "silhouette-errors",
+                self.silhouette.map(|limit| limit.to_string()),
+            ),
+            ("face-errors", self.faces.map(|limit| limit.to_string())),
+            ("colour-error", self.colour.map(|limit| limit.to_string())),
+            ("normal-error", self.normal.map(|limit| limit.to_string())),
+        ];
+        let given = limits
+            .into_iter()
+            .filter_map(|(name, limit)| Some((name, limit?)));
+        given
+            .map(|(name, limit)| format!(" --max-{name} {limit}"))
+            .collect()
     }
 
     /// Every limit against the metrics of one frame of so many pixels.
     pub fn judge(&self, metrics: &Metrics, pixels: usize) -> Vec<Item> {
-        let mut items = Vec::new();
-        let mut add = |limit, unit, allowed: Option<f64>, measured| {
-            if let Some(allowed) = allowed {
-                items.push(Item {
-                    limit,
-                    unit,
-                    allowed,
-                    measured,
-                });
-            }
-        };
-        match self.depth {
-            Some(DepthLimit::Words(words)) => {
-                add("depth", "lsb", Some(words), metrics.depth_words.max);
-            }
-            Some(DepthLimit::Pixels(px)) => add("depth", "px", Some(px), metrics.depth_px.max),
-            None => (),
-        }
         let count = |limit: Option<CountLimit>| limit.map(|limit| limit.of(pixels) as f64);
-        add(
-            "silhouette",
-            "pixels",
-            count(self.silhouette),
-            metrics.silhouette as f64,
-        );
-        add(
-            "faces",
-            "pixels",
-            count(self.faces),
-            metrics.visible_part as f64,
-        );
-        add(
-            "colour",
-            "of 255",
-            self.colour,
-            metrics.colour_same_face.max,
-        );
-        add("normal", "degrees", self.normal, metrics.normal_deg.max);
-        items
+        let (unit, depth, off) = match self.depth {
+            Some(DepthLimit::Words(words)) => ("lsb", Some(words), metrics.depth_words.max),
+            Some(DepthLimit::Pixels(px)) => ("px", Some(px), metrics.depth_px.max),
+            None => ("px", None, 0.0),
+        };
+        let (silhouette, faces) = (metrics.silhouette as f64, metrics.visible_part as f64);
+        let limits = [
+            ("depth", unit, depth, off),
+            ("silhouette", "pixels", count(self.silhouette), silhouette),
+            ("faces", "pixels", count(self.faces), faces),
+            (
+                "colour",
+                "of 255",
+                self.colour,
+                metrics.colour_same_face.max,
+            ),
+            ("normal", "degrees", self.normal, metrics.normal_deg.max),
+        ];
+        let item = |(limit, unit, allowed, measured): (_, _, Option<f64>, f64)| {
+            let allowed = allowed?;
+            Some(Item {
+                limit,
+                unit,
+                allowed,
+                measured,
+            })
+        };
+        limits.into_iter().filter_map(item).collect()
     }
 }
 

@@ -2,13 +2,14 @@
 
 use super::FitError;
 use super::budget::{Budget, Item, worst};
+use crate::kit::words::{narrowest, widest};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, measure};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 use imogene_prepare::Framing;
 use imogene_prepare::error::PrepareError;
-use imogene_prepare::{NeededWidths, PreparedScene, prepare_for_roots};
+use imogene_prepare::{PreparedScene, prepare_for_roots};
 use imogene_scene::{FramedScene, SceneFile};
 
 /// One frame.
@@ -91,10 +92,7 @@ impl Drawn {
 
 impl Frames {
     /// Solves the frames; `line_done` is called once a line, from any thread.
-    ///
-    /// # Errors
-    ///
-    /// When a scene cannot be framed, is for other processors, or the frames are not of one animation.
+    /// Fails if a scene cannot be framed, is for other processors, or the frames are not of one animation.
     pub fn new(
         files: &[(String, SceneFile)],
         size: Option<(u32, u32)>,
@@ -134,10 +132,7 @@ impl Frames {
     }
 
     /// Draws all frames in the narrowest widths that take them; `None` if these words are too few for a frame.
-    ///
-    /// # Errors
-    ///
-    /// When a frame cannot be drawn by any machine.
+    /// Fails if a frame cannot be drawn by any machine.
     pub fn draw(&self, words: &Words, budget: &Budget) -> Result<Option<Drawn>, FitError> {
         let Some((widths, prepared)) = self.prepared(words)? else {
             return Ok(None);
@@ -162,28 +157,13 @@ impl Frames {
         &self,
         words: &Words,
     ) -> Result<Option<(MachineWords, Vec<PreparedScene>)>, FitError> {
-        let wide = MachineWords {
-            depth: words.depth,
-            root: words.depth,
-            plane: words.depth + 12,
-            normal: words.normal,
-            guard_linear: words.guard_linear,
-            guard_quadratic: words.guard_quadratic,
-            dropped_rows: words.dropped_rows,
-        };
-        let Some(in_wide) = self.in_widths(&wide)? else {
-            return Ok(None);
-        };
-        let mut widths = needed(&in_wide).narrowed(&wide);
-        // The root of the rounded words may need a bit more in the narrower word; never more than the wide one has.
-        while widths != wide {
-            if let Some(prepared) = self.in_widths(&widths)? {
-                return Ok(Some((widths, prepared)));
-            }
-            widths.root = (widths.root + 1).min(wide.root);
-            widths.plane = (widths.plane + 1).min(wide.plane);
-        }
-        Ok(Some((wide, in_wide)))
+        let guards = (words.guard_linear, words.guard_quadratic);
+        let wide = widest(words.depth, words.normal, guards, words.dropped_rows);
+        narrowest(
+            &wide,
+            |widths| self.in_widths(widths),
+            PreparedScene::needed,
+        )
     }
 
     /// The frames in a format; `None` if there is no such format, or a word of it is too short.
@@ -231,9 +211,4 @@ fn check(name: &str, scene: &FramedScene, expected: usize) -> Result<(), FitErro
         }),
         None => Ok(()),
     }
-}
-
-fn needed(frames: &[PreparedScene]) -> NeededWidths {
-    let each = frames.iter().map(PreparedScene::needed);
-    each.fold(NeededWidths::default(), |most, one| most.or(&one))
 }

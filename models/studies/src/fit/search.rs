@@ -34,10 +34,7 @@ pub enum Outcome {
 }
 
 /// Searches; `tried` is called once for each set of words that was drawn, from any thread.
-///
-/// # Errors
-///
-/// When the budget is empty, or no machine can draw a frame.
+/// Fails if the budget is empty, or no machine can draw a frame.
 pub fn search(
     frames: &Frames,
     budget: &Budget,

@@ -1,5 +1,6 @@
 //! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and axis-parallel vectors, near and far points.
 
+use crate::kit::vector::{Vector, dot};
 use crate::trial::random::Random;
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
 
@@ -11,8 +12,6 @@ pub struct Case {
     /// The pixel.
     pub pixel: Pixel,
 }
-
-type Vector = [f64; 3];
 
 impl Case {
     /// A random case.
@@ -203,10 +202,6 @@ fn direction(random: &mut Random) -> Vector {
         }
         _ => [(); 3].map(|()| random.signed()),
     }
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// A vector with its longest component at `length`.

@@ -2,9 +2,8 @@
 //!
 //! Normal, line of sight and vector to the light are integers of at most 48 bits together, so the signs that decide are exact.
 
+use crate::kit::vector::{Vector, dot};
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
-
-type Vector = [f64; 3];
 
 /// Levels of red, green, blue before they are clamped and rounded. The pixel shows an object.
 pub fn levels(words: &ShaderWords, pixel: &Pixel) -> Vector {
@@ -81,16 +80,10 @@ fn attenuation(words: &ShaderWords, pixel: &Pixel, ray: Vector) -> f64 {
     1.0 / (1.0 + dot(ray, ray).sqrt() / far * unit)
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 /// The vector at length one; the zero vector stays as it is.
 fn unit(v: Vector) -> Vector {
-    let length = dot(v, v).sqrt();
-    if length == 0.0 {
-        v
-    } else {
-        v.map(|x| x / length)
+    match dot(v, v).sqrt() {
+        0.0 => v,
+        length => v.map(|x| x / length),
     }
 }

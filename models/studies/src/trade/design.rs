@@ -1,9 +1,13 @@
 //! The design space.
 
+use crate::kit::words::widest;
+use imogene_contract::MachineWords;
 use serde::{Deserialize, Serialize};
 
 /// What decides the pixels of a machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
 pub struct Accuracy {
     /// Depth word.
     pub depth: u32,
@@ -22,7 +26,9 @@ pub struct Accuracy {
 }
 
 /// A point of the design space: what decides the pixels, and what decides speed and area alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
 pub struct Design {
     /// What decides the pixels.
     pub accuracy: Accuracy,
@@ -50,12 +56,14 @@ impl Accuracy {
         Accuracy {
             depth,
             normal: 16,
-            guard_linear: 0,
-            guard_quadratic: 0,
-            dropped_rows: 0,
-            zone: 0,
-            catalogue: false,
+            ..Accuracy::default()
         }
+    }
+
+    /// The widths before it is known what the scene requires.
+    pub fn widest(&self) -> MachineWords {
+        let guards = (self.guard_linear, self.guard_quadratic);
+        widest(self.depth, self.normal, guards, self.dropped_rows)
     }
 
     /// A short name, which is that of its files.

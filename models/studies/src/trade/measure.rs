@@ -1,6 +1,7 @@
 //! One point: the scene prepared for it, drawn, and compared with the truth.
 
 use super::design::Accuracy;
+use crate::kit::words::narrowest;
 use imogene_analysis::metrics::toggles::{Part, Toggles, count};
 use imogene_analysis::metrics::{Drawing, Metrics, Truth, ZoneScene, measure as compare};
 use imogene_contract::{MachineWords, object};
@@ -8,7 +9,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_prepare::rounding::Anchor;
-use imogene_prepare::{NeededWidths, Options, PreparedScene, prepare_with};
+use imogene_prepare::{Options, PreparedScene, prepare_with};
 use imogene_scene::FramedScene;
 
 /// What is known of all points of the same pixels.
@@ -107,42 +108,16 @@ fn prepared(
 ) -> Result<(MachineWords, Vec<ZoneScene>), String> {
     if accuracy.catalogue {
         let format = Format::new(accuracy.depth).map_err(|e| e.to_string())?;
-        return Ok((
-            format.widths(),
-            in_format(scene, accuracy, &format.widths())?,
-        ));
+        let widths = format.widths();
+        return Ok((widths, in_format(scene, accuracy, &widths)?));
     }
-    let wide = widest(accuracy);
-    let zones = in_format(scene, accuracy, &wide)?;
-    let mut widths = needed(&zones).narrowed(&wide);
-    loop {
-        match in_format(scene, accuracy, &widths) {
-            Ok(zones) => return Ok((widths, zones)),
-            Err(problem) if widths == wide => return Err(problem),
-            Err(_) => {
-                widths.root = (widths.root + 1).min(wide.root);
-                widths.plane = (widths.plane + 1).min(wide.plane);
-            }
-        }
-    }
-}
-
-/// The widths of a design before it is known what the scene requires.
-pub fn widest(accuracy: &Accuracy) -> MachineWords {
-    MachineWords {
-        depth: accuracy.depth,
-        root: accuracy.depth,
-        plane: accuracy.depth + 12,
-        normal: accuracy.normal,
-        guard_linear: accuracy.guard_linear,
-        guard_quadratic: accuracy.guard_quadratic,
-        dropped_rows: accuracy.dropped_rows,
-    }
-}
-
-fn needed(zones: &[ZoneScene]) -> NeededWidths {
-    let each = zones.iter().map(|zone| zone.prepared.needed());
-    each.fold(NeededWidths::default(), |most, one| most.or(&one))
+    let wide = accuracy.widest();
+    let zones = |widths: &MachineWords| match in_format(scene, accuracy, widths) {
+        Err(problem) if *widths == wide => Err(problem),
+        zones => Ok(zones.ok()),
+    };
+    let found = narrowest(&wide, zones, |zone| zone.prepared.needed())?;
+    Ok(found.expect("a refusal of the widest words is an error"))
 }
 
 /// The scene in a format, prepared for the whole screen or for each zone.

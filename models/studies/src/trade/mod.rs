@@ -34,7 +34,7 @@ pub enum TradeError {
     },
     /// A file that cannot be written.
     #[error(transparent)]
-    Write(#[from] crate::picture::WriteError),
+    Write(#[from] crate::kit::picture::WriteError),
     /// A file that cannot be read.
     #[error("cannot read '{file}': {problem}")]
     Read {
@@ -44,11 +44,6 @@ pub enum TradeError {
         problem: String,
     },
     /// A plot or the page.
-    #[error("cannot draw {what}: {problem}")]
-    Draw {
-        /// Which.
-        what: &'static str,
-        /// Why.
-        problem: String,
-    },
+    #[error(transparent)]
+    Draw(#[from] crate::kit::DrawError),
 }

@@ -4,9 +4,12 @@ use super::TradeError;
 use super::plot::draw;
 use super::report::{FRONTS, Trade};
 use super::shrink::{Reducer, exact_png};
+use crate::kit::page::rendered;
+use crate::kit::picture::read_png;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use minijinja::{Environment, context};
+use minijinja::context;
+use minijinja::value::Serde;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,50 +19,37 @@ const STYLE: &str = include_str!("page/page.css");
 const SCRIPT: &str = include_str!("page/page.js");
 
 /// The page of results whose pictures are in `folder`.
-///
-/// # Errors
-///
-/// When a picture cannot be read.
 pub fn page(trade: &Trade, folder: &Path) -> Result<String, TradeError> {
     let plots = FRONTS.iter().map(|front| draw(trade, front));
     let plots = plots.collect::<Result<Vec<String>, TradeError>>()?;
+    let source = Pictures::new(trade, folder)?;
     let data = json!({
         "measure": trade.measure,
         "target": trade.target,
         "points": trade.points,
-        "pictures": pictures(trade, folder)?,
-        "truth": data_uri(&Pictures::new(trade, folder)?.reduced(&trade.truth)?),
+        "pictures": pictures(trade, &source)?,
+        "truth": data_uri(&source.reduced(&trade.truth)?),
     });
-    let mut environment = Environment::new();
-    let failed = |error: minijinja::Error| TradeError::Draw {
-        what: "the page",
-        problem: format!("{error:#}"),
+    let values = context! {
+        trade => Serde(json!({
+            "title": trade.title,
+            "scene": trade.scene,
+            "width": trade.width,
+            "height": trade.height,
+            "target": trade.target,
+            "version": trade.version,
+            "has_cost": trade.measure == "cells",
+            "legend": legend(trade),
+            "count": trade.points.len(),
+            "refused": trade.points.iter().filter(|e| e.point.refused.is_some()).count(),
+            "exact": trade.points.iter().filter(|e| e.silhouette_exact).count(),
+        })),
+        plots,
+        style => STYLE,
+        script => SCRIPT,
+        data => embedded(&data),
     };
-    environment
-        .add_template("page.html", TEMPLATE)
-        .map_err(failed)?;
-    let template = environment.get_template("page.html").map_err(failed)?;
-    template
-        .render(context! {
-            trade => minijinja::value::Serde(json!({
-                "title": trade.title,
-                "scene": trade.scene,
-                "width": trade.width,
-                "height": trade.height,
-                "target": trade.target,
-                "version": trade.version,
-                "has_cost": trade.measure == "cells",
-                "legend": legend(trade),
-                "count": trade.points.len(),
-                "refused": trade.points.iter().filter(|e| e.point.refused.is_some()).count(),
-                "exact": trade.points.iter().filter(|e| e.silhouette_exact).count(),
-            })),
-            plots,
-            style => STYLE,
-            script => SCRIPT,
-            data => embedded(&data),
-        })
-        .map_err(failed)
+    Ok(rendered("cannot draw the page", TEMPLATE, values)?)
 }
 
 /// JSON as the text of a script element: nothing in it ends the element.
@@ -73,19 +63,16 @@ fn legend(trade: &Trade) -> Vec<Value> {
 }
 
 /// Every picture and map once, under the name of its file.
-fn pictures(trade: &Trade, folder: &Path) -> Result<BTreeMap<String, String>, TradeError> {
-    let source = Pictures::new(trade, folder)?;
+fn pictures(trade: &Trade, source: &Pictures) -> Result<BTreeMap<String, String>, TradeError> {
     let mut all = BTreeMap::new();
     for entry in &trade.points {
         for (name, is_map) in [(&entry.point.picture, false), (&entry.point.map, true)] {
-            let Some(name) = name else { continue };
-            if all.contains_key(name) {
+            let Some(name) = name.as_ref().filter(|name| !all.contains_key(*name)) else {
                 continue;
-            }
-            let png = if is_map {
-                source.exact(name)?
-            } else {
-                source.reduced(name)?
+            };
+            let png = match is_map {
+                true => source.exact(name)?,
+                false => source.reduced(name)?,
             };
             all.insert(name.clone(), data_uri(&png));
         }
@@ -148,20 +135,10 @@ fn unreadable(folder: &Path, name: &str, problem: impl std::fmt::Display) -> Tra
 
 /// Red, green and blue of a picture of this size.
 fn read(folder: &Path, name: &str, size: (u32, u32)) -> Result<Vec<u8>, TradeError> {
-    let failed = |problem: String| unreadable(folder, name, problem);
-    let file = std::fs::File::open(folder.join(name)).map_err(|e| failed(e.to_string()))?;
-    let decoder = png::Decoder::new(std::io::BufReader::new(file));
-    let mut reader = decoder.read_info().map_err(|e| failed(e.to_string()))?;
-    let length = reader
-        .output_buffer_size()
-        .ok_or_else(|| failed("too large".into()))?;
-    let mut rgb = vec![0; length];
-    let info = reader
-        .next_frame(&mut rgb)
-        .map_err(|e| failed(e.to_string()))?;
+    let (info, rgb) = read_png(&folder.join(name)).map_err(|e| unreadable(folder, name, e))?;
     let wanted = (size.0, size.1, png::ColorType::Rgb);
     if (info.width, info.height, info.color_type) != wanted {
-        return Err(failed("not a picture of this run".into()));
+        return Err(unreadable(folder, name, "not a picture of this run"));
     }
     Ok(rgb)
 }

@@ -2,10 +2,11 @@
 
 use super::TradeError;
 use super::report::{Entry, Front, Trade, hardware};
+use crate::kit::plot::{Area, FONT, Outcome, span, svg};
 use plotters::prelude::*;
+use std::ops::Range;
 
 const SIZE: (u32, u32) = (420, 270);
-const FONT: &str = "sans-serif";
 /// Silhouette-exact points.
 const EXACT: RGBColor = RGBColor(10, 120, 80);
 /// The others.
@@ -25,21 +26,15 @@ struct Dot<'a> {
 /// circles are the marks, in the order of the points that have both figures.
 pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
     let dots = dots(trade, front);
-    let failed = |problem: String| TradeError::Draw {
-        what: "a plot",
-        problem,
-    };
-    let mut text = String::new();
-    draw_dots(&mut text, trade, front, &dots).map_err(|e| failed(e.to_string()))?;
+    let text = svg("cannot draw a plot", SIZE, |area| {
+        draw_dots(area, trade, front, &dots)
+    })?;
     let mut names = dots.iter().map(|dot| &dot.entry.point.id);
     let mut parts = text.split("<circle ");
     let mut marked = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        marked += match names.next() {
-            Some(id) => format!("<circle data-point=\"{id}\" {part}"),
-            None => format!("<circle {part}"),
-        }
-        .as_str();
+        let id = names.next().map(|id| format!("data-point=\"{id}\" "));
+        marked += &format!("<circle {}{part}", id.unwrap_or_default());
     }
     Ok(marked)
 }
@@ -81,16 +76,9 @@ fn label(front: &Front, place: f64) -> String {
     }
 }
 
-fn draw_dots(
-    text: &mut String,
-    trade: &Trade,
-    front: &Front,
-    dots: &[Dot],
-) -> Result<(), Box<dyn std::error::Error>> {
-    let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
-    area.fill(&WHITE)?;
+fn draw_dots(area: &Area, trade: &Trade, front: &Front, dots: &[Dot]) -> Outcome {
     let (x, y) = (range(dots, |d| d.x), range(dots, |d| d.y));
-    let mut chart = ChartBuilder::on(&area)
+    let mut chart = ChartBuilder::on(area)
         .margin(10)
         .caption(front.title, (FONT, 15))
         .x_label_area_size(36)
@@ -126,7 +114,6 @@ fn draw_dots(
         let (radius, style) = style(dot);
         Circle::new((dot.x, dot.y), radius, style)
     }))?;
-    area.present()?;
     Ok(())
 }
 
@@ -142,12 +129,11 @@ fn steps(front: &Front, dots: &[Dot]) -> Vec<(f64, f64)> {
 }
 
 /// The values with a little room around them.
-fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> std::ops::Range<f64> {
-    let least = dots.iter().map(of).fold(f64::INFINITY, f64::min);
-    let most = dots.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+fn range(dots: &[Dot], of: fn(&Dot) -> f64) -> Range<f64> {
     if dots.is_empty() {
         return 0.0..1.0;
     }
-    let room = 0.06 * (most - least).max(0.5);
-    least - room..most + room
+    let span = span(dots.iter().map(of));
+    let room = 0.06 * (span.end - span.start).max(0.5);
+    span.start - room..span.end + room
 }

@@ -26,7 +26,7 @@ pub struct Cost {
 pub type CostsOf<'a> = &'a (dyn Fn(&[FittedMachine]) -> Result<Vec<Cost>, String> + Sync);
 
 /// One point of the design space.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Its name.
     pub id: String,

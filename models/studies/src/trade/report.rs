@@ -1,10 +1,9 @@
 //! The results of a run: what stands in `trade.json` and `trade.csv`.
 
-use super::point::{Cost, Point};
-use super::run::Request;
-use imogene_analysis::metrics::{Metrics, map};
+use super::point::Point;
+use imogene_analysis::metrics::Metrics;
 use serde::Serialize;
-use std::fmt::Write as _;
+use serde_json::Value;
 
 /// All points; the keys are stable.
 #[derive(Clone, Debug, Serialize)]
@@ -86,7 +85,8 @@ pub(super) fn hardware(point: &Point, measure: &str) -> Option<f64> {
     }
 }
 
-pub(super) fn assemble(request: &Request, title: &str, truth: String, points: Vec<Point>) -> Trade {
+/// The points with their fronts, in place of those of `empty`.
+pub(super) fn assemble(empty: Trade, points: Vec<Point>) -> Trade {
     let measure = match points.iter().any(|p| p.cost.is_some()) {
         true => "cells",
         false => "toggles",
@@ -105,16 +105,9 @@ pub(super) fn assemble(request: &Request, title: &str, truth: String, points: Ve
         }
     };
     Trade {
-        version: request.version.to_owned(),
-        scene: request.name.to_owned(),
-        title: title.to_owned(),
-        width: request.size.0,
-        height: request.size.1,
-        target: request.target.to_owned(),
-        truth,
-        legend: map::legend(),
         measure,
         points: points.into_iter().enumerate().map(entry).collect(),
+        ..empty
     }
 }
 
@@ -128,80 +121,58 @@ fn undominated(places: &[Option<(f64, f64)>]) -> Vec<bool> {
     places.iter().map(is_on).collect()
 }
 
-/// Columns of the table.
-const COLUMNS: &str = "id,unit,depth,root,plane,normal,g1,g2,dropped,rows_per_stage,zone,refused,covered,missing,extra,\
-wrong_object,wrong_face,cracks,depth_max_words,depth_q999_words,depth_rms_words,depth_max_px,depth_q999_px,depth_rms_px,back_max_words,\
-back_q999_words,back_rms_words,back_differs,normal_max_deg,normal_q999_deg,normal_mean_deg,colour_max,colour_q999,colour_same_face_max,\
-colour_same_face_q999,latency,clocks_per_frame,toggles,lut,ff,dsp,cells,fmax_mhz,pixels_per_second,pareto,command";
+/// Columns of the table, each with the place of its figure in the JSON of a point where that is another.
+const COLUMNS: &str = "
+    id unit depth=design/accuracy/depth root=format/root plane=format/plane
+    normal=design/accuracy/normal g1=design/accuracy/guard_linear
+    g2=design/accuracy/guard_quadratic dropped=design/accuracy/dropped_rows
+    rows_per_stage=design/rows_per_stage zone=design/accuracy/zone refused
+    covered=errors/covered missing=errors/missing extra=errors/extra
+    wrong_object=errors/wrong_object wrong_face=errors/wrong_face cracks=errors/cracks
+    depth_max_words=errors/depth_words/max depth_q999_words=errors/depth_words/quantile_999
+    depth_rms_words=errors/depth_words/rms depth_max_px=errors/depth_px/max
+    depth_q999_px=errors/depth_px/quantile_999 depth_rms_px=errors/depth_px/rms
+    back_max_words=errors/back_words/max back_q999_words=errors/back_words/quantile_999
+    back_rms_words=errors/back_words/rms back_differs=errors/back_differs
+    normal_max_deg=errors/normal_deg/max normal_q999_deg=errors/normal_deg/quantile_999
+    normal_mean_deg=errors/normal_deg/mean colour_max=errors/colour/max
+    colour_q999=errors/colour/quantile_999 colour_same_face_max=errors/colour_same_face/max
+    colour_same_face_q999=errors/colour_same_face/quantile_999 latency clocks_per_frame
+    toggles=toggles/total lut=cost/lut ff=cost/ff dsp=cost/dsp cells=cost/cells
+    fmax_mhz=cost/fmax_mhz pixels_per_second pareto command
+";
 
 impl Trade {
     /// The points as a table.
     pub fn csv(&self) -> String {
-        let mut text = format!("{COLUMNS}\n");
+        let columns = COLUMNS.split_whitespace();
+        let columns = columns.map(|column| column.split_once('=').unwrap_or((column, column)));
+        let (head, places): (Vec<&str>, Vec<&str>) = columns.unzip();
+        let mut text = head.join(",") + "\n";
         for entry in &self.points {
-            let fields: Vec<String> = fields(entry).iter().map(|f| csv_field(f)).collect();
-            let _ = writeln!(text, "{}", fields.join(","));
+            let json = serde_json::json!(entry);
+            let field = |place: &&str| csv_field(&figure(json.pointer(&format!("/{place}"))));
+            let fields: Vec<String> = places.iter().map(field).collect();
+            text += &(fields.join(",") + "\n");
         }
         text
     }
 }
 
-fn fields(entry: &Entry) -> Vec<String> {
-    let point = &entry.point;
-    let of = |value: Option<String>| value.unwrap_or_default();
-    let width = |w: fn(&imogene_contract::MachineWords) -> u32| {
-        of(point.format.as_ref().map(|f| w(f).to_string()))
-    };
-    let error = |e: fn(&Metrics) -> String| of(point.errors.as_ref().map(e));
-    let cost = |c: fn(&Cost) -> String| of(point.cost.as_ref().map(c));
-    vec![
-        point.id.clone(),
-        point.unit.clone(),
-        point.design.accuracy.depth.to_string(),
-        width(|f| f.root),
-        width(|f| f.plane),
-        point.design.accuracy.normal.to_string(),
-        point.design.accuracy.guard_linear.to_string(),
-        point.design.accuracy.guard_quadratic.to_string(),
-        point.design.accuracy.dropped_rows.to_string(),
-        point.design.rows_per_stage.to_string(),
-        point.design.accuracy.zone.to_string(),
-        of(point.refused.clone()),
-        error(|e| e.covered.to_string()),
-        error(|e| e.missing.to_string()),
-        error(|e| e.extra.to_string()),
-        error(|e| e.wrong_object.to_string()),
-        error(|e| e.wrong_face.to_string()),
-        error(|e| e.cracks.to_string()),
-        error(|e| e.depth_words.max.to_string()),
-        error(|e| e.depth_words.quantile_999.to_string()),
-        error(|e| e.depth_words.rms.to_string()),
-        error(|e| e.depth_px.max.to_string()),
-        error(|e| e.depth_px.quantile_999.to_string()),
-        error(|e| e.depth_px.rms.to_string()),
-        error(|e| e.back_words.max.to_string()),
-        error(|e| e.back_words.quantile_999.to_string()),
-        error(|e| e.back_words.rms.to_string()),
-        error(|e| e.back_differs.to_string()),
-        error(|e| e.normal_deg.max.to_string()),
-        error(|e| e.normal_deg.quantile_999.to_string()),
-        error(|e| e.normal_deg.mean.to_string()),
-        error(|e| e.colour.max.to_string()),
-        error(|e| e.colour.quantile_999.to_string()),
-        error(|e| e.colour_same_face.max.to_string()),
-        error(|e| e.colour_same_face.quantile_999.to_string()),
-        of(point.latency.map(|v| v.to_string())),
-        of(point.clocks_per_frame.map(|v| v.to_string())),
-        of(point.toggles.as_ref().map(|t| t.total.to_string())),
-        cost(|c| c.lut.to_string()),
-        cost(|c| c.ff.to_string()),
-        cost(|c| c.dsp.to_string()),
-        cost(|c| c.cells.to_string()),
-        cost(|c| c.fmax_mhz.map_or_else(String::new, |mhz| mhz.to_string())),
-        of(point.pixels_per_second.map(|v| v.to_string())),
-        entry.pareto.join(" "),
-        point.command.clone(),
-    ]
+/// A figure as it is printed; nothing for one that is not there.
+fn figure(value: Option<&Value>) -> String {
+    match value {
+        None | Some(Value::Null) => String::new(),
+        Some(Value::String(text)) => text.clone(),
+        Some(Value::Array(list)) => {
+            let words: Vec<String> = list.iter().map(|word| figure(Some(word))).collect();
+            words.join(" ")
+        }
+        Some(Value::Number(number)) if number.is_f64() => {
+            number.as_f64().unwrap_or_default().to_string()
+        }
+        Some(other) => other.to_string(),
+    }
 }
 
 fn csv_field(text: &str) -> String {

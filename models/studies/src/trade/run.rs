@@ -2,12 +2,13 @@
 
 use super::TradeError;
 use super::design::{Accuracy, Design};
-use super::measure::{Measured, measure, widest};
+use super::measure::{Measured, measure};
 use super::point::{Cost, CostsOf, Point};
 use super::report::{Trade, assemble};
 use super::store::{Key, Store};
-use crate::picture::write_png;
-use imogene_analysis::metrics::Truth;
+use crate::kit::picture::write_png;
+use imogene_analysis::metrics::{Truth, map};
+use imogene_contract::MachineWords;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_golden::widths;
 use imogene_prepare::Framing;
@@ -70,10 +71,7 @@ struct Subject<'a> {
 }
 
 /// Measures what is not kept already, and sums up all of it.
-///
-/// # Errors
-///
-/// When the scene is not for machines of quadric processors, or a file cannot be written or read.
+/// Fails if the scene is not for machines of quadric processors, or a file cannot be written or read.
 pub fn run(request: &Request) -> Result<Trade, TradeError> {
     let subject = Subject::new(request)?;
     let truth = subject.truth_file();
@@ -90,23 +88,27 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
         })
     });
     let points = points.collect::<Result<Vec<Point>, TradeError>>()?;
-    Ok(assemble(request, &subject.framed.title, truth, points))
+    let empty = Trade {
+        version: request.version.to_owned(),
+        scene: request.name.to_owned(),
+        title: subject.framed.title.clone(),
+        width: request.size.0,
+        height: request.size.1,
+        target: request.target.to_owned(),
+        truth,
+        legend: map::legend(),
+        measure: "",
+        points: vec![],
+    };
+    Ok(assemble(empty, points))
 }
 
 /// Refuses what [`run`] would refuse before it measures anything.
-///
-/// # Errors
-///
-/// When the scene is not for machines of quadric processors.
 pub fn check(request: &Request) -> Result<(), TradeError> {
     Subject::new(request).map(|_| ())
 }
 
 /// Measures a part of the points and keeps them, without costs; gives their number.
-///
-/// # Errors
-///
-/// As [`run`].
 pub fn run_shard(request: &Request, shard: Shard) -> Result<usize, TradeError> {
     let subject = Subject::new(request)?;
     let groups: Vec<Group> = groups(&request.designs)
@@ -259,50 +261,40 @@ impl<'a> Subject<'a> {
 
     fn point(&self, design: &Design, measured: &Measured, files: &(String, String)) -> Point {
         let machine = measured.machine(design.rows_per_stage);
-        let point = Point {
+        Point {
             format: Some(measured.widths),
-            refused: None,
             latency: Some(measured.latency(&machine)),
             clocks_per_frame: Some(measured.clocks_per_frame(&machine)),
             errors: Some(measured.metrics.clone()),
             toggles: Some(measured.toggles(design.rows_per_stage)),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),
-            command: self.command(design, &widths::print(&measured.widths)),
-            ..self.refused(design, "")
-        };
-        Point {
             emit: Some(machine.command()),
             machine: Some(machine),
-            ..point
+            ..self.unmeasured(design, &measured.widths)
         }
     }
 
     /// A point of which nothing is known but why.
     fn refused(&self, design: &Design, problem: &str) -> Point {
-        let unit = if design.accuracy.catalogue {
-            "beam"
-        } else {
-            "fitted_beam"
+        Point {
+            refused: Some(problem.to_owned()),
+            ..self.unmeasured(design, &design.accuracy.widest())
+        }
+    }
+
+    /// A point with the command that draws it in these widths.
+    fn unmeasured(&self, design: &Design, widths: &MachineWords) -> Point {
+        let unit = match design.accuracy.catalogue {
+            true => "beam",
+            false => "fitted_beam",
         };
         Point {
             id: design.name(),
             unit: unit.into(),
             design: *design,
-            format: None,
-            refused: Some(problem.to_owned()),
-            machine: None,
-            latency: None,
-            clocks_per_frame: None,
-            errors: None,
-            toggles: None,
-            cost: None,
-            cost_refused: None,
-            pixels_per_second: None,
-            picture: None,
-            map: None,
-            command: self.command(design, &widths::print(&widest(&design.accuracy))),
-            emit: None,
+            command: self.command(design, &widths::print(widths)),
+            ..Point::default()
         }
     }
 

@@ -15,10 +15,8 @@ pub struct Reducer {
 impl Reducer {
     /// Chooses the colours by a picture.
     pub fn new(rgb: &[u8]) -> Reducer {
-        let opaque: Vec<u8> = rgb
-            .chunks_exact(3)
-            .flat_map(|c| [c[0], c[1], c[2], 255])
-            .collect();
+        let colours = rgb.chunks_exact(3);
+        let opaque: Vec<u8> = colours.flat_map(|c| [c[0], c[1], c[2], 255]).collect();
         // Every pixel is looked at, so that small bright spots have their colours.
         let network = NeuQuant::new(1, COLOURS, &opaque);
         let palette = network.color_map_rgb();

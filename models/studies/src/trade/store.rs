@@ -1,7 +1,7 @@
 //! Files of finished points: one each, whole or not there, and taken again only by a run that would make the same.
 
 use super::point::Point;
-use crate::picture::{WriteError, write_whole};
+use crate::kit::picture::{WriteError, write_whole};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 

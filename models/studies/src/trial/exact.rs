@@ -7,87 +7,71 @@ use imogene_algebra::rational::from_f64_exact;
 use imogene_golden::object::quadric::ScreenBox;
 use num_rational::BigRational;
 
-/// `a u + b v + c`, numerators over a denominator.
+/// Factors of an expression, numerators over a denominator.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ExactLinear {
-    /// a, b, c.
-    pub factors: [i128; 3],
+pub(super) struct Exact<const N: usize> {
+    /// In the order of the terms.
+    pub factors: [i128; N],
     /// Common denominator, positive.
     pub denominator: i128,
 }
 
-/// `a u^2 + b v^2 + c u v + d u + e v + f`, numerators over a denominator.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ExactQuadratic {
-    /// a to f.
-    pub factors: [i128; 6],
-    /// Common denominator, positive.
-    pub denominator: i128,
-}
+/// `a u + b v + c`.
+pub(super) type ExactLinear = Exact<3>;
+/// `a u^2 + b v^2 + c u v + d u + e v + f`.
+pub(super) type ExactQuadratic = Exact<6>;
 
 /// floor(n / d + 1/2), for d > 0.
 pub(super) fn rounded(numerator: i128, denominator: i128) -> i128 {
     (2 * numerator + denominator).div_euclid(2 * denominator)
 }
 
-impl ExactLinear {
+impl<const N: usize> Exact<N> {
     /// Each factor rounded as the preparation does.
-    pub fn rounded(&self) -> [i128; 3] {
+    pub fn rounded(&self) -> [i128; N] {
         self.factors.map(|n| rounded(n, self.denominator))
     }
 
+    /// Rounded minus exact.
+    pub fn residual(&self) -> Exact<N> {
+        let words = self.rounded();
+        Exact {
+            factors: std::array::from_fn(|k| words[k] * self.denominator - self.factors[k]),
+            ..*self
+        }
+    }
+
+    /// Greatest magnitude of a numerator in the corners of the box, as a value, rounded up.
+    fn most_in_corners(&self, window: &ScreenBox, at: impl Fn(i64, i64) -> i128) -> f64 {
+        let corners = corners(window).map(|(u, v)| ratio_up(at(u, v), self.denominator));
+        corners.into_iter().fold(0.0, f64::max)
+    }
+}
+
+impl ExactLinear {
     /// Numerator of the value at a point.
     pub fn at(&self, u: i64, v: i64) -> i128 {
         let [a, b, c] = self.factors;
         a * i128::from(u) + b * i128::from(v) + c
     }
 
-    /// Rounded minus exact.
-    pub fn residual(&self) -> ExactLinear {
-        let words = self.rounded();
-        ExactLinear {
-            factors: std::array::from_fn(|k| words[k] * self.denominator - self.factors[k]),
-            ..*self
-        }
-    }
-
     /// Greatest magnitude on the box, rounded up.
     pub fn max_abs_on(&self, window: &ScreenBox) -> f64 {
-        corners(window)
-            .map(|(u, v)| ratio_up(self.at(u, v), self.denominator))
-            .into_iter()
-            .fold(0.0, f64::max)
+        self.most_in_corners(window, |u, v| self.at(u, v))
     }
 }
 
 impl ExactQuadratic {
-    /// Each factor rounded as the preparation does.
-    pub fn rounded(&self) -> [i128; 6] {
-        self.factors.map(|n| rounded(n, self.denominator))
-    }
-
     /// Numerator of the value at a point.
     pub fn at(&self, u: i64, v: i64) -> i128 {
         at(&self.factors, u, v)
-    }
-
-    /// Rounded minus exact.
-    pub fn residual(&self) -> ExactQuadratic {
-        let words = self.rounded();
-        ExactQuadratic {
-            factors: std::array::from_fn(|k| words[k] * self.denominator - self.factors[k]),
-            ..*self
-        }
     }
 
     /// Greatest magnitude on the rectangle of the box, rounded up: in a corner, on an edge where the derivative along it is zero, or where both
     /// derivatives are zero. For residuals, whose factors are small.
     pub fn max_abs_on(&self, window: &ScreenBox) -> f64 {
         let [a, b, c, d, e, f] = self.factors;
-        let mut most = corners(window)
-            .map(|(u, v)| ratio_up(self.at(u, v), self.denominator))
-            .into_iter()
-            .fold(0.0, f64::max);
+        let mut most = self.most_in_corners(window, |u, v| self.at(u, v));
         for v in [window.y0, window.y1].map(i128::from) {
             let rest = (b * v + e) * v + f;
             let top = summit([a, c * v + d, rest], window.x0, window.x1, self.denominator);

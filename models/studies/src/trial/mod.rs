@@ -16,6 +16,7 @@ mod tally;
 
 pub use tally::{Fared, Term, Violation};
 
+use crate::kit::words::widest;
 use case::Case;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
@@ -63,18 +64,13 @@ const fn fitted(
     depth: u32,
     root: u32,
     normal: u32,
-    (guard_linear, guard_quadratic): (u32, u32),
+    guards: (u32, u32),
     dropped_rows: u32,
 ) -> MachineWords {
+    // No plane is tried: its bound is that of its coefficients, like the bound of f1.
     MachineWords {
-        depth,
         root,
-        // No plane is tried: its bound is that of its coefficients, like the bound of f1.
-        plane: depth + 12,
-        normal,
-        guard_linear,
-        guard_quadratic,
-        dropped_rows,
+        ..widest(depth, normal, guards, dropped_rows)
     }
 }
 
@@ -225,13 +221,11 @@ fn places(case: &Case, random: &mut Random) -> Vec<(i64, i64)> {
 }
 
 fn report(format: &Format, cases: u64, tally: Tally) -> TrialReport {
-    let terms: Vec<TermReport> = Term::ALL
-        .into_iter()
-        .map(|term| TermReport {
-            term,
-            fared: tally.fared(term),
-        })
-        .collect();
+    let fared = |term| TermReport {
+        term,
+        fared: tally.fared(term),
+    };
+    let terms = Term::ALL.map(fared).to_vec();
     TrialReport {
         depth: format.depth,
         guard_linear: format.guard_linear,

@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::tally::{Tally, Term};
+use crate::kit::vector::{cross, dot, length};
 use imogene_algebra::rational::from_f64_exact;
 use imogene_analysis::bounds::quadric_sine;
 use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR};
@@ -74,8 +75,11 @@ impl Truth {
         let u = normal.map(f64::from);
         let error: [f64; 3] = std::array::from_fn(|k| 256.0 * u[k] - n[k]);
         let across = length(cross(u, error)) / (length(u) * length(n));
-        let along: f64 = u.iter().zip(n).map(|(a, b)| a * b).sum();
-        if along > 0.0 { across } else { f64::INFINITY }
+        if dot(u, n) > 0.0 {
+            across
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// The angle is less than a right one and its sine at most `sine`, exactly: `|u x N|^2 <= sine^2 |u|^2 |N|^2` and `u N > 0`.
@@ -125,16 +129,4 @@ fn is_negative((p, q): &WithRoot, b: &BigRational) -> bool {
 
 fn is_positive((p, q): &WithRoot, b: &BigRational) -> bool {
     is_negative(&(-p, -q), b)
-}
-
-fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
-}
-
-fn length(v: [f64; 3]) -> f64 {
-    v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }

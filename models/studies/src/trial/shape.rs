@@ -90,29 +90,15 @@ fn draw_shape(reach: &ScreenBox, random: &mut Random) -> [f64; 6] {
     match random.below(4) {
         0 => {
             // Dense: terms of all magnitudes.
-            let mut part = |distance: f64| random.magnitude(1.0, 20) * random.signed() / distance;
-            [
-                part(u * u),
-                part(v * v),
-                part(u * v),
-                part(u),
-                part(v),
-                part(1.0),
-            ]
+            let distances = [u * u, v * v, u * v, u, v, 1.0];
+            distances.map(|distance| random.magnitude(1.0, 20) * random.signed() / distance)
         }
         1 => {
             // A double line, nearly: the contour is tangent to it everywhere.
             let (p, q, s) = (random.signed() / u, random.signed() / v, random.signed());
             let rest = random.magnitude(1.0, 60) * random.signed();
-            [
-                p * p,
-                q * q,
-                2.0 * p * q,
-                2.0 * p * s,
-                2.0 * q * s,
-                s * s + rest,
-            ]
-            .map(|x| sign * x)
+            let (d, e) = (2.0 * p * s, 2.0 * q * s);
+            [p * p, q * q, 2.0 * p * q, d, e, s * s + rest].map(|x| sign * x)
         }
         kind => {
             // An ellipse, or a hyperbola, about a point of the box or beside it.
@@ -120,10 +106,9 @@ fn draw_shape(reach: &ScreenBox, random: &mut Random) -> [f64; 6] {
             let a = (random.magnitude(4.0 * u, 6)).powi(-2);
             let b = (random.magnitude(4.0 * v, 6)).powi(-2) * if kind == 2 { 1.0 } else { -1.0 };
             let c = 1.9 * random.signed() * (a * b.abs()).sqrt();
-            let level = if random.one_in(8) {
-                random.magnitude(1.0, 60)
-            } else {
-                1.0
+            let level = match random.one_in(8) {
+                true => random.magnitude(1.0, 60),
+                false => 1.0,
             };
             let (d, e) = (-2.0 * a * x - c * y, -2.0 * b * y - c * x);
             let f = a * x * x + b * y * y + c * x * y - level;
@@ -154,11 +139,6 @@ fn worst_rounding<const N: usize>(factors: &mut [i128; N], denominator: i128, ra
         let up = if alike { all_up } else { random.one_in(2) };
         let whole = factor.div_euclid(denominator) * denominator;
         // Exactly half is rounded up; the next less than half is rounded down.
-        *factor = whole
-            + if up {
-                (denominator + 1) / 2
-            } else {
-                (denominator - 1) / 2
-            };
+        *factor = whole + (denominator + if up { 1 } else { -1 }) / 2;
     }
 }

@@ -126,10 +126,9 @@ impl Count {
     }
 
     fn merged(self, other: Count) -> Count {
-        let tighter = if other.tightness > self.tightness {
-            other
-        } else {
-            self
+        let tighter = match other.tightness > self.tightness {
+            true => other,
+            false => self,
         };
         Count {
             comparisons: self.comparisons + other.comparisons,
