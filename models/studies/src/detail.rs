@@ -1,4 +1,5 @@
-//! What a scene requires, counted: objects, pixels visited, planes, zones, and the stream of a zone machine; and what changes in the picture.
+//! What a scene requires, counted: objects, pixels visited, planes, zones, and the stream of a zone machine; and what
+//! changes in the picture.
 
 use imogene_analysis::phong::shade;
 use imogene_golden::machine::beam;
@@ -86,7 +87,8 @@ pub struct Report {
     pub work: WorkSaved,
     /// Objects that are drawn but hidden by others at every pixel.
     pub hidden: u64,
-    /// Zones of each object, and objects of each zone: by boxes and by bounds of the scene as it is, by the pixels of what is left.
+    /// Zones of each object, and objects of each zone: by boxes and by bounds of the scene as it is, by the pixels of
+    /// what is left.
     pub touches: ZoneTouches,
     /// The same of all objects.
     pub loads: Touches,

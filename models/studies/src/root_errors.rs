@@ -30,8 +30,8 @@ pub struct RootRow {
     pub cost: Cost,
 }
 
-/// Error against the true square root over the upper half of the radicand's octaves, each octave of the same weight. The floor of the exact
-/// root is below 1 in the last place.
+/// Error against the true square root over the upper half of the radicand's octaves, each octave of the same weight.
+/// The floor of the exact root is below 1 in the last place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct RootError {
     /// Greatest, in the last place of the root.
@@ -46,7 +46,8 @@ pub struct RootError {
     pub mean_percent: f64,
 }
 
-/// Steps of the root between neighbouring radicands X - 1 and X, where X is a measured place or begins a new scaled argument.
+/// Steps of the root between neighbouring radicands X - 1 and X, where X is a measured place or begins a new scaled
+/// argument.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Steps {
     /// No step down was found.
@@ -71,7 +72,8 @@ pub struct DepthError {
 /// What a member is built of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Cost {
-    /// Cells of adders, subtractors and controlled subtractors: one for each live bit of each sum, besides multipliers and shifters.
+    /// Cells of adders, subtractors and controlled subtractors: one for each live bit of each sum, besides multipliers
+    /// and shifters.
     pub adder_cells: u32,
     /// 16 x 16 multipliers.
     pub multipliers: u32,
@@ -158,7 +160,8 @@ fn steps(method: Method, root_bits: u32) -> Steps {
     found
 }
 
-/// The test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100, viewer distance 1000, 720 x 540 pixels.
+/// The test sphere of the source's restatement, 4.3: centre (20, -10, 300), radius 100, viewer distance 1000, 720 x 540
+/// pixels.
 struct Sphere {
     f1: Linear,
     f2: Quadratic,
@@ -217,7 +220,8 @@ fn row_cells(rows: u32) -> u32 {
     (rows * (rows + 5) / 2).saturating_sub(1)
 }
 
-/// Products of 15-bit digits, each pair once, that a square of `bits` bits takes; a top digit of one or two bits is gates.
+/// Products of 15-bit digits, each pair once, that a square of `bits` bits takes; a top digit of one or two bits is
+/// gates.
 fn square_products(bits: u32) -> u32 {
     let digits = bits.div_ceil(15);
     let digits = digits - u32::from(bits % 15 <= 2);
@@ -243,7 +247,8 @@ fn cost(method: Method, root_bits: u32) -> Cost {
         }
         Method::Quadratic { corrections } => {
             let (cells, products) = corrections_of(corrections);
-            // 15 A, 15 times the rest of X, two sums of 15 R; the fifteenth: two parts of ones, the sum of parts and their joining.
+            // 15 A, 15 times the rest of X, two sums of 15 R; the fifteenth: two parts of ones, the sum of parts and
+            // their joining.
             let estimate = 4 * (root_bits + 4) + 8 * 24;
             let own = square_products(root_bits);
             (estimate + cells, own + products, 3 + corrections)

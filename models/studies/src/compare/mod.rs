@@ -1,4 +1,5 @@
-//! One scene of spheres and cylinders drawn by facets, by paraboloids and as quadrics, each measured against the exact quadrics (sources: Nyiri, 4.1.2 and 5; Chaillou, IV.2.4).
+//! One scene of spheres and cylinders drawn by facets, by paraboloids and as quadrics, each measured against the exact
+//! quadrics (sources: Nyiri, 4.1.2 and 5; Chaillou, IV.2.4).
 
 pub mod errors;
 pub mod sheet;
@@ -169,7 +170,8 @@ fn by(file: &SceneFile, processor: Processor) -> SceneFile {
     file
 }
 
-/// Sides of the regular polygon in a circle of `radius` pixels that is nowhere more than [`FAIR_ERROR`] inside it: `ceil(pi / acos(1 - error / R))`, at least 3.
+/// Sides of the regular polygon in a circle of `radius` pixels that is nowhere more than [`FAIR_ERROR`] inside it:
+/// `ceil(pi / acos(1 - error / R))`, at least 3.
 pub fn fair_sides(radius: f64) -> usize {
     if radius <= FAIR_ERROR {
         return 3;

@@ -53,7 +53,8 @@ pub struct Speed {
     pub processor_model_pixels_per_second: f64,
     /// The first over the second.
     pub ratio: f64,
-    /// Clock in MHz at which one facet processor that visits the screen boxes one after the other, a pixel a clock, is as fast as contour following.
+    /// Clock in MHz at which one facet processor that visits the screen boxes one after the other, a pixel a clock, is
+    /// as fast as contour following.
     pub break_even_mhz: f64,
 }
 

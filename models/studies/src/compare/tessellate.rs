@@ -5,10 +5,12 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::f64::consts::TAU;
 
-/// Replaces a sphere, or a circular cylinder along y between two cuts across it, by a mesh with its corners on the surface.
+/// Replaces a sphere, or a circular cylinder along y between two cuts across it, by a mesh with its corners on the
+/// surface.
 ///
-/// A sphere has `sides` facets around and half as many, rounded up, from pole to pole. A cylinder has `sides` rectangles, and two ends of triangles with the normal
-/// of the end. Corners go round counter-clockwise as seen from outside.
+/// A sphere has `sides` facets around and half as many, rounded up, from pole to pole. A cylinder has `sides`
+/// rectangles, and two ends of triangles with the normal of the end. Corners go round counter-clockwise as seen from
+/// outside.
 pub fn to_mesh(object: &mut Object, sides: usize) {
     object.shape = Shape::Mesh(match &object.shape {
         Shape::Sphere { radius } => sphere(*radius, sides),
@@ -99,7 +101,8 @@ fn cylinder(radii: [f64; 2], [low, high]: [f64; 2], sides: usize) -> Mesh {
     mesh
 }
 
-/// Leaves out the facets of closed meshes that are turned away from the viewer, or seen edge-on, in a view along z; what is seen stays. The number of facets before.
+/// Leaves out the facets of closed meshes that are turned away from the viewer, or seen edge-on, in a view along z;
+/// what is seen stays. The number of facets before.
 pub fn drop_turned_away(scene: &mut FramedScene) -> usize {
     let mut faces = 0;
     for object in &mut scene.objects {

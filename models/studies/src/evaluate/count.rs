@@ -1,7 +1,8 @@
 //! A number that counts what is done with it, so that the cost of an algorithm is found by running it.
 //!
-//! The weights are the source's (Nyiri, 5.1.2): an addition, subtraction, multiplication or test is 1, a division or root 8. The source does not say what a
-//! conversion to a whole number weighs; here it is 1. A change of sign is free: it goes into the addition or subtraction that follows. Assignments are free.
+//! The weights are the source's (Nyiri, 5.1.2): an addition, subtraction, multiplication or test is 1, a division or
+//! root 8. The source does not say what a conversion to a whole number weighs; here it is 1. A change of sign is free:
+//! it goes into the addition or subtraction that follows. Assignments are free.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

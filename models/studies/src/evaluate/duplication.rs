@@ -29,7 +29,8 @@ pub enum Edges {
 
 /// Counts the zones of a square box at every place of a grid over one zone.
 pub fn touched(size: u64, side: u64, edges: Edges) -> Touched {
-    // In half pixels. A rectangle whose edges are on odd half pixels has no edge on an edge of a zone, and its places stand for all others.
+    // In half pixels. A rectangle whose edges are on odd half pixels has no edge on an edge of a zone, and its places
+    // stand for all others.
     let first = |place: u64| match edges {
         Edges::Anywhere => 2 * place + 1,
         Edges::OnPixels => 2 * place,

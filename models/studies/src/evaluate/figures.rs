@@ -152,7 +152,8 @@ fn mesh_of(object: &Object, sides: usize) -> Mesh {
     }
 }
 
-/// Facets of a ball of 80 pixels whose sides are within half a pixel of its outline: around, and those that face the viewer.
+/// Facets of a ball of 80 pixels whose sides are within half a pixel of its outline: around, and those that face the
+/// viewer.
 fn fair_ball() -> Result<[f64; 2], EvaluateError> {
     let scene = SceneFile::parse(SOLIDS, "three-solids.toml")?;
     let mut objects = scene.objects.iter();

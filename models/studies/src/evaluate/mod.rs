@@ -1,8 +1,10 @@
-//! Every cost table of the source counted again, beside the printed value (source: Nyiri, chapter 5; Chaillou, chapter IV).
+//! Every cost table of the source counted again, beside the printed value (source: Nyiri, chapter 5; Chaillou, chapter
+//! IV).
 //!
-//! The rows stand in `evaluation.toml`: what is printed, and of which counts ours is made. No figure of ours is typed in. Operations are counted by running
-//! the algorithms in numbers that count ([`count`], [`work`]); words, beats and clocks are those of the golden machines; parts of processors come from the
-//! hierarchy that is emitted and are handed in as [`Hardware`]; cells and clock rates come from the table of resources.
+//! The rows stand in `evaluation.toml`: what is printed, and of which counts ours is made. No figure of ours is typed
+//! in. Operations are counted by running the algorithms in numbers that count ([`count`], [`work`]); words, beats and
+//! clocks are those of the golden machines; parts of processors come from the hierarchy that is emitted and are handed
+//! in as [`Hardware`]; cells and clock rates come from the table of resources.
 
 pub mod count;
 mod duplication;

@@ -16,7 +16,8 @@ const SIDE: u64 = 32;
 /// Box over zone, and the duplication factor as printed (thesis chapter 5).
 const PRINTED: [(f64, f64); 2] = [(0.625, 2.641), (1.25, 5.0)];
 
-/// The duplication factor over the size of a box: the formula, rectangles counted, whole pixels counted, and what is printed.
+/// The duplication factor over the size of a box: the formula, rectangles counted, whole pixels counted, and what is
+/// printed.
 pub fn duplication_plot() -> Result<String, EvaluateError> {
     let what = "the plot of the duplication cannot be made";
     Ok(svg(what, SIZE, draw_duplication)?)

@@ -1,6 +1,7 @@
 //! Weighted operations of every step of the preparation, each found by running it.
 //!
-//! The numbers that the steps are run with are of no meaning: no step asks a question whose answer changes its cost, except where its name says so.
+//! The numbers that the steps are run with are of no meaning: no step asks a question whose answer changes its cost,
+//! except where its name says so.
 
 use super::count::{Counted, Counter, Tally, cost};
 use super::work::facet::{self, Contour, Corners};
@@ -186,7 +187,8 @@ const STEPS: &[Step] = &[
     }),
 ];
 
-/// What each step costs. Without products, where a factor is a power of two and they are shifts, a step costs its additions.
+/// What each step costs. Without products, where a factor is a power of two and they are shifts, a step costs its
+/// additions.
 pub fn costs() -> Vec<(String, Value)> {
     let costs: Vec<(&str, Tally)> = STEPS
         .iter()

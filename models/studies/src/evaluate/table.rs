@@ -293,7 +293,8 @@ mod tests {
         assert_eq!(checked, 33);
     }
 
-    /// With eight corners of four zones in place of nine the source's parts give the printed means, to their last digit.
+    /// With eight corners of four zones in place of nine the source's parts give the printed means, to their last
+    /// digit.
     #[test]
     fn printed_means_take_eight_corners() {
         let share = touched(20, 32, Edges::Anywhere);

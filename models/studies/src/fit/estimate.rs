@@ -1,9 +1,10 @@
-//! A rough count of the logic cells of a machine, to try the cheap ones first. Costs that are reported come from synthesis.
+//! A rough count of the logic cells of a machine, to try the cheap ones first. Costs that are reported come from
+//! synthesis.
 
 use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
 
-/// Logic cells of ECP5, from the costs of the units at 24 bits and how they grow with their words: adders and registers in proportion, the root network with
-/// the square of its rows.
+/// Logic cells of ECP5, from the costs of the units at 24 bits and how they grow with their words: adders and registers
+/// in proportion, the root network with the square of its rows.
 pub fn cells(machine: &FittedMachine) -> f64 {
     let slots = machine.slots.iter();
     slots.map(|slot| of_slot(machine, slot)).sum()
@@ -30,8 +31,8 @@ mod tests {
     use super::*;
     use imogene_golden::format::Format;
 
-    /// Within a quarter of what synthesis says of quadric processors at 24 bits (`docs/resources.md`): 2693 cells without planes, 4992 with three, 11783
-    /// with twelve.
+    /// Within a quarter of what synthesis says of quadric processors at 24 bits (`docs/resources.md`): 2693 cells
+    /// without planes, 4992 with three, 11783 with twelve.
     #[test]
     fn the_base_processor_is_about_as_large_as_synthesis_says() {
         for (planes, synthesised) in [(0, 2693.0), (3, 4992.0), (12, 11_783.0)] {

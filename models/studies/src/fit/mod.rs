@@ -1,7 +1,8 @@
 //! The smallest machine that draws a scene, or every frame of an animation, within a budget of errors.
 //!
-//! [`budget`] says what is allowed, [`frames`] holds the pictures and their truth, [`search`](mod@search) finds the machines that meet the budget, and
-//! [`proof`] says of the one that is taken what is proven by bounds and what by comparing every pixel. `docs/fit.md` is the user's page.
+//! [`budget`] says what is allowed, [`frames`] holds the pictures and their truth, [`search`](mod@search) finds the
+//! machines that meet the budget, and [`proof`] says of the one that is taken what is proven by bounds and what by
+//! comparing every pixel. `docs/fit.md` is the user's page.
 
 pub mod budget;
 pub mod estimate;

@@ -1,8 +1,9 @@
 //! The search: for each depth word that can meet the budget, the fewest bits everywhere else.
 //!
-//! Errors fall with every bit, so each number is found by halving an interval: the least depth word at which the budget is met with all guard bits, then, for
-//! that depth word and some more, the shortest normal, the most digits of the root left out, the fewest guard bits of f2, and of f1. What is found is
-//! drawn and compared in full; where errors do not fall evenly the result may be a bit more than the least, but never less than what the budget asks for.
+//! Errors fall with every bit, so each number is found by halving an interval: the least depth word at which the budget
+//! is met with all guard bits, then, for that depth word and some more, the shortest normal, the most digits of the
+//! root left out, the fewest guard bits of f2, and of f1. What is found is drawn and compared in full; where errors do
+//! not fall evenly the result may be a bit more than the least, but never less than what the budget asks for.
 
 use super::FitError;
 use super::budget::{Budget, Item};
@@ -142,7 +143,8 @@ impl<T: Fn() + Sync> Search<'_, T> {
     /// What the most exact machine reaches.
     fn unreachable(&self) -> Result<Outcome, FitError> {
         let mut nearest = None;
-        // The longest words may leave no room for guard bits; of all depth words the one that breaks the fewest limits counts.
+        // The longest words may leave no room for guard bits; of all depth words the one that breaks the fewest limits
+        // counts.
         for depth in (DEPTHS.0..=DEPTHS.1).rev() {
             let Some(drawn) = self.draw(&most_exact(depth))? else {
                 continue;

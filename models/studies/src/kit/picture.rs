@@ -41,7 +41,8 @@ pub fn read_png(path: &Path) -> Result<(png::OutputInfo, Vec<u8>), String> {
     samples(opened(path, png::Transformations::IDENTITY)?)
 }
 
-/// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are less than half opaque count as black.
+/// Width, height and, line by line, which pixels of a PNG picture of at most 4096 x 4096 are not black; those that are
+/// less than half opaque count as black.
 pub fn read_mask(path: &Path) -> Result<(usize, usize, Vec<bool>), ReadError> {
     mask(path).map_err(|problem| ReadError {
         path: path.to_path_buf(),

@@ -21,7 +21,8 @@ pub const fn widest(
     }
 }
 
-/// The narrowest widths that take all parts of a picture, and the parts in them. `prepared` gives the parts, or nothing if a word is too short for one.
+/// The narrowest widths that take all parts of a picture, and the parts in them. `prepared` gives the parts, or nothing
+/// if a word is too short for one.
 pub fn narrowest<T, E>(
     wide: &MachineWords,
     prepared: impl Fn(&MachineWords) -> Result<Option<Vec<T>>, E>,

@@ -1,4 +1,5 @@
-//! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and axis-parallel vectors, near and far points.
+//! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and
+//! axis-parallel vectors, near and far points.
 
 use crate::kit::vector::{Vector, dot};
 use crate::trial::random::Random;

@@ -1,6 +1,7 @@
 //! The formula of shading on integer words, in floating point.
 //!
-//! Normal, line of sight and vector to the light are integers of at most 48 bits together, so the signs that decide are exact.
+//! Normal, line of sight and vector to the light are integers of at most 48 bits together, so the signs that decide are
+//! exact.
 
 use crate::kit::vector::{Vector, dot};
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
@@ -69,7 +70,8 @@ fn towards(light: &LightWords, words: &ShaderWords, pixel: &Pixel) -> Vector {
     })
 }
 
-/// `k / (d + k)`: the distance is the length of the ray to the screen, divided by what is left of the way to the far end.
+/// `k / (d + k)`: the distance is the length of the ray to the screen, divided by what is left of the way to the far
+/// end.
 fn attenuation(words: &ShaderWords, pixel: &Pixel, ray: Vector) -> f64 {
     let Some(offset) = words.attenuation else {
         return 1.0;

@@ -103,7 +103,8 @@ impl ShadingErrors {
     }
 }
 
-/// Compares so many random cases, and a search from the worst of every few thousand of them; `done` is told of cases as they pass.
+/// Compares so many random cases, and a search from the worst of every few thousand of them; `done` is told of cases as
+/// they pass.
 pub fn errors(
     widths: &ShaderWidths,
     cases: u64,

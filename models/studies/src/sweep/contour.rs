@@ -9,8 +9,9 @@ use imogene_prepare::forms::QuadraticForm;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-/// How far the computed contour is from the true one, to first order: `|q2 - f2|` over the length of the gradient of q2, at every point in which it crosses a
-/// line or a column of the screen box and that the planes keep. The numerator is exact; the bound of the check divides the greatest such difference by the least gradient.
+/// How far the computed contour is from the true one, to first order: `|q2 - f2|` over the length of the gradient of
+/// q2, at every point in which it crosses a line or a column of the screen box and that the planes keep. The numerator
+/// is exact; the bound of the check divides the greatest such difference by the least gradient.
 pub(super) fn displaced(object: &PreparedQuadric, format: &Format) -> Option<f64> {
     let window = object.words.screen_box;
     if window.is_empty() {

@@ -39,8 +39,8 @@ pub struct Observed {
     pub depth_words: f64,
     /// The same in pixels of projected depth.
     pub depth_px: f64,
-    /// Greatest displacement of a silhouette along the slope of f2, in pixels; none where no silhouette crosses a line or column of
-    /// its screen box, or where one has no direction.
+    /// Greatest displacement of a silhouette along the slope of f2, in pixels; none where no silhouette crosses a line
+    /// or column of its screen box, or where one has no direction.
     pub silhouette_px: Option<f64>,
     /// Pixels that are covered in one picture alone.
     pub silhouette_pixels: usize,

@@ -1,7 +1,8 @@
-//! What a pipeline in floating point makes of the same scene: ten coefficients in *scene* coordinates, one quadratic equation for each line of sight.
+//! What a pipeline in floating point makes of the same scene: ten coefficients in *scene* coordinates, one quadratic
+//! equation for each line of sight.
 //!
-//! It is what a renderer does that neither moves the scene to the viewer first nor has exact numbers. The coefficients are the exact ones rounded once, which
-//! is the best case.
+//! It is what a renderer does that neither moves the scene to the viewer first nor has exact numbers. The coefficients
+//! are the exact ones rounded once, which is the best case.
 
 use super::truth::{DEPTH_BITS, Truth};
 use imogene_algebra::rational::{from_decimal, to_f64};

@@ -34,7 +34,8 @@ pub fn heading(result: &SweepResult) -> String {
     format!("## {} (`{}`)", result.title, result.name)
 }
 
-/// The section of a page: heading, plot, the command that makes it, text and tables. `pictures` is the folder of the plots, seen from the page.
+/// The section of a page: heading, plot, the command that makes it, text and tables. `pictures` is the folder of the
+/// plots, seen from the page.
 pub fn section(result: &SweepResult, pictures: &str) -> String {
     let name = result.name;
     let format = match result.depth_word {

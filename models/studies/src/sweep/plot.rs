@@ -1,6 +1,7 @@
 //! A sweep as a picture: bound and observed error over the parameter.
 //!
-//! Axes are drawn in powers of ten on linear ones, so that they can run towards small values and have a place for the value 0.
+//! Axes are drawn in powers of ten on linear ones, so that they can run towards small values and have a place for the
+//! value 0.
 
 use super::family::Axis;
 use super::measure::Figures;

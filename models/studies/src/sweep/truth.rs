@@ -1,6 +1,7 @@
 //! The exact picture of a sweep's scene: depths and normals to more digits than any word has.
 //!
-//! [`imogene_analysis::exact::render`] gives depths with 20 fraction bits and takes gradients in floating point; where a quadric all but degenerates that is not enough.
+//! [`imogene_analysis::exact::render`] gives depths with 20 fraction bits and takes gradients in floating point; where
+//! a quadric all but degenerates that is not enough.
 
 use imogene_analysis::exact::ray::RayObject;
 use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
@@ -102,7 +103,8 @@ impl Gradient {
         }
     }
 
-    /// The direction at twice a place of the screen plane and a depth in units of the full depth, with [`POINT_BITS`] fraction bits.
+    /// The direction at twice a place of the screen plane and a depth in units of the full depth, with [`POINT_BITS`]
+    /// fraction bits.
     fn at(&self, place: [i64; 2], depth: &BigInt) -> [f64; 3] {
         let one = BigInt::from(1) << POINT_BITS;
         // Homogeneous camera coordinates times 2 and the denominator of the full depth.

@@ -19,9 +19,11 @@ pub struct Accuracy {
     pub guard_quadratic: u32,
     /// Last digits of the root that are not computed.
     pub dropped_rows: u32,
-    /// Columns and lines of the zones for which the coefficients are rounded anew; 0 for the whole screen, each object about the middle of its box.
+    /// Columns and lines of the zones for which the coefficients are rounded anew; 0 for the whole screen, each object
+    /// about the middle of its box.
     pub zone: u32,
-    /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from the depth word, and all slots are alike.
+    /// A machine of the catalogue instead of one that is as narrow as the scene allows: all other widths follow from
+    /// the depth word, and all slots are alike.
     pub catalogue: bool,
 }
 

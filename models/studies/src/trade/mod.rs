@@ -1,7 +1,9 @@
-//! Speed, area and accuracy of the machines that can draw a scene: every point of a design space measured against the truth.
+//! Speed, area and accuracy of the machines that can draw a scene: every point of a design space measured against the
+//! truth.
 //!
-//! [`design`] says what points there are, [`measure`](mod@measure) draws one and compares it, [`run`](mod@run) does all of them and keeps each in a file of
-//! its own, [`report`] sums them up, [`plot`] and [`page`] show them. `docs/trade.md` is the user's page.
+//! [`design`] says what points there are, [`measure`](mod@measure) draws one and compares it, [`run`](mod@run) does all
+//! of them and keeps each in a file of its own, [`report`] sums them up, [`plot`] and [`page`] show them.
+//! `docs/trade.md` is the user's page.
 
 pub mod design;
 pub mod measure;

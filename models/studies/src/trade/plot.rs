@@ -22,8 +22,8 @@ struct Dot<'a> {
     y: f64,
 }
 
-/// Draws a front as SVG. The mark of a point is a circle with its name as `data-point`: green if silhouette-exact, else orange; filled if on the front. The first
-/// circles are the marks, in the order of the points that have both figures.
+/// Draws a front as SVG. The mark of a point is a circle with its name as `data-point`: green if silhouette-exact, else
+/// orange; filled if on the front. The first circles are the marks, in the order of the points that have both figures.
 pub fn draw(trade: &Trade, front: &Front) -> Result<String, TradeError> {
     let dots = dots(trade, front);
     let text = svg("cannot draw a plot", SIZE, |area| {

@@ -1,7 +1,7 @@
 //! One random case: exact expressions, the words they are rounded to, and the bounds that are stated for these words.
 //!
-//! Any first-degree f1 and second-degree f2 are the two parts of the depth of a quadric, `z^2 - 2 f1 z + f1^2 - f2 = 0`; so the expressions are drawn
-//! themselves, at the scales and in the positions where errors are greatest.
+//! Any first-degree f1 and second-degree f2 are the two parts of the depth of a quadric, `z^2 - 2 f1 z + f1^2 - f2 =
+//! 0`; so the expressions are drawn themselves, at the scales and in the positions where errors are greatest.
 
 use super::exact::{ExactLinear, ExactQuadratic};
 use super::random::Random;
@@ -113,8 +113,8 @@ fn stated(
     }
 }
 
-/// Most pixels of a box along each side in a format: roundings stay a small part of the words, or the preparation would refuse most objects. Words of the
-/// catalogue are long enough for all boxes.
+/// Most pixels of a box along each side in a format: roundings stay a small part of the words, or the preparation would
+/// refuse most objects. Words of the catalogue are long enough for all boxes.
 fn most_pixels(format: &Format) -> u64 {
     let fits = |most: &u64| {
         let side = (most / 2) as i64;
@@ -160,7 +160,8 @@ fn random_limit(most: u64, bits: u64) -> u64 {
     (most >> (bits % 10)).max(1)
 }
 
-/// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding makes most of the root.
+/// Bits that hold the greatest root on the box, of the rounded f2: where the exact one is next to nothing, rounding
+/// makes most of the root.
 fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
     let rounded = ExactQuadratic {
         factors: f2.rounded(),
@@ -171,7 +172,8 @@ fn root_bits(f2: &ExactQuadratic, reach: &ScreenBox, format: &Format) -> u32 {
     64 - (root as u64).leading_zeros()
 }
 
-/// A normal whose components stay within their words (24 bits in the base format), with factors that use as much of theirs as that allows.
+/// A normal whose components stay within their words (24 bits in the base format), with factors that use as much of
+/// theirs as that allows.
 fn draw_normal(
     format: &Format,
     root_bits: u32,

@@ -1,7 +1,8 @@
-//! Exact expressions of the trial: integers over one denominator, in coordinates centred on the anchor, so that 128 bits hold everything.
+//! Exact expressions of the trial: integers over one denominator, in coordinates centred on the anchor, so that 128
+//! bits hold everything.
 //!
-//! Denominators are at most 2^20, values at most 2^63 and coordinates at most 2^10, so numerators stay below 2^84 and the products below
-//! (of residuals, at most half a denominator per factor) below 2^90.
+//! Denominators are at most 2^20, values at most 2^63 and coordinates at most 2^10, so numerators stay below 2^84 and
+//! the products below (of residuals, at most half a denominator per factor) below 2^90.
 
 use imogene_algebra::rational::from_f64_exact;
 use imogene_golden::object::quadric::ScreenBox;
@@ -67,8 +68,8 @@ impl ExactQuadratic {
         at(&self.factors, u, v)
     }
 
-    /// Greatest magnitude on the rectangle of the box, rounded up: in a corner, on an edge where the derivative along it is zero, or where both
-    /// derivatives are zero. For residuals, whose factors are small.
+    /// Greatest magnitude on the rectangle of the box, rounded up: in a corner, on an edge where the derivative along
+    /// it is zero, or where both derivatives are zero. For residuals, whose factors are small.
     pub fn max_abs_on(&self, window: &ScreenBox) -> f64 {
         let [a, b, c, d, e, f] = self.factors;
         let mut most = self.most_in_corners(window, |u, v| self.at(u, v));

@@ -1,9 +1,11 @@
-//! The trial of the bounds: random cases in every format, every error compared exactly with the bound that is stated for it.
+//! The trial of the bounds: random cases in every format, every error compared exactly with the bound that is stated
+//! for it.
 //!
-//! A case is an exact f1 and f2 (any pair is a quadric) and an exact normal on a random box, at scales and in positions where errors are greatest: contours
-//! through pixels, tangents, thin discs, factors whose rounding is the worst possible. It is rounded, and bounded, as the preparation does;
-//! the golden words are evaluated at corners, about the contour and at random pixels. An error and its bound are first computed in
-//! `f64`; unless the error is clearly smaller they are compared in big integers, squares against squares.
+//! A case is an exact f1 and f2 (any pair is a quadric) and an exact normal on a random box, at scales and in positions
+//! where errors are greatest: contours through pixels, tangents, thin discs, factors whose rounding is the worst
+//! possible. It is rounded, and bounded, as the preparation does; the golden words are evaluated at corners, about the
+//! contour and at random pixels. An error and its bound are first computed in `f64`; unless the error is clearly
+//! smaller they are compared in big integers, squares against squares.
 
 mod case;
 mod depth;
@@ -29,8 +31,9 @@ use tally::Tally;
 /// Cases of one piece of parallel work.
 const PIECE: u64 = 500;
 
-/// Widths that are tried. Fourteen formats of the catalogue, by depth word and guard bits: the 28-bit word has room for 8 guard bits of f2, the 32-bit word
-/// for none. Then eight of fitted machines: normals of 10 to 15 bits, root networks without their last rows, and both, down to the shortest words.
+/// Widths that are tried. Fourteen formats of the catalogue, by depth word and guard bits: the 28-bit word has room for
+/// 8 guard bits of f2, the 32-bit word for none. Then eight of fitted machines: normals of 10 to 15 bits, root networks
+/// without their last rows, and both, down to the shortest words.
 pub const FORMATS: [MachineWords; 22] = [
     catalogue(16, 0, 0),
     catalogue(16, 2, 4),
@@ -122,7 +125,8 @@ pub struct TrialReport {
 }
 
 impl TrialReport {
-    /// The format in a few characters: depth word and guard bits, and of a fitted machine what else is not as in the catalogue.
+    /// The format in a few characters: depth word and guard bits, and of a fitted machine what else is not as in the
+    /// catalogue.
     pub fn label(&self) -> String {
         let mut label = format!(
             "{}, {}:{}",
@@ -141,8 +145,8 @@ impl TrialReport {
     }
 }
 
-/// Tries `cases` random cases; `piece_done` is called after each piece with the number of cases in it, from any thread. With `always_exactly` every
-/// comparison is made in exact integers, which is slow.
+/// Tries `cases` random cases; `piece_done` is called after each piece with the number of cases in it, from any thread.
+/// With `always_exactly` every comparison is made in exact integers, which is slow.
 pub fn run(
     format: &Format,
     cases: u64,

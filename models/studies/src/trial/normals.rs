@@ -82,7 +82,8 @@ impl Truth {
         }
     }
 
-    /// The angle is less than a right one and its sine at most `sine`, exactly: `|u x N|^2 <= sine^2 |u|^2 |N|^2` and `u N > 0`.
+    /// The angle is less than a right one and its sine at most `sine`, exactly: `|u x N|^2 <= sine^2 |u|^2 |N|^2` and
+    /// `u N > 0`.
     fn within(&self, normal: [i16; 3], sine: f64) -> bool {
         let ratio = |(n, d): (i128, i128)| BigRational::new(n.into(), d.into());
         let radicand = ratio(self.radicand);

@@ -1,5 +1,5 @@
-//! Trial of the displacement of the silhouette: at a pixel on which the computed one lies exactly, the true one must be crossed on both sides
-//! within the distance stated.
+//! Trial of the displacement of the silhouette: at a pixel on which the computed one lies exactly, the true one must be
+//! crossed on both sides within the distance stated.
 
 use super::case::Case;
 use super::tally::{Tally, Term};
@@ -9,10 +9,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-/// Relative allowance for a direction that is rounded to `f64`: it misses the gradient's by so little that the slope along it is this much less.
+/// Relative allowance for a direction that is rounded to `f64`: it misses the gradient's by so little that the slope
+/// along it is this much less.
 const DIRECTION_MARGIN: f64 = 1e-12;
 
-/// Compares the displacement at the pixel on which the computed silhouette lies, if there is one and its neighbourhood is in the box.
+/// Compares the displacement at the pixel on which the computed silhouette lies, if there is one and its neighbourhood
+/// is in the box.
 pub(super) fn try_outline(case: &Case, tally: &mut Tally) {
     let Some((u, v)) = case.on_silhouette else {
         return;

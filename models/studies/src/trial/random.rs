@@ -1,4 +1,5 @@
-//! Random numbers for the trial: the same from the same seed in every build (SplitMix64 of Steele, Lea and Flood, 2014).
+//! Random numbers for the trial: the same from the same seed in every build (SplitMix64 of Steele, Lea and Flood,
+//! 2014).
 
 /// The state of a generator.
 pub(crate) struct Random(u64);

@@ -1,5 +1,5 @@
-//! Drawing f1 and f2: ellipses, hyperbolas, double lines, thin discs and dense polynomials at every scale, contours through a pixel, and
-//! factors whose rounding is the worst possible.
+//! Drawing f1 and f2: ellipses, hyperbolas, double lines, thin discs and dense polynomials at every scale, contours
+//! through a pixel, and factors whose rounding is the worst possible.
 
 use super::exact::{ExactLinear, ExactQuadratic, at, rounded};
 use super::random::Random;
@@ -26,7 +26,8 @@ pub(super) fn draw_linear(format: &Format, reach: &ScreenBox, random: &mut Rando
     }
 }
 
-/// An exact f2 within the quadratic word on the box, and a pixel on which its rounded contour lies exactly, if it was moved there.
+/// An exact f2 within the quadratic word on the box, and a pixel on which its rounded contour lies exactly, if it was
+/// moved there.
 pub(super) fn draw_quadratic(
     format: &Format,
     reach: &ScreenBox,

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// An error below this part of its bound is within it whatever the rounding of the few operations in `f64` that computed both (each of them
-/// relative to the term it makes); above it the comparison is made in exact integers.
+/// An error below this part of its bound is within it whatever the rounding of the few operations in `f64` that
+/// computed both (each of them relative to the term it makes); above it the comparison is made in exact integers.
 const CLEARLY_WITHIN: f64 = 1.0 - 1e-9;
 /// Violations that are kept for the report.
 const KEPT: usize = 8;
@@ -170,7 +170,8 @@ impl Tally {
         }
     }
 
-    /// Compares an error with its bound. `exactly` makes the same comparison in integers and is asked whenever `f64` cannot tell.
+    /// Compares an error with its bound. `exactly` makes the same comparison in integers and is asked whenever `f64`
+    /// cannot tell.
     pub fn compare(
         &mut self,
         term: Term,

@@ -1,5 +1,5 @@
-//! The trial itself is tried: its own rounding and bounds are those of the preparation, everything is compared exactly on smaller runs, and
-//! a bound that is too small is found.
+//! The trial itself is tried: its own rounding and bounds are those of the preparation, everything is compared exactly
+//! on smaller runs, and a bound that is too small is found.
 
 use super::case::Case;
 use super::random::Random;
@@ -101,7 +101,8 @@ fn assert_just_above(bound: f64, exact: &BigRational) {
 }
 
 proptest! {
-    /// The trial's 128-bit rounding and residual bounds are those of the preparation, in big rationals on the screen's coordinates.
+    /// The trial's 128-bit rounding and residual bounds are those of the preparation, in big rationals on the screen's
+    /// coordinates.
     #[test]
     fn cases_are_rounded_and_bounded_as_the_preparation_does(seed in any::<u64>(), which in 0usize..FORMATS.len()) {
         let format = of(&FORMATS[which]);
@@ -117,7 +118,8 @@ proptest! {
         assert_just_above(case.bounds.f2, &quadratic_error(&word2, &f2, g2, &window));
     }
 
-    /// What the preparation would refuse is not tried: f2, and f1 with the root, stay within their words on the whole box.
+    /// What the preparation would refuse is not tried: f2, and f1 with the root, stay within their words on the whole
+    /// box.
     #[test]
     fn cases_fit_their_words(seed in any::<u64>(), which in 0usize..FORMATS.len()) {
         let format = of(&FORMATS[which]);

@@ -1,4 +1,5 @@
-//! A facet of three corners on its way to the display: set-up of both conversions, quantities over it, whole numbers (source: Tables 5.1, 5.4, 5.5).
+//! A facet of three corners on its way to the display: set-up of both conversions, quantities over it, whole numbers
+//! (source: Tables 5.1, 5.4, 5.5).
 
 use crate::evaluate::count::{Counted, dot};
 
@@ -154,7 +155,8 @@ pub fn is_inside<'c>(sides: &[Line<'c>], x: Counted<'c>, y: Counted<'c>) -> bool
     outside.count() == 0
 }
 
-/// Words of the expressions: corners on a grid of 1/16 pixel, so that the sides are whole without a further conversion; depth and quantities scaled and rounded.
+/// Words of the expressions: corners on a grid of 1/16 pixel, so that the sides are whole without a further conversion;
+/// depth and quantities scaled and rounded.
 pub fn expression_words<'c>(
     corners: Corners<'c>,
     quantities: [[Counted<'c>; 3]; 3],
@@ -172,7 +174,8 @@ pub fn expression_words<'c>(
     (facet, words)
 }
 
-/// Words of contour following: the slopes, the column and the line of the first corner, depth and quantities with their first value and their changes.
+/// Words of contour following: the slopes, the column and the line of the first corner, depth and quantities with their
+/// first value and their changes.
 pub fn contour_words<'c>(
     contour: &Contour<'c>,
     quantities: [[Counted<'c>; 3]; 3],

@@ -91,7 +91,8 @@ fn signed(value: Counted<'_>, row: usize, col: usize) -> Counted<'_> {
     }
 }
 
-/// All cofactors, one determinant of 3 x 3 after the other, each by its first row: how the preparation of this project forms them.
+/// All cofactors, one determinant of 3 x 3 after the other, each by its first row: how the preparation of this project
+/// forms them.
 pub fn cofactors<'c>(m: &Matrix<'c>) -> Matrix<'c> {
     std::array::from_fn(|row| std::array::from_fn(|col| cofactor(m, row, col)))
 }

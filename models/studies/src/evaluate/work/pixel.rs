@@ -1,4 +1,5 @@
-//! Conversion in software: a scalar program visits every pixel of an object's box, with forward differences as the processors have them (source: chapter 5).
+//! Conversion in software: a scalar program visits every pixel of an object's box, with forward differences as the
+//! processors have them (source: chapter 5).
 //!
 //! The kind of a plane and the class of the quadric are the same at all pixels, so no test of them is counted.
 
@@ -21,7 +22,8 @@ pub struct Scan {
 }
 
 impl Scan {
-    /// Mean operations at a pixel inside and outside and of a line's step, all, all for each pixel inside, and these in percent of the box.
+    /// Mean operations at a pixel inside and outside and of a line's step, all, all for each pixel inside, and these in
+    /// percent of the box.
     pub fn figures(&self) -> Value {
         let [outside, inside] = self.pixels.map(|count| count as f64);
         let [outside_cost, inside_cost] = self.costs.map(|cost| cost as f64);
@@ -147,7 +149,8 @@ pub const FACET: [[f64; 3]; 7] = [
     [0.0, 0.0, -100.0],
 ];
 
-/// A facet on a box of so many pixels a side: sides not negative inside, depth, three components of the normal. Each pixel inside is compared with a z-buffer.
+/// A facet on a box of so many pixels a side: sides not negative inside, depth, three components of the normal. Each
+/// pixel inside is compared with a z-buffer.
 pub fn facet(counter: &Counter, side: u64, expressions: [[f64; 3]; 7]) -> Scan {
     let state = expressions.map(|e| Linear::new(counter, e));
     let far = counter.number(f64::MAX);
@@ -176,7 +179,8 @@ pub struct Object {
     normal: ([[f64; 3]; 3], [f64; 3]),
 }
 
-/// A ball that fills a box of so many pixels, cut by up to four planes: one from the front, one from the back, two along the line of sight.
+/// A ball that fills a box of so many pixels, cut by up to four planes: one from the front, one from the back, two
+/// along the line of sight.
 pub fn ball(side: u64, planes: usize) -> Object {
     let middle = (side as f64 - 1.0) / 2.0;
     let radius = side as f64 / 2.0;
@@ -335,8 +339,8 @@ mod tests {
         a * x + b * y + c
     }
 
-    /// Every pixel by direct evaluation and intersection of half-spaces, without differences and without a chain. The numbers are whole or quarters and below 2^20,
-    /// so that differences and values are the same.
+    /// Every pixel by direct evaluation and intersection of half-spaces, without differences and without a chain. The
+    /// numbers are whole or quarters and below 2^20, so that differences and values are the same.
     #[test]
     fn scans_find_what_direct_evaluation_finds() {
         let counter = Counter::default();

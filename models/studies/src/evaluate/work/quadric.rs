@@ -1,4 +1,5 @@
-//! A quadric and its planes on their way to the display: expressions, scales, whole numbers (source: 2.4.4, Table 5.6, Fig B.4).
+//! A quadric and its planes on their way to the display: expressions, scales, whole numbers (source: 2.4.4, Table 5.6,
+//! Fig B.4).
 //!
 //! Quadric and planes are given after the change of frame and the perspective, which is a factor of the matrix.
 
@@ -114,7 +115,8 @@ pub fn depth_words<'c>(
     })
 }
 
-/// Words of the normal with a scale Kn of its own; the factors of the root, which comes with the scale Kp, take Kn / Kp.
+/// Words of the normal with a scale Kn of its own; the factors of the root, which comes with the scale Kp, take Kn /
+/// Kp.
 pub fn normal_words<'c>(
     normal: &Normal<'c>,
     greatest: Counted<'c>,

@@ -45,7 +45,8 @@ pub fn box_of_outline<'c>([a, b, c, d, e, f]: &[Counted<'c>; 6]) -> [Counted<'c>
     [x0, x1, y0, y1]
 }
 
-/// The sides of the outline of a convex solid's corners on the screen: the lines through two of them with all others on one side, not negative inside.
+/// The sides of the outline of a convex solid's corners on the screen: the lines through two of them with all others on
+/// one side, not negative inside.
 pub fn outline<'c>(corners: &[[Counted<'c>; 2]]) -> Vec<Line<'c>> {
     outline_of(corners, |_, _| true)
 }

@@ -84,8 +84,8 @@ const UNIT: u32 = 20;
 /// Last exponent: the plane is 2^-29 pixels from being tangent.
 const LAST: u32 = 40;
 
-/// A cut plane that becomes tangent to a sphere. The sphere's local origin is the point of contact and its unit 2^-20 pixels, so that the plane's distance from
-/// it is a short decimal.
+/// A cut plane that becomes tangent to a sphere. The sphere's local origin is the point of contact and its unit 2^-20
+/// pixels, so that the plane's distance from it is a short decimal.
 pub const TANGENT_PLANE: Sweep = Sweep {
     name: "tangent-plane",
     title: "A cut plane becomes tangent to a sphere",

@@ -10,7 +10,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 /// With t the tangent of the angle between axis and line of sight, the cylinder of radius R about the axis (t, 0, 1) is
-/// `x^2 + (1 + t^2) y^2 + t^2 z^2 - 2 t x z - R^2 (1 + t^2)`: its factor of z^2 falls as t^2, the slope of f1 grows as 1 / t.
+/// `x^2 + (1 + t^2) y^2 + t^2 z^2 - 2 t x z - R^2 (1 + t^2)`: its factor of z^2 falls as t^2, the slope of f1 grows as
+/// 1 / t.
 pub const CYLINDER_AXIS: Sweep = Sweep {
     name: "cylinder-axis",
     title: "The axis of a cylinder turns towards the line of sight",
@@ -57,7 +58,8 @@ const RADIUS: i64 = 50;
 /// The factor of z^2 is the quadric's value at the eye, over the square of the viewer distance. It vanishes on the
 /// surface, and f1 and f2 with its inverse and the square of its inverse go out of every word.
 ///
-/// From inside the eye cannot be farther from the surface than the middle; on the surface the screen has no distance left.
+/// From inside the eye cannot be farther from the surface than the middle; on the surface the screen has no distance
+/// left.
 pub const EYE_DISTANCE: Sweep = Sweep {
     name: "eye-distance",
     title: "The eye approaches the surface of a sphere",
