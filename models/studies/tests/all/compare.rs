@@ -16,7 +16,7 @@ const F: Format = Format::BASE;
 
 fn scene() -> SceneFile {
     let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/comparison/three-solids.toml");
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/comparison/three-solids.toml");
     SceneFile::read(&path).unwrap()
 }
 

@@ -245,8 +245,8 @@ fn bounds_never_contradict_a_volume_at_any_surface_point() {
         Format::new(16).unwrap().with_guards(3, 5).unwrap(),
     ];
     for (path, format) in [
-        ("../../../scenes/shadows/robot.toml", formats[0]),
-        ("../../../scenes/shadows/robot.toml", formats[1]),
+        ("../../scenes/shadows/robot.toml", formats[0]),
+        ("../../scenes/shadows/robot.toml", formats[1]),
         ("../testkit/scenes/shadows.toml", formats[0]),
     ] {
         let (_, scene) = file_prepared(&folder.join(path), size, format).expect("fits");
@@ -390,7 +390,7 @@ fn the_bits_that_an_object_needs_are_enough_and_not_too_many() {
 /// With some pixels allowed, the picture changes at no more pixels than its objects do, and less work is left.
 #[test]
 fn a_reduction_that_may_change_pixels_says_how_many() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     for (path, most_dropped) in [
         ("zones/molecule-480.toml", 480),
         ("shadows/robot.toml", 40),
@@ -431,7 +431,7 @@ fn a_reduction_that_may_change_pixels_says_how_many() {
 fn all_planes_are_as_many_bits() {
     assert_eq!([0, 1, 12].map(all_planes), [0, 1, 0xfff]);
     let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/processors/polyhedron.toml");
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/polyhedron.toml");
     let (_, scene) = file_prepared(&path, SIZE, Format::BASE).expect("fits");
     let frame = beam::render(&scene.slots(), &scene.format, 83, 61, || ());
     // However many pixels may change, a polyhedron keeps a plane: its processor has at least one.

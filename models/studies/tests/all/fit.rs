@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const SIZE: Option<(u32, u32)> = Some((48, 36));
 
 fn file(name: &str) -> (String, SceneFile) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../../scenes/{name}.toml"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
     (name.to_owned(), SceneFile::read(&path).unwrap())
 }
 
@@ -155,7 +155,7 @@ fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
 /// An animation is fitted over all of its frames: the machine meets the budget in each, and needs at least what each needs.
 #[test]
 fn an_animation_takes_the_worst_of_its_frames() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/cut-sphere.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");
     let text = std::fs::read_to_string(path).unwrap();
     let moved = text.replace("eye = [0.37, 3.89, 9.61]", "eye = [0.4, 2.9, 8.6]");
     assert_ne!(moved, text);

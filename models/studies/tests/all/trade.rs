@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn scene(name: &str) -> SceneFile {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     SceneFile::read(&folder.join(name)).unwrap()
 }
 
