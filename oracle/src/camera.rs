@@ -11,7 +11,7 @@
 use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
-use imogene_scene::{Camera, DepthRange, Step};
+use imogene_scene::{Camera, DepthRange, Lens, Step};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
@@ -45,7 +45,7 @@ impl Sight {
             &mut sight.from
         };
         let [column, line, start] = lines;
-        let halves = camera.sample_at().map(|v| from_decimal(v) * integer(2));
+        let halves = camera.sample_at.map(|v| from_decimal(v) * integer(2));
         for (axis, halves) in [column, line].into_iter().zip(&halves) {
             for (sum, part) in start.iter_mut().zip(axis) {
                 *sum += &*part * halves;
@@ -57,22 +57,23 @@ impl Sight {
     /// Through places (X, Y) alone.
     fn through_whole_places(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
         let lines = integer(i64::from(height));
-        match camera {
-            Camera::Perspective {
-                eye,
-                target,
-                up,
-                viewer_distance,
-                view_height,
-                node,
-                ..
+        let Camera {
+            eye,
+            target,
+            up,
+            view_height,
+            ..
+        } = camera;
+        let observer = Observer::placed(eye, target, up, &camera.node.place);
+        let [right, down, forward] = screen_axes(observer.view, observer.up);
+        match camera.lens {
+            Lens::Perspective {
+                viewer_distance, ..
             } => {
-                let observer = Observer::placed(eye, target, up, &node.place);
-                let [right, down, forward] = screen_axes(observer.view, observer.up);
                 let distance = integer(2) * &range.near;
                 // Of the window at that distance.
                 let half_pixel = from_decimal(*view_height) * &distance
-                    / (from_decimal(*viewer_distance) * lines * integer(2));
+                    / (from_decimal(viewer_distance) * lines * integer(2));
                 Sight {
                     width,
                     height,
@@ -85,16 +86,7 @@ impl Sight {
                     perspective: true,
                 }
             }
-            Camera::Orthographic {
-                eye,
-                target,
-                up,
-                view_height,
-                node,
-                ..
-            } => {
-                let observer = Observer::placed(eye, target, up, &node.place);
-                let [right, down, forward] = screen_axes(observer.view, observer.up);
+            Lens::Orthographic { .. } => {
                 let half_pixel = from_decimal(*view_height) / (lines * integer(2));
                 let far = range.far.as_ref().expect("a parallel view has a far end");
                 let (middle, half) = ((far + &range.near), (far - &range.near));

@@ -99,12 +99,7 @@ impl Buffers {
 
 /// Two pixels of a picture, in scene units: what a distance is unless another is asked for.
 pub fn two_pixels(camera: &Camera, height: usize) -> f64 {
-    let view_height = match camera {
-        Camera::Perspective { view_height, .. } | Camera::Orthographic { view_height, .. } => {
-            view_height
-        }
-    };
-    2.0 * view_height / height as f64
+    2.0 * camera.view_height / height as f64
 }
 
 /// The flagged pixels, line by line.

@@ -7,8 +7,7 @@ use super::vector::{Vector, along, cross, opposite, unit};
 use imogene_golden::format::Format;
 use imogene_prepare::{Framing, Options, refused};
 use imogene_scene::{
-    Body, Camera, Cut, ImageSize, Light, Material, Node, Object, SceneFile, Shape, Surface,
-    fitting_from,
+    Body, Camera, Cut, ImageSize, Light, Material, Object, SceneFile, Shape, Surface, fitting_from,
 };
 
 /// The scene; nothing if no object is left.
@@ -158,16 +157,10 @@ fn camera(model: &Model, (from, sizes): (Vector, f64), objects: &[Object]) -> Ca
     let shape = f64::from(width) / f64::from(height);
     let ([x, y], tangent) = fitting_from(&bodies, &axes, distance, shape);
     let target = along(along(middle, x, axes[0]), y, axes[1]).map(|v| rounded(v, size));
-    Camera::Perspective {
-        eye: along(target, distance, towards).map(|v| rounded(v, size)),
-        target,
-        up: turned(model.up, [0.0, 1.0, 0.0]),
-        viewer_distance: distance,
-        view_height: rounded(2.0 * tangent * distance, size),
-        near: None,
-        sample_at: [0.0; 2],
-        node: Node::default(),
-    }
+    let eye = along(target, distance, towards).map(|v| rounded(v, size));
+    let up = turned(model.up, [0.0, 1.0, 0.0]);
+    let height = rounded(2.0 * tangent * distance, size);
+    Camera::perspective([eye, target, up], distance, height)
 }
 
 /// A direction of a picture in which y points up, for a part with another axis up.
@@ -187,12 +180,6 @@ fn rounded(value: f64, size: f64) -> f64 {
 }
 
 fn lights(up: Up) -> Vec<Light> {
-    let light = |from, intensity| Light::Directional {
-        from: turned(up, from),
-        colour: [1.0; 3],
-        intensity,
-        shadows: false,
-        node: Node::default(),
-    };
+    let light = |from, intensity| Light::directional(turned(up, from), intensity);
     vec![light([-3.0, 5.0, 7.0], 0.75), light([6.0, 2.0, 1.0], 0.35)]
 }

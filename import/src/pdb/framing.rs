@@ -1,6 +1,6 @@
 //! A camera that sees a whole set of balls.
 
-use imogene_scene::{Body, Camera, ImageSize, Node, fitting_from};
+use imogene_scene::{Body, Camera, ImageSize, fitting_from};
 
 /// The viewer is this many radii of the bounding sphere away: the depth word is finest when the scene is not deeper
 /// than a third of the distance.
@@ -72,9 +72,7 @@ pub struct Framing {
 impl Framing {
     /// Where the viewer is.
     pub fn eye(&self) -> [f64; 3] {
-        match self.camera {
-            Camera::Perspective { eye, .. } | Camera::Orthographic { eye, .. } => eye,
-        }
+        self.camera.eye
     }
 }
 
@@ -96,17 +94,10 @@ pub fn frame(balls: &[Ball]) -> Framing {
     let shape = f64::from(IMAGE.width) / f64::from(IMAGE.height);
     let ([x, y], tangent) = fitting_from(&bodies, &[right, up, towards], distance, shape);
     let target: [f64; 3] = std::array::from_fn(|k| short(middle[k] + x * right[k] + y * up[k]));
+    let eye = std::array::from_fn(|k| short(target[k] + distance * towards[k]));
+    let height = five_digits_up(2.0 * tangent * distance);
     Framing {
-        camera: Camera::Perspective {
-            eye: std::array::from_fn(|k| short(target[k] + distance * towards[k])),
-            target,
-            up,
-            viewer_distance: distance,
-            view_height: five_digits_up(2.0 * tangent * distance),
-            near: None,
-            sample_at: [0.0; 2],
-            node: Node::default(),
-        },
+        camera: Camera::perspective([eye, target, up], distance, height),
         axes: [right, up, towards],
     }
 }
@@ -166,7 +157,8 @@ mod tests {
         #[test]
         fn the_balls_fill_the_picture(balls in balls()) {
             let Framing { camera, axes: [right, up, towards] } = frame(&balls);
-            let Camera::Perspective { eye, target, viewer_distance: d, view_height, .. } = camera else { panic!("perspective") };
+            let Camera { eye, target, view_height, lens, .. } = camera;
+            let imogene_scene::Lens::Perspective { viewer_distance: d, .. } = lens else { panic!("perspective") };
             let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             let from = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| p[k] - q[k]) };
             prop_assert!((dot(from(eye, target), towards) - d).abs() < 2e-4);

@@ -9,7 +9,7 @@ use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
 use crate::error::ImportError;
 use imogene_scene::{
-    Axis, Cut, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
+    Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step, Surface,
 };
 use std::collections::HashMap;
 
@@ -301,16 +301,15 @@ fn scene(
     materials: Vec<Material>,
     objects: Vec<Object>,
 ) -> SceneFile {
-    let light =
-        |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| Light::Directional {
-            from: std::array::from_fn(|k| {
-                right * axes[0][k] + up * axes[1][k] + towards * axes[2][k] + 0.0
-            }),
+    let light = |[right, up, towards]: [f64; 3], colour: [f64; 3], intensity: f64| {
+        let from = std::array::from_fn(|k| {
+            right * axes[0][k] + up * axes[1][k] + towards * axes[2][k] + 0.0
+        });
+        Light {
             colour,
-            intensity,
-            shadows: false,
-            node: Node::default(),
-        };
+            ..Light::directional(from, intensity)
+        }
+    };
     SceneFile {
         background: [0.06, 0.08, 0.13],
         ambient: [0.55, 0.55, 0.6],

@@ -5,7 +5,7 @@ use super::options::TerrainOptions;
 use crate::ImportError;
 use crate::error::unusable;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
-use imogene_scene::{Camera, ImageSize, Light, Material, Node, SceneFile};
+use imogene_scene::{Camera, ImageSize, Light, Material, SceneFile};
 use num_rational::BigRational;
 
 /// Colours of altitudes, lowest first, as on a map.
@@ -103,27 +103,14 @@ impl<'a> Map<'a> {
             exponent: 1,
         };
         let [width, height] = self.options.size;
-        let camera = Camera::Perspective {
-            eye: self.eye,
-            target: self.target,
-            up: [0.0, 1.0, 0.0],
-            viewer_distance: self.viewer_distance,
-            view_height: short(VIEW * self.viewer_distance),
-            near: None,
-            sample_at: [0.0; 2],
-            node: Node::default(),
-        };
+        let pose = [self.eye, self.target, [0.0, 1.0, 0.0]];
+        let window = short(VIEW * self.viewer_distance);
+        let camera = Camera::perspective(pose, self.viewer_distance, window);
         SceneFile {
             background: [0.62, 0.74, 0.88],
             ambient: [1.0; 3],
             image: ImageSize { width, height },
-            lights: vec![Light::Directional {
-                from: [-3.0, 3.0, 1.0],
-                colour: [1.0; 3],
-                intensity: 1.0,
-                shadows: false,
-                node: Node::default(),
-            }],
+            lights: vec![Light::directional([-3.0, 3.0, 1.0], 1.0)],
             materials: BANDS.iter().enumerate().map(material).collect(),
             ..SceneFile::new(&self.options.title, camera)
         }

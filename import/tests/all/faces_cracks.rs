@@ -10,7 +10,7 @@ use imogene_import::faces::{FaceOptions, read};
 use imogene_import::faces::{Part, Surface, compile};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{Camera, SceneFile};
+use imogene_scene::{Camera, Lens, SceneFile};
 
 const SIZE: [usize; 2] = [360, 270];
 
@@ -61,12 +61,14 @@ impl Drawn {
 
     /// The face that the ray through a pixel meets first, by the winding of its loops.
     fn truth(&self, x: usize, y: usize) -> Option<&str> {
-        let Camera::Perspective {
+        let Camera {
             eye,
             target,
             up,
-            viewer_distance,
             view_height,
+            lens: Lens::Perspective {
+                viewer_distance, ..
+            },
             ..
         } = self.scene.camera
         else {

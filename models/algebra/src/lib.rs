@@ -1,3 +1,6 @@
-//! Exact rationals and what is computed with them.
+//! Exact rationals, vectors and matrices, and what is computed with them.
 
+pub mod matrix;
 pub mod rational;
+pub mod vector;
+pub mod whole;

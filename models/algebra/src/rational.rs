@@ -1,7 +1,7 @@
 //! Helpers on exact rationals.
 //!
-//! A scene is written in decimal and prepared without rounding: every coefficient stays a ratio of big integers until it is
-//! rounded, once, to the word the hardware is loaded with. These helpers are the two ends of that path.
+//! A scene is written in decimal and prepared without rounding: every coefficient stays a ratio of big integers until
+//! it is rounded, once, to the word the hardware is loaded with. These helpers are the two ends of that path.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -22,7 +22,8 @@ pub fn fraction(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
 }
 
-/// The exact value of the shortest decimal that reads back as `value`: 0.1 gives 1/10, not the binary fraction beside it.
+/// The exact value of the shortest decimal that reads back as `value`: 0.1 gives 1/10, not the binary fraction beside
+/// it.
 ///
 /// Decimals of up to 15 significant digits survive the passage through `f64` unchanged.
 ///

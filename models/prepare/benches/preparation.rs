@@ -1,4 +1,5 @@
-//! Reading, framing and preparing a scene of many objects: a thousand balls and five hundred sticks, as an imported molecule has them.
+//! Reading, framing and preparing a scene of many objects: a thousand balls and five hundred sticks, as an imported
+//! molecule has them.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use imogene_golden::format::Format;
@@ -9,7 +10,8 @@ use imogene_scene::SceneFile;
 use std::fmt::Write;
 use std::hint::black_box;
 
-/// Balls on a lattice with steps that are no round numbers; every second has a stick. `eye` is along an axis, where the camera frame is exact in few digits, or not.
+/// Balls on a lattice with steps that are no round numbers; every second has a stick. `eye` is along an axis, where the
+/// camera frame is exact in few digits, or not.
 fn scene(eye: [f64; 3]) -> String {
     let mut text = format!(
         "format = 1\ntitle = \"lattice\"\n[camera]\nkind = \"perspective\"\neye = {eye:?}\ntarget = [0, 0, 0]\nviewer_distance = 150.5\nview_height = 48.37\n\

@@ -5,16 +5,17 @@
 //! depend on its object, on where the source stands, and on the room that everything seen takes together. Only where
 //! all of this is equal are words taken over, so that they are those of a preparation from scratch.
 
+use super::cell::Cell;
+use super::context::{Context, Options};
 use super::error::PrepareError;
+use super::known::{KeptObject, KeptShadow, Known};
 use super::located::Located;
-use super::screen_box::Cell;
+use super::prepared::{PreparedObject, PreparedScene};
+use super::run::{prepare_objects, prepared_scene};
 use super::seams::Place;
-use super::volume::{Bounds, PreparedVolume, Volumes, prepare_volumes};
-use super::{Context, Options, PreparedObject, PreparedScene, prepare_objects, prepared_scene};
+use super::volume::{Volumes, prepare_volumes};
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedScene};
-use num_rational::BigRational;
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -24,22 +25,6 @@ pub struct Kept {
     context: Option<Context>,
     receivers: Option<Cell>,
     objects: HashMap<String, KeptObject>,
-}
-
-struct KeptObject {
-    framed: FramedObject,
-    place: Option<Box<Place>>,
-    /// Without the notes on its shadow.
-    prepared: PreparedObject,
-    /// Where it is seen, if that was asked for.
-    seen: Option<Option<Bounds>>,
-    shadows: Vec<KeptShadow>,
-}
-
-struct KeptShadow {
-    source: usize,
-    point: [BigRational; 4],
-    volumes: Vec<PreparedVolume>,
 }
 
 /// How much of a scene was prepared, and how much taken over.
@@ -53,68 +38,6 @@ pub struct Reuse {
     pub volumes_prepared: usize,
     /// Shadow volumes whose words are those of the scene before.
     pub volumes_reused: usize,
-}
-
-/// What is known of a scene before it is prepared.
-pub(super) struct Known<'a> {
-    objects: Vec<Option<&'a KeptObject>>,
-    receivers: Option<Cell>,
-}
-
-impl Known<'_> {
-    /// Nothing.
-    pub fn nothing(scene: &FramedScene) -> Known<'static> {
-        Known {
-            objects: scene.objects.iter().map(|_| None).collect(),
-            receivers: None,
-        }
-    }
-
-    /// The screen box of a cut quadric.
-    pub fn window(&self, index: usize) -> Option<ScreenBox> {
-        let place = self.objects[index]?.place.as_ref();
-        place.map(|place| place.window)
-    }
-
-    /// Forgets the objects whose expressions now count in other boxes than before.
-    fn forget_moved(&mut self, places: &[Option<Box<Place>>]) {
-        for (known, place) in self.objects.iter_mut().zip(places) {
-            *known = known.filter(|kept| kept.place == *place);
-        }
-    }
-
-    /// The words of an object.
-    pub fn object(&self, index: usize) -> Option<&PreparedObject> {
-        self.objects[index].map(|kept| &kept.prepared)
-    }
-
-    /// Where an object is seen.
-    pub fn seen(&self, index: usize) -> Option<Option<Bounds>> {
-        self.objects[index]?.seen
-    }
-
-    /// The shadow of an object from a source, if what is seen takes the same room.
-    pub fn shadow(
-        &self,
-        source: usize,
-        object: usize,
-        point: &[BigRational; 4],
-        receivers: &Cell,
-    ) -> Option<Vec<PreparedVolume>> {
-        if self.receivers.as_ref() != Some(receivers) {
-            return None;
-        }
-        let mut shadows = self.objects[object]?.shadows.iter();
-        let same = shadows.find(|kept| kept.source == source && kept.point == *point)?;
-        let mut volumes = same.volumes.clone();
-        for volume in &mut volumes {
-            // Objects before it may have been hidden or shown.
-            if let Some((caster, _)) = &mut volume.caster {
-                *caster = object;
-            }
-        }
-        Some(volumes)
-    }
 }
 
 impl Kept {

@@ -1,12 +1,12 @@
 //! A surface with one depth of second degree as a non-planar facet: orthographic views.
 
-use super::Context;
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
-use super::ledger::{Ledger, most, outline_note};
-use super::object::unseen_note;
-use super::parts::PreparedParts;
+use super::ledger::Ledger;
 use super::perspective::ScreenQuadric;
+use super::prepared::PreparedParts;
+use super::projected::unseen_note;
 use super::screen_box::Region;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::object::curved_facet::CurvedFacetWords;
@@ -60,12 +60,5 @@ pub(super) fn prepare_curved_facet(
         depth,
         normal,
     };
-    Ok(PreparedParts {
-        depth_bound: None,
-        name: object.name.clone(),
-        words: vec![ProcessorWords::CurvedFacet(words)],
-        screen_box: window,
-        notes: outline_note(ledger.wrong_signs).into_iter().collect(),
-        needed: most(ledger.needed),
-    })
+    Ok(ledger.finish(ProcessorWords::CurvedFacet(words)))
 }

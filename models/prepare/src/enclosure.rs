@@ -8,8 +8,9 @@
 //! then off by little, and its constant is lowered by more than that. The pair of planes and the factor are chosen in
 //! floating point, where a bad choice only makes the box larger.
 
+use super::cell::Cell;
 use super::extent::Extent;
-use super::screen_box::Cell;
+use imogene_algebra::matrix::SYMMETRIC;
 use num_bigint::BigInt;
 use num_traits::FromPrimitive;
 use std::array::from_fn;
@@ -24,20 +25,6 @@ const POWERS: Range<i32> = -24..25;
 const ERROR: f64 = 1.0 / (1u64 << 49) as f64;
 /// Bits behind the point of the coefficients of planes; those of quadrics have twice as many.
 const BITS: i32 = 90;
-
-/// The coordinates whose products the ten coefficients of a quadric belong to; the fourth is 1.
-const TERMS: [[usize; 2]; 10] = [
-    [0, 0],
-    [1, 1],
-    [2, 2],
-    [0, 1],
-    [0, 2],
-    [1, 2],
-    [0, 3],
-    [1, 3],
-    [2, 3],
-    [3, 3],
-];
 
 /// A cell around the part within [`REACH`] of the inside of a quadric that all planes keep, if it is closed or two of
 /// the planes close it. The greatest coefficient of each is about 1.
@@ -69,7 +56,7 @@ fn closed_about(quadric: &[f64; 10], pair: Option<[&[f64; 4]; 2]>, power: i32) -
 fn closed(quadric: &[f64; 10], pair: Option<[&[f64; 4]; 2]>, power: i32) -> Option<[BigInt; 10]> {
     let reach = |k: usize| REACH.get(k).copied().unwrap_or(1.0);
     let plane_size = |plane: &[f64; 4]| -> f64 { (0..4).map(|k| plane[k].abs() * reach(k)).sum() };
-    let terms = quadric.iter().zip(TERMS);
+    let terms = quadric.iter().zip(SYMMETRIC);
     let own: f64 = terms
         .map(|(v, [i, j])| 2.0 * v.abs() * reach(i) * reach(j))
         .sum();
@@ -99,7 +86,7 @@ where
     for<'a> &'a T: Mul<&'a T, Output = T>,
     T: Add<Output = T>,
 {
-    TERMS.map(|[i, j]| &p[i] * &s[j] + &p[j] * &s[i])
+    SYMMETRIC.map(|[i, j]| &p[i] * &s[j] + &p[j] * &s[i])
 }
 
 /// The sum of the squares of the sides of an ellipsoid's box, but for a constant; nothing for any other quadric, as far

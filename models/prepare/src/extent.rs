@@ -3,9 +3,10 @@
 //! A plane touches a quadric of matrix Q iff its coefficients p satisfy `p' adj(Q) p = 0`. For the planes `x = v` that
 //! is an equation of second degree in v, whose roots are the least and the greatest x of the quadric.
 
-use super::screen_box::Cell;
+use super::cell::{Cell, tidy};
+use imogene_algebra::matrix::{Matrix4, cofactor, symmetric};
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_scene::{Quadric, cofactor};
+use imogene_scene::Quadric;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -21,8 +22,6 @@ pub struct Extent {
 /// An integer beyond this, halved and added to another, may be rounded in `f64`.
 const FARTHEST: f64 = (1u64 << 50) as f64;
 
-type Matrix = [[BigInt; 4]; 4];
-
 impl Extent {
     /// The extent of the inside of a quadric; nothing unless that is an ellipsoid.
     pub fn of(quadric: &Quadric) -> Option<Extent> {
@@ -31,14 +30,8 @@ impl Extent {
     }
 
     /// The same of whole coefficients a to j.
-    pub fn of_whole([a, b, c, d, e, f, g, h, i, j]: [BigInt; 10]) -> Option<Extent> {
-        let matrix = [
-            [&a, &d, &e, &g],
-            [&d, &b, &f, &h],
-            [&e, &f, &c, &i],
-            [&g, &h, &i, &j],
-        ]
-        .map(|row| row.map(BigInt::clone));
+    pub fn of_whole(coefficients: [BigInt; 10]) -> Option<Extent> {
+        let matrix = symmetric(coefficients.each_ref());
         let last = is_positive_definite(&matrix).then(|| cofactor(&matrix, 3, 3))?;
         let middle: [BigInt; 3] = std::array::from_fn(|k| cofactor(&matrix, k, 3));
         let radicand: [BigInt; 3] =
@@ -92,11 +85,7 @@ impl Extent {
             return Some(ScreenBox::EMPTY);
         };
         let found = ScreenBox { x0, x1, y0, y1 };
-        Some(if found.is_empty() {
-            ScreenBox::EMPTY
-        } else {
-            found
-        })
+        Some(tidy(found))
     }
 
     /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; nothing if the extent passes a
@@ -130,7 +119,7 @@ enum Side {
 }
 
 /// Sylvester's criterion on the second-degree part.
-fn is_positive_definite(m: &Matrix) -> bool {
+fn is_positive_definite(m: &Matrix4<BigInt>) -> bool {
     let two = &m[0][0] * &m[1][1] - &m[0][1] * &m[1][0];
     m[0][0].is_positive() && two.is_positive() && cofactor(m, 3, 3) > BigInt::zero()
 }

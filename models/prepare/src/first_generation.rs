@@ -1,12 +1,14 @@
-//! Words of the first generation: those of the quadric, and for each plane the conic and the line whose signs decide (source: 2.4.1).
+//! Words of the first generation: those of the quadric, and for each plane the conic and the line whose signs decide
+//! (source: 2.4.1).
 
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
-use super::object::{Projected, prepare_quadric};
-use super::parts::{NeededWord, PreparedParts};
+use super::object::prepare_quadric;
+use super::prepared::{NeededWord, PreparedParts, PreparedQuadric};
+use super::projected::Projected;
 use super::seams::Place;
-use super::{Context, PreparedQuadric};
 use imogene_algebra::rational::integer;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords};
 use imogene_golden::object::slot::ProcessorWords;

@@ -1,13 +1,13 @@
 //! Exact expressions in the screen coordinates, before any rounding.
 
 use imogene_algebra::rational::integer;
+use imogene_algebra::whole::common_denominator;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 /// `a x + b y + c` in exact rationals.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,11 +45,7 @@ impl LinearForm {
 
     /// The expression that is zero everywhere.
     pub fn zero() -> LinearForm {
-        LinearForm::new(
-            BigRational::zero(),
-            BigRational::zero(),
-            BigRational::zero(),
-        )
+        LinearForm::of_array(std::array::from_fn(|_| BigRational::zero()))
     }
 
     /// True if the expression is zero at every point.
@@ -65,28 +61,29 @@ impl LinearForm {
     /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
     pub fn about(&self, dx: &BigRational, dy: &BigRational) -> LinearForm {
         let ([a, b, c], d) = self.whole();
-        let ([x, y], e) = common([dx, dy]);
+        let ([x, y], e) = common_denominator([dx, dy]);
         let moved = [&a * &e, &b * &e, a * x + b * y + c * &e];
-        LinearForm::of(unreduced(moved, &(d * e)))
+        LinearForm::of_array(unreduced(moved, &(d * e)))
     }
 
     /// All coefficients times `k`.
     pub fn scaled(&self, k: &BigRational) -> LinearForm {
         let (n, d) = self.whole();
-        LinearForm::of(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
+        LinearForm::of_array(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
     }
 
     fn whole(&self) -> ([BigInt; 3], BigInt) {
-        common([&self.a, &self.b, &self.c])
+        common_denominator([&self.a, &self.b, &self.c])
     }
 
-    fn of([a, b, c]: [BigRational; 3]) -> LinearForm {
+    /// The expression with these factors.
+    pub fn of_array([a, b, c]: [BigRational; 3]) -> LinearForm {
         LinearForm { a, b, c }
     }
 
     /// The expression that coefficient words stand for.
     pub fn of_words(words: &Linear) -> LinearForm {
-        LinearForm::new(whole(words.a), whole(words.b), whole(words.c))
+        LinearForm::of_array([words.a, words.b, words.c].map(whole))
     }
 
     /// The difference of two expressions.
@@ -96,13 +93,7 @@ impl LinearForm {
 
     /// The sum of two expressions.
     pub fn plus(&self, other: &LinearForm) -> LinearForm {
-        let ((n, d), (m, e)) = (self.whole(), other.whole());
-        let mut pairs = n.into_iter().zip(m);
-        let sum = std::array::from_fn(|_| {
-            let (n, m) = pairs.next().expect("three coefficients");
-            n * &e + m * &d
-        });
-        LinearForm::of(unreduced(sum, &(d * e)))
+        LinearForm::of_array(added(self.whole(), other.whole()))
     }
 
     /// Largest magnitude over a box of pixels: a first-degree expression has it in a corner.
@@ -120,15 +111,7 @@ impl LinearForm {
 impl QuadraticForm {
     /// The expression that is zero everywhere.
     pub fn zero() -> QuadraticForm {
-        let zero = BigRational::zero;
-        QuadraticForm {
-            a: zero(),
-            b: zero(),
-            c: zero(),
-            d: zero(),
-            e: zero(),
-            f: zero(),
-        }
+        QuadraticForm::of_array(std::array::from_fn(|_| BigRational::zero()))
     }
 
     /// The factors, in the order of [`Quadratic`].
@@ -144,7 +127,7 @@ impl QuadraticForm {
     /// The same expression in coordinates whose origin is the point (dx, dy) of the present ones.
     pub fn about(&self, dx: &BigRational, dy: &BigRational) -> QuadraticForm {
         let ([a, b, c, d, e, f], denominator) = self.whole();
-        let ([x, y], unit) = common([dx, dy]);
+        let ([x, y], unit) = common_denominator([dx, dy]);
         let square = &unit * &unit;
         let along = &a * &x + &c * &y;
         let down = &b * &y + &c * &x;
@@ -157,24 +140,21 @@ impl QuadraticForm {
             (&b * &y + down + &e * &unit) * &unit,
             constant,
         ];
-        QuadraticForm::of(unreduced(moved, &(denominator * square)))
+        QuadraticForm::of_array(unreduced(moved, &(denominator * square)))
     }
 
     /// All coefficients times `k`.
     pub fn scaled(&self, k: &BigRational) -> QuadraticForm {
         let (n, d) = self.whole();
-        QuadraticForm::of(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
+        QuadraticForm::of_array(unreduced(n.map(|v| v * k.numer()), &(d * k.denom())))
     }
 
     fn whole(&self) -> ([BigInt; 6], BigInt) {
-        common([&self.a, &self.b, &self.c, &self.d, &self.e, &self.f])
+        common_denominator(self.factors())
     }
 
-    pub(super) fn of([a, b, c, d, e, f]: [BigRational; 6]) -> QuadraticForm {
-        QuadraticForm { a, b, c, d, e, f }
-    }
-
-    /// The same expression in coordinates (u, v) with `x = u column(u) + v column(v) + origin`, where each column and the origin are pairs (x, y).
+    /// The same expression in coordinates (u, v) with `x = u column(u) + v column(v) + origin`, where each column and
+    /// the origin are pairs (x, y).
     pub fn in_frame(
         &self,
         columns: [[&BigRational; 2]; 2],
@@ -231,25 +211,14 @@ impl QuadraticForm {
 
     /// The expression that coefficient words stand for.
     pub fn of_words(words: &Quadratic) -> QuadraticForm {
-        QuadraticForm {
-            a: whole(words.a),
-            b: whole(words.b),
-            c: whole(words.c),
-            d: whole(words.d),
-            e: whole(words.e),
-            f: whole(words.f),
-        }
+        let Quadratic { a, b, c, d, e, f } = *words;
+        QuadraticForm::of_array([a, b, c, d, e, f].map(whole))
     }
 
     /// The difference of two expressions.
     pub fn minus(&self, other: &QuadraticForm) -> QuadraticForm {
-        let ((n, d), (m, e)) = (self.whole(), other.whole());
-        let mut pairs = n.into_iter().zip(m);
-        let difference = std::array::from_fn(|_| {
-            let (n, m) = pairs.next().expect("six coefficients");
-            n * &e - m * &d
-        });
-        QuadraticForm::of(unreduced(difference, &(&d * &e)))
+        let (other, unit) = other.whole();
+        QuadraticForm::of_array(added(self.whole(), (other.map(|v| -v), unit)))
     }
 
     /// Largest magnitude over the rectangle of a box of pixels.
@@ -288,18 +257,16 @@ impl QuadraticForm {
         let over = |value: &BigRational| {
             BigRational::new_raw(value.numer().clone(), value.denom() * &denominator)
         };
-        let least = over(values.iter().min().expect("corners are inside"));
-        let greatest = over(values.iter().max().expect("corners are inside"));
-        (least, greatest)
+        let (least, greatest) = ends(&values);
+        (over(least), over(greatest))
     }
 
-    /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`: they lie in a corner, on an edge where the derivative
-    /// along the edge is zero, or where both derivatives are zero.
+    /// Least and greatest value over the rectangle `x0 .. x1`, `y0 .. y1`: they lie in a corner, on an edge where the
+    /// derivative along the edge is zero, or where both derivatives are zero.
     pub fn range_between(&self, rectangle: &[BigRational; 4]) -> (BigRational, BigRational) {
         let [x0, x1, y0, y1] = rectangle.clone();
-        let mut points: Vec<_> = [(&x0, &y0), (&x1, &y0), (&x0, &y1), (&x1, &y1)]
-            .map(|(x, y)| (x.clone(), y.clone()))
-            .to_vec();
+        let corners = [(&x0, &y0), (&x1, &y0), (&x0, &y1), (&x1, &y1)];
+        let mut points = corners.map(|(x, y)| (x.clone(), y.clone())).to_vec();
         let two = integer(2);
         if !self.a.is_zero() {
             for y in [&y0, &y1] {
@@ -326,10 +293,14 @@ impl QuadraticForm {
             .filter(inside)
             .map(|(x, y)| self.at(x, y))
             .collect();
-        let least = values.iter().min().expect("corners are inside").clone();
-        let greatest = values.iter().max().expect("corners are inside").clone();
-        (least, greatest)
+        let (least, greatest) = ends(&values);
+        (least.clone(), greatest.clone())
     }
+}
+
+fn ends(values: &[BigRational]) -> (&BigRational, &BigRational) {
+    let ends = (values.iter().min(), values.iter().max());
+    (ends.0.expect("a corner"), ends.1.expect("a corner"))
 }
 
 /// Value of `a t^2 + b t + c` where it has no slope, if that is within the bounds.
@@ -358,18 +329,13 @@ fn quotient(n: BigInt, d: BigInt) -> BigRational {
     }
 }
 
-/// Numerators over one common denominator. Forms keep their coefficients so, unreduced: a greatest common divisor of numbers of a thousand bits
-/// takes longer than everything else that is done with them.
-pub(super) fn common<const N: usize>(values: [&BigRational; N]) -> ([BigInt; N], BigInt) {
-    let first = values[0].denom();
-    if values.iter().all(|v| v.denom() == first) {
-        return (values.map(|v| v.numer().clone()), first.clone());
-    }
-    let denominator = values
-        .iter()
-        .fold(BigInt::one(), |lcm, v| lcm.lcm(v.denom()));
-    let whole = values.map(|v| v.numer() * (&denominator / v.denom()));
-    (whole, denominator)
+/// The sum of expressions, each in whole numbers over a denominator.
+fn added<const N: usize>(
+    (n, d): ([BigInt; N], BigInt),
+    (m, e): ([BigInt; N], BigInt),
+) -> [BigRational; N] {
+    let sum = std::array::from_fn(|k| &n[k] * &e + &m[k] * &d);
+    unreduced(sum, &(d * e))
 }
 
 /// The product of two fractions, not reduced.

@@ -1,20 +1,22 @@
 //! Rounding of one processor's words with the proof of each width, for processors that have no bounds of their own.
 
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::object::too_large;
-use super::parts::NeededWord;
 use super::planes::signed_bits;
+use super::prepared::{NeededWord, PreparedParts};
 use super::rounding::{Anchor, quadratic_error, round_quadratic};
-use super::{Context, integer_scale};
 use imogene_algebra::rational::{fraction, integer, power_of_two};
+use imogene_algebra::whole::primitive_scale;
 use imogene_golden::format::word_max;
 use imogene_golden::object::quadric::ScreenBox;
+use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 /// Scales tried for an expression of which only the sign counts, when its exact integers do not fit.
 const SCALES: i64 = 12;
@@ -22,7 +24,8 @@ const SCALES: i64 = 12;
 /// Least and greatest value of an expression where its value counts.
 pub(super) type Range<'a> = &'a dyn Fn(&QuadraticForm) -> (BigRational, BigRational);
 
-/// The words of one object so far; they are handed out as the registers of the processor hold them, whose sums are modulo its width.
+/// The words of one object so far; they are handed out as the registers of the processor hold them, whose sums are
+/// modulo its width.
 pub(super) struct Ledger<'a> {
     object: &'a str,
     window: ScreenBox,
@@ -60,7 +63,8 @@ impl<'a> Ledger<'a> {
         move |form| form.range_on(&window)
     }
 
-    /// An expression whose value counts, in units of `2^-guard`, half a unit of the result added so that dropping the guard bits rounds to nearest.
+    /// An expression whose value counts, in units of `2^-guard`, half a unit of the result added so that dropping the
+    /// guard bits rounds to nearest.
     pub fn value(
         &mut self,
         word: &str,
@@ -96,7 +100,8 @@ impl<'a> Ledger<'a> {
         Ok(linear(&self.value(word, &form, guard, width, range)?))
     }
 
-    /// An expression whose sign alone counts, on the whole box: its exact integers if they fit, else the best of a few scales.
+    /// An expression whose sign alone counts, on the whole box: its exact integers if they fit, else the best of a few
+    /// scales.
     pub fn sign(
         &mut self,
         word: &str,
@@ -104,7 +109,7 @@ impl<'a> Ledger<'a> {
         width: u32,
     ) -> Result<Quadratic, PrepareError> {
         let limit = BigRational::from_integer(BigInt::from(word_max(width)));
-        let whole = exact.scaled(&integer_scale(exact.factors()));
+        let whole = exact.scaled(&primitive_scale(exact.factors()));
         let greatest = whole.max_abs_on(&self.window);
         if greatest <= limit
             && let Ok(words) = round_quadratic(&whole, self.anchor)
@@ -154,6 +159,23 @@ impl<'a> Ledger<'a> {
         Ok(linear(&self.sign(word, &form, width)?))
     }
 
+    /// The object with the words of its processor.
+    pub fn finish(self, words: ProcessorWords) -> PreparedParts {
+        // What a person should know of an outline that its word does not hold exactly.
+        let wrong = self.wrong_signs;
+        let note = format!(
+            "its outline does not fit the word exactly and is another one at {wrong} pixels"
+        );
+        PreparedParts {
+            depth_bound: None,
+            name: self.object.to_owned(),
+            words: vec![words],
+            screen_box: self.window,
+            notes: (wrong > 0).then_some(note).into_iter().collect(),
+            needed: most(self.needed),
+        }
+    }
+
     /// Records what a value needs, or refuses the object.
     pub fn prove(
         &mut self,
@@ -173,7 +195,8 @@ impl<'a> Ledger<'a> {
         Ok(())
     }
 
-    /// Pixels of the box at which the words, off by at most `off`, have another sign than the exact expression. Zero counts as positive.
+    /// Pixels of the box at which the words, off by at most `off`, have another sign than the exact expression. Zero
+    /// counts as positive.
     fn wrong(&self, words: &Quadratic, exact: &QuadraticForm, off: &BigRational) -> u64 {
         let near = off.ceil().to_integer().to_i128().unwrap_or(i128::MAX);
         let window = &self.window;
@@ -202,13 +225,4 @@ pub(super) fn most(all: impl IntoIterator<Item = NeededWord>) -> Vec<NeededWord>
         }
     }
     list
-}
-
-/// What a person should know of an outline that its word does not hold exactly.
-pub(super) fn outline_note(wrong_signs: u64) -> Option<String> {
-    (!wrong_signs.is_zero()).then(|| {
-        format!(
-            "its outline does not fit the word exactly and is another one at {wrong_signs} pixels"
-        )
-    })
 }

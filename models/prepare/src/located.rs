@@ -1,12 +1,13 @@
 //! A scene's objects: first where each is on the screen, since objects that share a plane or a quadric have to know of
 //! each other, then the words of each.
 
-use super::again::Known;
+use super::context::Context;
 use super::error::PrepareError;
-use super::object::{self, Projected};
-use super::parts::{PreparedObject, PreparedParts};
-use super::seams::{self, Place};
-use super::{Context, PreparedQuadric};
+use super::known::Known;
+use super::object;
+use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
+use super::projected::Projected;
+use super::seams::{self, Place, cut};
 use super::{curved_facet, first_generation, mesh, polyhedron, quotient, round};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
@@ -77,17 +78,9 @@ fn parts(parts: PreparedParts) -> PreparedObject {
     PreparedObject::Parts(Box::new(parts))
 }
 
-/// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
-pub(super) fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
-    match object {
-        FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => Some(q),
-        _ => None,
-    }
-}
-
 /// An object that is none of those.
 fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedParts, PrepareError> {
-    refuse_fitted(object.name(), context)?;
+    context.refuse_fitted(object.name())?;
     match object {
         FramedObject::Quadric(_)
         | FramedObject::Patch(_)
@@ -102,16 +95,6 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
         FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context),
         FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
     }
-}
-
-/// Fitted machines have quadric and patch processors alone.
-pub(super) fn refuse_fitted(object: &str, context: &Context) -> Result<(), PrepareError> {
-    if context.format.follows_depth_word() {
-        return Ok(());
-    }
-    Err(PrepareError::NotFitted {
-        object: object.to_owned(),
-    })
 }
 
 /// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.

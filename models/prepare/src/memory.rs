@@ -4,7 +4,7 @@
 //! measured of objects whose places have three digits after the point, seen by a camera that looks along no axis
 //! (`models/prepare/tests/memory.rs` holds them against what is taken).
 
-use imogene_scene::{Light, Object, SceneFile, Shape};
+use imogene_scene::{Object, SceneFile, Shape};
 
 /// Bytes of an object that is framed and prepared.
 const OBJECT: u64 = 8_600;
@@ -29,12 +29,7 @@ pub(super) fn of_objects<'a>(
     scene: &SceneFile,
     objects: impl Iterator<Item = (&'a Object, bool)>,
 ) -> u64 {
-    let shadows = |light: &&Light| match light {
-        Light::Directional { shadows, .. }
-        | Light::Point { shadows, .. }
-        | Light::Spot { shadows, .. } => *shadows,
-    };
-    let sources = scene.lights.iter().filter(shadows).count() as u64;
+    let sources = scene.lights.iter().filter(|light| light.shadows).count() as u64;
     let of_one = |(object, is_unseen): (&Object, bool)| {
         if is_unseen {
             return UNSEEN;

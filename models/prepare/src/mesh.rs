@@ -1,10 +1,10 @@
 //! Meshes: each corner rounded once to a sixteenth of a pixel, one facet processor for each face.
 
-use super::Context;
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::LinearForm;
 use super::ledger::{Ledger, most};
-use super::parts::{NeededWord, PreparedParts};
+use super::prepared::{NeededWord, PreparedParts};
 use imogene_algebra::rational::{fraction, integer, power_of_two, round_half_up};
 use imogene_golden::object::facet::{Corner, FacetError, FacetWords, SUBPIXEL};
 use imogene_golden::object::paraboloid::plane_guard;

@@ -1,49 +1,28 @@
 //! One object: classification, expressions, scales, rounding and proofs, in the order of the source's preparation
 //! module (Fig B.4).
 
-use super::error::PrepareError;
-use super::extent::Extent;
+use super::context::Context;
+use super::error::{Excess, PrepareError};
 use super::forms::{LinearForm, QuadraticForm, inverse, sum, times};
-use super::perspective::{ScreenQuadric, on_screen};
-use super::planes::{prepare_plane, signed_bits};
-use super::range;
+use super::perspective::ScreenQuadric;
+use super::planes::signed_bits;
+use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
+use super::projected::{Projected, unseen_note};
+use super::range::remedy;
 use super::rounding::{
     Anchor, Unrepresentable, linear_error, quadratic_error, round_contour, round_linear,
     round_quadratic,
 };
-use super::screen_box::{Cell, Existence, Region};
 use super::seams::Place;
-use super::{Context, ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
 use imogene_algebra::rational::{integer, power_of_two, to_f64, to_f64_up};
 use imogene_golden::format::{Format, word_max};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::interval::Class;
 use imogene_golden::unit::normal::NormalWords;
-use imogene_scene::{FramedQuadric, Plane, Surface};
+use imogene_scene::{FramedQuadric, Surface};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-
-/// A cut quadric after perspective, and its box on the screen.
-pub(super) struct Projected {
-    pub quadric: ScreenQuadric,
-    pub planes: Vec<Plane>,
-    pub region: Region,
-    pub window: ScreenBox,
-}
-
-impl Projected {
-    pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
-        let (quadric, planes) = on_screen(object, &context.inverse_distance);
-        let region = Region::new(&quadric.q, &planes, object.surface);
-        Projected {
-            window: window_of(&quadric, &region, &planes, context),
-            quadric,
-            planes,
-            region,
-        }
-    }
-}
 
 pub(super) fn prepare_quadric(
     object: &FramedQuadric,
@@ -53,9 +32,9 @@ pub(super) fn prepare_quadric(
 ) -> Result<PreparedQuadric, PrepareError> {
     let Projected {
         quadric,
-        planes,
         region,
         window,
+        ..
     } = projected;
     let class = classify(object, quadric, context)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
@@ -65,23 +44,16 @@ pub(super) fn prepare_quadric(
     let at = (window, &place.quadric);
     let words = depth_words(&object.name, quadric, class, at, context);
     let (mut prepared, root_max) = words.map_err(|mut refusal| {
-        if let PrepareError::TooLarge { remedy, .. } = &mut refusal {
-            *remedy = range::remedy(quadric, region, context);
+        if let PrepareError::TooLarge { excess, .. } = &mut refusal {
+            excess.remedy = remedy(quadric, region, context);
         }
         refusal
     })?;
     if class != Class::Prism {
         normal_words(&mut prepared, quadric, &root_max, context);
     }
-    for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
-        let plane = prepare_plane(
-            &object.name,
-            index,
-            original,
-            projected,
-            (region, window, &place.planes[index]),
-            context,
-        )?;
+    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+        let plane = plane?;
         // A half-plane of the screen has a scale of its own, but in a short word its rounding can still carry it out.
         if plane.needed > context.format.plane {
             let magnitude = power_of_two(plane.needed - 1) - integer(1);
@@ -96,30 +68,6 @@ pub(super) fn prepare_quadric(
         prepared.needed.plane = prepared.needed.plane.max(plane.needed);
     }
     Ok(prepared)
-}
-
-/// The screen box: of an uncut closed quadric from its tangent planes, else by search.
-fn window_of(
-    quadric: &ScreenQuadric,
-    region: &Region,
-    planes: &[Plane],
-    context: &Context,
-) -> ScreenBox {
-    let depth = to_f64(&context.full_depth);
-    let searched = || region.screen_box(context.width, context.height, depth);
-    tangent_box(quadric, planes, context).unwrap_or_else(searched)
-}
-
-/// The box of an uncut closed quadric within the screen and the depths; nothing for any other.
-pub(super) fn tangent_box(
-    quadric: &ScreenQuadric,
-    planes: &[Plane],
-    context: &Context,
-) -> Option<ScreenBox> {
-    let depth = to_f64(&context.full_depth);
-    let is_whole = planes.is_empty() && !quadric.eye_value().is_zero();
-    let extent = is_whole.then(|| Extent::of(&quadric.q)).flatten()?;
-    extent.screen_box(context.width, context.height, depth)
 }
 
 fn classify(
@@ -160,36 +108,11 @@ pub(super) fn absent(name: &str, class: Class, note: &str) -> PreparedQuadric {
     PreparedQuadric {
         name: name.to_owned(),
         words: empty_words(class, ScreenBox::EMPTY),
-        exact: ExactForms {
-            f1: LinearForm::zero(),
-            f2: QuadraticForm::zero(),
-            planes: vec![],
-        },
+        exact: ExactForms::zero(),
         anchor: Anchor::ORIGIN,
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec![note.to_string()],
-    }
-}
-
-/// The note on an object that can only be seen from a camera that looks the other way.
-pub const BEHIND_VIEWER: &str =
-    "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw";
-
-/// Why nothing of an object is on the screen.
-pub(super) fn unseen_note(
-    object: &FramedQuadric,
-    edge_on: bool,
-    context: &Context,
-) -> &'static str {
-    if edge_on {
-        "a patch seen exactly edge-on: nothing to draw"
-    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
-        "outside the screen or its depth range: nothing to draw"
-    } else if is_empty_between(object, -64.0, -1.0, context) {
-        "its planes leave nothing of it: nothing to draw"
-    } else {
-        BEHIND_VIEWER
     }
 }
 
@@ -202,19 +125,6 @@ fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
         normal: NormalWords::default(),
         planes: vec![],
     }
-}
-
-/// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out
-/// to many viewer distances sideways, proves that nothing of the object is there.
-fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Context) -> bool {
-    let distance = to_f64(&context.full_depth);
-    let side = 64.0 * distance;
-    let cell = Cell::between(
-        [-side, -side, near * distance],
-        [side, side, far * distance],
-    );
-    let region = Region::new(&object.quadric, &object.planes, object.surface);
-    region.existence(cell, [1e-3 * distance; 3]) == Existence::Empty
 }
 
 /// The words of the quadric itself, without planes and normals, and its greatest root; proven on a box, rounded and
@@ -233,11 +143,7 @@ pub(super) fn depth_words(
     let mut prepared = PreparedQuadric {
         name: name.to_string(),
         words: empty_words(class, *window),
-        exact: ExactForms {
-            f1: LinearForm::zero(),
-            f2: QuadraticForm::zero(),
-            planes: vec![],
-        },
+        exact: ExactForms::zero(),
         anchor: context.anchor_of(shared),
         bounds: RoundingBounds::of_format(&context.format),
         needed: NeededWidths::default(),
@@ -415,15 +321,14 @@ pub(super) fn too_large(
 ) -> PrepareError {
     PrepareError::TooLarge {
         object: object.to_string(),
-        word: word.to_string(),
-        log2: log2(magnitude),
-        needed: signed_bits(magnitude),
-        available,
-        x0: window.x0,
-        x1: window.x1,
-        y0: window.y0,
-        y1: window.y1,
-        remedy: Box::default(),
+        excess: Excess {
+            word: word.to_string(),
+            log2: log2(magnitude),
+            needed: signed_bits(magnitude),
+            available,
+            window: *window,
+            remedy: Box::default(),
+        },
     }
 }
 

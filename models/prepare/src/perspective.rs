@@ -1,8 +1,9 @@
 //! From a quadric or a plane in the camera frame to its expressions on the screen (source: 2.1.1, 2.3.1; factors of
 //! Exp. 7 and root order corrected).
 
-use super::forms::{LinearForm, QuadraticForm, common, sum, times, unreduced};
+use super::forms::{LinearForm, QuadraticForm, sum, times, unreduced};
 use imogene_algebra::rational::integer;
+use imogene_algebra::whole::common_denominator;
 use imogene_scene::{FramedQuadric, Plane, Projection, Quadric};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -59,7 +60,7 @@ impl ScreenQuadric {
     /// Transforms a quadric of the camera frame.
     pub fn new(quadric: &Quadric, inverse_distance: &BigRational) -> ScreenQuadric {
         // e - g k, f - h k, i - j k and c - 2 i k + j k^2 for k = n / m, all over one denominator.
-        let ([a, b, c, d, e, f, g, h, i, j], unit) = common(quadric.coefficients());
+        let ([a, b, c, d, e, f, g, h, i, j], unit) = common_denominator(quadric.coefficients());
         let (n, m) = (inverse_distance.numer(), inverse_distance.denom());
         let square = m * m;
         let less = |value: &BigInt, part: &BigInt| (value * m - part * n) * m;
@@ -117,7 +118,7 @@ impl ScreenQuadric {
     /// f2: the depths are f1 -+ sqrt(f2). The factor of z^2 must not be zero.
     pub fn f2(&self) -> QuadraticForm {
         // The common denominator of the coefficients cancels against that of the square below.
-        let ([a, b, c, d, e, f, g, h, i, j], _) = common(self.q.coefficients());
+        let ([a, b, c, d, e, f, g, h, i, j], _) = common_denominator(self.q.coefficients());
         let square = &c * &c;
         let factors: [BigInt; 6] = [
             &e * &e - &a * &c,
@@ -127,14 +128,14 @@ impl ScreenQuadric {
             (&f * &i - &h * &c) * 2,
             &i * &i - &j * &c,
         ];
-        QuadraticForm::of(unreduced(factors, &square))
+        QuadraticForm::of_array(unreduced(factors, &square))
     }
 
     /// Half the outward normal *before* perspective, as `linear(x, y) + factor * z_p`, each component times the
     /// positive (D - z_p)/D.
     pub fn normal(&self) -> [(LinearForm, BigRational); 3] {
         let q = &self.q;
-        let ([_, _, c, _, e, f, g, h, i, j], unit) = common(q.coefficients());
+        let ([_, _, c, _, e, f, g, h, i, j], unit) = common_denominator(q.coefficients());
         let (n, m) = (self.inverse_distance.numer(), self.inverse_distance.denom());
         let unit = unit * m;
         let moved = |value: &BigInt, part: &BigInt| {

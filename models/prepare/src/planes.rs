@@ -1,11 +1,12 @@
-//! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4 replaced by a proof).
+//! Cut planes: depth or half-plane form, and the proof that it fits (source: 2.4.2, 2.4.4; the threshold of B.4
+//! replaced by a proof).
 
-use super::error::PrepareError;
+use super::context::Context;
+use super::error::{PrepareError, Steep};
 use super::forms::{LinearForm, inverse, times};
 use super::rounding::{linear_error, round_half_plane, round_linear};
-use super::screen_box::Region;
-use super::{Context, integer_scale};
 use imogene_algebra::rational::{floor, from_f64_exact, integer, round_half_up, to_f64, to_f64_up};
+use imogene_algebra::whole::{greatest, primitive_scale};
 use imogene_golden::format::word_max;
 use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -33,43 +34,30 @@ impl PreparedPlane {
     }
 }
 
-/// Prepares plane number `index` of an object: proven on its box, rounded and scaled for the box `shared` around all objects that have the plane; `projected` is after
-/// perspective, `original` before.
-pub(super) fn prepare_plane(
-    object: &str,
-    index: usize,
-    original: &Plane,
-    projected: &Plane,
-    (region, window, shared): (&Region, &ScreenBox, &ScreenBox),
-    context: &Context,
-) -> Result<PreparedPlane, PrepareError> {
-    let depths = || {
-        let full = to_f64(&context.full_depth);
-        region
-            .depth_range(context.width, context.height, full)
-            .unwrap_or((-full, full))
-    };
-    prepare_plane_between(
-        object,
-        index,
-        original,
-        projected,
-        depths,
-        (window, shared),
-        context,
-    )
+/// A plane of an object: before perspective and after it, where it is proven, and the box around all objects that have
+/// the plane, for which it is rounded and scaled.
+pub(super) struct PlaneOf<'a> {
+    pub object: &'a str,
+    pub index: usize,
+    pub original: &'a Plane,
+    pub projected: &'a Plane,
+    pub window: &'a ScreenBox,
+    pub shared: &'a ScreenBox,
 }
 
-/// The same where the plane has to decide between two depths (pixels), which are asked for only if the plane is steep.
-pub(super) fn prepare_plane_between(
-    object: &str,
-    index: usize,
-    original: &Plane,
-    projected: &Plane,
+/// Prepares a plane that has to decide between two depths (pixels), which are asked for only if the plane is steep.
+pub(super) fn prepare_plane(
+    plane: &PlaneOf,
     depths: impl FnOnce() -> (f64, f64),
-    (window, shared): (&ScreenBox, &ScreenBox),
     context: &Context,
 ) -> Result<PreparedPlane, PrepareError> {
+    let PlaneOf {
+        original,
+        projected,
+        window,
+        shared,
+        ..
+    } = *plane;
     let normal = constant_normal(original, context.format.greatest_normal());
     // The half-plane value; kept where it is not negative.
     let value = context.to_pixels_linear(&LinearForm::new(
@@ -103,12 +91,14 @@ pub(super) fn prepare_plane_between(
         });
     }
     let refusal = |(x, y)| PrepareError::SteepPlane {
-        object: object.to_string(),
-        plane: index,
-        needed,
-        available: context.format.plane,
-        x,
-        y,
+        object: plane.object.to_string(),
+        plane: plane.index,
+        steep: Steep {
+            needed,
+            available: context.format.plane,
+            x,
+            y,
+        },
     };
     let form = perpendicular_if_proven(&value, &projected.c, depths(), window, context)
         .map_err(refusal)?;
@@ -118,11 +108,7 @@ pub(super) fn prepare_plane_between(
 /// The plane's normal before perspective, its greatest component scaled to the greatest of its word.
 fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     let components = [&plane.a, &plane.b, &plane.c];
-    let greatest = components
-        .iter()
-        .map(|c| c.abs())
-        .max()
-        .expect("three components");
+    let greatest = greatest(components);
     if greatest.is_zero() {
         return [0; 3];
     }
@@ -134,7 +120,8 @@ fn constant_normal(plane: &Plane, most: i16) -> [i16; 3] {
     })
 }
 
-/// Bits of an expression on the box: of the exact one, and of the rounded one, which in a short word and far from the anchor can be greater.
+/// Bits of an expression on the box: of the exact one, and of the rounded one, which in a short word and far from the
+/// anchor can be greater.
 fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) -> u32 {
     let rounded = word.map(|word| LinearForm::of_words(word).max_abs_on(window));
     let most = exact.max_abs_on(window);
@@ -150,7 +137,7 @@ fn perpendicular(
     steep: bool,
 ) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
-    let whole = value.scaled(&integer_scale([&value.a, &value.b, &value.c]));
+    let whole = value.scaled(&primitive_scale([&value.a, &value.b, &value.c]));
     let exact = if whole.max_abs_on(shared) <= limit {
         whole
     } else {
@@ -172,9 +159,9 @@ fn perpendicular(
     }
 }
 
-/// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels almost everywhere. If
-/// no pixel of the box lies in that strip, the half-plane form at the object's middle depth decides every pixel as the
-/// plane does; otherwise the first such pixel is returned.
+/// A plane whose depth does not fit the plane word is so steep that it crosses the object's depths between two pixels
+/// almost everywhere. If no pixel of the box lies in that strip, the half-plane form at the object's middle depth
+/// decides every pixel as the plane does; otherwise the first such pixel is returned.
 fn perpendicular_if_proven(
     value: &LinearForm,
     gamma: &BigRational,

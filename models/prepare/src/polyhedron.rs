@@ -1,11 +1,9 @@
 //! Polyhedra: the planes alone.
 
-use super::Context;
+use super::context::Context;
 use super::error::PrepareError;
-use super::located::refuse_fitted;
-use super::object::{Projected, unseen_note};
-use super::parts::{NeededWord, PreparedParts};
-use super::planes::prepare_plane;
+use super::prepared::{NeededWord, PreparedParts};
+use super::projected::{Projected, unseen_note};
 use super::seams::Place;
 use imogene_golden::object::polyhedron::PolyhedronWords;
 use imogene_golden::object::quadric::PlaneWords;
@@ -19,13 +17,8 @@ pub(super) fn prepare_polyhedron(
     place: &Place,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
-    refuse_fitted(&object.name, context)?;
-    let Projected {
-        planes,
-        region,
-        window,
-        ..
-    } = projected;
+    context.refuse_fitted(&object.name)?;
+    let window = &projected.window;
     if window.is_empty() {
         let note = unseen_note(object, false, context);
         return Ok(PreparedParts::unseen(&object.name, note));
@@ -35,15 +28,8 @@ pub(super) fn prepare_polyhedron(
         planes: vec![],
     };
     let (mut needed, mut notes, mut bound) = (vec![], vec![], 0f64);
-    for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
-        let plane = prepare_plane(
-            &object.name,
-            index,
-            original,
-            projected,
-            (region, window, &place.planes[index]),
-            context,
-        )?;
+    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+        let plane = plane?;
         notes.extend(plane.note(index));
         if plane.words.kind != PlaneKind::Perpendicular {
             bound = bound.max(plane.bound);

@@ -5,14 +5,14 @@
 //! denominator share a scale that is free, so each fills half of its word. A quadric that passes the eye so closely
 //! that one of its depths leaves the words of roots is drawn in the same way, with a root in its denominator.
 
-use super::Context;
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
-use super::ledger::{Ledger, most};
-use super::object::{Projected, normals, too_large, unseen_note};
-use super::parts::PreparedParts;
+use super::ledger::Ledger;
+use super::object::{normals, too_large};
 use super::perspective::ScreenQuadric;
-use super::planes::prepare_plane;
+use super::prepared::PreparedParts;
+use super::projected::{Projected, unseen_note};
 use super::rounding::{linear_error, quadratic_error, round_linear, round_quadratic};
 use super::seams::Place;
 use imogene_algebra::rational::{
@@ -74,10 +74,7 @@ fn prepare(
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
     let Projected {
-        quadric,
-        planes,
-        region,
-        window,
+        quadric, window, ..
     } = projected;
     if window.is_empty() {
         let note = unseen_note(object, false, context);
@@ -98,9 +95,8 @@ fn prepare(
         planes: vec![],
     };
     let (mut notes, mut of_cuts) = (vec![], 0f64);
-    for (index, (original, projected)) in object.planes.iter().zip(planes).enumerate() {
-        let place = (region, window, &place.planes[index]);
-        let plane = prepare_plane(&object.name, index, original, projected, place, context)?;
+    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+        let plane = plane?;
         let magnitude = power_of_two(plane.needed - 1) - integer(1);
         ledger.prove(&format!("cut {index}"), &magnitude, context.format.plane)?;
         notes.extend(plane.note(index));
@@ -112,12 +108,9 @@ fn prepare(
     let (bound, unbounded) = depth.bound(&words, &context.format);
     notes.insert(0, note(&words, bound, of_cuts, unbounded));
     Ok(PreparedParts {
-        name: object.name.clone(),
-        screen_box: *window,
-        words: vec![ProcessorWords::Quotient(words)],
-        needed: most(ledger.needed),
         notes,
         depth_bound: Some(bound.max(of_cuts)),
+        ..ledger.finish(ProcessorWords::Quotient(words))
     })
 }
 

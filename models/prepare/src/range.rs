@@ -17,12 +17,12 @@
 mod levels;
 mod words;
 
+use super::context::{Context, Options};
 use super::extent::Extent;
-use super::object::tangent_box;
 use super::perspective::on_screen;
+use super::projected::tangent_box;
 use super::screen_box::{Cell, Existence, Region, Search, screen_between};
 use super::witness::witnesses;
-use super::{Context, Options, Seen};
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -45,76 +45,8 @@ const SPARE: i32 = 2;
 /// which loses less by it.
 const WIDEST: [i32; 2] = [4, 8];
 
-/// A scene file in the camera frame of a picture.
-pub trait Framing {
-    /// The scene in the camera frame of a picture of `width` by `height` pixels, with the range of the depth word
-    /// that it names or that is chosen for it.
-    ///
-    /// # Errors
-    ///
-    /// What the checks of a scene refuse, such as a size that is out of range.
-    fn frame(&self, width: u32, height: u32) -> Result<FramedScene, SceneError> {
-        self.frame_reporting(width, height, &|| ())
-    }
-
-    /// The same; `done` is called about once for each of [`Framing::frame_steps`], from any thread.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Framing::frame`].
-    fn frame_reporting(
-        &self,
-        width: u32,
-        height: u32,
-        done: &(impl Fn() + Sync),
-    ) -> Result<FramedScene, SceneError>;
-
-    /// The same without objects that are proven to be nowhere in the picture in a format: [`FramedObject::Unseen`]
-    /// stands in their place, so that the index of every other object stays its id. What is drawn of the others is
-    /// bit for bit the same.
-    ///
-    /// A scene with shadows or spots keeps all its objects: what is hidden may cast a shadow.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Framing::frame`].
-    fn frame_seen(
-        &self,
-        width: u32,
-        height: u32,
-        format: &Format,
-    ) -> Result<FramedScene, SceneError>;
-
-    /// Steps of the framing, for a bar of its progress.
-    fn frame_steps(&self) -> u64;
-}
-
-impl Framing for SceneFile {
-    fn frame_reporting(
-        &self,
-        width: u32,
-        height: u32,
-        done: &(impl Fn() + Sync),
-    ) -> Result<FramedScene, SceneError> {
-        self.validate()?;
-        frame_keeping(&self.flattened(), (width, height), |_, _| Ok(None), done)
-    }
-
-    fn frame_seen(
-        &self,
-        width: u32,
-        height: u32,
-        format: &Format,
-    ) -> Result<FramedScene, SceneError> {
-        Seen::of(self, (width, height), format, &|| ())?.frame(&|| ())
-    }
-
-    fn frame_steps(&self) -> u64 {
-        2 * self.objects.len() as u64
-    }
-}
-
-/// The same of a checked and flattened scene; `kept` hands out objects that are framed already, by their index, for
+/// A checked and flattened scene in the camera frame of a picture, in the range that its camera names or that is chosen
+/// for it; `kept` hands out objects that are framed already, by their index, for
 /// the range that the camera suggests or names.
 pub(crate) fn frame_keeping(
     scene: &SceneFile,

@@ -1,10 +1,10 @@
 //! Spheres and cylinders by paraboloids: orthographic views.
 
-use super::Context;
+use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
-use super::ledger::{Ledger, linear, most, outline_note};
-use super::parts::PreparedParts;
+use super::ledger::{Ledger, linear};
+use super::prepared::PreparedParts;
 use imogene_algebra::rational::{fraction, integer, round_half_up};
 use imogene_golden::object::curved_facet::CurvedFacetWords;
 use imogene_golden::object::cylinder::{CylinderShape, CylinderWords};
@@ -32,7 +32,7 @@ pub(super) fn prepare_sphere(
     let format = &context.format;
     let mut ledger = Ledger::new(&sphere.name, window, context);
     let on_box = ledger.on_box();
-    let form = |exact| QuadraticForm::of_array(exact);
+    let form = QuadraticForm::of_array;
     let (depth, full) = (form(shape.paraboloid()), format.quadratic);
     let contour = ledger.sign("outline", &form(shape.outline()), full)?;
     let front = ledger.value("depth", &depth, depth_guard(format), full, &on_box)?;
@@ -42,7 +42,7 @@ pub(super) fn prepare_sphere(
     // One count for each of the two roundings.
     ledger.prove("back depth", &(back + integer(2)), format.sum)?;
     let guard = LINEAR_WIDTH - format.normal;
-    let [x, y] = shape.normal_across().map(linear_form);
+    let [x, y] = shape.normal_across().map(LinearForm::of_array);
     let words = SphereWords {
         screen_box: window,
         contour,
@@ -60,12 +60,7 @@ pub(super) fn prepare_sphere(
             &on_box,
         )?,
     };
-    Ok(parts(
-        &sphere.name,
-        window,
-        ProcessorWords::Sphere(words),
-        ledger,
-    ))
+    Ok(ledger.finish(ProcessorWords::Sphere(words)))
 }
 
 /// The same sphere as one facet with its outline for a side.
@@ -79,11 +74,11 @@ pub(super) fn prepare_curved_sphere(
     let format = &context.format;
     let mut ledger = Ledger::new(&sphere.name, window, context);
     let on_box = ledger.on_box();
-    let form = |exact| QuadraticForm::of_array(exact);
+    let form = QuadraticForm::of_array;
     let full = format.quadratic;
     let [x, y] = shape
         .normal_across()
-        .map(|n| QuadraticForm::of_linear(&linear_form(n)));
+        .map(|n| QuadraticForm::of_linear(&LinearForm::of_array(n)));
     let guard = normal_guard(format);
     let words = CurvedFacetWords {
         screen_box: window,
@@ -101,12 +96,7 @@ pub(super) fn prepare_curved_sphere(
             ledger.value("normal z", &form(shape.normal_deep()), guard, full, &on_box)?,
         ],
     };
-    let mut parts = parts(
-        &sphere.name,
-        window,
-        ProcessorWords::CurvedFacet(words),
-        ledger,
-    );
+    let mut parts = ledger.finish(ProcessorWords::CurvedFacet(words));
     if &sphere.centre[2] - &sphere.radius < -&context.full_depth {
         parts.notes.push(UNCAPPED.into());
     }
@@ -115,7 +105,8 @@ pub(super) fn prepare_curved_sphere(
 
 /// Words of the cylinder processor.
 ///
-/// Depth and normal of body and disc count only where the cylinder is, so they are proven on the rectangle along its axis that it fills, not on the box.
+/// Depth and normal of body and disc count only where the cylinder is, so they are proven on the rectangle along its
+/// axis that it fills, not on the box.
 pub(super) fn prepare_cylinder(
     cylinder: &FramedCylinder,
     context: &Context,
@@ -142,8 +133,8 @@ pub(super) fn prepare_cylinder(
     let on_body = |form: &QuadraticForm| in_frame(form, &reach);
     let on_disc = |form: &QuadraticForm| in_frame(form, &disc_length);
     let mut ledger = Ledger::new(&cylinder.name, window, context);
-    let form = |exact| QuadraticForm::of_array(exact);
-    let mut side = |exact| ledger.linear_sign("sides", &linear_form(exact), plane);
+    let form = QuadraticForm::of_array;
+    let mut side = |exact| ledger.linear_sign("sides", &LinearForm::of_array(exact), plane);
     let [a, b, c, d] = shape.sides();
     let sides = [side(a)?, side(b)?, side(c)?, side(d)?];
     let [front, back] = shape.discs().map(form);
@@ -163,7 +154,7 @@ pub(super) fn prepare_cylinder(
     let mut normal = |exact| ledger.value("normal", &form(exact), guard, full, &on_body);
     let [x, y, z] = shape.body_normal();
     let normal = [normal(x)?, normal(y)?, normal(z)?];
-    let disc = QuadraticForm::of_linear(&linear_form(shape.disc()));
+    let disc = QuadraticForm::of_linear(&LinearForm::of_array(shape.disc()));
     let guard = plane_guard(format);
     let disc = linear(&ledger.value("depth of the disc", &disc, guard, plane, &on_disc)?);
     let words = CylinderWords {
@@ -175,31 +166,11 @@ pub(super) fn prepare_cylinder(
         disc,
         disc_normal: shape.disc_normal(),
     };
-    let mut parts = parts(
-        &cylinder.name,
-        window,
-        ProcessorWords::Cylinder(words),
-        ledger,
-    );
+    let mut parts = ledger.finish(ProcessorWords::Cylinder(words));
     if nearest(&shape) < -&context.full_depth {
         parts.notes.push(UNCAPPED.into());
     }
     Ok(parts)
-}
-
-fn parts(name: &str, window: ScreenBox, words: ProcessorWords, ledger: Ledger) -> PreparedParts {
-    PreparedParts {
-        depth_bound: None,
-        name: name.to_owned(),
-        words: vec![words],
-        screen_box: window,
-        notes: outline_note(ledger.wrong_signs).into_iter().collect(),
-        needed: most(ledger.needed),
-    }
-}
-
-fn linear_form([a, b, c]: [BigRational; 3]) -> LinearForm {
-    LinearForm::new(a, b, c)
 }
 
 /// The sphere in pixel columns and lines and depth words, and its box if anything of it is on the screen.

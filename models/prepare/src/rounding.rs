@@ -1,12 +1,13 @@
-//! Rounding to coefficient words: once, about the middle of the screen box, where it does least harm; of what several objects share, about the middle of all their
-//! boxes, where it does the same to each.
+//! Rounding to coefficient words: once, about the middle of the screen box, where it does least harm; of what several
+//! objects share, about the middle of all their boxes, where it does the same to each.
 //!
-//! Factors are rounded in coordinates centred on an anchor pixel and then moved to the screen origin as exact integers. The error at a
-//! pixel therefore grows with its distance from the anchor, not from the screen's corner.
+//! Factors are rounded in coordinates centred on an anchor pixel and then moved to the screen origin as exact integers.
+//! The error at a pixel therefore grows with its distance from the anchor, not from the screen's corner.
 //!
-//! Two bounds hold for that error on a box. [`Anchor::linear_bound`] and [`Anchor::quadratic_bound`] are known before any coefficient is: half a bit for
-//! each factor, times what it is multiplied with. [`linear_error`] and [`quadratic_error`] are the exact greatest error of given words:
-//! the residual, rounded minus exact factor, is itself an expression of the same degree, and its range on the box is known exactly.
+//! Two bounds hold for that error on a box. [`Anchor::linear_bound`] and [`Anchor::quadratic_bound`] are known before
+//! any coefficient is: half a bit for each factor, times what it is multiplied with. [`linear_error`] and
+//! [`quadratic_error`] are the exact greatest error of given words: the residual, rounded minus exact factor, is itself
+//! an expression of the same degree, and its range on the box is known exactly.
 
 use super::forms::{LinearForm, QuadraticForm};
 use imogene_algebra::rational::{integer, power_of_two, round_half_up};
@@ -46,15 +47,16 @@ impl Anchor {
         )
     }
 
-    /// Greatest rounding error of any first-degree expression on the box, in units of its last bit: half a bit for each factor,
-    /// times the distance it is multiplied with. If the box reaches N columns and N lines from the anchor this is the source's (2N + 1) / 2.
+    /// Greatest rounding error of any first-degree expression on the box, in units of its last bit: half a bit for each
+    /// factor, times the distance it is multiplied with. If the box reaches N columns and N lines from the anchor this
+    /// is the source's (2N + 1) / 2.
     pub fn linear_bound(&self, window: &ScreenBox) -> f64 {
         let (u, v) = self.reach(window);
         0.5 * (u + v + 1.0)
     }
 
-    /// Greatest rounding error of any second-degree expression on the box, in units of its last bit. If the box reaches N columns and N lines
-    /// from the anchor this is the source's (3 N^2 + 2N + 1) / 2.
+    /// Greatest rounding error of any second-degree expression on the box, in units of its last bit. If the box reaches
+    /// N columns and N lines from the anchor this is the source's (3 N^2 + 2N + 1) / 2.
     pub fn quadratic_bound(&self, window: &ScreenBox) -> f64 {
         let (u, v) = self.reach(window);
         0.5 * (u * u + v * v + u * v + u + v + 1.0)
@@ -88,18 +90,13 @@ pub fn round_linear(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepre
 /// Rounds about the anchor and moves to the screen origin.
 pub fn round_quadratic(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
     let centred = form.about(&integer(anchor.x), &integer(anchor.y));
-    let rounded = Quadratic {
-        a: word(&centred.a)?,
-        b: word(&centred.b)?,
-        c: word(&centred.c)?,
-        d: word(&centred.d)?,
-        e: word(&centred.e)?,
-        f: word(&centred.f)?,
-    };
-    Ok(rounded.from_zone(-anchor.x, -anchor.y))
+    let [a, b, c, d, e, f] = centred.factors().map(word);
+    let (a, b, c, d, e, f) = (a?, b?, c?, d?, e?, f?);
+    Ok(Quadratic { a, b, c, d, e, f }.from_zone(-anchor.x, -anchor.y))
 }
 
-/// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a factor lies between two words.
+/// Rounds an expression of which the sign alone counts: that of the other side has exactly opposite words, also where a
+/// factor lies between two words.
 pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unrepresentable> {
     if !leads_downwards([&form.a, &form.b, &form.c]) {
         return round_linear(form, anchor);
@@ -110,18 +107,12 @@ pub fn round_half_plane(form: &LinearForm, anchor: Anchor) -> Result<Linear, Unr
 
 /// The same for an expression of second degree.
 pub fn round_contour(form: &QuadraticForm, anchor: Anchor) -> Result<Quadratic, Unrepresentable> {
-    if !leads_downwards([&form.a, &form.b, &form.c, &form.d, &form.e, &form.f]) {
+    if !leads_downwards(form.factors()) {
         return round_quadratic(form, anchor);
     }
-    let rounded = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
-    Ok(Quadratic {
-        a: -rounded.a,
-        b: -rounded.b,
-        c: -rounded.c,
-        d: -rounded.d,
-        e: -rounded.e,
-        f: -rounded.f,
-    })
+    let Quadratic { a, b, c, d, e, f } = round_quadratic(&form.scaled(&integer(-1)), anchor)?;
+    let [a, b, c, d, e, f] = [a, b, c, d, e, f].map(|v| -v);
+    Ok(Quadratic { a, b, c, d, e, f })
 }
 
 fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {
@@ -129,7 +120,8 @@ fn leads_downwards<const N: usize>(factors: [&BigRational; N]) -> bool {
     leading.is_some_and(|factor| factor.is_negative())
 }
 
-/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were
+/// rounded from.
 pub fn linear_error(
     words: &Linear,
     exact: &LinearForm,
@@ -141,7 +133,8 @@ pub fn linear_error(
     residual.max_abs_on(window)
 }
 
-/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were rounded from.
+/// Greatest distance on the box, exactly, of the expression in words of `guards` guard bits from the one they were
+/// rounded from.
 pub fn quadratic_error(
     words: &Quadratic,
     exact: &QuadraticForm,

@@ -5,13 +5,16 @@
 //! a margin for floating-point rounding) and tight to a fraction of a pixel as long as the node budget lasts; if it
 //! runs out the box is only larger.
 
+pub use super::cell::Cell;
+use super::cell::tidy;
 use super::enclosure::{REACH, around};
-use super::forms::{common, unreduced};
+use super::forms::unreduced;
 use imogene_algebra::rational::to_f64;
+use imogene_algebra::whole::{common_denominator, greatest};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{Plane, Quadric, Surface};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -48,60 +51,6 @@ pub struct Region {
     surface: Surface,
     /// All of it that is within [`REACH`] lies in this cell.
     enclosure: Option<Cell>,
-}
-
-/// An axis-parallel cell: centre and half extent along x, y, z.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
-    /// Centre.
-    pub centre: [f64; 3],
-    /// Half extent.
-    pub half: [f64; 3],
-}
-
-impl Cell {
-    /// The cell between two corners.
-    pub fn between(low: [f64; 3], high: [f64; 3]) -> Cell {
-        Cell {
-            centre: std::array::from_fn(|k| 0.5 * (low[k] + high[k])),
-            half: std::array::from_fn(|k| 0.5 * (high[k] - low[k])),
-        }
-    }
-
-    /// Its extent along each axis, in units of that axis.
-    fn relative_size(&self, units: &[f64; 3]) -> impl Iterator<Item = f64> {
-        std::array::from_fn::<f64, 3, _>(|k| 2.0 * self.half[k] / units[k]).into_iter()
-    }
-
-    /// Does it hold a point, not nearer to a side than the rounding of a few halvings.
-    pub(super) fn holds(&self, point: &[f64; 3]) -> bool {
-        (0..3).all(|k| (point[k] - self.centre[k]).abs() < self.half[k] * (1.0 - 1e-9))
-    }
-
-    /// Has it a point in common with another.
-    fn meets(&self, other: &Cell) -> bool {
-        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() <= self.half[k] + other.half[k])
-    }
-
-    /// Is all of it inside another.
-    fn is_within(&self, other: &Cell) -> bool {
-        (0..3).all(|k| (self.centre[k] - other.centre[k]).abs() + self.half[k] < other.half[k])
-    }
-
-    /// Halves along the axis on which it is widest in these units.
-    fn halves(&self, units: &[f64; 3]) -> [Cell; 2] {
-        let (axis, _) = self
-            .relative_size(units)
-            .enumerate()
-            .max_by(|(_, a), (_, b)| a.total_cmp(b))
-            .expect("three axes");
-        [-0.5, 0.5].map(|side| {
-            let mut cell = *self;
-            cell.half[axis] *= 0.5;
-            cell.centre[axis] += side * self.half[axis];
-            cell
-        })
-    }
 }
 
 /// What an existence search found.
@@ -299,11 +248,7 @@ impl Region {
             y0: first(y_low - top),
             y1: last(-y_high - top, h),
         };
-        if found.is_empty() {
-            ScreenBox::EMPTY
-        } else {
-            found
-        }
+        tidy(found)
     }
 }
 
@@ -323,12 +268,8 @@ pub(super) fn screen_between(width: u32, height: u32, [near, far]: [f64; 2]) -> 
 
 /// The coefficients divided by the greatest magnitude, so that large exact numbers become moderate floats.
 fn normalised<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
-    let (whole, _) = common(coefficients);
-    let greatest = whole
-        .iter()
-        .map(|c| c.abs())
-        .max()
-        .expect("at least one coefficient");
+    let (whole, _) = common_denominator(coefficients);
+    let greatest = greatest(whole.each_ref());
     if greatest.is_zero() {
         return [0.0; N];
     }

@@ -6,13 +6,20 @@
 //! scale is free, scaled for that box; opposite sides of a plane then have the same words, or exactly opposite ones.
 //! Objects whose boxes lie apart meet nowhere, and are left as they are.
 
-use super::located::cut;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use rayon::prelude::*;
 use std::collections::HashMap;
+
+/// What the quadric, patch and polyhedron processors draw, which have their planes in the same form.
+pub(super) fn cut(object: &FramedObject) -> Option<&FramedQuadric> {
+    match object {
+        FramedObject::Quadric(q) | FramedObject::Patch(q) | FramedObject::Polyhedron(q) => Some(q),
+        _ => None,
+    }
+}
 
 /// Where an object is on the screen, and where its expressions count.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -147,7 +147,8 @@ impl View {
         }
     }
 
-    /// The word of a distance `k` in pixels: the machine divides the ray to the screen by what is left of the way, 31 bits after the point.
+    /// The word of a distance `k` in pixels: the machine divides the ray to the screen by what is left of the way, 31
+    /// bits after the point.
     fn attenuation(&self, k: f64, stretch: f64) -> i32 {
         let offset = (self.unit / k / stretch).log2() + 31.0;
         (offset * f64::from(1 << 22)).round() as i32
@@ -163,7 +164,8 @@ fn directional(towards: [f64; 3], colour: [f64; 3]) -> LightWords {
     }
 }
 
-/// `S (1 - t) - (x, y, t D)` in perspective and `S - (x, y, t H)` along parallel lines, `t` the part of the way to the far end.
+/// `S (1 - t) - (x, y, t D)` in perspective and `S - (x, y, t H)` along parallel lines, `t` the part of the way to the
+/// far end.
 fn point(
     position: [f64; 3],
     colour: [f64; 3],
@@ -181,7 +183,8 @@ fn point(
     let shift = (0..=14)
         .rev()
         .find(|&shift| most * per_pixel(shift) <= MOST_WORD);
-    // Beyond all shifts the light is so far that the place on the screen is less than a unit in sixteen thousand of the way.
+    // Beyond all shifts the light is so far that the place on the screen is less than a unit in sixteen thousand of the
+    // way.
     let scale = shift.map_or(MOST_WORD / most, per_pixel);
     let word = |v: f64| (v * scale).round() as i32;
     LightWords {

@@ -1,8 +1,12 @@
-//! The window of a camera, given as on a photographic camera: focal length or field of view.
+//! The observer: where it looks, the window of its picture, and its keys in the file.
+//!
+//! The window may be given as on a photographic camera, by focal length or field of view.
 
-use super::file::Camera;
 use super::group::Node;
+use super::keys::{numbers, refuse_keys, require, upwards};
+use super::step::Step;
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
+use serde::{Deserialize, Serialize};
 
 /// Height in millimetres of the film that focal lengths are for: 24 x 36.
 pub const FILM_HEIGHT: i64 = 24;
@@ -15,11 +19,52 @@ pub const NARROWEST_FIELD: f64 = 0.1;
 /// Widest vertical field of view in degrees; at 180 the window has no end.
 pub const WIDEST_FIELD: f64 = 170.0;
 
+/// The observer: it looks from `eye` towards `target`, with `up` upwards in the picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "CameraKeys", into = "CameraKeys")]
+pub struct Camera {
+    /// The observer's eye, or a point in the direction that a parallel view is seen from.
+    pub eye: [f64; 3],
+    /// A point on the optical axis, seen in the middle of the picture.
+    pub target: [f64; 3],
+    /// A direction seen upwards.
+    pub up: [f64; 3],
+    /// Height, in scene units, of the window that the picture shows of the screen plane.
+    pub view_height: f64,
+    /// How it projects on the screen plane.
+    pub lens: Lens,
+    /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
+    pub sample_at: [f64; 2],
+    /// Name, group and place.
+    pub node: Node,
+}
+
+/// How a camera projects.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lens {
+    /// Central projection on the screen plane at `viewer_distance` in front of the eye.
+    Perspective {
+        /// Distance from the eye to the screen plane, in scene units.
+        viewer_distance: f64,
+        /// Distance from the eye at which the depth word begins; chosen for the scene if not given.
+        near: Option<f64>,
+    },
+    /// Parallel projection on the screen plane through `target`.
+    Orthographic {
+        /// Depth, in scene units, to be covered in front of and behind the screen plane, or more if the objects need
+        /// it; chosen for the scene if not given.
+        half_depth: Option<f64>,
+        /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of
+        /// `half_depth`.
+        ends: Option<[f64; 2]>,
+    },
+}
+
 /// Height of the window at a distance through a lens: `24 mm : focal = height : distance`, rounded once to `f64`.
 ///
 /// This is `d = r / tan(phi / 2)` with the half height of the film, 12 mm, as r and the focal length as d (course
-/// section 3.3, equation 1.7).
-pub(super) fn height_of_focal(distance: f64, focal: f64) -> f64 {
+/// section 3.3, equation 1.7). The other way round it gives the focal length of a height.
+fn on_film(distance: f64, focal: f64) -> f64 {
     if !distance.is_finite() || focal == 0.0 {
         // Refused with its own message when the scene is checked.
         return distance;
@@ -27,60 +72,257 @@ pub(super) fn height_of_focal(distance: f64, focal: f64) -> f64 {
     to_f64(&(from_decimal(distance) * integer(FILM_HEIGHT) / from_decimal(focal)))
 }
 
-/// Height of the window at a distance that is seen under a vertical angle in degrees: `2 d tan(phi / 2)` in `f64`.
-pub(super) fn height_of_field(distance: f64, degrees: f64) -> f64 {
-    2.0 * distance * (0.5 * degrees).to_radians().tan()
-}
-
 impl Camera {
-    /// Its name, group and place.
-    pub fn node(&self) -> &Node {
-        match self {
-            Self::Perspective { node, .. } | Self::Orthographic { node, .. } => node,
+    /// An observer of a window at a distance, with everything else as it is without its key.
+    pub fn perspective(
+        [eye, target, up]: [[f64; 3]; 3],
+        viewer_distance: f64,
+        view_height: f64,
+    ) -> Camera {
+        Camera {
+            eye,
+            target,
+            up,
+            view_height,
+            lens: Lens::Perspective {
+                viewer_distance,
+                near: None,
+            },
+            sample_at: [0.0; 2],
+            node: Node::default(),
         }
     }
 
-    /// The same, to change.
-    pub fn node_mut(&mut self) -> &mut Node {
-        match self {
-            Self::Perspective { node, .. } | Self::Orthographic { node, .. } => node,
-        }
-    }
-
-    /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
-    pub fn sample_at(&self) -> [f64; 2] {
-        match self {
-            Self::Perspective { sample_at, .. } | Self::Orthographic { sample_at, .. } => {
-                *sample_at
-            }
-        }
+    /// Whether its lines of sight meet in the eye.
+    pub fn is_perspective(&self) -> bool {
+        matches!(self.lens, Lens::Perspective { .. })
     }
 
     /// The focal length in millimetres that shows the same window on a film 24 mm high; none for a parallel view.
     pub fn focal(&self) -> Option<f64> {
-        match self {
-            Self::Perspective {
-                viewer_distance,
-                view_height,
-                ..
-            } => Some(to_f64(
-                &(from_decimal(*viewer_distance) * integer(FILM_HEIGHT)
-                    / from_decimal(*view_height)),
-            )),
-            Self::Orthographic { .. } => None,
+        match self.lens {
+            Lens::Perspective {
+                viewer_distance, ..
+            } => Some(on_film(viewer_distance, self.view_height)),
+            Lens::Orthographic { .. } => None,
         }
     }
 
     /// Takes another lens: the window changes its height, the eye and the screen plane stay. A parallel view has no
     /// lens and stays as it is.
     pub fn set_focal(&mut self, focal: f64) {
-        if let Self::Perspective {
-            viewer_distance,
-            view_height,
-            ..
-        } = self
+        if let Lens::Perspective {
+            viewer_distance, ..
+        } = self.lens
         {
-            *view_height = height_of_focal(*viewer_distance, focal);
+            self.view_height = on_film(viewer_distance, focal);
         }
+    }
+}
+
+/// The keys of `[camera]` as they stand in the file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CameraKeys {
+    kind: CameraKind,
+    #[serde(deserialize_with = "numbers")]
+    eye: [f64; 3],
+    #[serde(deserialize_with = "numbers")]
+    target: [f64; 3],
+    #[serde(default = "upwards", deserialize_with = "numbers")]
+    up: [f64; 3],
+    viewer_distance: Option<f64>,
+    view_height: Option<f64>,
+    focal: Option<f64>,
+    field_of_view: Option<f64>,
+    half_depth: Option<f64>,
+    near: Option<f64>,
+    far: Option<f64>,
+    #[serde(
+        default,
+        skip_serializing_if = "is_whole",
+        deserialize_with = "numbers"
+    )]
+    sample_at: [f64; 2],
+    name: Option<String>,
+    group: Option<String>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    place: Vec<Step>,
+}
+
+fn is_whole(sample_at: &[f64; 2]) -> bool {
+    *sample_at == [0.0; 2]
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum CameraKind {
+    Perspective,
+    Orthographic,
+}
+
+impl CameraKeys {
+    /// The projection, and the height of the window in scene units.
+    fn lens(&self) -> Result<(Lens, f64), String> {
+        match self.kind {
+            CameraKind::Perspective => self.perspective(),
+            CameraKind::Orthographic => self.orthographic(),
+        }
+    }
+
+    fn perspective(&self) -> Result<(Lens, f64), String> {
+        let refuse =
+            |key, present, wanted| refuse_keys([(key, present)], "a perspective camera", wanted);
+        refuse("half_depth", self.half_depth.is_some(), "`viewer_distance`")?;
+        refuse(
+            "far",
+            self.far.is_some(),
+            "`near` alone; its depth reaches to infinity",
+        )?;
+        let viewer_distance = match (self.viewer_distance, self.view_height) {
+            (Some(distance), _) => distance,
+            // Seen under an angle, the window may stand anywhere.
+            (None, None) => 1.0,
+            (None, Some(_)) => {
+                return Err(
+                    "missing field `viewer_distance`: a perspective camera with `view_height` needs the distance \
+                     from the eye to the screen plane, on which that height is measured; \
+                     `field_of_view` or `focal` need none"
+                        .into(),
+                );
+            }
+        };
+        let lens = Lens::Perspective {
+            viewer_distance,
+            near: self.near,
+        };
+        Ok((lens, self.window_at(viewer_distance)?))
+    }
+
+    /// Height of the window at a distance from the eye.
+    fn window_at(&self, distance: f64) -> Result<f64, String> {
+        match (self.view_height, self.focal, self.field_of_view) {
+            (Some(height), None, None) => Ok(height),
+            (None, Some(focal), None) => {
+                let what = ["focal", "focal length", "millimetres"];
+                within(what, focal, [SHORTEST_FOCAL, LONGEST_FOCAL])?;
+                Ok(on_film(distance, focal))
+            }
+            (None, None, Some(degrees)) => {
+                let what = ["field_of_view", "vertical field of view", "degrees"];
+                within(what, degrees, [NARROWEST_FIELD, WIDEST_FIELD])?;
+                Ok(2.0 * distance * (0.5 * degrees).to_radians().tan())
+            }
+            (None, None, None) => Err(
+                "missing field `view_height`: a perspective camera needs the height of its window in the screen \
+                 plane, or `focal` or `field_of_view` instead"
+                    .into(),
+            ),
+            _ => Err(
+                "a perspective camera takes one of `view_height`, `focal`, `field_of_view`; found several"
+                    .into(),
+            ),
+        }
+    }
+
+    fn orthographic(&self) -> Result<(Lens, f64), String> {
+        let owner = "an orthographic camera";
+        let distance = ("viewer_distance", self.viewer_distance.is_some());
+        refuse_keys([distance], owner, "`half_depth`")?;
+        let wanted = "`view_height`, the height of the picture in scene units";
+        let others = [
+            ("focal", self.focal.is_some()),
+            ("field_of_view", self.field_of_view.is_some()),
+        ];
+        refuse_keys(others, owner, wanted)?;
+        let missing = "missing field `view_height`: an orthographic camera";
+        let view_height = require(self.view_height, missing, wanted)?;
+        let lens = Lens::Orthographic {
+            half_depth: self.half_depth,
+            ends: self.ends()?,
+        };
+        Ok((lens, view_height))
+    }
+
+    /// Both ends of the depth of an orthographic camera, or none.
+    fn ends(&self) -> Result<Option<[f64; 2]>, String> {
+        match (self.near, self.far, self.half_depth) {
+            (None, None, _) => Ok(None),
+            (Some(near), Some(far), None) => Ok(Some([near, far])),
+            (Some(_), Some(_), Some(_)) => Err(
+                "an orthographic camera takes `half_depth`, or `near` and `far`; found all three"
+                    .into(),
+            ),
+            _ => Err(
+                "an orthographic camera takes both `near` and `far`, distances from the screen plane away from the \
+                 observer, or none of them"
+                    .into(),
+            ),
+        }
+    }
+}
+
+fn within([key, what, unit]: [&str; 3], value: f64, [least, most]: [f64; 2]) -> Result<(), String> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(format!(
+        "{key}: {value} is out of range; a {what} from {least} to {most} {unit} is possible"
+    ))
+}
+
+impl TryFrom<CameraKeys> for Camera {
+    type Error = String;
+
+    fn try_from(keys: CameraKeys) -> Result<Self, String> {
+        let (lens, view_height) = keys.lens()?;
+        Ok(Camera {
+            eye: keys.eye,
+            target: keys.target,
+            up: keys.up,
+            view_height,
+            lens,
+            sample_at: keys.sample_at,
+            node: Node {
+                name: keys.name,
+                group: keys.group,
+                visible: true,
+                place: keys.place,
+            },
+        })
+    }
+}
+
+impl From<Camera> for CameraKeys {
+    fn from(camera: Camera) -> Self {
+        let mut keys = CameraKeys {
+            kind: CameraKind::Perspective,
+            eye: camera.eye,
+            target: camera.target,
+            up: camera.up,
+            viewer_distance: None,
+            view_height: Some(camera.view_height),
+            focal: None,
+            field_of_view: None,
+            half_depth: None,
+            near: None,
+            far: None,
+            sample_at: camera.sample_at,
+            name: camera.node.name,
+            group: camera.node.group,
+            place: camera.node.place,
+        };
+        match camera.lens {
+            Lens::Perspective {
+                viewer_distance,
+                near,
+            } => (keys.viewer_distance, keys.near) = (Some(viewer_distance), near),
+            Lens::Orthographic { half_depth, ends } => {
+                (keys.kind, keys.half_depth) = (CameraKind::Orthographic, half_depth);
+                [keys.near, keys.far] =
+                    ends.map_or([None; 2], |[near, far]| [Some(near), Some(far)]);
+            }
+        }
+        keys
     }
 }

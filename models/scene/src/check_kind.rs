@@ -1,13 +1,16 @@
 //! The checks of what an object's kind and its processor ask for.
 
-use super::check::{Checked, check_direction, check_numbers};
+use super::camera::Camera;
 use super::error::SceneError;
-use super::file::{Camera, Mesh, Object, Processor, Shape, Surface};
+use super::limits::{Checked, check_direction, check_numbers, unless};
 use super::mesh::face;
+use super::object::Object;
+use super::quadric::Quadric;
 use super::round::{keeps_spheres, makes_circular_cylinder};
-use super::tetrahedron::implicit;
+use super::shape::{Mesh, Processor, Shape, Surface};
 use super::transform::Transform;
 use imogene_algebra::rational::from_decimal;
+use imogene_algebra::vector::{cross, dot};
 use imogene_golden::object::curved_facet::MAX_SIDES;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -16,7 +19,14 @@ use std::collections::HashSet;
 /// Refuses an object whose numbers are in order and whose kind or processor cannot be had with them.
 pub(super) fn check_kind(place: &str, object: &Object, camera: &Camera) -> Checked {
     match &object.shape {
-        Shape::Polyhedron => check_polyhedron(place, object),
+        Shape::Polyhedron => {
+            without_choice(place, object, "a polyhedron")?;
+            unless(!object.cuts.is_empty(), || {
+                let accepted = "1 to 12 cuts, the planes of its faces, are needed";
+                let problem = "a polyhedron without cuts has no face";
+                (format!("{place}, cuts"), problem, accepted)
+            })
+        }
         Shape::Mesh(mesh) => check_mesh(place, object, mesh),
         Shape::TetrahedronPatch { corners, weights } => {
             check_tetrahedron(place, object, corners, weights)
@@ -38,111 +48,86 @@ pub(super) fn check_kind(place: &str, object: &Object, camera: &Camera) -> Check
     }
 }
 
-fn wrong_processor(place: &str, object: &Object, problem: &str, accepted: &str) -> SceneError {
+/// Refuses the processor that was asked for unless it would do.
+fn require_processor(does: bool, at: (&str, &Object), problem: &str, accepted: &str) -> Checked {
+    let (place, object) = at;
     let name = object.processor.map_or("", Processor::name);
-    SceneError::value(
-        format!("{place}, processor"),
-        format!("\"{name}\" {problem}"),
-        accepted,
-    )
+    unless(does, || {
+        let problem = format!("\"{name}\" {problem}");
+        (format!("{place}, processor"), problem, accepted)
+    })
 }
 
 fn without_choice(place: &str, object: &Object, owner: &str) -> Checked {
-    match object.processor {
-        None => Ok(()),
-        Some(_) => Err(wrong_processor(
-            place,
-            object,
-            &format!("does not draw {owner}, which has a processor of its own"),
-            "no `processor` is needed",
-        )),
-    }
-}
-
-fn check_polyhedron(place: &str, object: &Object) -> Checked {
-    without_choice(place, object, "a polyhedron")?;
-    if object.cuts.is_empty() {
-        return Err(SceneError::value(
-            format!("{place}, cuts"),
-            "a polyhedron without cuts has no face",
-            "1 to 12 cuts, the planes of its faces, are needed",
-        ));
-    }
-    Ok(())
+    let problem = format!("does not draw {owner}, which has a processor of its own");
+    let accepted = "no `processor` is needed";
+    require_processor(
+        object.processor.is_none(),
+        (place, object),
+        &problem,
+        accepted,
+    )
 }
 
 fn check_mesh(place: &str, object: &Object, mesh: &Mesh) -> Checked {
     without_choice(place, object, "a mesh")?;
     refuse_cuts(place, object, "a mesh cannot be cut")?;
     let count = mesh.vertices.len();
-    if count < 3 {
-        return Err(SceneError::value(
+    unless(count >= 3, || {
+        let problem = format!("vertices: {count}, which make no facet");
+        (
             format!("{place}, vertices"),
-            format!("vertices: {count}, which make no facet"),
+            problem,
             "at least three are needed",
-        ));
-    }
-    if mesh.faces.is_empty() {
-        return Err(SceneError::value(
-            format!("{place}, faces"),
-            "the mesh has no face",
-            "at least one [i, j, k] or [i, j, k, l] is needed",
-        ));
-    }
+        )
+    })?;
+    unless(!mesh.faces.is_empty(), || {
+        let accepted = "at least one [i, j, k] or [i, j, k, l] is needed";
+        (format!("{place}, faces"), "the mesh has no face", accepted)
+    })?;
     for (index, vertex) in mesh.vertices.iter().enumerate() {
         check_numbers(&format!("{place}, vertices[{index}]"), vertex)?;
     }
-    if !mesh.normals.is_empty() && mesh.normals.len() != count {
-        return Err(SceneError::value(
-            format!("{place}, normals"),
-            format!("{} normals for {count} vertices", mesh.normals.len()),
-            "one normal for each vertex is needed, or no `normals` for flat facets",
-        ));
-    }
+    let normals = mesh.normals.len();
+    unless(normals == 0 || normals == count, || {
+        let problem = format!("{normals} normals for {count} vertices");
+        let accepted = "one normal for each vertex is needed, or no `normals` for flat facets";
+        (format!("{place}, normals"), problem, accepted)
+    })?;
     for (index, normal) in mesh.normals.iter().enumerate() {
         check_direction(&format!("{place}, normals[{index}]"), *normal)?;
     }
-    let vertices: Vec<[BigRational; 3]> =
-        mesh.vertices.iter().map(|v| v.map(from_decimal)).collect();
-    for (index, corners) in mesh.faces.iter().enumerate() {
-        check_face(&format!("{place}, faces[{index}]"), corners, &vertices)?;
-    }
-    Ok(())
+    let vertices = mesh.vertices.iter().map(|v| v.map(from_decimal));
+    let vertices: Vec<[BigRational; 3]> = vertices.collect();
+    let mut faces = mesh.faces.iter().enumerate();
+    faces.try_for_each(|(index, corners)| {
+        check_face(&format!("{place}, faces[{index}]"), corners, &vertices)
+    })
 }
 
 fn check_face(place: &str, corners: &[usize], vertices: &[[BigRational; 3]]) -> Checked {
-    let refuse = |problem: String, accepted: &str| {
-        Err(SceneError::value(
-            place,
-            format!("{corners:?} {problem}"),
-            accepted,
-        ))
-    };
-    if !(3..=4).contains(&corners.len()) {
-        return refuse(
-            format!("has {} corners", corners.len()),
-            "a face has three or four",
-        );
-    }
-    if let Some(index) = corners.iter().find(|index| **index >= vertices.len()) {
-        return refuse(
+    let (problem, accepted) = if !(3..=4).contains(&corners.len()) {
+        let problem = format!("has {} corners", corners.len());
+        (problem, "a face has three or four".to_owned())
+    } else if let Some(index) = corners.iter().find(|index| **index >= vertices.len()) {
+        let last = vertices.len() - 1;
+        (
             format!("names vertex {index}"),
-            &format!("the mesh has vertices 0 to {}", vertices.len() - 1),
-        );
-    }
-    if corners.iter().collect::<HashSet<_>>().len() < corners.len() {
-        return refuse(
-            "names a vertex twice".into(),
-            "different vertices are needed",
-        );
-    }
-    if face(vertices, corners).is_none() {
-        return refuse(
+            format!("the mesh has vertices 0 to {last}"),
+        )
+    } else if corners.iter().collect::<HashSet<_>>().len() < corners.len() {
+        let accepted = "different vertices are needed";
+        ("names a vertex twice".into(), accepted.into())
+    } else if face(vertices, corners).is_none() {
+        (
             "has no area: its corners lie in a line, or its sides cross".into(),
-            "corners that go round an area are needed",
-        );
-    }
-    Ok(())
+            "corners that go round an area are needed".into(),
+        )
+    } else {
+        return Ok(());
+    };
+    let problem = format!("{corners:?} {problem}");
+    Err(SceneError::value(place, problem, accepted))
 }
 
 fn check_tetrahedron(
@@ -151,58 +136,43 @@ fn check_tetrahedron(
     corners: &[[f64; 3]; 4],
     weights: &[f64; 10],
 ) -> Checked {
-    refuse_cuts(
-        place,
-        object,
-        "the faces of the tetrahedron are the cuts of this kind",
-    )?;
+    let problem = "the faces of the tetrahedron are the cuts of this kind";
+    refuse_cuts(place, object, problem)?;
     for (index, corner) in corners.iter().enumerate() {
         check_numbers(&format!("{place}, corners[{index}]"), corner)?;
     }
     check_numbers(&format!("{place}, weights"), weights)?;
-    if !matches!(
-        object.processor,
-        None | Some(Processor::Patch | Processor::Quadric)
-    ) {
-        return Err(wrong_processor(
-            place,
-            object,
-            "does not draw a tetrahedral patch",
-            "\"patch\" (default) and \"quadric\" do",
-        ));
-    }
-    let Some((quadric, _)) = implicit(corners, weights) else {
+    require_processor(
+        matches!(
+            object.processor,
+            None | Some(Processor::Patch | Processor::Quadric)
+        ),
+        (place, object),
+        "does not draw a tetrahedral patch",
+        "\"patch\" (default) and \"quadric\" do",
+    )?;
+    let Some(quadric) = Quadric::from_shape(&object.shape) else {
         return Err(SceneError::value(
             format!("{place}, corners"),
             "the four corners lie in one plane",
             "corners of a tetrahedron with a volume are needed",
         ));
     };
-    if quadric.coefficients()[..6].iter().all(|v| v.is_zero()) {
-        return Err(SceneError::value(
-            format!("{place}, weights"),
-            "the weights make a plane, or nothing",
-            "weights whose patch is of second degree are needed",
-        ));
-    }
-    Ok(())
+    let is_plane = quadric.coefficients()[..6].iter().all(|v| v.is_zero());
+    unless(!is_plane, || {
+        let accepted = "weights whose patch is of second degree are needed";
+        let problem = "the weights make a plane, or nothing";
+        (format!("{place}, weights"), problem, accepted)
+    })
 }
 
 fn refuse_cuts(place: &str, object: &Object, problem: &str) -> Checked {
-    if object.cuts.is_empty() {
-        return Ok(());
-    }
-    Err(SceneError::value(
-        format!("{place}, cuts"),
-        problem,
-        "no `cuts` are possible",
-    ))
+    unless(object.cuts.is_empty(), || {
+        (format!("{place}, cuts"), problem, "no `cuts` are possible")
+    })
 }
 
 fn require_mode(place: &str, object: &Object, wanted: Surface) -> Checked {
-    if object.mode == wanted {
-        return Ok(());
-    }
     let (problem, accepted) = match wanted {
         Surface::Patch => (
             "draws surfaces, and this object is a solid",
@@ -213,47 +183,40 @@ fn require_mode(place: &str, object: &Object, wanted: Surface) -> Checked {
             "`mode = \"solid\"`, or the processor \"quadric\", would be accepted",
         ),
     };
-    Err(wrong_processor(place, object, problem, accepted))
+    require_processor(object.mode == wanted, (place, object), problem, accepted)
 }
 
 fn require_parallel_view(place: &str, object: &Object, camera: &Camera) -> Checked {
-    match camera {
-        Camera::Orthographic { .. } => Ok(()),
-        Camera::Perspective { .. } => Err(wrong_processor(
-            place,
-            object,
-            "does not draw in perspective",
-            "`kind = \"orthographic\"` in `[camera]`, or the processor \"quadric\", would be accepted",
-        )),
-    }
+    require_processor(
+        !camera.is_perspective(),
+        (place, object),
+        "does not draw in perspective",
+        "`kind = \"orthographic\"` in `[camera]`, or the processor \"quadric\", would be accepted",
+    )
 }
 
 fn check_first_generation(place: &str, object: &Object) -> Checked {
+    let problem = match object.cuts.as_slice() {
+        [one, other] => {
+            let [u, v] = [one, other].map(|cut| cut.normal.map(from_decimal));
+            let parallel = cross(&u, &v).iter().all(Zero::is_zero);
+            if parallel && dot(&u, &v).is_negative() {
+                return Ok(());
+            }
+            "the two cuts are not parallel with opposite normals".into()
+        }
+        cuts => format!(
+            "{} cuts, and the processor \"first_generation\" has two planes",
+            cuts.len()
+        ),
+    };
     let accepted =
         "exactly two parallel cuts, with normals that point away from each other, are needed";
-    let refuse = |problem: String| {
-        Err(SceneError::value(
-            format!("{place}, cuts"),
-            problem,
-            accepted,
-        ))
-    };
-    let [one, other] = object.cuts.as_slice() else {
-        return refuse(format!(
-            "{} cuts, and the processor \"first_generation\" has two planes",
-            object.cuts.len()
-        ));
-    };
-    let [u, v] = [one, other].map(|cut| cut.normal.map(from_decimal));
-    let parallel = (0..3).all(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        &u[i] * &v[j] == &u[j] * &v[i]
-    });
-    let along: BigRational = u.iter().zip(&v).map(|(a, b)| a * b).sum();
-    if !parallel || !along.is_negative() {
-        return refuse("the two cuts are not parallel with opposite normals".into());
-    }
-    Ok(())
+    Err(SceneError::value(
+        format!("{place}, cuts"),
+        problem,
+        accepted,
+    ))
 }
 
 fn check_paraboloid(place: &str, object: &Object) -> Checked {
@@ -261,90 +224,76 @@ fn check_paraboloid(place: &str, object: &Object) -> Checked {
     let placed = Transform::placement(&object.place);
     match object.shape {
         Shape::Sphere { .. } => {
-            refuse_cuts(
-                place,
-                object,
-                "the processor \"paraboloid\" does not cut a sphere",
-            )?;
-            require_round(
-                place,
-                keeps_spheres(&placed),
-                "sphere",
-                "no longer a sphere",
-            )
+            let problem = "the processor \"paraboloid\" does not cut a sphere";
+            refuse_cuts(place, object, problem)?;
+            let round = keeps_spheres(&placed);
+            require_round(place, round, "sphere is no longer a sphere")
         }
         Shape::EllipticCylinder { radii } => {
             check_discs(place, object)?;
             let round = makes_circular_cylinder(&placed, radii);
-            require_round(place, round, "cylinder", "not a right circular cylinder")
+            require_round(place, round, "cylinder is not a right circular cylinder")
         }
-        _ => Err(wrong_processor(
-            place,
-            object,
+        _ => require_processor(
+            false,
+            (place, object),
             "draws spheres and circular cylinders only",
             "`kind = \"sphere\"` or `kind = \"elliptic_cylinder\"`, or the processor \"quadric\", would be accepted",
-        )),
+        ),
     }
 }
 
-fn require_round(place: &str, round: bool, what: &str, problem: &str) -> Checked {
-    if round {
-        return Ok(());
-    }
-    Err(SceneError::value(
-        format!("{place}, place"),
-        format!("the {what} is {problem} after these steps"),
-        "scales that keep it round, or the processor \"quadric\", would be accepted",
-    ))
+fn require_round(place: &str, round: bool, problem: &str) -> Checked {
+    unless(round, || {
+        let problem = format!("the {problem} after these steps");
+        let accepted = "scales that keep it round, or the processor \"quadric\", would be accepted";
+        (format!("{place}, place"), problem, accepted)
+    })
 }
 
 /// Both ends of a cylinder: two cuts across the y axis, the lower one downwards.
 fn check_discs(place: &str, object: &Object) -> Checked {
-    let refuse = |problem: String| {
-        Err(SceneError::value(
-            format!("{place}, cuts"),
-            problem,
-            "exactly two cuts with normals [0, 1, 0] and, below it, [0, -1, 0] are needed",
-        ))
-    };
-    let [one, other] = object.cuts.as_slice() else {
-        return refuse(format!(
-            "{} cuts, and the processor \"paraboloid\" draws a cylinder with its two ends",
-            object.cuts.len()
-        ));
-    };
     let across = |normal: [f64; 3]| normal[0] == 0.0 && normal[2] == 0.0;
-    if !across(one.normal) || !across(other.normal) || one.normal[1] * other.normal[1] >= 0.0 {
-        return refuse("the two cuts are not the two ends across the axis of the cylinder".into());
-    }
-    let (upper, lower) = if one.normal[1] > 0.0 {
-        (one, other)
-    } else {
-        (other, one)
+    let problem = match object.cuts.as_slice() {
+        [one, other] => {
+            let (upper, lower) = match one.normal[1] > 0.0 {
+                true => (one, other),
+                false => (other, one),
+            };
+            let is_opposite = one.normal[1] * other.normal[1] < 0.0;
+            if !across(one.normal) || !across(other.normal) || !is_opposite {
+                "the two cuts are not the two ends across the axis of the cylinder".into()
+            } else if upper.point[1] <= lower.point[1] {
+                "the two cuts leave nothing of the cylinder".into()
+            } else {
+                return Ok(());
+            }
+        }
+        cuts => format!(
+            "{} cuts, and the processor \"paraboloid\" draws a cylinder with its two ends",
+            cuts.len()
+        ),
     };
-    if upper.point[1] <= lower.point[1] {
-        return refuse("the two cuts leave nothing of the cylinder".into());
-    }
-    Ok(())
+    let accepted = "exactly two cuts with normals [0, 1, 0] and, below it, [0, -1, 0] are needed";
+    Err(SceneError::value(
+        format!("{place}, cuts"),
+        problem,
+        accepted,
+    ))
 }
 
 fn check_curved_facet(place: &str, object: &Object) -> Checked {
     require_mode(place, object, Surface::Patch)?;
     if let Shape::Sphere { .. } = object.shape {
-        refuse_cuts(
-            place,
-            object,
-            "the processor \"curved_facet\" draws a sphere whole, its outline is its only side",
-        )?;
+        let problem =
+            "the processor \"curved_facet\" draws a sphere whole, its outline is its only side";
+        refuse_cuts(place, object, problem)?;
         let round = keeps_spheres(&Transform::placement(&object.place));
-        return require_round(place, round, "sphere", "no longer a sphere");
+        return require_round(place, round, "sphere is no longer a sphere");
     }
-    if object.cuts.len() > MAX_SIDES {
-        return Err(SceneError::value(
-            format!("{place}, cuts"),
-            format!("{} cuts", object.cuts.len()),
-            format!("the processor \"curved_facet\" has at most {MAX_SIDES} sides"),
-        ));
-    }
-    Ok(())
+    let count = object.cuts.len();
+    unless(count <= MAX_SIDES, || {
+        let accepted = format!("the processor \"curved_facet\" has at most {MAX_SIDES} sides");
+        (format!("{place}, cuts"), format!("{count} cuts"), accepted)
+    })
 }

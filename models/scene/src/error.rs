@@ -122,21 +122,30 @@ fn around(line: &str, column: usize) -> String {
     format!("{before}{shown}{after}")
 }
 
+/// What stands in a message for names of Rust types, and what a scene may have in the place of `[camera]`.
+const WORDS: [(&str, &str); 6] = [
+    ("\n", ", "),
+    (
+        "expected usize",
+        "expected a whole number that is not negative",
+    ),
+    ("expected f64", "expected a number"),
+    (
+        "expected u32",
+        "expected a whole number that is not negative",
+    ),
+    ("expected a sequence", "expected an array of numbers [...]"),
+    (
+        "missing field `camera`",
+        "missing field `camera`; a scene needs `[camera]`, or `[[cameras]]` with at least one",
+    ),
+];
+
 /// The reader's message on one line, with its names of Rust types put into words.
 pub fn in_plain_words(message: &str) -> String {
-    message
-        .trim_end()
-        .replace('\n', ", ")
-        .replace(
-            "expected usize",
-            "expected a whole number that is not negative",
-        )
-        .replace("expected f64", "expected a number")
-        .replace(
-            "expected u32",
-            "expected a whole number that is not negative",
-        )
-        .replace("expected a sequence", "expected an array of numbers [...]")
+    let message = message.trim_end().to_owned();
+    let words = WORDS.into_iter();
+    words.fold(message, |said, (word, plain)| said.replace(word, plain))
 }
 
 /// Line and column, from 1, of the character at byte `offset` of `text`.

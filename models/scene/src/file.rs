@@ -1,22 +1,23 @@
 //! The scene file: TOML, written by hand or by an importer. `docs/scene-format.md` is its user's page.
 
-use std::path::Path;
-
-use serde::{Deserialize, Serialize};
-use toml::de::DeTable;
-
+use super::camera::Camera;
 use super::error::{SceneError, line_and_column};
-use super::group::{Group, Node};
+use super::group::Group;
 use super::image::KeyImage;
-use super::keys::{CameraKeys, LightKeys, ObjectKeys, SceneKeys, StepKeys, numbers};
+use super::keys::{numbers, white};
+use super::light::Light;
 use super::molecule::Molecule;
+use super::object::Object;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// The version this code reads and writes.
 pub const FORMAT_VERSION: i64 = 1;
 
 /// A scene as its author wrote it: scene units, right-handed axes, y upwards by habit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "SceneKeys", into = "SceneKeys")]
+#[serde(deny_unknown_fields)]
 pub struct SceneFile {
     /// Version of the format, [`FORMAT_VERSION`].
     pub format: i64,
@@ -25,28 +26,38 @@ pub struct SceneFile {
     /// What of its source the scene lacks, for the warning of every command that reads it; nothing if it has all.
     pub incomplete: Option<String>,
     /// Colour of a pixel that no object covers, 0 to 1 for each of red, green, blue.
+    #[serde(default, deserialize_with = "numbers")]
     pub background: [f64; 3],
     /// Ambient light `I_a`, 0 to 1 for each of red, green, blue.
+    #[serde(default = "white", deserialize_with = "numbers")]
     pub ambient: [f64; 3],
+    /// Name of the observer who is looked through; the first if there is none.
+    pub active_camera: Option<String>,
     /// Size of the picture unless the user asks for another.
+    #[serde(default)]
     pub image: ImageSize,
     /// The first observer, who is looked through unless another is active.
     pub camera: Camera,
     /// The other observers, each with a name.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub cameras: Vec<Camera>,
-    /// Name of the observer who is looked through; the first if there is none.
-    pub active_camera: Option<String>,
     /// Light sources; without any, only the ambient light shows the objects.
+    #[serde(default)]
     pub lights: Vec<Light>,
     /// Materials, referred to by name.
+    #[serde(default)]
     pub materials: Vec<Material>,
     /// Groups of objects, lights, cameras and groups.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<Group>,
     /// Objects, in the order that breaks ties of equal depth (the first wins).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub objects: Vec<Object>,
     /// Structure files whose atoms become further objects, behind the others, once they are read.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub molecules: Vec<Molecule>,
     /// Images of an animation, in the order in which they are shown.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub images: Vec<KeyImage>,
 }
 
@@ -68,110 +79,6 @@ impl Default for ImageSize {
             height: 540,
         }
     }
-}
-
-/// The observer: it looks from `eye` towards `target`, with `up` upwards in the picture.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "CameraKeys", into = "CameraKeys")]
-pub enum Camera {
-    /// Central projection on the screen plane at `viewer_distance` in front of the eye.
-    Perspective {
-        /// The observer's eye.
-        eye: [f64; 3],
-        /// A point on the optical axis, seen in the middle of the picture.
-        target: [f64; 3],
-        /// A direction seen upwards.
-        up: [f64; 3],
-        /// Distance from the eye to the screen plane, in scene units.
-        viewer_distance: f64,
-        /// Height, in scene units, of the window that the picture shows of the screen plane.
-        view_height: f64,
-        /// Distance from the eye at which the depth word begins; chosen for the scene if not given.
-        near: Option<f64>,
-        /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
-        sample_at: [f64; 2],
-        /// Name, group and place.
-        node: Node,
-    },
-    /// Parallel projection on the screen plane through `target`.
-    Orthographic {
-        /// A point in the direction the picture is seen from.
-        eye: [f64; 3],
-        /// The point of the screen plane in the middle of the picture.
-        target: [f64; 3],
-        /// A direction seen upwards.
-        up: [f64; 3],
-        /// Height of the picture in scene units.
-        view_height: f64,
-        /// Depth, in scene units, to be covered in front of and behind the screen plane, or more if the objects need
-        /// it; chosen for the scene if not given.
-        half_depth: Option<f64>,
-        /// Where the depth word begins and ends, from the screen plane away from the observer; in the place of
-        /// `half_depth`.
-        ends: Option<[f64; 2]>,
-        /// Where pixels are sampled: columns to the right and lines down from whole coordinates.
-        sample_at: [f64; 2],
-        /// Name, group and place.
-        node: Node,
-    },
-}
-
-/// A light source.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "LightKeys", into = "LightKeys")]
-pub enum Light {
-    /// Parallel light.
-    Directional {
-        /// The direction the light comes from: a vector from the scene towards the source.
-        from: [f64; 3],
-        /// 0 to 1 for each of red, green, blue.
-        colour: [f64; 3],
-        /// Factor of the colour.
-        intensity: f64,
-        /// Whether objects in its way keep its light off others.
-        shadows: bool,
-        /// Name, group and place.
-        node: Node,
-    },
-    /// Light from one point, without attenuation.
-    Point {
-        /// Where the source stands.
-        position: [f64; 3],
-        /// 0 to 1 for each of red, green, blue.
-        colour: [f64; 3],
-        /// Factor of the colour.
-        intensity: f64,
-        /// Whether objects in its way keep its light off others.
-        shadows: bool,
-        /// Name, group and place.
-        node: Node,
-    },
-    /// Light from one point into a cone, without attenuation.
-    Spot {
-        /// Where the source stands: the apex of the cone.
-        position: [f64; 3],
-        /// The axis of the cone.
-        aim: Aim,
-        /// Angle in degrees between the axis and the cone.
-        half_angle: f64,
-        /// 0 to 1 for each of red, green, blue.
-        colour: [f64; 3],
-        /// Factor of the colour.
-        intensity: f64,
-        /// Whether objects in its way keep its light off others.
-        shadows: bool,
-        /// Name, group and place.
-        node: Node,
-    },
-}
-
-/// What a spot is directed at.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Aim {
-    /// A point on the axis.
-    Target([f64; 3]),
-    /// The direction of the axis.
-    Towards([f64; 3]),
 }
 
 /// What a surface does with light: `I = ambient I_a + sum of I_p (diffuse cos + specular cos^exponent)` (thesis
@@ -197,228 +104,6 @@ pub struct Material {
     /// Sharpness of the highlight, 1 to 200.
     #[serde(default = "default_exponent")]
     pub exponent: u32,
-}
-
-/// Whether an object is the cut volume or only the cut surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Surface {
-    /// The volume: a cut shows a flat face.
-    #[default]
-    Solid,
-    /// The surface alone: a cut opens it, and its inner wall shows.
-    Patch,
-}
-
-/// The processor that draws an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Processor {
-    /// The quadric processor of the second generation.
-    Quadric,
-    /// The patch processor.
-    Patch,
-    /// The quadric processor of the first generation.
-    FirstGeneration,
-    /// The sphere or the cylinder processor, by paraboloids.
-    Paraboloid,
-    /// The processor of non-planar facets.
-    CurvedFacet,
-}
-
-impl Processor {
-    /// Its word in a scene file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quadric => "quadric",
-            Self::Patch => "patch",
-            Self::FirstGeneration => "first_generation",
-            Self::Paraboloid => "paraboloid",
-            Self::CurvedFacet => "curved_facet",
-        }
-    }
-}
-
-/// One object: a quadric bounded by planes, a polyhedron, a mesh or a tetrahedral patch.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "ObjectKeys", into = "ObjectKeys")]
-pub struct Object {
-    /// Unique name.
-    pub name: String,
-    /// What it is, in local coordinates.
-    pub shape: Shape,
-    /// The processor asked for; the kind's own if none is.
-    pub processor: Option<Processor>,
-    /// Volume or surface.
-    pub mode: Surface,
-    /// Name of the material.
-    pub material: String,
-    /// Steps from local to scene coordinates, the first applied first.
-    pub place: Vec<Step>,
-    /// Planes that remove a part, in local coordinates.
-    pub cuts: Vec<Cut>,
-    /// Whether it keeps the light of sources with shadows off others.
-    pub casts_shadow: bool,
-    /// Name of the group it belongs to.
-    pub group: Option<String>,
-    /// Whether it is seen; an object that is not casts no shadow either.
-    pub visible: bool,
-}
-
-impl Object {
-    /// The processor that draws it; polyhedra and meshes have one of their own.
-    pub fn drawn_by(&self) -> Option<Processor> {
-        match self.shape {
-            Shape::Polyhedron | Shape::Mesh(_) => None,
-            Shape::TetrahedronPatch { .. } => Some(self.processor.unwrap_or(Processor::Patch)),
-            _ => Some(self.processor.unwrap_or(Processor::Quadric)),
-        }
-    }
-}
-
-/// Flat facets with common corners.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
-    /// Corners.
-    pub vertices: Vec<[f64; 3]>,
-    /// Facets of three or four corners, as indices of vertices from 0.
-    pub faces: Vec<Vec<usize>>,
-    /// A normal for each vertex, interpolated over the facets; flat facets if there are none.
-    pub normals: Vec<[f64; 3]>,
-}
-
-/// What an object is. The quadrics are in canonical position, inside where the expression is negative or zero (thesis
-/// Table 2.1).
-///
-/// Axes of revolution, of two-sheetedness and of rulings of the cylinders all lie along the local y axis.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    /// `x^2/A^2 + y^2/B^2 + z^2/C^2 - 1`
-    Ellipsoid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `x^2 + y^2 + z^2 - R^2`
-    Sphere {
-        /// R.
-        radius: f64,
-    },
-    /// `x^2/A^2 + z^2/C^2 - 1`
-    EllipticCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
-    /// `x^2/A^2 - z^2/C^2 - 1`, the part that contains the y axis.
-    HyperbolicCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
-    /// `x^2/A^2 - z/C`, open towards +z.
-    ParabolicCylinder {
-        /// A, C.
-        radii: [f64; 2],
-    },
-    /// `x^2/A^2 - y^2/B^2 + z^2/C^2`, both halves, apex at the origin.
-    Cone {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `x^2/A^2 - y^2/B^2 + z^2/C^2 - 1`, the part that contains the y axis.
-    HyperboloidOneSheet {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `x^2/A^2 - y^2/B^2 + z^2/C^2 + 1`, tips at y = -B and y = B.
-    HyperboloidTwoSheets {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `x^2/A^2 + z^2/C^2 - y/B`, open towards +y.
-    EllipticParaboloid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `x^2/A^2 - z^2/C^2 - y/B`, the part above the saddle.
-    HyperbolicParaboloid {
-        /// A, B, C.
-        radii: [f64; 3],
-    },
-    /// `a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`
-    Quadric {
-        /// a to j.
-        coefficients: [f64; 10],
-    },
-    /// The convex solid that the cuts leave.
-    Polyhedron,
-    /// Flat facets.
-    Mesh(Mesh),
-    /// The quadric `sum of w_ii b_i^2 + sum of w_ij 2 b_i b_j = 0` inside a tetrahedron, b the barycentric coordinates
-    /// of its corners.
-    TetrahedronPatch {
-        /// Corners 0 to 3.
-        corners: Box<[[f64; 3]; 4]>,
-        /// w00, w11, w22, w33, w01, w02, w03, w12, w13, w23.
-        weights: Box<[f64; 10]>,
-    },
-}
-
-/// One step of an object's placement.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "StepKeys", into = "StepKeys")]
-pub enum Step {
-    /// Displacement in scene units.
-    Translate([f64; 3]),
-    /// Rotation about an axis through the origin.
-    Rotate(Rotation),
-    /// Scaling from the origin, one factor or one for each axis; negative factors mirror.
-    Scale(Scale),
-}
-
-/// A rotation about an axis through the origin, counter-clockwise when the axis points to the observer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rotation {
-    /// The axis.
-    pub axis: Axis,
-    /// The angle in degrees; multiples of 90 about a coordinate axis are exact.
-    pub degrees: f64,
-}
-
-/// Axis of a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Axis {
-    /// The x axis.
-    X,
-    /// The y axis.
-    Y,
-    /// The z axis.
-    Z,
-    /// Any other direction; its length does not matter.
-    #[serde(untagged)]
-    Vector([f64; 3]),
-}
-
-/// Factors of a scaling.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Scale {
-    /// The same factor for x, y and z.
-    Uniform(f64),
-    /// One factor for each axis.
-    PerAxis([f64; 3]),
-}
-
-/// A cut plane in local coordinates: the part on the side of the normal is removed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Cut {
-    /// A point of the plane.
-    #[serde(deserialize_with = "numbers")]
-    pub point: [f64; 3],
-    /// Outward normal, of any length.
-    #[serde(deserialize_with = "numbers")]
-    pub normal: [f64; 3],
 }
 
 /// Most bytes of a scene file: a million objects take a hundred million.
@@ -474,11 +159,19 @@ impl SceneFile {
     pub fn parse(text: &str, file: &str) -> Result<Self, SceneError> {
         let syntax = |error| SceneError::syntax(file, text, &error);
         // Read once for both, because reading takes longer than all else of a scene of ten thousand objects.
-        let table = DeTable::parse(text).map_err(syntax)?;
+        let mut table = DeTable::parse(text).map_err(syntax)?;
         if !is_known_version(table.get_ref()) {
             check_version(text, file)?;
         }
+        let leads = first_camera_leads(table.get_mut());
         let scene = Self::deserialize(toml::Deserializer::from(table)).map_err(syntax)?;
+        let first = leads.then_some(&scene.camera);
+        let mut cameras = first.into_iter().chain(&scene.cameras);
+        if let Some(index) = cameras.position(|camera| camera.node.name.is_none()) {
+            return Err(syntax(serde::de::Error::custom(format!(
+                "cameras[{index}] has no `name`; each of `[[cameras]]` needs one, `[camera]` alone may go without"
+            ))));
+        }
         scene.validate_text().map_err(|error| error.in_file(file))?;
         Ok(scene)
     }
@@ -504,6 +197,24 @@ fn check_memory(bytes: u64) -> std::io::Result<()> {
     }
 }
 
+/// Without `[camera]` the first of `[[cameras]]` takes its place.
+fn first_camera_leads(table: &mut DeTable) -> bool {
+    if table.contains_key("camera") {
+        return false;
+    }
+    let Some(DeValue::Array(cameras)) = table.get_mut("cameras").map(|list| list.get_mut()) else {
+        return false;
+    };
+    let mut each = std::mem::replace(cameras, DeArray::new()).into_iter();
+    let first = each.next();
+    *cameras = each.collect();
+    let Some(first) = first else {
+        return false;
+    };
+    table.insert(toml::Spanned::new(first.span(), "camera".into()), first);
+    true
+}
+
 /// The version of the format is there and is ours.
 fn is_known_version(table: &DeTable) -> bool {
     let version = table.get("format").map(|value| value.get_ref());
@@ -524,18 +235,6 @@ fn check_version(text: &str, file: &str) -> Result<(), SceneError> {
         Some(toml::Value::Integer(FORMAT_VERSION)) => Ok(()),
         Some(other) => refuse(format!("version {other} is not known")),
     }
-}
-
-pub(super) fn white() -> [f64; 3] {
-    [1.0; 3]
-}
-
-pub(super) fn upwards() -> [f64; 3] {
-    [0.0, 1.0, 0.0]
-}
-
-pub(super) fn full() -> f64 {
-    1.0
 }
 
 fn default_ambient() -> f64 {

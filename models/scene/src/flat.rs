@@ -1,12 +1,15 @@
 //! A scene without groups: what is seen of it, by whom, each part with its whole placement.
 //!
-//! A placement is a list of steps, so that the placement of a member is its own list followed by those of the groups above it, and nothing is rounded.
+//! A placement is a list of steps, so that the placement of a member is its own list followed by those of the groups
+//! above it, and nothing is rounded.
 
+use super::camera::Camera;
 use super::error::SceneError;
-use super::file::{Camera, SceneFile, Step};
+use super::file::SceneFile;
 use super::group::{Group, Node};
 use super::image::Action;
 use super::names::check_camera_name;
+use super::step::Step;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -47,7 +50,7 @@ impl SceneFile {
     /// The observer who is looked through.
     pub fn active(&self) -> &Camera {
         let name = self.active_camera.as_deref();
-        let named = |camera: &&Camera| camera.node().name.as_deref() == name;
+        let named = |camera: &&Camera| camera.node.name.as_deref() == name;
         let active = name.and_then(|_| self.all_cameras().find(named));
         active.unwrap_or(&self.camera)
     }
@@ -72,8 +75,8 @@ impl SceneFile {
         std::iter::once(&self.camera).chain(&self.cameras)
     }
 
-    /// The same picture without groups, images and what is not seen: objects, lights and the active camera have the steps of the groups above them in
-    /// their own placements.
+    /// The same picture without groups, images and what is not seen: objects, lights and the active camera have the
+    /// steps of the groups above them in their own placements.
     ///
     /// The names of groups must be checked, as those of a scene that was read are.
     pub fn flattened(&self) -> Cow<'_, SceneFile> {
@@ -81,20 +84,20 @@ impl SceneFile {
             && self.images.is_empty()
             && self.cameras.is_empty()
             && self.objects.iter().all(|object| object.visible)
-            && self.lights.iter().all(|light| light.node().visible);
+            && self.lights.iter().all(|light| light.node.visible);
         if plain {
             return Cow::Borrowed(self);
         }
         let groups = Groups::of(self);
         let active = self.active();
         let mut camera = active.clone();
-        groups.flatten(camera.node_mut(), active.node().group.as_deref());
+        groups.flatten(&mut camera.node, active.node.group.as_deref());
         let mut flat = SceneFile::new(&self.title, camera);
         for light in &self.lights {
-            let group = light.node().group.as_deref();
-            if light.node().visible && groups.shows(group) {
+            let group = light.node.group.as_deref();
+            if light.node.visible && groups.shows(group) {
                 let mut light = light.clone();
-                groups.flatten(light.node_mut(), group);
+                groups.flatten(&mut light.node, group);
                 flat.lights.push(light);
             }
         }

@@ -9,23 +9,27 @@
 //! Directions of the camera and rotations other than quarter turns are computed once in `f64`; their matrix entries
 //! are then taken as exact, so that everything derived from them is exact.
 
-use num_rational::BigRational;
-use num_traits::Zero;
-use rayon::prelude::*;
-
-use super::check::{check_image_size, check_up};
+use super::camera::{Camera, Lens};
 use super::error::SceneError;
-use super::file::{Camera, Light, Material, Object, Processor, SceneFile, Shape};
-use super::framed::{FramedObject, FramedQuadric};
+use super::file::{Material, SceneFile};
+use super::framed::FramedObject;
+use super::light::{Beam, Light};
+use super::limits::check_image_size;
 use super::mesh::FramedMesh;
+use super::object::Object;
+use super::observer::Sight;
 use super::plane::Plane;
-use super::quadric::Quadric;
-use super::range::DepthRange;
+use super::quadric::{FramedQuadric, Quadric};
+use super::range::{DepthRange, Projection};
 use super::round::{FramedCylinder, FramedSphere};
+use super::shape::{Processor, Shape};
 use super::source::FramedSource;
 use super::tetrahedron::implicit;
-use super::transform::{Transform, WholeTransform, cross, normalised};
+use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
+use imogene_algebra::vector::normalised;
+use num_traits::Zero;
+use rayon::prelude::*;
 
 /// A scene prepared for one picture size.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,21 +59,6 @@ pub struct FramedScene {
     pub ambient: [f64; 3],
     /// Colour of a pixel without object, 8 bits for each of red, green, blue.
     pub background: [u8; 3],
-}
-
-/// How the camera frame is projected on the screen plane z = 0.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Projection {
-    /// From the eye (0, 0, -D).
-    Perspective {
-        /// D in pixels.
-        distance: BigRational,
-    },
-    /// Along z.
-    Orthographic {
-        /// Depth in pixels covered on each side of the screen plane.
-        half_depth: BigRational,
-    },
 }
 
 /// A light source in the camera frame.
@@ -102,11 +91,12 @@ impl SceneFile {
     ) -> Result<FramedScene, SceneError> {
         check_image_size(width, height)?;
         let (upright, projection) = camera_frame(&self.camera, height, range)?;
-        let sample_at = self.camera.sample_at();
+        let sample_at = self.camera.sample_at;
         let camera = match sample_at {
             [0.0, 0.0] => upright.clone(),
             _ => moved(sample_at, &projection).after(&upright),
         };
+        let (lights, sources) = (self.lights.iter(), self.lights.iter());
         Ok(FramedScene {
             title: self.title.clone(),
             width,
@@ -116,16 +106,8 @@ impl SceneFile {
             sample_at,
             objects: self.framed_objects(&camera, kept)?,
             materials: self.materials.clone(),
-            lights: self
-                .lights
-                .iter()
-                .map(|light| framed_light(light, &upright))
-                .collect(),
-            sources: self
-                .lights
-                .iter()
-                .map(|light| FramedSource::new(light, &camera))
-                .collect(),
+            lights: lights.map(|light| framed_light(light, &upright)).collect(),
+            sources: sources.map(|l| FramedSource::new(l, &camera)).collect(),
             ambient: self.ambient,
             background: self.background.map(|value| (value * 255.0).round() as u8),
         })
@@ -168,31 +150,26 @@ fn camera_frame(
     height: u32,
     range: &DepthRange,
 ) -> Result<(Transform, Projection), SceneError> {
-    let height = integer(i64::from(height));
     let sight = Sight::of(camera)?;
-    match camera {
-        Camera::Perspective {
-            viewer_distance,
-            view_height,
-            ..
+    let pixels_per_unit = integer(i64::from(height)) / from_decimal(camera.view_height);
+    let behind = |depth| Transform::translation([integer(0), integer(0), depth]);
+    match camera.lens {
+        Lens::Perspective {
+            viewer_distance, ..
         } => {
-            let distance = from_decimal(*viewer_distance) * (height / from_decimal(*view_height));
+            let distance = from_decimal(viewer_distance) * pixels_per_unit;
             let pixels_per_unit = &distance / (integer(2) * &range.near);
             // The eye, not the screen plane, is the fixed point: it then stands exactly at (0, 0, -D).
-            let behind = [integer(0), integer(0), -distance.clone()];
-            let looking = sight.frame(&sight.eye, &pixels_per_unit);
-            let frame = Transform::translation(behind).after(&looking);
+            let frame = behind(-&distance).after(&sight.frame(&sight.eye, &pixels_per_unit));
             Ok((frame, Projection::Perspective { distance }))
         }
-        Camera::Orthographic { view_height, .. } => {
-            let pixels_per_unit = height / from_decimal(*view_height);
+        Lens::Orthographic { .. } => {
             let half_depth = range.half_length() * &pixels_per_unit;
             let frame = sight.frame(&sight.target, &pixels_per_unit);
             let middle = range.middle() * &pixels_per_unit;
-            let frame = if middle.is_zero() {
-                frame
-            } else {
-                Transform::translation([integer(0), integer(0), -middle]).after(&frame)
+            let frame = match middle.is_zero() {
+                true => frame,
+                false => behind(-middle).after(&frame),
             };
             Ok((frame, Projection::Orthographic { half_depth }))
         }
@@ -210,62 +187,6 @@ fn moved(sample_at: [f64; 2], projection: &Projection) -> Transform {
         row[3] = offset;
     }
     change
-}
-
-/// Where an observer stands in the scene, and where it looks.
-pub(super) struct Sight {
-    pub(super) eye: [BigRational; 3],
-    pub(super) target: [BigRational; 3],
-    view: [f64; 3],
-    pub(super) up: [f64; 3],
-}
-
-impl Sight {
-    pub fn of(camera: &Camera) -> Result<Sight, SceneError> {
-        let (Camera::Perspective {
-            eye, target, up, ..
-        }
-        | Camera::Orthographic {
-            eye, target, up, ..
-        }) = camera;
-        let place = &camera.node().place;
-        let exact = [eye, target].map(|point| point.map(from_decimal));
-        if place.is_empty() {
-            let [exact_eye, exact_target] = exact;
-            return Ok(Sight {
-                eye: exact_eye,
-                target: exact_target,
-                view: std::array::from_fn(|axis| target[axis] - eye[axis]),
-                up: *up,
-            });
-        }
-        let placed = Transform::placement(place);
-        let [eye, target] = exact.map(|point| placed.point(&point));
-        let view = std::array::from_fn(|axis| to_f64(&(&target[axis] - &eye[axis])));
-        let up = placed.vector(&up.map(from_decimal)).map(|v| to_f64(&v));
-        let name = camera.node().name.as_deref().unwrap_or_default();
-        check_up(&format!("camera `{name}`, up"), view, up)?;
-        Ok(Sight {
-            eye,
-            target,
-            view,
-            up,
-        })
-    }
-
-    /// Directions to the right, down and along the view.
-    pub fn axes(&self) -> [[f64; 3]; 3] {
-        let forward = normalised(self.view);
-        let right = normalised(cross(forward, normalised(self.up)));
-        [right, cross(forward, right), forward]
-    }
-
-    /// The frame with its origin at `origin`, z along the view, and `up` towards -y.
-    fn frame(&self, origin: &[BigRational; 3], pixels_per_unit: &BigRational) -> Transform {
-        let to_origin = Transform::translation(origin.each_ref().map(|value| -value));
-        let turned = Transform::linear(self.axes()).after(&to_origin);
-        Transform::scaling(std::array::from_fn(|_| pixels_per_unit.clone())).after(&turned)
-    }
 }
 
 fn framed_object(
@@ -318,7 +239,7 @@ pub(super) fn cut_quadric(
     let local = match &object.shape {
         Shape::TetrahedronPatch { corners, weights } => {
             let (_, planes) = implicit(corners, weights).expect("checked: no flat tetrahedron");
-            planes.to_vec()
+            planes.map(Plane::from_array).to_vec()
         }
         _ => object.cuts.iter().map(Plane::from_cut).collect(),
     };
@@ -361,38 +282,23 @@ fn check_one_depth(facet: &FramedQuadric) -> Result<(), SceneError> {
 }
 
 fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
-    let to_camera = camera.after(&Transform::placement(&light.node().place));
-    match light {
-        Light::Directional {
-            from,
-            colour,
-            intensity,
-            ..
-        } => FramedLight::Directional {
-            towards: normalised(
-                to_camera
-                    .vector(&from.map(from_decimal))
-                    .map(|value| to_f64(&value)),
-            ),
-            colour: colour.map(|value| value * intensity),
-        },
-        Light::Point {
-            position,
-            colour,
-            intensity,
-            ..
+    let to_camera = camera.after(&Transform::placement(&light.node.place));
+    let colour = light.colour.map(|value| value * light.intensity);
+    match &light.beam {
+        Beam::Directional { from } => {
+            let from = to_camera.vector(&from.map(from_decimal));
+            FramedLight::Directional {
+                towards: normalised(from.map(|value| to_f64(&value))),
+                colour,
+            }
         }
         // Within its cone a spot is a point; the cone is a volume.
-        | Light::Spot {
-            position,
-            colour,
-            intensity,
-            ..
-        } => FramedLight::Point {
-            position: to_camera
-                .point(&position.map(from_decimal))
-                .map(|value| to_f64(&value)),
-            colour: colour.map(|value| value * intensity),
-        },
+        Beam::Point { position } | Beam::Spot { position, .. } => {
+            let position = to_camera.point(&position.map(from_decimal));
+            FramedLight::Point {
+                position: position.map(|value| to_f64(&value)),
+                colour,
+            }
+        }
     }
 }

@@ -1,10 +1,9 @@
 //! What an object of a scene is in the camera frame.
 
-use super::file::Surface;
 use super::mesh::FramedMesh;
-use super::plane::Plane;
-use super::quadric::Quadric;
+use super::quadric::FramedQuadric;
 use super::round::{FramedCylinder, FramedSphere};
+use super::shape::Surface;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -17,7 +16,8 @@ pub enum FramedObject {
     Patch(Box<FramedQuadric>),
     /// A quadric between two parallel planes for the first generation.
     FirstGeneration(Box<FramedQuadric>),
-    /// A convex solid of planes: a quadric that is everywhere, [`Quadric::everywhere`], with its cuts.
+    /// A convex solid of planes: a quadric that is everywhere, [`Quadric::everywhere`](super::Quadric::everywhere),
+    /// with its cuts.
     Polyhedron(Box<FramedQuadric>),
     /// Flat facets.
     Mesh(Box<FramedMesh>),
@@ -77,23 +77,6 @@ pub enum Absence {
     Hidden,
     /// It lies beside the picture or behind the viewer.
     OffScreen,
-}
-
-/// A quadric bounded by planes, in the camera frame.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FramedQuadric {
-    /// Unique name.
-    pub name: String,
-    /// Volume or surface.
-    pub surface: Surface,
-    /// The quadric.
-    pub quadric: Quadric,
-    /// The cut planes in the order of the file.
-    pub planes: Vec<Plane>,
-    /// Index of the material.
-    pub material: usize,
-    /// Whether it keeps the light of sources with shadows off others.
-    pub casts_shadow: bool,
 }
 
 impl From<FramedQuadric> for FramedObject {

@@ -1,19 +1,17 @@
 //! Groups and what belongs to them: objects, lights, cameras and other groups, placed together.
 
-use super::file::{Light, Step};
 use super::keys::{is_yes, yes};
+use super::step::Step;
 use serde::{Deserialize, Serialize};
 
-/// A group: its members are placed in its frame, and the group in that of the group it belongs to (source: animator, ObjetC).
-///
-/// A member names its group, so that nothing belongs to two.
+/// A group: its members are placed in its frame, and the group in that of the group it belongs to (source: animator,
+/// ObjetC). A member names its group, so that nothing belongs to two.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Group {
     /// Unique among objects, groups, lights and cameras.
     pub name: String,
     /// Name of the group it belongs to.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub group: Option<String>,
     /// Whether its members are seen, as far as they are visible themselves.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
@@ -44,35 +42,6 @@ impl Default for Node {
             group: None,
             visible: true,
             place: vec![],
-        }
-    }
-}
-
-impl Light {
-    /// Its name, group and place.
-    pub fn node(&self) -> &Node {
-        match self {
-            Self::Directional { node, .. } | Self::Point { node, .. } | Self::Spot { node, .. } => {
-                node
-            }
-        }
-    }
-
-    /// The same, to change.
-    pub fn node_mut(&mut self) -> &mut Node {
-        match self {
-            Self::Directional { node, .. } | Self::Point { node, .. } | Self::Spot { node, .. } => {
-                node
-            }
-        }
-    }
-
-    /// Factor of its colour.
-    pub fn intensity_mut(&mut self) -> &mut f64 {
-        match self {
-            Self::Directional { intensity, .. }
-            | Self::Point { intensity, .. }
-            | Self::Spot { intensity, .. } => intensity,
         }
     }
 }

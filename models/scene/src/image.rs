@@ -1,7 +1,7 @@
 //! Key images of an animation: what each changes, and how long it is shown (source: animator, images and actions).
 
-use super::file::Step;
-use super::keys::{ActionKeys, is_yes, yes};
+use super::keys::{Three, is_yes, require, yes};
+use super::step::{Rotation, Scale, Step, StepKeys};
 use serde::{Deserialize, Serialize};
 
 /// Seconds that a frame is shown unless its image says otherwise: the 25 images a second of the source.
@@ -13,9 +13,8 @@ pub const FRAME_DURATION: f64 = 0.04;
 pub struct KeyImage {
     /// Unique among the images.
     pub name: String,
-    /// Name of the image whose last frame it starts from, wherever that stands in the sequence; without it the scene as it is written, the image -1 of the
-    /// source.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// Name of the image whose last frame it starts from, wherever that stands in the sequence; without it the scene
+    /// as it is written, the image -1 of the source.
     pub parent: Option<String>,
     /// Seconds that each of its frames is shown.
     #[serde(default = "frame_duration")]
@@ -27,7 +26,6 @@ pub struct KeyImage {
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub active: bool,
     /// What the author wants to remember.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
     /// What it changes, in this order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -65,7 +63,7 @@ pub enum Action {
     Focal {
         /// Its name.
         camera: String,
-        /// Millimetres on a film of 24 x 36, as [`Camera::focal`](super::Camera::focal).
+        /// Millimetres on a film of 24 x 36, as [`Camera::focal`](crate::Camera::focal).
         focal: f64,
     },
     /// Makes a camera the one that is looked through.
@@ -92,4 +90,157 @@ fn frame_duration() -> f64 {
 
 fn one() -> u32 {
     1
+}
+
+/// The keys of an action as they stand in the file.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ActionKeys {
+    target: Option<String>,
+    translate: Option<Three>,
+    rotate: Option<Rotation>,
+    scale: Option<Scale>,
+    frame: Option<MoveFrame>,
+    show: Option<bool>,
+    light: Option<String>,
+    intensity: Option<f64>,
+    camera: Option<String>,
+    focal: Option<f64>,
+    active_camera: Option<String>,
+}
+
+/// The forms of an action, by the key that names what is changed: that key, the others it takes, and how it is written.
+const FORMS: [(&str, &[&str], &str); 4] = [
+    (
+        "target",
+        &["translate", "rotate", "scale", "frame", "show"],
+        "{ target = NAME, translate | rotate | scale = ... } or { target = NAME, show = true | false }",
+    ),
+    (
+        "light",
+        &["intensity"],
+        "{ light = NAME, intensity = FACTOR }",
+    ),
+    (
+        "camera",
+        &["focal"],
+        "{ camera = NAME, focal = MILLIMETRES }",
+    ),
+    ("active_camera", &[], "{ active_camera = NAME }"),
+];
+
+impl ActionKeys {
+    fn present(&self) -> Vec<&'static str> {
+        let keys = [
+            ("target", self.target.is_some()),
+            ("translate", self.translate.is_some()),
+            ("rotate", self.rotate.is_some()),
+            ("scale", self.scale.is_some()),
+            ("frame", self.frame.is_some()),
+            ("show", self.show.is_some()),
+            ("light", self.light.is_some()),
+            ("intensity", self.intensity.is_some()),
+            ("camera", self.camera.is_some()),
+            ("focal", self.focal.is_some()),
+            ("active_camera", self.active_camera.is_some()),
+        ];
+        let present = keys.into_iter().filter(|(_, present)| *present);
+        present.map(|(key, _)| key).collect()
+    }
+
+    /// Refuses keys that do not go together.
+    fn check_form(&self) -> Result<(), String> {
+        let present = self.present();
+        let form = FORMS.iter().find(|(key, ..)| present.contains(key));
+        let Some((name, others, written)) = form else {
+            let forms: Vec<_> = FORMS.iter().map(|(.., written)| *written).collect();
+            return Err(format!(
+                "the action does not name what it changes; {} would be accepted",
+                forms.join(", ")
+            ));
+        };
+        match present
+            .iter()
+            .find(|key| *key != name && !others.contains(key))
+        {
+            Some(key) => Err(format!(
+                "an action with `{name}` has no `{key}`; {written} would be accepted"
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// A move, or showing and hiding.
+    fn of_target(self, target: String) -> Result<Action, String> {
+        let moves = self.translate.is_some() || self.rotate.is_some() || self.scale.is_some();
+        match self.show {
+            Some(_) if moves || self.frame.is_some() => Err(format!(
+                "the action on `{target}` moves and shows at once; write each in its own {{ }}, in the order they apply"
+            )),
+            Some(show) => Ok(Action::Show { target, show }),
+            None if !moves => Err(format!(
+                "the action on `{target}` is empty; it needs one of `translate`, `rotate`, `scale`, `show`"
+            )),
+            None => Ok(Action::Move {
+                step: Step::try_from(StepKeys {
+                    translate: self.translate,
+                    rotate: self.rotate,
+                    scale: self.scale,
+                })?,
+                frame: self.frame.unwrap_or_default(),
+                target,
+            }),
+        }
+    }
+}
+
+impl TryFrom<ActionKeys> for Action {
+    type Error = String;
+
+    fn try_from(mut keys: ActionKeys) -> Result<Self, String> {
+        keys.check_form()?;
+        if let Some(target) = keys.target.take() {
+            return keys.of_target(target);
+        }
+        if let Some(light) = keys.light {
+            let wanted = "`intensity`, the factor of its colour that it has in the end";
+            let intensity = require(keys.intensity, "an action with `light`", wanted)?;
+            return Ok(Self::Intensity { light, intensity });
+        }
+        if let Some(camera) = keys.camera {
+            let wanted = "`focal`, millimetres on a film of 24 x 36";
+            let focal = require(keys.focal, "an action with `camera`", wanted)?;
+            return Ok(Self::Focal { camera, focal });
+        }
+        let name = keys.active_camera.expect("one of the forms is there");
+        Ok(Self::ActiveCamera(name))
+    }
+}
+
+impl From<Action> for ActionKeys {
+    fn from(action: Action) -> Self {
+        let mut keys = Self::default();
+        match action {
+            Action::Move {
+                target,
+                step,
+                frame,
+            } => {
+                let step = StepKeys::from(step);
+                keys.target = Some(target);
+                (keys.translate, keys.rotate, keys.scale) =
+                    (step.translate, step.rotate, step.scale);
+                keys.frame = (frame == MoveFrame::Own).then_some(frame);
+            }
+            Action::Show { target, show } => (keys.target, keys.show) = (Some(target), Some(show)),
+            Action::Intensity { light, intensity } => {
+                (keys.light, keys.intensity) = (Some(light), Some(intensity));
+            }
+            Action::Focal { camera, focal } => {
+                (keys.camera, keys.focal) = (Some(camera), Some(focal));
+            }
+            Action::ActiveCamera(name) => keys.active_camera = Some(name),
+        }
+        keys
+    }
 }

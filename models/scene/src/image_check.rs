@@ -1,11 +1,12 @@
 //! The checks of the images of an animation.
 
-use super::camera::{LONGEST_FOCAL, SHORTEST_FOCAL};
-use super::check::{Checked, MAX_INTENSITY, check_name, check_numbers, check_range, check_step};
+use super::camera::{Camera, LONGEST_FOCAL, SHORTEST_FOCAL};
 use super::error::SceneError;
-use super::file::{Camera, Scale, SceneFile, Step};
+use super::file::SceneFile;
 use super::image::{Action, KeyImage};
+use super::limits::*;
 use super::names::{Class, Names, check_camera_name, known};
+use super::step::Step;
 use std::collections::HashMap;
 
 /// Most images of an animation.
@@ -19,23 +20,12 @@ pub const LONGEST_FRAME: f64 = 60.0;
 
 /// Refuses images that cannot be played.
 pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
-    if file.images.len() > MAX_IMAGES {
-        return Err(SceneError::value(
-            "images",
-            format!("{} images", file.images.len()),
-            format!("at most {MAX_IMAGES} are possible"),
-        ));
-    }
+    check_count("images", file.images.len(), "images", MAX_IMAGES)?;
     let mut index_of = HashMap::new();
     for (index, image) in file.images.iter().enumerate() {
         check_name(&format!("images[{index}].name"), &image.name)?;
-        if index_of.insert(image.name.as_str(), index).is_some() {
-            return Err(SceneError::value(
-                format!("image `{}`", image.name),
-                "this name is taken by an earlier image",
-                "every name must be unique",
-            ));
-        }
+        let is_new = index_of.insert(image.name.as_str(), index).is_none();
+        check_new(is_new, &format!("image `{}`", image.name), "image")?;
     }
     for image in &file.images {
         let place = format!("image `{}`", image.name);
@@ -46,39 +36,30 @@ pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
         }
     }
     check_parents(&file.images, &index_of)?;
-    check_count(&file.images)
-}
-
-fn check_count(images: &[KeyImage]) -> Checked {
-    let active = images.iter().filter(|image| image.active);
+    let active = file.images.iter().filter(|image| image.active);
     let frames: u64 = active.map(|image| u64::from(image.steps)).sum();
-    if frames > u64::from(MAX_FRAMES) {
-        return Err(SceneError::value(
-            "images",
-            format!("{frames} frames"),
-            format!("an animation has at most {MAX_FRAMES}"),
-        ));
-    }
-    Ok(())
+    unless(frames <= u64::from(MAX_FRAMES), || {
+        let accepted = format!("an animation has at most {MAX_FRAMES}");
+        ("images", format!("{frames} frames"), accepted)
+    })
 }
 
 fn check_timing(place: &str, image: &KeyImage) -> Checked {
-    let duration = image.duration;
-    if !(SHORTEST_FRAME..=LONGEST_FRAME).contains(&duration) {
-        return Err(SceneError::value(
-            format!("{place}, duration"),
-            format!("{duration} is out of range"),
-            format!("each frame is shown for {SHORTEST_FRAME} to {LONGEST_FRAME} seconds"),
-        ));
-    }
-    if !(1..=MAX_FRAMES).contains(&image.steps) {
-        return Err(SceneError::value(
-            format!("{place}, steps"),
-            format!("{} is out of range", image.steps),
-            format!("an image has 1 to {MAX_FRAMES} frames"),
-        ));
-    }
-    Ok(())
+    let accepted = format!("each frame is shown for {SHORTEST_FRAME} to {LONGEST_FRAME} seconds");
+    let range = [SHORTEST_FRAME, LONGEST_FRAME];
+    check_within(
+        format!("{place}, duration"),
+        image.duration,
+        range,
+        &accepted,
+    )?;
+    let accepted = format!("an image has 1 to {MAX_FRAMES} frames");
+    check_within(
+        format!("{place}, steps"),
+        image.steps,
+        [1, MAX_FRAMES],
+        &accepted,
+    )
 }
 
 fn check_action(
@@ -101,7 +82,7 @@ fn check_action(
         }
         Action::Intensity { light, intensity } => {
             check_target(&format!("{place}.light"), light, &[Class::Light], names)?;
-            check_range(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
+            check_share(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
         }
         Action::Focal { camera, focal } => check_focal(place, camera, *focal, file),
         Action::ActiveCamera(name) => {
@@ -147,42 +128,37 @@ fn article(word: &str) -> &'static str {
 fn check_focal(place: &str, name: &str, focal: f64, file: &SceneFile) -> Checked {
     check_camera_name(file, &format!("{place}.camera"), name)?;
     let mut cameras = file.all_cameras();
-    let camera = cameras.find(|camera| camera.node().name.as_deref() == Some(name));
-    if let Some(Camera::Orthographic { .. }) = camera {
-        return Err(SceneError::value(
+    let camera = cameras.find(|camera| camera.node.name.as_deref() == Some(name));
+    unless(camera.is_none_or(Camera::is_perspective), || {
+        let problem = format!("`{name}` is an orthographic camera and has no lens");
+        (
             format!("{place}.camera"),
-            format!("`{name}` is an orthographic camera and has no lens"),
+            problem,
             "a perspective camera is needed",
-        ));
-    }
-    check_numbers(&format!("{place}.focal"), &[focal])?;
-    if !(SHORTEST_FOCAL..=LONGEST_FOCAL).contains(&focal) {
-        return Err(SceneError::value(
-            format!("{place}.focal"),
-            format!("{focal} is out of range"),
-            format!(
-                "a focal length from {SHORTEST_FOCAL} to {LONGEST_FOCAL} millimetres is possible"
-            ),
-        ));
-    }
-    Ok(())
+        )
+    })?;
+    check_number(&format!("{place}.focal"), focal)?;
+    let accepted =
+        format!("a focal length from {SHORTEST_FOCAL} to {LONGEST_FOCAL} millimetres is possible");
+    let range = [SHORTEST_FOCAL, LONGEST_FOCAL];
+    check_within(format!("{place}.focal"), focal, range, &accepted)
 }
 
 /// Refuses a mirror image over several frames: on the way there is a frame without thickness.
 fn check_parts(place: &str, step: &Step, steps: u32) -> Checked {
-    let factors: &[f64] = match step {
-        Step::Scale(Scale::Uniform(factor)) => std::slice::from_ref(factor),
-        Step::Scale(Scale::PerAxis(factors)) => factors,
-        _ => return Ok(()),
+    let Step::Scale(scale) = step else {
+        return Ok(());
     };
-    if steps > 1 && factors.iter().any(|factor| *factor < 0.0) {
-        return Err(SceneError::value(
-            format!("{place}.scale"),
-            format!("{factors:?} mirrors, which cannot be spread over {steps} frames"),
-            "factors above 0, or an image with `steps = 1`, are needed",
-        ));
-    }
-    Ok(())
+    let factors = scale.factors();
+    unless(
+        steps <= 1 || factors.iter().all(|factor| *factor >= 0.0),
+        || {
+            let problem =
+                format!("{factors:?} mirrors, which cannot be spread over {steps} frames");
+            let accepted = "factors above 0, or an image with `steps = 1`, are needed";
+            (format!("{place}.scale"), problem, accepted)
+        },
+    )
 }
 
 /// Refuses parents that do not exist and images that start from themselves.

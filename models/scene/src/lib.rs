@@ -11,55 +11,59 @@ mod check_kind;
 mod error;
 mod file;
 mod flat;
-mod float_camera;
 mod frame;
 mod framed;
 mod group;
 mod image;
 mod image_check;
 mod keys;
+mod light;
+mod limits;
 mod look;
 mod mesh;
 mod molecule;
 mod names;
-mod pixel;
+mod object;
+mod observer;
 mod plane;
 mod quadric;
 mod range;
 mod reach;
 mod round;
+mod shape;
 mod sight;
 mod source;
+mod step;
 mod tetrahedron;
 mod transform;
 
-pub use camera::{FILM_HEIGHT, LONGEST_FOCAL, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD};
-pub use check::{
-    LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
-    MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
+pub use camera::{
+    Camera, FILM_HEIGHT, LONGEST_FOCAL, Lens, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD,
 };
-pub use error::SceneError;
-pub use error::{in_plain_words, line_and_column};
-pub use file::{
-    Aim, Axis, Camera, Cut, FORMAT_VERSION, ImageSize, Light, Material, Mesh, Object, Processor,
-    Rotation, Scale, SceneFile, Shape, Step, Surface,
-};
-pub use float_camera::FloatCamera;
-pub use frame::{FramedLight, FramedScene, Projection};
-pub use framed::{Absence, Absent, FramedObject, FramedQuadric, Unseen};
+pub use error::{SceneError, in_plain_words, line_and_column};
+pub use file::{FORMAT_VERSION, ImageSize, Material, SceneFile};
+pub use frame::{FramedLight, FramedScene};
+pub use framed::{Absence, Absent, FramedObject, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
 pub use image_check::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
+pub use light::{Aim, Beam, Light};
+pub use limits::{
+    LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
+    MAX_SPECULAR_EXPONENT, SMALLEST_HALF_ANGLE,
+};
 pub use look::{Look, MARGIN, Side, fitting, fitting_from};
 pub use mesh::{FramedFacet, FramedMesh};
 pub use molecule::Molecule;
 pub use names::MAX_NESTING;
+pub use object::Object;
+pub use observer::FloatCamera;
 pub use plane::Plane;
-pub use quadric::Quadric;
-pub use range::{CutOff, DepthRange, End, RangeOrigin, RangeReport};
+pub use quadric::{FramedQuadric, Quadric};
+pub use range::{CutOff, DepthRange, End, Projection, RangeOrigin, RangeReport};
 pub use reach::Body;
-pub use round::root;
-pub use round::{FramedCylinder, FramedSphere};
+pub use round::{FramedCylinder, FramedSphere, root};
+pub use shape::{Cut, Mesh, Processor, Shape, Surface};
 pub use source::{FramedSource, SpotCone};
-pub use transform::Transform;
-pub use transform::{cofactor, rotation_matrix};
+pub use step::{Axis, Rotation, Scale, Step};
+pub use transform::{Transform, rotation_matrix};

@@ -1,11 +1,15 @@
 //! Another look at a scene: from a side, turned, nearer, or so that all of it fills the picture.
 
+use super::camera::{Camera, Lens};
 use super::error::SceneError;
-use super::file::{Axis, Camera, Light, Rotation, SceneFile};
-use super::frame::Sight;
+use super::file::SceneFile;
+use super::light::Beam;
+use super::observer::Sight;
 use super::reach::Body;
-use super::transform::{cross, dot, normalised, rotation_matrix};
+use super::step::{Axis, Rotation};
+use super::transform::rotation_matrix;
 use imogene_algebra::rational::to_f64;
+use imogene_algebra::vector::{cross, dot, minus, normalised, square};
 use rayon::prelude::*;
 
 type Vector = [f64; 3];
@@ -15,7 +19,7 @@ type Axes = [Vector; 3];
 /// Share of the picture that stays free when a scene fills it, half of it on each side.
 pub const MARGIN: f64 = 0.04;
 /// An object that reaches so many times farther than the eye is away counts as endless.
-pub(super) const ENDLESS: f64 = 1e3;
+const ENDLESS: f64 = 1e3;
 /// Steps towards the opening of a picture: of each error a third remains at most.
 const STEPS: usize = 10;
 
@@ -115,8 +119,7 @@ impl Look {
         let mut scene = scene.flattened().into_owned();
         let sight = Sight::of(&scene.camera)?;
         let [eye, target] = [&sight.eye, &sight.target].map(|p| p.each_ref().map(to_f64));
-        let between: Vector = std::array::from_fn(|k| eye[k] - target[k]);
-        let distance = dot(between, between).sqrt();
+        let distance = square(minus(eye, target)).sqrt();
         let [right, down, forward] = sight.axes();
         let axes = [right, down.map(|v| 0.0 - v), forward.map(|v| 0.0 - v)];
         let before = axes;
@@ -133,19 +136,52 @@ impl Look {
             left_out = pose.fit(&mut scene, shape)?;
         }
         for light in scene.lights.iter_mut().filter(|_| self.lights) {
-            if let Light::Directional { from, .. } = light {
+            if let Beam::Directional { from } = &mut light.beam {
                 *from = combined(axes, before.map(|axis| dot(axis, *from)));
             }
         }
-        pose.take(
-            &mut scene.camera,
-            self.side.is_some() || self.turn.is_some() || self.fit,
-        );
-        let (Camera::Perspective { view_height, .. } | Camera::Orthographic { view_height, .. }) =
-            &mut scene.camera;
-        *view_height /= self.zoom.unwrap_or(1.0);
+        if self.side.is_some() || self.turn.is_some() || self.fit {
+            pose.take(&mut scene.camera);
+        }
+        scene.camera.view_height /= self.zoom.unwrap_or(1.0);
         scene.validate()?;
         Ok((scene, left_out))
+    }
+}
+
+impl SceneFile {
+    /// Side of a pixel, in scene units, at the depth of the nearest point of all objects with an end; `lines` is the
+    /// height of the picture. What is shorter than this is less than a pixel of the picture, wherever it is.
+    ///
+    /// An object that reaches behind a perspective eye makes it 0.
+    ///
+    /// # Errors
+    ///
+    /// If the camera would not be accepted.
+    pub fn nearest_pixel(&self, lines: u32) -> Result<f64, SceneError> {
+        let scene = self.flattened();
+        let sight = Sight::of(&scene.camera)?;
+        let eye = sight.eye.each_ref().map(to_f64);
+        let target = sight.target.each_ref().map(to_f64);
+        let far = ENDLESS * square(minus(eye, target)).sqrt();
+        let [_, _, forward] = sight.axes();
+        let towards = forward.map(|v| -v);
+        let reaches = scene.objects.par_iter().map(|object| {
+            let reach = Body::of(object, eye, 10.0 * far).reach(towards);
+            if reach < far {
+                reach
+            } else {
+                f64::NEG_INFINITY
+            }
+        });
+        let nearest = -reaches.reduce(|| f64::NEG_INFINITY, f64::max);
+        let height = scene.camera.view_height / f64::from(lines);
+        Ok(match scene.camera.lens {
+            Lens::Perspective {
+                viewer_distance, ..
+            } => height * nearest.max(0.0) / viewer_distance,
+            Lens::Orthographic { .. } => height,
+        })
     }
 }
 
@@ -165,43 +201,30 @@ struct Pose {
 }
 
 impl Pose {
-    fn take(&self, camera: &mut Camera, is_elsewhere: bool) {
-        if !is_elsewhere {
-            return;
-        }
+    fn take(&self, camera: &mut Camera) {
         let [_, upwards, towards] = self.axes;
-        camera.node_mut().place.clear();
-        match camera {
-            Camera::Perspective { near, .. } => *near = None,
-            Camera::Orthographic {
-                half_depth, ends, ..
-            } => (*half_depth, *ends) = (None, None),
+        camera.node.place.clear();
+        match &mut camera.lens {
+            Lens::Perspective { near, .. } => *near = None,
+            Lens::Orthographic { half_depth, ends } => (*half_depth, *ends) = (None, None),
         }
-        let (Camera::Perspective {
-            eye, target, up, ..
-        }
-        | Camera::Orthographic {
-            eye, target, up, ..
-        }) = camera;
-        *target = self.target;
-        *eye = std::array::from_fn(|k| self.target[k] + self.distance * towards[k]);
-        *up = upwards;
+        camera.target = self.target;
+        camera.eye = std::array::from_fn(|k| self.target[k] + self.distance * towards[k]);
+        camera.up = upwards;
     }
 
     /// Moves until the scene fills the picture; in a parallel view the window also takes another height. Gives the
     /// names of what is endless.
     fn fit(&mut self, scene: &mut SceneFile, shape: f64) -> Result<Vec<String>, SceneError> {
         let size = 10.0 * ENDLESS * self.distance;
-        let tangents = match &scene.camera {
-            Camera::Perspective {
-                view_height,
-                viewer_distance,
-                ..
+        let tangents = match scene.camera.lens {
+            Lens::Perspective {
+                viewer_distance, ..
             } => {
-                let up = (1.0 - MARGIN) * 0.5 * view_height / viewer_distance;
+                let up = (1.0 - MARGIN) * 0.5 * scene.camera.view_height / viewer_distance;
                 [up * shape, up]
             }
-            Camera::Orthographic { .. } => [0.0; 2],
+            Lens::Orthographic { .. } => [0.0; 2],
         };
         let objects = scene.objects.par_iter();
         let bodies: Vec<Body> = objects.map(|o| Body::of(o, self.target, size)).collect();
@@ -226,14 +249,13 @@ impl Pose {
                 "an object that its cuts bound is needed",
             ));
         }
-        let along = match &mut scene.camera {
-            Camera::Perspective { .. } => z - self.distance,
-            Camera::Orthographic { view_height, .. } => {
-                let half = halves[1].max(halves[0] / shape) / (1.0 - MARGIN);
-                *view_height = 2.0 * rounded_up(half.max(1e-6 * self.distance));
-                0.0
-            }
-        };
+        let mut along = 0.0;
+        if scene.camera.is_perspective() {
+            along = z - self.distance;
+        } else {
+            let half = halves[1].max(halves[0] / shape) / (1.0 - MARGIN);
+            scene.camera.view_height = 2.0 * rounded_up(half.max(1e-6 * self.distance));
+        }
         let moved = combined(self.axes, [x, y, along]);
         let step = 10f64.powf(self.distance.log10().floor() - 6.0);
         for (place, moved) in self.target.iter_mut().zip(moved) {

@@ -1,8 +1,11 @@
 //! Meshes: flat facets with common corners, in the camera frame.
 
-use super::file::Mesh;
-use super::transform::{Transform, normalised};
+use super::shape::Mesh;
+use super::transform::Transform;
+use imogene_algebra::matrix::{cofactors3, image, transposed};
 use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_algebra::vector::{cross, dot, minus, normalised};
+use imogene_algebra::whole::greatest;
 use imogene_golden::object::paraboloid::NORMAL_LENGTH;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -94,16 +97,16 @@ fn parts(vertices: &[Point], corners: &[usize]) -> Vec<Vec<usize>> {
 /// What the face of these corners is; nothing if it has no area, or is a quadrangle whose sides cross.
 pub(super) fn face(vertices: &[Point], corners: &[usize]) -> Option<Face> {
     let p = |k: usize| &vertices[corners[k % corners.len()]];
-    let turn = |k: usize, l: usize, m: usize| cross(&minus(p(l), p(k)), &minus(p(m), p(k)));
+    let turn = |k: usize, l: usize, m: usize| cross(minus(p(l), p(k)), minus(p(m), p(k)));
     if corners.len() == 3 {
         return (!turn(0, 1, 2).iter().all(Zero::is_zero)).then_some(Face::Flat(0));
     }
     // Twice the area of the quadrangle as a vector: what its triangles must turn with.
-    let area = cross(&minus(p(2), p(0)), &minus(p(3), p(1)));
-    let ahead = |k: usize, l: usize, m: usize| dot(&turn(k, l, m), &area).is_positive();
+    let area = cross(minus(p(2), p(0)), minus(p(3), p(1)));
+    let ahead = |k: usize, l: usize, m: usize| dot(turn(k, l, m), &area).is_positive();
     let halves = |k: usize| ahead(k, k + 1, k + 2) && ahead(k, k + 2, k + 3);
     let (first, second) = (halves(0), halves(1));
-    let plane = dot(&turn(0, 1, 2), &minus(p(3), p(0))).is_zero();
+    let plane = dot(turn(0, 1, 2), minus(p(3), p(0))).is_zero();
     match (first, second) {
         (true, true) if plane => Some(Face::Flat(0)),
         (true, _) => Some(Face::Folded(0)),
@@ -114,46 +117,20 @@ pub(super) fn face(vertices: &[Point], corners: &[usize]) -> Option<Face> {
 
 fn plane_normal(vertices: &[Point], corners: &[usize]) -> Point {
     let p = |k: usize| &vertices[corners[k]];
-    cross(&minus(p(1), p(0)), &minus(p(2), p(0)))
+    cross(minus(p(1), p(0)), minus(p(2), p(0)))
 }
 
 /// A normal is turned as a plane is: by the cofactors, whose sign a mirror changes.
 fn turned_normal(normal: &[f64; 3], transform: &Transform) -> Point {
-    let normal = normal.map(from_decimal);
-    let columns: [Point; 3] =
-        std::array::from_fn(|c| std::array::from_fn(|r| transform.rows[r][c].clone()));
-    let [x, y, z] = &columns;
-    let cofactors = [cross(y, z), cross(z, x), cross(x, y)];
-    let sign = dot(&cofactors[0], x).signum();
-    std::array::from_fn(|k| {
-        let sum: BigRational = cofactors.iter().zip(&normal).map(|(c, n)| &c[k] * n).sum();
-        sum * &sign
-    })
+    let columns = transform.columns();
+    let cofactors = cofactors3(&columns);
+    let sign = dot(&cofactors[0], &columns[0]).signum();
+    image(&transposed(&cofactors), &normal.map(from_decimal)).map(|sum| sum * &sign)
 }
 
 /// The direction in 16-bit components, of the length that facets have.
 fn full_length(vector: &Point) -> [i16; 3] {
-    let greatest = vector
-        .iter()
-        .map(Signed::abs)
-        .max()
-        .expect("three components");
-    let unit = normalised(vector.each_ref().map(|v| to_f64(&(v / &greatest))));
+    let most = greatest(vector.each_ref());
+    let unit = normalised(vector.each_ref().map(|v| to_f64(&(v / &most))));
     unit.map(|v| (v * NORMAL_LENGTH as f64).round() as i16)
-}
-
-fn minus(u: &Point, v: &Point) -> Point {
-    std::array::from_fn(|k| &u[k] - &v[k])
-}
-
-fn dot(u: &Point, v: &Point) -> BigRational {
-    u.iter().zip(v).map(|(a, b)| a * b).sum()
-}
-
-fn cross(u: &Point, v: &Point) -> Point {
-    [
-        &u[1] * &v[2] - &u[2] * &v[1],
-        &u[2] * &v[0] - &u[0] * &v[2],
-        &u[0] * &v[1] - &u[1] * &v[0],
-    ]
 }

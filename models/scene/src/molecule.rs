@@ -1,7 +1,5 @@
 //! Molecules of a scene that stand in a structure file of their own.
 
-use super::error::SceneError;
-use super::file::SceneFile;
 use super::keys::{is_yes, yes};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -12,10 +10,8 @@ pub struct Molecule {
     /// Path of the structure file, from the folder of the scene.
     pub file: String,
     /// Stands in front of the names of its objects.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Name of the group that its objects belong to.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub group: Option<String>,
     /// How it is drawn.
     #[serde(default = "space_filling")]
@@ -42,7 +38,6 @@ pub struct Molecule {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub residues: Vec<String>,
     /// The assembly whose copies are drawn; the coordinates as they stand without one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub assembly: Option<String>,
 }
 
@@ -96,18 +91,4 @@ fn word_or_number<'de, D: Deserializer<'de>>(input: D) -> Result<String, D::Erro
         Either::Number(number) => number.to_string(),
         Either::Word(word) => word,
     })
-}
-
-impl SceneFile {
-    /// Refuses a scene whose molecules have not been read from their files: their atoms would be missing.
-    pub(super) fn check_molecules_read(&self) -> Result<(), SceneError> {
-        let Some(molecule) = self.molecules.first() else {
-            return Ok(());
-        };
-        Err(SceneError::value(
-            "molecules",
-            format!("`{}` has not been read", molecule.file),
-            "the scene is drawn once each is turned into objects",
-        ))
-    }
 }

@@ -1,8 +1,7 @@
 //! The checks of names: who is called what, who belongs to whom, and that nothing goes round in circles.
 
-use super::check::{Checked, check_name};
-use super::error::SceneError;
 use super::file::SceneFile;
+use super::limits::{Checked, check_name, check_new, unless};
 use std::collections::HashMap;
 
 /// Most groups above a member.
@@ -32,11 +31,11 @@ impl Class {
 pub(super) type Names<'a> = HashMap<&'a str, Class>;
 
 /// The names of everything an action can change; refused are those that are empty or taken.
-pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, SceneError> {
+pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, super::error::SceneError> {
     let objects = file.objects.iter().map(|o| Some(&o.name)).enumerate();
     let groups = file.groups.iter().map(|g| Some(&g.name)).enumerate();
-    let lights = file.lights.iter().map(|l| l.node().name.as_ref());
-    let cameras = file.all_cameras().map(|c| c.node().name.as_ref());
+    let lights = file.lights.iter().map(|l| l.node.name.as_ref());
+    let cameras = file.all_cameras().map(|c| c.node.name.as_ref());
     let all = objects
         .map(|(index, name)| (Class::Object, index, name))
         .chain(groups.map(|(index, name)| (Class::Group, index, name)))
@@ -49,44 +48,29 @@ pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, SceneError> {
         };
         let word = class.word();
         check_name(&format!("{word}s[{index}].name"), name)?;
-        if let Some(earlier) = names.insert(name.as_str(), class) {
-            return Err(SceneError::value(
-                format!("{word} `{name}`"),
-                format!("this name is taken by an earlier {}", earlier.word()),
-                "every name must be unique",
-            ));
-        }
+        let earlier = names.insert(name.as_str(), class).map(Class::word);
+        let place = || format!("{word} `{name}`");
+        earlier.map_or(Ok(()), |earlier| check_new(false, &place(), earlier))?;
     }
     Ok(names)
 }
 
-/// Refuses members of groups that do not exist, groups that contain themselves, and an active camera that does not exist.
+/// Refuses members of groups that do not exist, groups that contain themselves, and an active camera that does not
+/// exist.
 pub(super) fn check_members(file: &SceneFile) -> Checked {
-    let objects = file.objects.iter().map(|o| {
-        let place = || format!("object `{}`", o.name);
-        (o.group.as_deref(), place())
-    });
-    for (group, place) in objects.filter(|(group, _)| group.is_some()) {
-        check_group(file, group, &place)?;
+    for object in &file.objects {
+        check_group(file, &object.group, || format!("object `{}`", object.name))?;
     }
     for group in &file.groups {
-        check_group(
-            file,
-            group.group.as_deref(),
-            &format!("group `{}`", group.name),
-        )?;
+        check_group(file, &group.group, || format!("group `{}`", group.name))?;
     }
     for (index, light) in file.lights.iter().enumerate() {
-        check_group(
-            file,
-            light.node().group.as_deref(),
-            &format!("lights[{index}]"),
-        )?;
+        check_group(file, &light.node.group, || format!("lights[{index}]"))?;
     }
     for camera in file.all_cameras() {
-        let name = camera.node().name.as_ref();
-        let place = name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
-        check_group(file, camera.node().group.as_deref(), &place)?;
+        let name = camera.node.name.as_ref();
+        let place = || name.map_or("camera".to_owned(), |name| format!("camera `{name}`"));
+        check_group(file, &camera.node.group, place)?;
     }
     check_circles(file)?;
     match &file.active_camera {
@@ -95,48 +79,48 @@ pub(super) fn check_members(file: &SceneFile) -> Checked {
     }
 }
 
-fn check_group(file: &SceneFile, group: Option<&str>, place: &str) -> Checked {
+fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> String) -> Checked {
     let Some(name) = group else {
         return Ok(());
     };
-    if file.groups.iter().any(|g| g.name == name) {
-        return Ok(());
-    }
-    Err(SceneError::value(
-        format!("{place}, group"),
-        format!("`{name}` is not a group of this scene"),
-        known(file.groups.iter().map(|g| g.name.as_str()), "`[[groups]]`"),
-    ))
+    unless(file.groups.iter().any(|g| g.name == *name), || {
+        (
+            format!("{}, group", place()),
+            format!("`{name}` is not a group of this scene"),
+            known(file.groups.iter().map(|g| g.name.as_str()), "`[[groups]]`"),
+        )
+    })
 }
 
 /// Refuses a name that no camera has.
 pub(super) fn check_camera_name(file: &SceneFile, place: &str, name: &str) -> Checked {
     let names = || {
-        let nodes = file.all_cameras().map(|camera| camera.node());
-        nodes.filter_map(|node| node.name.as_deref())
+        file.all_cameras()
+            .filter_map(|camera| camera.node.name.as_deref())
     };
-    if names().any(|known| known == name) {
-        return Ok(());
-    }
-    Err(SceneError::value(
-        place,
-        format!("`{name}` is not a camera of this scene"),
-        known(names(), "camera with a `name`"),
-    ))
+    unless(names().any(|known| known == name), || {
+        let problem = format!("`{name}` is not a camera of this scene");
+        (place, problem, known(names(), "camera with a `name`"))
+    })
 }
 
 /// What a scene has of a sort, as the last part of a message; long lists are cut.
 pub(super) fn known<'a>(names: impl Iterator<Item = &'a str>, what: &str) -> String {
     const SHOWN: usize = 12;
-    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    let names: Vec<_> = names.collect();
+    let shown = known_all(names.iter().copied().take(SHOWN), what);
     match names.len() {
-        0 => format!("the scene has no {what} yet"),
-        count if count > SHOWN => format!(
-            "the scene has {} and {} more",
-            names[..SHOWN].join(", "),
-            count - SHOWN
-        ),
-        _ => format!("the scene has {}", names.join(", ")),
+        count if count > SHOWN => format!("{shown} and {} more", count - SHOWN),
+        _ => shown,
+    }
+}
+
+/// The same for a list that is never long.
+pub(super) fn known_all<'a>(names: impl Iterator<Item = &'a str>, what: &str) -> String {
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.is_empty() {
+        true => format!("the scene has no {what} yet"),
+        false => format!("the scene has {}", names.join(", ")),
     }
 }
 
@@ -153,22 +137,24 @@ fn check_circles(file: &SceneFile) -> Checked {
         let mut next = group.group.as_deref();
         while let Some(name) = next {
             path.push(name);
-            if name == group.name {
-                return Err(SceneError::value(
+            unless(name != group.name, || {
+                let problem = format!("the group is within itself: {}", arrows(&path));
+                (
                     place(),
-                    format!("the group is within itself: {}", arrows(&path)),
-                    "a group belongs to one outside it, or to none",
-                ));
-            }
-            if path.len() > MAX_NESTING {
-                return Err(SceneError::value(
+                    problem,
+                    "a group belongs to one outside it, or to none".to_owned(),
+                )
+            })?;
+            unless(path.len() <= MAX_NESTING, || {
+                let problem = format!(
+                    "more than {MAX_NESTING} groups are above it, or they go round in a circle"
+                );
+                (
                     place(),
-                    format!(
-                        "more than {MAX_NESTING} groups are above it, or they go round in a circle"
-                    ),
+                    problem,
                     format!("at most {MAX_NESTING} are possible"),
-                ));
-            }
+                )
+            })?;
             next = above.get(name).copied().flatten();
         }
     }
@@ -176,7 +162,7 @@ fn check_circles(file: &SceneFile) -> Checked {
 }
 
 /// A circle of names as it is gone through.
-pub(super) fn arrows(path: &[&str]) -> String {
+fn arrows(path: &[&str]) -> String {
     let names: Vec<String> = path.iter().map(|name| format!("`{name}`")).collect();
     names.join(" in ")
 }

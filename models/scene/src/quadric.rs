@@ -1,14 +1,15 @@
 //! Quadrics in exact rationals: of a shape, in another frame, with whole coefficients.
 
+use super::plane::Plane;
+use super::shape::{Shape, Surface};
+use super::tetrahedron::implicit;
+use super::transform::{Transform, WholeInverse, WholeTransform};
+use imogene_algebra::matrix::{Matrix4, SYMMETRIC, product, symmetric};
+use imogene_algebra::rational::{from_decimal, integer};
+use imogene_algebra::whole::{common_denominator, primitive};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
-
-use super::file::Shape;
-use super::plane::{common_denominator, primitive};
-use super::tetrahedron::implicit;
-use super::transform::{Transform, WholeInverse, WholeTransform};
-use imogene_algebra::rational::{from_decimal, integer};
 
 /// `Q = a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j`, inside where `Q <= 0`.
 ///
@@ -48,61 +49,48 @@ impl Quadric {
         self.coefficients().iter().all(|value| value.is_zero())
     }
 
-    /// The quadric of a shape, in its local coordinates; [`Quadric::everywhere`] for a polyhedron, which has none, and nothing for a mesh.
+    /// The quadric of a shape, in its local coordinates; [`Quadric::everywhere`] for a polyhedron, which has none, and
+    /// nothing for a mesh.
     pub fn from_shape(shape: &Shape) -> Option<Self> {
-        let one = integer(1);
-        Some(match shape {
-            Shape::Polyhedron => Self::everywhere(),
+        let between = |[a, c]: [f64; 2]| [a, 1.0, c];
+        // Signs of the squares over those of the half axes, and the constant.
+        let (radii, signs, constant) = match *shape {
+            Shape::Polyhedron => return Some(Self::everywhere()),
             Shape::Mesh(_) => return None,
-            Shape::TetrahedronPatch { corners, weights } => implicit(corners, weights)?.0,
-            Shape::Ellipsoid { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, b, c, -one)
+            Shape::TetrahedronPatch {
+                ref corners,
+                ref weights,
+            } => return Some(Self::from_matrix(&implicit(corners, weights)?.0)),
+            Shape::Quadric { coefficients } => {
+                return Some(Self::from_array(coefficients.map(from_decimal)));
             }
             Shape::Sphere { radius } => {
-                let square = from_decimal(*radius).pow(2);
-                Self::diagonal(one.clone(), one.clone(), one, -square)
+                let square = from_decimal(radius).pow(2);
+                return Some(Self::diagonal([1, 1, 1].map(integer), -square));
             }
-            Shape::EllipticCylinder { radii } => {
-                let [a, c] = inverse_squares(radii);
-                Self::diagonal(a, integer(0), c, -one)
+            Shape::Ellipsoid { radii } => (radii, [1, 1, 1], -1),
+            Shape::EllipticCylinder { radii } => (between(radii), [1, 0, 1], -1),
+            Shape::HyperbolicCylinder { radii } => (between(radii), [1, 0, -1], -1),
+            Shape::ParabolicCylinder { radii } => (between(radii), [1, 0, 0], 0),
+            Shape::Cone { radii } => (radii, [1, -1, 1], 0),
+            Shape::HyperboloidOneSheet { radii } => (radii, [1, -1, 1], -1),
+            Shape::HyperboloidTwoSheets { radii } => (radii, [1, -1, 1], 1),
+            Shape::EllipticParaboloid { radii } => (radii, [1, 0, 1], 0),
+            Shape::HyperbolicParaboloid { radii } => (radii, [1, 0, -1], 0),
+        };
+        let radii = radii.map(from_decimal);
+        let squares = std::array::from_fn(|k| integer(signs[k]) / radii[k].pow(2));
+        let mut quadric = Self::diagonal(squares, integer(constant));
+        // Linear terms count twice, so that `-y/B` has the coefficient `-1/(2B)`.
+        let linear = |radius: &BigRational| -(radius * integer(2)).recip();
+        match shape {
+            Shape::ParabolicCylinder { .. } => quadric.i = linear(&radii[2]),
+            Shape::EllipticParaboloid { .. } | Shape::HyperbolicParaboloid { .. } => {
+                quadric.h = linear(&radii[1]);
             }
-            Shape::HyperbolicCylinder { radii } => {
-                let [a, c] = inverse_squares(radii);
-                Self::diagonal(a, integer(0), -c, -one)
-            }
-            Shape::ParabolicCylinder { radii } => {
-                let [a, _] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), integer(0), integer(0));
-                quadric.i = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::Cone { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, integer(0))
-            }
-            Shape::HyperboloidOneSheet { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, -one)
-            }
-            Shape::HyperboloidTwoSheets { radii } => {
-                let [a, b, c] = inverse_squares(radii);
-                Self::diagonal(a, -b, c, one)
-            }
-            Shape::EllipticParaboloid { radii } => {
-                let [a, _, c] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), c, integer(0));
-                quadric.h = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::HyperbolicParaboloid { radii } => {
-                let [a, _, c] = inverse_squares(radii);
-                let mut quadric = Self::diagonal(a, integer(0), -c, integer(0));
-                quadric.h = minus_half_inverse(radii[1]);
-                quadric
-            }
-            Shape::Quadric { coefficients } => Self::from_array(coefficients.map(from_decimal)),
-        })
+            _ => {}
+        }
+        Some(quadric)
     }
 
     /// The value of Q at a point, exactly.
@@ -115,84 +103,43 @@ impl Quadric {
 
     /// The same volume after the change of frame `P' = M P`.
     ///
-    /// `cof(M) Q cof(M)^T` is the exact image times det(M)^2, a positive factor that changes neither surface nor inside. The
-    /// source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
+    /// `cof(M) Q cof(M)^T` is the exact image times det(M)^2, a positive factor that changes neither surface nor
+    /// inside. The source prints `M^-1 Q M^-1t`, which holds for row points only (section 5.1.2).
     pub fn transformed(&self, transform: &Transform) -> Self {
         let inverse = WholeTransform::new(transform).inverse();
         let square = &inverse.cofactor_unit * &inverse.cofactor_unit;
         let whole = self.transformed_whole(&inverse);
-        Self::from_array(
-            whole
-                .coefficients()
-                .map(|v| BigRational::new_raw(v.numer().clone(), v.denom() * &square)),
-        )
+        let over = |v: &BigRational| BigRational::new_raw(v.numer().clone(), v.denom() * &square);
+        Self::from_array(whole.coefficients().map(over))
     }
 
     /// A positive multiple of the same, by whole numbers alone.
     pub(super) fn transformed_whole(&self, inverse: &WholeInverse) -> Self {
-        let inverse = &inverse.rows;
-        let ([a, b, c, d, e, f, g, h, i, j], denominator) = common_denominator(self.coefficients());
-        let matrix = [
-            [&a, &d, &e, &g],
-            [&d, &b, &f, &h],
-            [&e, &f, &c, &i],
-            [&g, &h, &i, &j],
-        ];
         // Whole numbers are multiplied and divided once: reducing fractions on the way would take most of the time.
-        let half: [[BigInt; 4]; 4] = std::array::from_fn(|row| {
-            std::array::from_fn(|column| {
-                sum_of_products((0..4).map(|k| (matrix[row][k], &inverse[k][column])))
-            })
-        });
-        let entry = |row: usize, column: usize| {
-            let sum = sum_of_products((0..4).map(|k| (&inverse[k][row], &half[k][column])));
+        let (whole, denominator) = common_denominator(self.coefficients());
+        let half = product(&symmetric(whole.each_ref()), &inverse.rows);
+        Self::from_array(SYMMETRIC.map(|[i, j]| {
+            let terms = inverse.rows.iter().zip(&half);
+            let sum: BigInt = terms.map(|(left, right)| &left[i] * &right[j]).sum();
             BigRational::new_raw(sum, denominator.clone())
-        };
-        let order = [
-            (0, 0),
-            (1, 1),
-            (2, 2),
-            (0, 1),
-            (0, 2),
-            (1, 2),
-            (0, 3),
-            (1, 3),
-            (2, 3),
-            (3, 3),
-        ];
-        Self::from_array(order.map(|(row, column)| entry(row, column)))
+        }))
     }
 
     /// The quadric of a symmetric matrix.
-    pub(super) fn from_matrix(matrix: [[BigRational; 4]; 4]) -> Self {
-        let [[a, d, e, g], [_, b, f, h], [_, _, c, i], [_, _, _, j]] = matrix;
-        Self::from_array([a, b, c, d, e, f, g, h, i, j])
+    fn from_matrix(matrix: &Matrix4<BigRational>) -> Self {
+        Self::from_array(SYMMETRIC.map(|[i, j]| matrix[i][j].clone()))
     }
 
     /// The coefficients a to j.
     pub fn coefficients(&self) -> [&BigRational; 10] {
-        [
-            &self.a, &self.b, &self.c, &self.d, &self.e, &self.f, &self.g, &self.h, &self.i,
-            &self.j,
-        ]
+        let [a, b, c, d, e] = [&self.a, &self.b, &self.c, &self.d, &self.e];
+        let [f, g, h, i, j] = [&self.f, &self.g, &self.h, &self.i, &self.j];
+        [a, b, c, d, e, f, g, h, i, j]
     }
 
     /// The symmetric matrix of Q.
-    pub fn matrix(&self) -> [[BigRational; 4]; 4] {
-        let Self {
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-        } = self;
-        [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]]
-            .map(|row| row.map(BigRational::clone))
+    pub fn matrix(&self) -> Matrix4<BigRational> {
+        symmetric(self.coefficients())
     }
 
     /// The positive multiple with whole coefficients without common divisor.
@@ -200,20 +147,10 @@ impl Quadric {
         Self::from_array(primitive(self.coefficients().map(BigRational::clone)))
     }
 
-    pub(super) fn diagonal(a: BigRational, b: BigRational, c: BigRational, j: BigRational) -> Self {
+    /// The quadric of the factors of the squares and the constant.
+    pub(super) fn diagonal([a, b, c]: [BigRational; 3], j: BigRational) -> Self {
         let [d, e, f, g, h, i] = std::array::from_fn(|_| BigRational::zero());
-        Self {
-            a,
-            b,
-            c,
-            d,
-            e,
-            f,
-            g,
-            h,
-            i,
-            j,
-        }
+        Self::from_array([a, b, c, d, e, f, g, h, i, j])
     }
 
     /// The quadric of the coefficients a to j.
@@ -233,27 +170,27 @@ impl Quadric {
     }
 }
 
-/// Most entries of a matrix of a quadric or a placement are zero.
-fn sum_of_products<'a>(terms: impl Iterator<Item = (&'a BigInt, &'a BigInt)>) -> BigInt {
-    let not_zero = terms.filter(|(a, b)| !a.is_zero() && !b.is_zero());
-    not_zero.map(|(a, b)| a * b).sum()
-}
-
-fn inverse_squares<const N: usize>(radii: &[f64; N]) -> [BigRational; N] {
-    radii.map(|radius| from_decimal(radius).pow(2).recip())
-}
-
-/// Linear terms count twice in a quadric, so `-y/B` has the coefficient `-1/(2B)`.
-fn minus_half_inverse(radius: f64) -> BigRational {
-    -(from_decimal(radius) * integer(2)).recip()
+/// A quadric bounded by planes, in the camera frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramedQuadric {
+    /// Unique name.
+    pub name: String,
+    /// Volume or surface.
+    pub surface: Surface,
+    /// The quadric.
+    pub quadric: Quadric,
+    /// The cut planes in the order of the file.
+    pub planes: Vec<Plane>,
+    /// Index of the material.
+    pub material: usize,
+    /// Whether it keeps the light of sources with shadows off others.
+    pub casts_shadow: bool,
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::file::{Axis, Rotation, Scale, Step};
-    use super::super::plane::{Plane, common_divisor};
+    use super::super::step::{Axis, Rotation, Scale, Step};
     use super::*;
-    use num_integer::Integer;
     use num_traits::Signed;
     use proptest::prelude::*;
 
@@ -273,12 +210,13 @@ mod tests {
     }
 
     proptest! {
-        /// The image has at the image of a point the value of the original at the point, times det(M)^2 for a quadric and |det(M)| for a plane; the whole
-        /// multiples become the same primitive ones.
+        /// The image has at the image of a point the value of the original at the point, times det(M)^2 for a quadric
+        /// and |det(M)| for a plane; the whole multiples become the same primitive ones.
         #[test]
         fn images_have_the_values_of_their_originals(
             steps in proptest::collection::vec(step(), 0..4), camera in proptest::collection::vec(step(), 0..3),
-            q in proptest::collection::vec(-50i64..50, 10), p in proptest::array::uniform4(-50i64..50), at in proptest::array::uniform3(-20i64..20)
+            q in proptest::collection::vec(-50i64..50, 10), p in proptest::array::uniform4(-50i64..50),
+            at in proptest::array::uniform3(-20i64..20)
         ) {
             let camera = Transform::placement(&camera);
             let transform = camera.after(&Transform::placement(&steps));
@@ -296,13 +234,6 @@ mod tests {
             let inverse = WholeTransform::of_steps(&WholeTransform::new(&camera), &steps).inverse();
             prop_assert_eq!(quadric.transformed_whole(&inverse).primitive(), image.primitive());
             prop_assert_eq!(plane.transformed_whole(&inverse).primitive(), cut.primitive());
-        }
-
-        #[test]
-        fn the_divisor_is_the_greatest(values in proptest::array::uniform6(-1_000_000i64..1_000_000), factor in 0i64..1000) {
-            let values = values.map(|v| BigInt::from(v * factor));
-            let expected = values.iter().fold(BigInt::zero(), |gcd, v| gcd.gcd(v));
-            prop_assert_eq!(common_divisor(values.each_ref()), expected);
         }
     }
 }

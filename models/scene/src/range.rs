@@ -4,11 +4,25 @@
 //! `w = z_max (1 - 2 near / Z)`: it is least at the near end and greatest at infinity. In an orthographic view it is
 //! of first degree in the distance itself, between a near and a far end on both sides of the screen plane.
 
-use super::file::Camera;
-use super::frame::Projection;
+use super::camera::{Camera, Lens};
 use imogene_algebra::rational::{fraction, from_decimal, integer, power_of_two, to_f64};
 use num_rational::BigRational;
 use serde::Serialize;
+
+/// How the camera frame is projected on the screen plane z = 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// From the eye (0, 0, -D).
+    Perspective {
+        /// D in pixels.
+        distance: BigRational,
+    },
+    /// Along z.
+    Orthographic {
+        /// Depth in pixels covered on each side of the screen plane.
+        half_depth: BigRational,
+    },
+}
 
 /// What the depth word covers, in scene units along the view.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,41 +91,40 @@ pub struct RangeReport {
 impl DepthRange {
     /// The range that a camera suggests, or names.
     pub fn of_camera(camera: &Camera) -> DepthRange {
-        let of = |near, far, origin| DepthRange {
-            near,
-            far,
-            origin,
-            cut: vec![],
-        };
-        match camera {
-            Camera::Perspective {
+        let (near, far, origin) = match camera.lens {
+            Lens::Perspective {
                 near: Some(near), ..
-            } => of(from_decimal(*near), None, RangeOrigin::Hand),
-            Camera::Perspective {
+            } => (from_decimal(near), None, RangeOrigin::Hand),
+            Lens::Perspective {
                 viewer_distance, ..
             } => {
-                let near = from_decimal(*viewer_distance) / integer(2);
-                of(near, None, RangeOrigin::Camera)
+                let near = from_decimal(viewer_distance) / integer(2);
+                (near, None, RangeOrigin::Camera)
             }
-            Camera::Orthographic {
-                ends: Some([near, far]),
-                ..
+            Lens::Orthographic {
+                ends: Some(ends), ..
             } => {
-                let [near, far] = [near, far].map(|end| from_decimal(*end));
-                of(near, Some(far), RangeOrigin::Hand)
+                let [near, far] = ends.map(from_decimal);
+                (near, Some(far), RangeOrigin::Hand)
             }
-            Camera::Orthographic {
-                half_depth,
-                view_height,
-                ..
-            } => {
-                let half = from_decimal(half_depth.unwrap_or(*view_height));
+            Lens::Orthographic { half_depth, .. } => {
+                let half = from_decimal(half_depth.unwrap_or(camera.view_height));
                 let origin = match half_depth {
                     Some(_) => RangeOrigin::Camera,
                     None => RangeOrigin::Scene,
                 };
-                of(-half.clone(), Some(half), origin)
+                (-half.clone(), Some(half), origin)
             }
+        };
+        DepthRange::of_ends(near, far, origin)
+    }
+
+    fn of_ends(near: BigRational, far: Option<BigRational>, origin: RangeOrigin) -> DepthRange {
+        DepthRange {
+            near,
+            far,
+            origin,
+            cut: vec![],
         }
     }
 
@@ -121,12 +134,7 @@ impl DepthRange {
             Projection::Perspective { distance } => (distance / integer(2), None),
             Projection::Orthographic { half_depth } => (-half_depth, Some(half_depth.clone())),
         };
-        DepthRange {
-            near,
-            far,
-            origin: RangeOrigin::Hand,
-            cut: vec![],
-        }
+        DepthRange::of_ends(near, far, RangeOrigin::Hand)
     }
 
     /// The range with its ends moved by a power of two: the near end of a perspective view, both ends of an
@@ -140,12 +148,8 @@ impl DepthRange {
             (0, origin) => origin,
             _ => RangeOrigin::Scene,
         };
-        DepthRange {
-            near: &self.near * &factor,
-            far: self.far.as_ref().map(|far| far * &factor),
-            origin,
-            cut: vec![],
-        }
+        let far = self.far.as_ref().map(|far| far * &factor);
+        DepthRange::of_ends(&self.near * &factor, far, origin)
     }
 
     /// Middle of an orthographic range, from the screen plane.

@@ -4,11 +4,14 @@
 //! a cut, or at a corner: where two cuts meet the quadric, or three cuts meet. All these points are found; those that
 //! another cut removes are left out.
 
-use super::file::{Object, Shape, Surface};
 use super::frame::cut_quadric;
-use super::transform::{Transform, WholeTransform, cross, dot, normalised};
+use super::object::Object;
+use super::shape::{Shape, Surface};
+use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, to_f64};
-use num_traits::{Signed, Zero};
+use imogene_algebra::vector::{cross, dot, normalised, square};
+use imogene_algebra::whole::greatest;
+use num_traits::Zero;
 
 type Vector = [f64; 3];
 
@@ -85,7 +88,7 @@ impl Body {
         match self {
             Body::Ball(middle, axes) => {
                 let parts = axes.map(|axis| dot(axis, along));
-                dot(*middle, along) + dot(parts, parts).sqrt()
+                dot(*middle, along) + square(parts).sqrt()
             }
             Body::Points(points) => farthest(points.iter().copied(), along),
             Body::Cut(body) => body.reach(along),
@@ -106,16 +109,15 @@ impl CutBody {
     fn of(object: &Object, moved: &Transform, size: f64) -> CutBody {
         let exact = cut_quadric(object, 0, &WholeTransform::new(moved));
         let all = exact.quadric.coefficients();
-        let greatest = all.iter().map(|v| v.abs()).max().expect("ten coefficients");
-        let [a, b, c, d, e, f, g, h, i, j] = match greatest.is_zero() {
+        let most = greatest(all);
+        let [a, b, c, d, e, f, g, h, i, j] = match most.is_zero() {
             true => [0.0; 10],
-            false => all.map(|v| to_f64(&(v / &greatest))),
+            false => all.map(|v| to_f64(&(v / &most))),
         };
         let cuts = exact.planes.iter().map(|plane| {
-            let greatest = [&plane.a, &plane.b, &plane.c].map(|v| v.abs());
-            let greatest = greatest.into_iter().max().expect("three coefficients");
-            let [a, b, c, d] = plane.coefficients().map(|v| to_f64(&(v / &greatest)));
-            let length = dot([a, b, c], [a, b, c]).sqrt();
+            let most = greatest([&plane.a, &plane.b, &plane.c]);
+            let [a, b, c, d] = plane.coefficients().map(|v| to_f64(&(v / &most)));
+            let length = square([a, b, c]).sqrt();
             ([a, b, c].map(|v| v / length), d / length)
         });
         let sides = (0..6).map(|side| {
@@ -161,7 +163,7 @@ impl CutBody {
     }
 
     fn is_kept(&self, point: Vector) -> bool {
-        let spare = self.spare + TOLERANCE * dot(point, point).sqrt();
+        let spare = self.spare + TOLERANCE * square(point).sqrt();
         self.planes
             .iter()
             .all(|(normal, d)| dot(*normal, point) + d <= spare)

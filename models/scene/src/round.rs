@@ -1,21 +1,25 @@
 //! Spheres and circular cylinders of an orthographic view, for the processors that draw them by paraboloids.
 //!
-//! A length that no fraction holds is cut once after 64 significant bits, an angle is computed once in `f64`, and both are exact from then on, as the
-//! entries of a rotation are; a direction becomes a rational point of the unit circle by the tangent of its half angle. The object *is* the exact sphere or cylinder with these numbers.
+//! A length that no fraction holds is cut once after 64 significant bits, an angle is computed once in `f64`, and both
+//! are exact from then on, as the entries of a rotation are; a direction becomes a rational point of the unit circle by
+//! the tangent of its half angle. The object *is* the exact sphere or cylinder with these numbers.
 
 use super::error::SceneError;
-use super::file::Surface;
-use super::framed::FramedQuadric;
 use super::plane::Plane;
-use super::quadric::Quadric;
+use super::quadric::{FramedQuadric, Quadric};
+use super::shape::Surface;
 use super::transform::Transform;
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
+use imogene_algebra::vector::{dot, minus, square};
+use imogene_algebra::whole::greatest;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-/// Greatest relative difference of lengths, and greatest cosine between directions, that count as the rounding of rotations.
+/// Greatest relative difference of lengths, and greatest cosine between directions, that count as the rounding of
+/// rotations.
 const ROUNDING: f64 = 1e-9;
-/// Least part of the unit axis in and across the screen plane: a cylinder nearer to end-on or side-on has no expressions.
+/// Least part of the unit axis in and across the screen plane: a cylinder nearer to end-on or side-on has no
+/// expressions.
 const LEAST_PART: f64 = 1e-6;
 
 type Vector = [BigRational; 3];
@@ -58,13 +62,14 @@ pub struct FramedCylinder {
 
 /// True if a placement turns a sphere into a sphere.
 pub(super) fn keeps_spheres(place: &Transform) -> bool {
-    let [x, y, z] = columns(place);
+    let [x, y, z] = place.columns();
     alike(&x, &y) && alike(&x, &z) && across(&x, &y) && across(&x, &z) && across(&y, &z)
 }
 
-/// True if a placement turns the elliptic cylinder of these radii along y, with ends across it, into a right circular one.
+/// True if a placement turns the elliptic cylinder of these radii along y, with ends across it, into a right circular
+/// one.
 pub(super) fn makes_circular_cylinder(place: &Transform, radii: [f64; 2]) -> bool {
-    let [x, y, z] = columns(place);
+    let [x, y, z] = place.columns();
     let [a, c] = [(x, radii[0]), (z, radii[1])].map(|(v, r)| v.map(|part| part * from_decimal(r)));
     alike(&a, &c) && across(&a, &c) && across(&a, &y) && across(&c, &y)
 }
@@ -76,7 +81,7 @@ impl FramedSphere {
         radius: f64,
         to_camera: &Transform,
     ) -> FramedSphere {
-        let [x, y, z] = columns(to_camera).map(|v| square(&v));
+        let [x, y, z] = to_camera.columns().map(|v| square(&v));
         FramedSphere {
             name: name.to_owned(),
             material,
@@ -88,9 +93,8 @@ impl FramedSphere {
     /// The sphere itself.
     pub fn cut_quadric(&self, surface: Surface) -> FramedQuadric {
         let [x, y, z] = &self.centre;
-        let one = || integer(1);
         let constant = square(&self.centre) - &self.radius * &self.radius;
-        let mut quadric = Quadric::diagonal(one(), one(), one(), constant);
+        let mut quadric = Quadric::diagonal([1, 1, 1].map(integer), constant);
         (quadric.g, quadric.h, quadric.i) = (-x, -y, -z);
         FramedQuadric {
             name: self.name.clone(),
@@ -117,13 +121,9 @@ impl FramedCylinder {
         if front[2] > back[2] {
             std::mem::swap(&mut front, &mut back);
         }
-        let axis: Vector = std::array::from_fn(|k| &back[k] - &front[k]);
-        let greatest = axis
-            .iter()
-            .map(Signed::abs)
-            .max()
-            .expect("three components");
-        let [x, y, z] = axis.each_ref().map(|v| to_f64(&(v / &greatest)));
+        let axis = minus(&back, &front);
+        let most = greatest(axis.each_ref());
+        let [x, y, z] = axis.each_ref().map(|v| to_f64(&(v / &most)));
         let (level, length) = (x.hypot(y), x.hypot(y).hypot(z));
         let seen = if level < LEAST_PART * length {
             Some("end-on")
@@ -143,7 +143,7 @@ impl FramedCylinder {
         }
         let [cos, sin] = on_unit_circle(x, y);
         let [level, deep] = on_unit_circle(level, z);
-        let [across, _, other] = columns(to_camera);
+        let [across, _, other] = to_camera.columns();
         let radius = [(across, radii[0]), (other, radii[1])]
             .map(|(v, r)| square(&v) * from_decimal(r).pow(2))
             .iter()
@@ -166,25 +166,18 @@ impl FramedCylinder {
         [&self.level * cos, &self.level * sin, self.deep.clone()]
     }
 
-    /// The cylinder itself: `|p|^2 - (p . axis)^2 - radius^2` from the centre of the front disc, and the planes of the front and the back disc.
+    /// The cylinder itself: `|p|^2 - (p . axis)^2 - radius^2` from the centre of the front disc, and the planes of the
+    /// front and the back disc.
     pub fn cut_quadric(&self) -> FramedQuadric {
         let (c, u) = (&self.centre, self.axis());
-        let along = dot(c, &u);
+        let along: BigRational = dot(c, &u);
         let entry = |i: usize, j: usize| integer(i64::from(i == j)) - &u[i] * &u[j];
         // M c for the matrix of the second-degree terms: c - u (u . c).
         let [g, h, i]: Vector = std::array::from_fn(|k| &u[k] * &along - &c[k]);
-        let quadric = Quadric {
-            a: entry(0, 0),
-            b: entry(1, 1),
-            c: entry(2, 2),
-            d: entry(0, 1),
-            e: entry(0, 2),
-            f: entry(1, 2),
-            g,
-            h,
-            i,
-            j: square(c) - &along * &along - &self.radius * &self.radius,
-        };
+        let constant = square(c) - &along * &along - &self.radius * &self.radius;
+        let [a, b, c] = [0, 1, 2].map(|k| entry(k, k));
+        let [d, e, f] = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| entry(i, j));
+        let quadric = Quadric::from_array([a, b, c, d, e, f, g, h, i, constant]);
         let plane = |sign: i64, d: BigRational| {
             let [a, b, c] = u.each_ref().map(|v| v * integer(sign));
             Plane { a, b, c, d }.primitive()
@@ -198,19 +191,6 @@ impl FramedCylinder {
             casts_shadow: false,
         }
     }
-}
-
-/// The images of the three unit vectors.
-fn columns(transform: &Transform) -> [Vector; 3] {
-    std::array::from_fn(|column| std::array::from_fn(|row| transform.rows[row][column].clone()))
-}
-
-fn dot(u: &Vector, v: &Vector) -> BigRational {
-    u.iter().zip(v).map(|(a, b)| a * b).sum()
-}
-
-fn square(v: &Vector) -> BigRational {
-    dot(v, v)
 }
 
 /// Of the same length.

@@ -1,6 +1,7 @@
 //! Lines of sight of a framed scene, in floating point.
 
-use super::frame::{FramedScene, Projection};
+use super::frame::FramedScene;
+use super::range::Projection;
 use imogene_algebra::rational::to_f64;
 
 type Vector = [f64; 3];

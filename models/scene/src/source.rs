@@ -1,16 +1,19 @@
 //! Light sources as shadows and spots need them: exact, in the camera frame.
 
-use super::file::{Aim, Light};
+use super::light::{Aim, Beam, Light};
 use super::plane::Plane;
 use super::quadric::Quadric;
 use super::transform::{Transform, sine_and_cosine};
+use imogene_algebra::matrix::image;
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer};
+use imogene_algebra::vector::{dot, minus, square};
 use num_rational::BigRational;
 
 /// A light source, exactly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FramedSource {
-    /// Homogeneous point (x, y, z, 1) of a source that stands somewhere, or (x, y, z, 0), the direction towards one that is infinitely far.
+    /// Homogeneous point (x, y, z, 1) of a source that stands somewhere, or (x, y, z, 0), the direction towards one
+    /// that is infinitely far.
     pub point: [BigRational; 4],
     /// Whether objects in its way keep its light off others.
     pub shadows: bool,
@@ -29,67 +32,55 @@ pub struct SpotCone {
 
 impl FramedSource {
     pub(super) fn new(light: &Light, camera: &Transform) -> FramedSource {
-        let to_camera = camera.after(&Transform::placement(&light.node().place));
-        let (point, shadows) = match light {
-            Light::Directional { from, shadows, .. } => {
-                let [x, y, z] = to_camera.vector(&from.map(from_decimal));
-                ([x, y, z, integer(0)], *shadows)
-            }
-            Light::Point {
-                position, shadows, ..
-            }
-            | Light::Spot {
-                position, shadows, ..
-            } => {
-                let [x, y, z] = to_camera.point(&position.map(from_decimal));
-                ([x, y, z, integer(1)], *shadows)
+        let to_camera = camera.after(&Transform::placement(&light.node.place));
+        let (at, w) = match &light.beam {
+            Beam::Directional { from } => (to_camera.vector(&from.map(from_decimal)), 0),
+            Beam::Point { position } | Beam::Spot { position, .. } => {
+                (to_camera.point(&position.map(from_decimal)), 1)
             }
         };
+        let [x, y, z] = at;
         FramedSource {
-            point,
-            shadows,
+            point: [x, y, z, integer(w)],
+            shadows: light.shadows,
             cone: spot_cone(light, camera),
         }
     }
 }
 
 fn spot_cone(light: &Light, camera: &Transform) -> Option<SpotCone> {
-    let Light::Spot {
+    let Beam::Spot {
         position,
         aim,
         half_angle,
-        ..
-    } = light
+    } = light.beam
     else {
         return None;
     };
     // The steps move the apex and the axis; about them the cone stays a right circular one, also under a scale.
-    let placed = Transform::placement(&light.node().place);
+    let placed = Transform::placement(&light.node.place);
     let apex = placed.point(&position.map(from_decimal));
-    let axis: [BigRational; 3] = match aim {
+    let axis = match aim {
         Aim::Towards(direction) => placed.vector(&direction.map(from_decimal)),
-        Aim::Target(target) => {
-            let target = placed.point(&target.map(from_decimal));
-            std::array::from_fn(|k| &target[k] - &apex[k])
-        }
+        Aim::Target(target) => minus(placed.point(&target.map(from_decimal)), &apex),
     };
-    let cone = SpotCone {
-        quadric: cone_about(&apex, &axis, *half_angle),
-        plane: plane_through(&apex, &axis),
-    };
+    let quadric = cone_about(&apex, &axis, half_angle);
+    // Kept on the side of the axis.
+    let d = dot(&axis, &apex);
+    let [a, b, c] = axis.map(|u| -u);
+    let plane = Plane { a, b, c, d };
     Some(SpotCone {
-        quadric: cone.quadric.transformed(camera).primitive(),
-        plane: cone.plane.transformed(camera).primitive(),
+        quadric: quadric.transformed(camera).primitive(),
+        plane: plane.transformed(camera).primitive(),
     })
 }
 
-/// `cos^2 |axis|^2 |v|^2 - (axis . v)^2` with v from the apex: not positive within the angle of the axis, on both sides of the apex. The one
-/// number that is not rational, cos^2, is computed once from `cos 2a`, which is exact at 45 degrees.
+/// `cos^2 |axis|^2 |v|^2 - (axis . v)^2` with v from the apex: not positive within the angle of the axis, on both sides
+/// of the apex. The one number that is not rational, cos^2, is computed once from `cos 2a`, which is exact at 45
+/// degrees.
 fn cone_about(apex: &[BigRational; 3], axis: &[BigRational; 3], degrees: f64) -> Quadric {
     let (_, cosine) = sine_and_cosine(2.0 * degrees);
-    let square = (integer(1) + from_f64_exact(cosine)) / integer(2);
-    let length: BigRational = axis.iter().map(|u| u * u).sum();
-    let equal = square * length;
+    let equal = (integer(1) + from_f64_exact(cosine)) / integer(2) * square(axis);
     let m: [[BigRational; 3]; 3] = std::array::from_fn(|row| {
         std::array::from_fn(|column| {
             let product = &axis[row] * &axis[column];
@@ -101,17 +92,9 @@ fn cone_about(apex: &[BigRational; 3], axis: &[BigRational; 3], degrees: f64) ->
         })
     });
     // About the origin the cone is v' M v; moved to the apex it is v' M v - 2 (M apex)' v + apex' M apex.
-    let moved: [BigRational; 3] =
-        std::array::from_fn(|row| m[row].iter().zip(apex).map(|(f, x)| f * x).sum());
-    let constant: BigRational = moved.iter().zip(apex).map(|(f, x)| f * x).sum();
+    let moved = image(&m, apex);
+    let constant = dot(&moved, apex);
     let [g, h, i] = moved.map(|v| -v);
     let [[a, d, e], [_, b, f], [_, _, c]] = m;
     Quadric::from_array([a, b, c, d, e, f, g, h, i, constant])
-}
-
-/// Kept on the side of the axis.
-fn plane_through(apex: &[BigRational; 3], axis: &[BigRational; 3]) -> Plane {
-    let [a, b, c] = axis.clone().map(|u| -u);
-    let d = axis.iter().zip(apex).map(|(u, x)| u * x).sum();
-    Plane { a, b, c, d }
 }

@@ -1,18 +1,21 @@
 //! Exact changes of frame: 4 x 4 matrices of rationals acting on column points.
 
+use super::step::{Axis, Rotation, Scale, Step};
+use imogene_algebra::matrix::{
+    Matrix3, Matrix4, cofactors3, cofactors4, image, product, transposed,
+};
+use imogene_algebra::rational::{from_decimal, from_f64_exact};
+use imogene_algebra::vector::{dot, normalised};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::file::{Axis, Rotation, Scale, Step};
-use imogene_algebra::rational::{from_decimal, from_f64_exact};
-
 /// A change of frame `P' = M P` on points `(x, y, z, 1)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Transform {
     /// Row-major entries of M.
-    pub rows: [[BigRational; 4]; 4],
+    pub rows: Matrix4<BigRational>,
 }
 
 impl Transform {
@@ -32,7 +35,7 @@ impl Transform {
 
     /// Scaling from the origin, one factor for each axis.
     pub fn scaling(factors: [BigRational; 3]) -> Self {
-        let mut rows: [[BigRational; 4]; 4] = Default::default();
+        let mut rows: Matrix4<BigRational> = Default::default();
         for (index, factor) in factors.into_iter().enumerate() {
             rows[index][index] = factor;
         }
@@ -76,10 +79,9 @@ impl Transform {
 
     /// The image of a point.
     pub fn point(&self, point: &[BigRational; 3]) -> [BigRational; 3] {
-        std::array::from_fn(|row| {
-            let [x, y, z, w] = &self.rows[row];
-            x * &point[0] + y * &point[1] + z * &point[2] + w
-        })
+        let moved = self.vector(point);
+        let mut rows = self.rows.iter();
+        moved.map(|value| value + &rows.next().expect("four rows")[3])
     }
 
     /// The image of a free vector: displacement leaves it alone.
@@ -90,25 +92,21 @@ impl Transform {
         })
     }
 
-    /// The determinant; negative when the transform mirrors.
-    pub fn determinant(&self) -> BigRational {
-        let cofactors = self.cofactors();
-        let terms = self.rows[0].iter().zip(&cofactors[0]);
-        terms.map(|(value, cofactor)| value * cofactor).sum()
+    /// The images of the three unit vectors.
+    pub(super) fn columns(&self) -> Matrix3<BigRational> {
+        std::array::from_fn(|column| std::array::from_fn(|row| self.rows[row][column].clone()))
     }
 
-    /// The matrix of cofactors in whole numbers over one positive denominator.
-    fn whole_cofactors(&self) -> ([[BigInt; 4]; 4], BigInt) {
-        let WholeTransform { rows, unit } = WholeTransform::new(self);
-        let cofactors =
-            std::array::from_fn(|row| std::array::from_fn(|column| cofactor(&rows, row, column)));
-        (cofactors, unit.pow(3))
+    /// The determinant; negative when the transform mirrors.
+    pub fn determinant(&self) -> BigRational {
+        dot(&self.rows[0], &self.cofactors()[0])
     }
 
     /// The matrix of cofactors, `det(M) M^-T`.
-    pub fn cofactors(&self) -> [[BigRational; 4]; 4] {
-        let (cofactors, unit) = self.whole_cofactors();
-        cofactors.map(|row| row.map(|v| BigRational::new(v, unit.clone())))
+    pub fn cofactors(&self) -> Matrix4<BigRational> {
+        let WholeTransform { rows, unit } = WholeTransform::new(self);
+        let unit = unit.pow(3);
+        cofactors4(&rows).map(|row| row.map(|v| BigRational::new(v, unit.clone())))
     }
 }
 
@@ -116,7 +114,7 @@ impl Transform {
 /// without common divisor in the end, so that nothing has to be reduced on the way, which would take most of the time.
 #[derive(Clone, Debug)]
 pub(super) struct WholeTransform {
-    rows: [[BigInt; 4]; 4],
+    rows: Matrix4<BigInt>,
     unit: BigInt,
 }
 
@@ -148,12 +146,8 @@ impl WholeTransform {
     }
 
     fn after(&self, first: &Self) -> Self {
-        let entry = |row: usize, column: usize| {
-            let terms = (0..4).map(|k| &self.rows[row][k] * &first.rows[k][column]);
-            terms.sum::<BigInt>()
-        };
         Self {
-            rows: std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column))),
+            rows: product(&self.rows, &first.rows),
             unit: &self.unit * &first.unit,
         }
     }
@@ -161,24 +155,16 @@ impl WholeTransform {
     /// A multiple of the inverse: for `P' = (L P + t) / u` it is `u adj(L)` with the last column `-adj(L) t`, and
     /// `det(L)` in the corner.
     pub(super) fn inverse(&self) -> WholeInverse {
-        let m = &self.rows;
-        let minor = |row: usize, column: usize| {
-            let (r, s) = ((row + 1) % 3, (row + 2) % 3);
-            let (c, d) = ((column + 1) % 3, (column + 2) % 3);
-            &m[r][c] * &m[s][d] - &m[r][d] * &m[s][c]
-        };
-        // The adjugate is the transpose of the cofactors, whose signs the cyclic order of rows and columns gives.
-        let adjugate: [[BigInt; 3]; 3] =
-            std::array::from_fn(|row| std::array::from_fn(|column| minor(column, row)));
-        let determinant: BigInt = (0..3).map(|k| &m[0][k] * &adjugate[k][0]).sum();
+        let part = |k: usize| -> [BigInt; 3] { std::array::from_fn(|c| self.rows[k][c].clone()) };
+        let linear = [0, 1, 2].map(part);
+        let adjugate = transposed(&cofactors3(&linear));
+        let determinant = dot(&linear[0], &transposed(&adjugate)[0]);
         let sign = determinant.sign();
-        let mut rows: [[BigInt; 4]; 4] = Default::default();
-        for (row, minors) in rows.iter_mut().zip(&adjugate) {
-            let moved: BigInt = minors.iter().zip(m).map(|(c, row)| c * &row[3]).sum();
-            row[3] = -moved;
-            for (entry, c) in row.iter_mut().zip(minors) {
-                *entry = c * &self.unit;
-            }
+        let moved = image(&adjugate, &std::array::from_fn(|k| self.rows[k][3].clone()));
+        let mut rows: Matrix4<BigInt> = Default::default();
+        for ((row, minors), moved) in rows.iter_mut().zip(&adjugate).zip(moved) {
+            let [x, y, z] = minors.each_ref().map(|c| c * &self.unit);
+            *row = [x, y, z, -moved];
         }
         rows[3][3] = determinant;
         WholeInverse {
@@ -193,38 +179,11 @@ impl WholeTransform {
 #[derive(Clone, Debug)]
 pub(super) struct WholeInverse {
     /// The matrix N that takes points of the new frame to a multiple of those of the old one.
-    pub(super) rows: [[BigInt; 4]; 4],
+    pub(super) rows: Matrix4<BigInt>,
     /// The sign of that multiple, which is that of the determinant of M.
     pub(super) sign: Sign,
     /// N over this number is the transpose of the cofactors of M.
     pub(super) cofactor_unit: BigInt,
-}
-
-/// The signed minor without a row and a column.
-pub fn cofactor(m: &[[BigInt; 4]; 4], row: usize, column: usize) -> BigInt {
-    let others = |skipped: usize| -> [usize; 3] {
-        std::array::from_fn(|index| index + usize::from(index >= skipped))
-    };
-    let [r0, r1, r2] = others(row).map(|index| &m[index]);
-    let [c0, c1, c2] = others(column);
-    let minor = &r0[c0] * (&r1[c1] * &r2[c2] - &r1[c2] * &r2[c1])
-        - &r0[c1] * (&r1[c0] * &r2[c2] - &r1[c2] * &r2[c0])
-        + &r0[c2] * (&r1[c0] * &r2[c1] - &r1[c1] * &r2[c0]);
-    if (row + column).is_multiple_of(2) {
-        minor
-    } else {
-        -minor
-    }
-}
-
-/// The matrix product `left right`.
-pub(super) fn product(
-    left: &[[BigRational; 4]; 4],
-    right: &[[BigRational; 4]; 4],
-) -> [[BigRational; 4]; 4] {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|column| (0..4).map(|k| &left[row][k] * &right[k][column]).sum())
-    })
 }
 
 /// Rodrigues' formula, written so that the axis of a coordinate rotation keeps its exact zeros and ones.
@@ -255,26 +214,4 @@ pub(super) fn sine_and_cosine(degrees: f64) -> (f64, f64) {
         270.0 => (-1.0, 0.0),
         other => other.to_radians().sin_cos(),
     }
-}
-
-/// The direction of `vector`, of length 1; scaled first so that no square overflows or vanishes.
-pub(super) fn normalised(vector: [f64; 3]) -> [f64; 3] {
-    let largest = vector
-        .iter()
-        .fold(0.0_f64, |max, value| max.max(value.abs()));
-    let scaled = vector.map(|value| value / largest);
-    let length = dot(scaled, scaled).sqrt();
-    scaled.map(|value| value / length)
-}
-
-pub(super) fn dot(left: [f64; 3], right: [f64; 3]) -> f64 {
-    left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
-}
-
-pub(super) fn cross(left: [f64; 3], right: [f64; 3]) -> [f64; 3] {
-    [
-        left[1] * right[2] - left[2] * right[1],
-        left[2] * right[0] - left[0] * right[2],
-        left[0] * right[1] - left[1] * right[0],
-    ]
 }

@@ -36,9 +36,7 @@ const CONE: &str = "kind = \"cone\"\nradii = [1, 1.5, 1]\n\
 /// The eye at a step of a straight flight, looking ahead.
 fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFile {
     let mut scene = scene.clone();
-    let Camera::Perspective { eye, target, .. } = &mut scene.camera else {
-        panic!("a perspective camera");
-    };
+    let Camera { eye, target, .. } = &mut scene.camera;
     let round = |value: f64| (value * 1e6).round() / 1e6;
     *eye = [0, 1, 2].map(|k| round(from[k] + part * (to[k] - from[k])));
     *target = [0, 1, 2].map(|k| round(eye[k] + to[k] - from[k]));

@@ -7,7 +7,7 @@ use crate::command::load_seen;
 use crate::failure::Failure;
 use imogene_analysis::phong;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
-use imogene_scene::{Camera, SceneFile};
+use imogene_scene::SceneFile;
 
 /// The mean colours of `count` passes, whose places make a square grid about that of the plain picture.
 pub fn colours(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>, Failure> {
@@ -17,8 +17,7 @@ pub fn colours(options: &Render, file: &SceneFile, count: u32) -> Result<Vec<u8>
     let mut mean = vec![];
     for pass in 0..count {
         let mut file = file.flattened().into_owned();
-        let (Camera::Perspective { sample_at, .. } | Camera::Orthographic { sample_at, .. }) =
-            &mut file.camera;
+        let sample_at = &mut file.camera.sample_at;
         sample_at[0] += place(pass % side);
         sample_at[1] += place(pass / side);
         let (framed, prepared) = load_seen(file, &options.scene)?;

@@ -1,7 +1,7 @@
 //! Scenes of as many atoms as are asked for, as an imported protein has them: space-filling, or balls and sticks.
 
 use imogene_scene::{
-    Axis, Camera, Cut, Light, Material, Node, Object, Rotation, SceneFile, Shape, Step, Surface,
+    Axis, Camera, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step, Surface,
 };
 
 /// Distance of two neighbours on the lattice that the atoms lie about, in angstroms: a protein without hydrogen.
@@ -49,16 +49,12 @@ impl Globule {
     fn camera(&self, towards: [f64; 3]) -> Camera {
         let length = towards.iter().map(|v| v * v).sum::<f64>().sqrt();
         let radius = (self.radius + 2.0).ceil();
-        Camera::Perspective {
-            eye: towards.map(|v| (v / length * 6.0 * radius * 1e4).round() / 1e4),
-            target: [0.0; 3],
-            up: [0.0, 1.0, 0.0],
-            viewer_distance: 6.0 * radius,
-            view_height: 2.05 * radius,
-            near: None,
-            sample_at: [0.0; 2],
-            node: Node::default(),
-        }
+        let eye = towards.map(|v| (v / length * 6.0 * radius * 1e4).round() / 1e4);
+        Camera::perspective(
+            [eye, [0.0; 3], [0.0, 1.0, 0.0]],
+            6.0 * radius,
+            2.05 * radius,
+        )
     }
 }
 
@@ -68,13 +64,8 @@ pub fn scene(atoms: usize, sticks: bool, towards: [f64; 3]) -> SceneFile {
     let globule = Globule::of(atoms);
     let mut scene = SceneFile::new("globule", globule.camera(towards));
     scene.background = [1.0; 3];
-    scene.lights.push(Light::Directional {
-        from: [0.4, 0.5, 1.0],
-        colour: [1.0; 3],
-        intensity: 0.8,
-        shadows: false,
-        node: Node::default(),
-    });
+    let light = Light::directional([0.4, 0.5, 1.0], 0.8);
+    scene.lights.push(light);
     scene.materials = ["C", "N", "O", "S"].map(material).into();
     for (k, &place) in globule.places.iter().enumerate() {
         let radius = RADII[k % 4] * if sticks { BALL } else { 1.0 };

@@ -1,6 +1,6 @@
 //! In which range of the depth the words of a quadric hold what is computed.
 
-use crate::Context;
+use crate::context::Context;
 use crate::forms::QuadraticForm;
 use crate::perspective::ScreenQuadric;
 use crate::screen_box::{Region, Search, screen_between};

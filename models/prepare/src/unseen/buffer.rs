@@ -1,7 +1,7 @@
 //! A depth buffer that is never too near: what balls surely cover, and how far that is at most.
 
-use super::Placed;
 use super::outline::Span;
+use super::placed::Placed;
 use super::view::View;
 use imogene_golden::object::quadric::ScreenBox;
 use rayon::prelude::*;

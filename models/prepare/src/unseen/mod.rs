@@ -9,6 +9,7 @@ mod ball;
 mod buffer;
 mod conic;
 mod outline;
+mod placed;
 mod view;
 
 use super::memory;
@@ -18,12 +19,12 @@ use ball::Ball;
 use buffer::Buffer;
 use imogene_algebra::rational::to_f64;
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{
-    Absence, Camera, DepthRange, FloatCamera, FramedObject, FramedScene, Light, SceneError,
+    Absence, Beam, DepthRange, FloatCamera, FramedObject, FramedScene, Light, SceneError,
     SceneFile, Unseen,
 };
 use outline::{Outline, Span, WordErrors};
+use placed::Placed;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -132,10 +133,7 @@ impl<'a> Seen<'a> {
 
 /// Has a light volumes of its own or of the objects in its way?
 fn has_volumes(light: &Light) -> bool {
-    match light {
-        Light::Spot { .. } => true,
-        Light::Directional { shadows, .. } | Light::Point { shadows, .. } => *shadows,
-    }
+    light.shadows || matches!(light.beam, Beam::Spot { .. })
 }
 
 /// The objects of a flat scene as balls, as far as they are any.
@@ -144,15 +142,6 @@ struct Balls {
     camera: FloatCamera,
     is_perspective: bool,
     size: (u32, u32),
-}
-
-/// A ball on the screen.
-struct Placed {
-    outline: Outline,
-    span: Span,
-    /// Where it may be drawn.
-    window: ScreenBox,
-    errors: WordErrors,
 }
 
 /// What is known of the level of a ball.
@@ -170,7 +159,7 @@ impl Balls {
         Ok(Balls {
             balls: objects.map(|object| Ball::of(object, &camera)).collect(),
             camera,
-            is_perspective: matches!(scene.camera, Camera::Perspective { .. }),
+            is_perspective: scene.camera.is_perspective(),
             size,
         })
     }
@@ -288,54 +277,6 @@ impl Balls {
                 buffer.hides(placed).then_some(Absence::Hidden)
             })
             .collect()
-    }
-}
-
-impl Placed {
-    /// Nothing if the ball could be refused, or reach beyond an end of the depth.
-    fn of(ball: &Ball, view: &View, format: &Format) -> Option<Placed> {
-        let outline = Outline::of(ball, view)?;
-        let screen = view.screen();
-        let span = match outline.span(view) {
-            _ if view.is_behind(ball) => Span::Beside,
-            span => span,
-        };
-        // The box of an object beside the screen is empty only if no end of the depth is passed.
-        let is_unseen = view.is_behind(ball) || outline.is_within_ends(view, &screen);
-        let (window, errors) = match span {
-            Span::Beside if is_unseen => (screen, WordErrors::NONE),
-            Span::Inside(window) if outline.is_within_ends(view, &window) => {
-                let reach = [window.x1 - window.x0, window.y1 - window.y0];
-                (
-                    window,
-                    WordErrors::of(reach.map(|n| 0.5 * n as f64 + 1.0), format),
-                )
-            }
-            _ => {
-                // Its box may be larger than it has to be.
-                let errors = WordErrors::of([view.width, view.height].map(f64::from), format);
-                (outline.touched(view, &errors)?, errors)
-            }
-        };
-        let placed = Placed {
-            outline,
-            span,
-            window,
-            errors,
-        };
-        (span == Span::Beside && is_unseen || placed.is_safe(view, format)).then_some(placed)
-    }
-
-    /// It is not refused, and no end of the depth cuts it.
-    fn is_safe(&self, view: &View, format: &Format) -> bool {
-        let window = match self.span {
-            Span::Inside(_) => self.window,
-            _ => view.screen(),
-        };
-        let magnitudes = self.outline.magnitudes(&window, &self.errors);
-        let ends = [format.z_low() as f64, format.z_max() as f64];
-        magnitudes.fit(format.sum, format.quadratic)
-            && self.outline.is_between(ends, &self.window, &self.errors)
     }
 }
 

@@ -8,38 +8,20 @@ mod words;
 
 pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
 
-use super::again::Known;
+use super::cell::Cell;
+use super::context::Context;
 use super::error::PrepareError;
 use super::extent::Extent;
+use super::known::{Bounds, Known};
 use super::perspective::{ScreenQuadric, on_screen};
-use super::screen_box::{Cell, Region, Search, screen_domain};
-use super::{
-    Context, ExactForms, Missing, NeededWidths, PreparedObject, RoundingBounds, leave_out,
-};
+pub use super::prepared::PreparedVolume;
+use super::prepared::{Missing, PreparedObject};
+use super::screen_box::{Region, Search, screen_domain};
 use imogene_algebra::rational::to_f64;
-use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::volume::VolumeKind;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};
 use rayon::prelude::*;
 use words::{Shape, volume_words};
-
-/// One volume: words, and what is known of them.
-#[derive(Clone, Debug)]
-pub struct PreparedVolume {
-    /// Whose it is, as messages say it: `the shadow of object 'lid' from lights[0], part 1 of 3`.
-    pub name: String,
-    /// Index of the object whose shadow it is, and where it begins; nothing for a spot.
-    pub caster: Option<(usize, Beginning)>,
-    /// Coefficient words for the whole screen.
-    pub words: VolumeWords,
-    /// The unrounded expressions, before any margin.
-    pub exact: ExactForms,
-    /// Greatest error of each expression on the screen box, the margin not counted.
-    pub bounds: RoundingBounds,
-    /// Bits that each accumulator needs on the screen box.
-    pub needed: NeededWidths,
-    /// What a person should know.
-    pub notes: Vec<String>,
-}
 
 /// Pairs of a source and an object that a scene's preparation has to look at for shadows.
 pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
@@ -52,9 +34,6 @@ pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
         })
         .collect()
 }
-
-/// Least and greatest x, y and z of screen space at which an object is seen.
-pub(super) type Bounds = ([f64; 3], [f64; 3]);
 
 /// The shadow of one object from one source.
 #[derive(Clone, Debug)]
@@ -146,7 +125,7 @@ pub(super) fn prepare_volumes(
     for shadow in shadows {
         match shadow {
             Ok(shadow) => volumes.shadows.push(shadow),
-            Err(reason) => leave_out(context, missing, true, reason)?,
+            Err(reason) => context.leave_out(missing, true, reason)?,
         }
     }
     Ok(volumes)
@@ -278,7 +257,7 @@ fn spots(
         };
         match volume_words(&shape, receivers, context) {
             Ok(volume) => volumes.push(volume),
-            Err(reason) => leave_out(context, missing, true, reason)?,
+            Err(reason) => context.leave_out(missing, true, reason)?,
         }
     }
     Ok(volumes)

@@ -1,21 +1,26 @@
 //! The shadow of a cut quadric as a set of cut quadrics (source: 3.2.1).
 //!
-//! With the source s as a homogeneous point and Q the quadric's matrix, `g = Q s` is the polar plane of the source and, for a plane p,
+//! With the source s as a homogeneous point and Q the quadric's matrix, `g = Q s` is the polar plane of the source and,
+//! for a plane p,
 //!
 //! ```text
 //! K  = (s'Qs) Q - g g'                                     the cone that touches the quadric along the polar plane
 //! Kp = (p.s)^2 Q - (p.s)(p g' + g p') + (s'Qs) p p'         the cone through the conic in the plane p
 //! ```
 //!
-//! A ray from s that meets the cut solid meets it in its point of the polar plane, or where a cut plane bounds what the planes leave of the ray.
-//! So the shadow is the union of
+//! A ray from s that meets the cut solid meets it in its point of the polar plane, or where a cut plane bounds what the
+//! planes leave of the ray. So the shadow is the union of
 //!
 //! * V0, if the source is outside the unbounded quadric: in K, beyond the polar plane, that point kept by every cut;
 //! * Vi for every cut i: in Kp, beyond plane i, the ray's point of plane i kept by every other cut.
 //!
-//! "Kept by cut j" depends on the direction of the ray alone: it is a plane through the source. The union is exact except inside the solid
-//! itself, where nothing is seen. A polyhedron, whose Q is zero, has the volumes of its lit faces, without a cone.
+//! "Kept by cut j" depends on the direction of the ray alone: it is a plane through the source. The union is exact
+//! except inside the solid itself, where nothing is seen. A polyhedron, whose Q is zero, has the volumes of its lit
+//! faces, without a cone.
 
+use imogene_algebra::matrix::{Matrix4, SYMMETRIC, image};
+use imogene_algebra::vector::dot;
+use imogene_algebra::whole::common_denominator;
 use imogene_scene::{FramedQuadric, Plane, Quadric};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -23,7 +28,6 @@ use num_traits::{Signed, Zero};
 
 /// A homogeneous vector: a point, or a plane `a x + b y + c z + d`.
 type Vector = [BigInt; 4];
-type Matrix = [Vector; 4];
 
 /// One volume of a shadow, in the camera frame.
 #[derive(Clone, Debug)]
@@ -76,7 +80,7 @@ pub fn shadow_parts(
 
 /// What all rays from the source share.
 struct Rays {
-    q: Matrix,
+    q: Matrix4<BigInt>,
     /// s'Qs.
     at_source: BigInt,
     /// Q s.
@@ -88,19 +92,13 @@ struct Rays {
 
 impl Rays {
     fn new(object: &FramedQuadric, source: &[BigRational; 4]) -> Rays {
-        let source = integers(source);
-        let q = object
-            .quadric
-            .clone()
-            .primitive()
-            .matrix()
-            .map(|row| row.map(|value| value.to_integer()));
-        let polar: Vector = std::array::from_fn(|row| dot(&q[row], &source));
-        let planes: Vec<Vector> = object
-            .planes
-            .iter()
-            .map(|plane| integers(&plane.coefficients().map(BigRational::clone)))
-            .collect();
+        let (source, _) = common_denominator(source.each_ref());
+        let q = object.quadric.clone().primitive().matrix();
+        let q = q.map(|row| row.map(|value| value.to_integer()));
+        let polar = image(&q, &source);
+        let planes = object.planes.iter();
+        let whole = planes.map(|plane| common_denominator(plane.coefficients()).0);
+        let planes: Vec<Vector> = whole.collect();
         Rays {
             at_source: dot(&polar, &source),
             planes_at_source: planes.iter().map(|plane| dot(plane, &source)).collect(),
@@ -160,35 +158,8 @@ impl Rays {
     }
 }
 
-/// The positive multiple that is whole.
-fn integers(values: &[BigRational; 4]) -> Vector {
-    use num_integer::Integer;
-    let denominator = values
-        .iter()
-        .fold(BigInt::from(1), |lcm, value| lcm.lcm(value.denom()));
-    values
-        .each_ref()
-        .map(|value| value.numer() * (&denominator / value.denom()))
-}
-
-fn dot(a: &Vector, b: &Vector) -> BigInt {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 fn symmetric(entry: impl Fn(usize, usize) -> BigInt) -> Quadric {
-    let order = [
-        (0, 0),
-        (1, 1),
-        (2, 2),
-        (0, 1),
-        (0, 2),
-        (1, 2),
-        (0, 3),
-        (1, 3),
-        (2, 3),
-        (3, 3),
-    ];
-    Quadric::from_array(order.map(|(i, j)| BigRational::from_integer(entry(i, j)))).primitive()
+    Quadric::from_array(SYMMETRIC.map(|[i, j]| entry(i, j).into())).primitive()
 }
 
 fn plane(values: Vector) -> Plane {

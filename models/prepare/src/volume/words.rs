@@ -1,13 +1,15 @@
 //! From a volume in the camera frame to words, with the proofs that objects have.
 
-use super::{Beginning, PreparedVolume};
+use super::shadow::Beginning;
+use crate::cell::Cell;
+use crate::context::Context;
 use crate::error::PrepareError;
 use crate::forms::LinearForm;
 use crate::object::depth_words;
 use crate::perspective::{ScreenQuadric, project_plane};
-use crate::planes::{PreparedPlane, prepare_plane_between, signed_bits};
-use crate::screen_box::{Cell, Region, Search};
-use crate::{Context, ExactForms, NeededWidths, RoundingBounds};
+use crate::planes::{PlaneOf, PreparedPlane, prepare_plane, signed_bits};
+use crate::prepared::{ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
+use crate::screen_box::{Region, Search};
 use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::volume::{
@@ -48,7 +50,7 @@ pub(super) fn volume_words(
     if window.is_empty() {
         return Ok(empty(shape));
     }
-    let in_volume = |error| error_in_volume(shape, error);
+    let in_volume = |error: PrepareError| error.in_volume(&shape.name);
     let mut prepared = if shape.quadric.is_everywhere() {
         PreparedVolume {
             notes: vec![],
@@ -61,16 +63,15 @@ pub(super) fn volume_words(
     let reach = receivers.half[2];
     let depths = (receivers.centre[2] - reach, receivers.centre[2] + reach);
     for (index, (original, projected)) in shape.planes.iter().zip(&planes).enumerate() {
-        let plane = prepare_plane_between(
-            &shape.name,
+        let plane = PlaneOf {
+            object: &shape.name,
             index,
             original,
             projected,
-            || depths,
-            (&window, &window),
-            context,
-        )
-        .map_err(in_volume)?;
+            window: &window,
+            shared: &window,
+        };
+        let plane = prepare_plane(&plane, || depths, context).map_err(in_volume)?;
         add_plane(&mut prepared, plane, index);
     }
     if shape.kind == VolumeKind::Shadow {
@@ -97,7 +98,7 @@ fn with_quadric(
         };
         depth_words(&shape.name, quadric, class, (window, window), &coarse).map(|(core, _)| core)
     })
-    .map_err(|error| error_in_volume(shape, error))?;
+    .map_err(|error| error.in_volume(&shape.name))?;
     let without = empty(shape);
     Ok(PreparedVolume {
         words: VolumeWords {
@@ -149,11 +150,7 @@ fn empty(shape: &Shape) -> PreparedVolume {
             quadric: None,
             planes: vec![],
         },
-        exact: ExactForms {
-            f1: LinearForm::zero(),
-            f2: crate::forms::QuadraticForm::zero(),
-            planes: vec![],
-        },
+        exact: ExactForms::zero(),
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec!["meets nothing that can be seen".into()],
@@ -187,10 +184,11 @@ fn add_plane(prepared: &mut PreparedVolume, plane: PreparedPlane, index: usize) 
     }
 }
 
-/// The margin keeps a lit face out of the volume that begins at it; it is one more than the words of face and volume can be apart. Seen from its dark
-/// side a face lies at the end of such a volume, which is moved away by as much, so that the face is all inside. Planes through the
-/// source separate parts of one shadow, where a margin would leave a gap: it is taken off their constants again. On a
-/// perpendicular plane the margin has no hold; where the volume begins at one, 1 off its constant makes it open.
+/// The margin keeps a lit face out of the volume that begins at it; it is one more than the words of face and volume
+/// can be apart. Seen from its dark side a face lies at the end of such a volume, which is moved away by as much, so
+/// that the face is all inside. Planes through the source separate parts of one shadow, where a margin would leave a
+/// gap: it is taken off their constants again. On a perpendicular plane the margin has no hold; where the volume begins
+/// at one, 1 off its constant makes it open.
 fn keep_off_beginning(prepared: &mut PreparedVolume, face_error: f64) {
     let own = prepared.bounds.planes.first().copied().unwrap_or(0.0);
     let at_cut = matches!(prepared.caster, Some((_, Beginning::Cut(_))));
@@ -233,50 +231,4 @@ fn prove_planes(prepared: &mut PreparedVolume, context: &Context) -> Result<(), 
         }
     }
     Ok(())
-}
-
-/// The refusal of an object's words, said of a volume.
-fn error_in_volume(shape: &Shape, error: PrepareError) -> PrepareError {
-    let volume = shape.name.clone();
-    match error {
-        PrepareError::TooLarge {
-            word,
-            log2,
-            needed,
-            available,
-            x0,
-            x1,
-            y0,
-            y1,
-            remedy,
-            ..
-        } => PrepareError::VolumeTooLarge {
-            volume,
-            word,
-            log2,
-            needed,
-            available,
-            x0,
-            x1,
-            y0,
-            y1,
-            remedy,
-        },
-        PrepareError::SteepPlane {
-            plane,
-            needed,
-            available,
-            x,
-            y,
-            ..
-        } => PrepareError::VolumeSteepPlane {
-            volume,
-            plane,
-            needed,
-            available,
-            x,
-            y,
-        },
-        other => other,
-    }
 }

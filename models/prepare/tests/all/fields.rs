@@ -1,4 +1,5 @@
-//! Interlaced pictures of whole scenes: fields of words for every other line, interleaved, are the progressive picture bit for bit.
+//! Interlaced pictures of whole scenes: fields of words for every other line, interleaved, are the progressive picture
+//! bit for bit.
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;

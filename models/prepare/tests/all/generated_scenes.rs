@@ -34,7 +34,8 @@ fn committed_scenes_are_those_of_the_generator() {
 
 #[test]
 fn they_have_as_many_spheres_and_shadows_as_they_say() {
-    // One sphere casts one volume for each source with shadows, unless that meets nothing seen; the wall of the helix casts none.
+    // One sphere casts one volume for each source with shadows, unless that meets nothing seen; the wall of the helix
+    // casts none.
     for (name, objects, volumes) in [
         ("shadows/dna", 481, 960),
         ("shadows/sphere-surface", 4000, 3803),

@@ -1,8 +1,9 @@
 //! Scenes drawn by the first and by the second generation: every pixel at which they differ, and why.
 //!
-//! The chain of the second generation compares depths, which are rounded; the first generation asks the signs of conics and lines, which are
-//! exact in a prepared scene. So there are two reasons: the word of a plane is the integer of a face (a tie, which both break in their own way), or the
-//! words of the chain put a plane on the other side of a face than the exact expressions do, within their proven bounds.
+//! The chain of the second generation compares depths, which are rounded; the first generation asks the signs of conics
+//! and lines, which are exact in a prepared scene. So there are two reasons: the word of a plane is the integer of a
+//! face (a tie, which both break in their own way), or the words of the chain put a plane on the other side of a face
+//! than the exact expressions do, within their proven bounds.
 
 use imogene_algebra::rational::integer;
 use imogene_golden::format::Format;
@@ -276,7 +277,8 @@ const SHAPES: [&str; 6] = [
     "kind = \"elliptic_paraboloid\"\nradii = [0.5, 0.6, 0.5]",
 ];
 
-/// Both through the shape, one beyond it, both beyond it, touching a sphere on both sides, past the middle, and past a sphere.
+/// Both through the shape, one beyond it, both beyond it, touching a sphere on both sides, past the middle, and past a
+/// sphere.
 const CUTS: [(f64, f64); 6] = [
     (0.5, -0.4),
     (0.3, -3.0),
@@ -296,7 +298,8 @@ fn variation(camera: &str, shape: &str, (up, down): (f64, f64), mode: &str, tilt
     )
 }
 
-/// Solids and patches of six shapes, planes through them, touching them and beyond them, slanted and square to the view, in both projections.
+/// Solids and patches of six shapes, planes through them, touching them and beyond them, slanted and square to the
+/// view, in both projections.
 #[test]
 fn variations_differ_only_where_a_plane_is_at_a_face() {
     let mut all = Tally::default();
@@ -320,7 +323,8 @@ fn variations_differ_only_where_a_plane_is_at_a_face() {
             }
         }
         eprintln!("{mode}: {tally:?}");
-        // A tie leaves a solid its depth and takes a face off a patch; the words move a face at one pixel in some thousands.
+        // A tie leaves a solid its depth and takes a face off a patch; the words move a face at one pixel in some
+        // thousands.
         let (ties, none) = match mode {
             "solid" => (tally.tie_of_numbers, tally.tie_of_faces),
             _ => (tally.tie_of_faces, tally.tie_of_numbers),

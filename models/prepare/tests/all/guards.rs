@@ -114,7 +114,8 @@ fn depth_error(format: Format) -> (f64, f64) {
     (worst, sum / f64::from(count))
 }
 
-/// Without guard bits coefficient rounding dominates; with enough of them only the two floors are left: less than one word on a near root.
+/// Without guard bits coefficient rounding dominates; with enough of them only the two floors are left: less than one
+/// word on a near root.
 #[test]
 fn guard_bits_reduce_the_depth_error_to_the_floors() {
     for depth in [16, 20, 24] {
@@ -129,7 +130,8 @@ fn guard_bits_reduce_the_depth_error_to_the_floors() {
     assert!(depth_error(guarded(24, 10, 16)).0 < 1.125);
 }
 
-/// The refusal names the widths without guard bits: a scene that does not fit is not saved by them, one that fits is not lost.
+/// The refusal names the widths without guard bits: a scene that does not fit is not saved by them, one that fits is
+/// not lost.
 #[test]
 fn guard_bits_change_no_range() {
     for depth in Format::CATALOGUE {

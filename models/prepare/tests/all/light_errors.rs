@@ -5,7 +5,7 @@ use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_prepare::volume::pairs;
-use imogene_scene::{Aim, Light, SceneFile};
+use imogene_scene::{Aim, Beam, SceneFile};
 
 const GOOD: &str = r#"
 format = 1
@@ -58,23 +58,18 @@ fn lights_are_read_and_written_back() {
         assert_eq!(scene(&read.to_toml().expect("valid")), read);
     }
     let lights = scene(&with_light(SPOT)).lights;
-    let Light::Spot {
-        aim,
-        half_angle,
-        shadows,
-        ..
-    } = &lights[0]
+    let Beam::Spot {
+        aim, half_angle, ..
+    } = &lights[0].beam
     else {
         panic!("not a spot");
     };
     assert_eq!(
-        (*aim, *half_angle, *shadows),
+        (*aim, *half_angle, lights[0].shadows),
         (Aim::Target([0.0; 3]), 45.0, false)
     );
-    let Light::Directional { shadows, .. } = scene(&with_light(directional)).lights[0] else {
-        panic!("not directional");
-    };
-    assert!(shadows);
+    let light = &scene(&with_light(directional)).lights[0];
+    assert!(matches!(light.beam, Beam::Directional { .. }) && light.shadows);
 }
 
 #[test]

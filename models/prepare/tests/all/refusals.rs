@@ -109,18 +109,12 @@ fn too_large_for_the_format() {
     // A quotient draws it; a machine without one refuses it.
     assert!(prepare_scene(&scene, Format::BASE).is_ok());
     let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
-    let PrepareError::TooLarge {
-        needed,
-        available,
-        ref word,
-        ..
-    } = error
-    else {
+    let PrepareError::TooLarge { ref excess, .. } = error else {
         panic!("{error}");
     };
-    assert!(needed > available);
-    let (needed, available) = (needed.to_string(), available.to_string());
-    let word = word.clone();
+    assert!(excess.needed > excess.available);
+    let (needed, available) = (excess.needed.to_string(), excess.available.to_string());
+    let word = excess.word.clone();
     assert_says(
         &error,
         &[
@@ -134,7 +128,8 @@ fn too_large_for_the_format() {
     assert_says(&error, &["columns 0..719", "lines 0..539", "`near = "]);
 }
 
-/// A plane that passes so nearly through the viewer that its depth leaves the plane word, and that turns inside the object at column 360.
+/// A plane that passes so nearly through the viewer that its depth leaves the plane word, and that turns inside the
+/// object at column 360.
 #[test]
 fn steep_plane_that_is_no_half_plane() {
     let steep = [100_000, 0, 1, -300];
@@ -144,17 +139,12 @@ fn steep_plane_that_is_no_half_plane() {
         sphere([0, 0, 300], 100),
         &[steep],
     ));
-    let PrepareError::SteepPlane {
-        needed,
-        available,
-        x,
-        ..
-    } = error
-    else {
+    let PrepareError::SteepPlane { ref steep, .. } = error else {
         panic!("{error}");
     };
-    assert_eq!((x, available), (360, Format::BASE.plane));
-    assert!(needed > available);
+    let needed = steep.needed;
+    assert_eq!((steep.x, steep.available), (360, Format::BASE.plane));
+    assert!(needed > steep.available);
     assert_says(
         &error,
         &[

@@ -13,7 +13,7 @@ use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
-use imogene_scene::{Light, SceneFile};
+use imogene_scene::{Beam, SceneFile};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -78,7 +78,8 @@ fn half_space_exact(plane: &VolumePlane, x: i64, y: i64, z: i64, margin: i64) ->
     }
 }
 
-/// `(z - f1)^2 <= f2`, without a root, with the margin on the near side only; from inside, `(|z - f1| + 1)^2 > f2`: the volume begins at the
+/// `(z - f1)^2 <= f2`, without a root, with the margin on the near side only; from inside, `(|z - f1| + 1)^2 > f2`: the
+/// volume begins at the
 /// depth that the quadric is drawn at, the integer below its root.
 fn quadric_exact(q: &VolumeQuadric, x: i64, y: i64, z: i64, margin: i64) -> bool {
     let f2 = q.f2.exact_at(x, y);
@@ -226,7 +227,8 @@ fn half_space(n: Vector, through: Vector) -> VolumePlane {
     }
 }
 
-/// The shadow of a facet from a light at a point: beyond the facet's plane, within the planes through its sides and the light.
+/// The shadow of a facet from a light at a point: beyond the facet's plane, within the planes through its sides and the
+/// light.
 fn facet_shadow(corners: [Vector; 3], light: Vector) -> Vec<VolumePlane> {
     let normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
     let lit = dot(normal, minus(light, corners[0])).signum();
@@ -391,7 +393,8 @@ fn sphere_shades(c: Vector, radius: i64, s: Vector, [x, y, z]: Vector, slack: i6
     (misses || meets).then_some(meets)
 }
 
-/// The properties above are not about empty shadows: a sphere over the middle of the zone, lit from the side, shades a band behind it.
+/// The properties above are not about empty shadows: a sphere over the middle of the zone, lit from the side, shades a
+/// band behind it.
 #[test]
 fn a_sphere_shades_a_band() {
     let volume = sphere_shadow([8, 8, 0], 4, [3, 0, -4]);
@@ -409,8 +412,8 @@ fn a_sphere_shades_a_band() {
     assert_eq!(columns, (0..=8).collect::<Vec<i64>>());
 }
 
-/// A triangle at 20 from the light shades one that is 1.2 times as large at 24: the places with x, y of at least 1.2 and a
-/// sum of at most 14.4, of which there are 11 + 10 + .. + 1.
+/// A triangle at 20 from the light shades one that is 1.2 times as large at 24: the places with x, y of at least 1.2
+/// and a sum of at most 14.4, of which there are 11 + 10 + .. + 1.
 #[test]
 fn a_facet_shades_a_triangle() {
     let (corners, light) = ([[2, 2, 0], [12, 2, 0], [2, 12, 0]], [6, 6, -20]);
@@ -425,8 +428,8 @@ fn a_facet_shades_a_triangle() {
     assert_eq!(shaded, 66);
 }
 
-/// The words of a scene's volumes fit their registers once they are as those hold them, and give every pixel its value; moved to the screen's corner, some
-/// of the 32-bit format are longer than that.
+/// The words of a scene's volumes fit their registers once they are as those hold them, and give every pixel its value;
+/// moved to the screen's corner, some of the 32-bit format are longer than that.
 #[test]
 fn words_of_volumes_are_shown_as_registers_hold_them() {
     let path = format!(
@@ -435,9 +438,7 @@ fn words_of_volumes_are_shown_as_registers_hold_them() {
     );
     let mut file = SceneFile::read(path.as_ref()).expect("a valid scene");
     for light in &mut file.lights {
-        if let Light::Directional { shadows, .. } | Light::Point { shadows, .. } = light {
-            *shadows = true;
-        }
+        light.shadows |= !matches!(light.beam, Beam::Spot { .. });
     }
     let format = Format::new(32).expect("a format");
     let framed = file.frame(file.image.width, file.image.height);

@@ -1,4 +1,5 @@
-//! Forty base pairs of a double helix in 480 spheres before a wall, under two point sources: 960 shadow volumes, or none.
+//! Forty base pairs of a double helix in 480 spheres before a wall, under two point sources: 960 shadow volumes, or
+//! none.
 
 use super::sphere::sphere;
 use std::fmt::Write;

@@ -1,4 +1,5 @@
-//! Writes a scene of many spheres to standard output: `cargo run --release -p imogene-scene --example generate_scene -- dna > scenes/shadows/dna.toml`.
+//! Writes a scene of many spheres to standard output: `cargo run --release -p imogene-scene --example generate_scene --
+//! dna > scenes/shadows/dna.toml`.
 
 mod dna;
 mod sphere;

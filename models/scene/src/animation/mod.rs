@@ -1,6 +1,7 @@
 //! Animations: the frames of a scene with key images (source: animator).
 //!
-//! [`Playback`] says which frames there are and what the scene is in each of them, again as a [`SceneFile`](crate::SceneFile).
+//! [`Playback`] says which frames there are and what the scene is in each of them, again as a
+//! [`SceneFile`](crate::SceneFile).
 
 mod parts;
 mod placement;

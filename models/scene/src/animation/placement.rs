@@ -38,7 +38,8 @@ impl Moves {
     }
 }
 
-/// Two steps as one: turns about the same axis by the sum of their angles, displacements by theirs where it is a number that can be written.
+/// Two steps as one: turns about the same axis by the sum of their angles, displacements by theirs where it is a number
+/// that can be written.
 ///
 /// Without the first the entries of a placement would grow by the digits of a sine at every turn of a long animation.
 fn sum(one: &Step, other: &Step) -> Option<Step> {

@@ -106,7 +106,8 @@ impl<'a> Playback<'a> {
 
     /// The scene in a frame, counted from 0, as a scene file without images.
     ///
-    /// It is the scene as it is written, with the actions of the chain of parents done, and then the frame's part of those of its own image.
+    /// It is the scene as it is written, with the actions of the chain of parents done, and then the frame's part of
+    /// those of its own image.
     ///
     /// # Errors
     ///

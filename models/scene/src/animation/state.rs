@@ -62,23 +62,8 @@ impl<'a> State<'a> {
 
     /// The scene with these changes, and without images.
     pub fn scene(&self, file: &SceneFile) -> SceneFile {
-        let mut scene = SceneFile {
-            images: vec![],
-            camera: file.camera.clone(),
-            cameras: file.cameras.clone(),
-            active_camera: file.active_camera.clone(),
-            format: file.format,
-            title: file.title.clone(),
-            incomplete: file.incomplete.clone(),
-            background: file.background,
-            ambient: file.ambient,
-            image: file.image,
-            lights: file.lights.clone(),
-            materials: file.materials.clone(),
-            groups: file.groups.clone(),
-            objects: file.objects.clone(),
-            molecules: file.molecules.clone(),
-        };
+        let mut scene = file.clone();
+        scene.images.clear();
         for object in &mut scene.objects {
             self.place(&object.name, &mut object.place);
             self.show(&object.name, &mut object.visible);
@@ -88,20 +73,20 @@ impl<'a> State<'a> {
             self.show(&group.name, &mut group.visible);
         }
         for light in &mut scene.lights {
-            let Some(name) = light.node().name.clone() else {
+            let Some(name) = light.node.name.clone() else {
                 continue;
             };
-            self.place(&name, &mut light.node_mut().place);
-            self.show(&name, &mut light.node_mut().visible);
+            self.place(&name, &mut light.node.place);
+            self.show(&name, &mut light.node.visible);
             if let Some(intensity) = self.intensities.get(name.as_str()) {
-                *light.intensity_mut() = *intensity;
+                light.intensity = *intensity;
             }
         }
         for camera in std::iter::once(&mut scene.camera).chain(&mut scene.cameras) {
-            let Some(name) = camera.node().name.clone() else {
+            let Some(name) = camera.node.name.clone() else {
                 continue;
             };
-            self.place(&name, &mut camera.node_mut().place);
+            self.place(&name, &mut camera.node.place);
             if let Some(focal) = self.focals.get(name.as_str()) {
                 camera.set_focal(*focal);
             }
@@ -127,16 +112,13 @@ impl<'a> State<'a> {
 
 fn intensity_of(scene: &SceneFile, name: &str) -> f64 {
     let mut lights = scene.lights.iter();
-    let light = lights.find(|light| light.node().name.as_deref() == Some(name));
-    *light
-        .expect("checked: the light exists")
-        .clone()
-        .intensity_mut()
+    let light = lights.find(|light| light.node.name.as_deref() == Some(name));
+    light.expect("checked: the light exists").intensity
 }
 
 fn focal_of(scene: &SceneFile, name: &str) -> f64 {
     let mut cameras = scene.all_cameras();
-    let camera = cameras.find(|camera| camera.node().name.as_deref() == Some(name));
+    let camera = cameras.find(|camera| camera.node.name.as_deref() == Some(name));
     let focal = camera.and_then(|camera| camera.focal());
     focal.expect("checked: a perspective camera")
 }

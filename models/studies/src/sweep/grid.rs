@@ -5,7 +5,7 @@
 
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{
-    Camera, Cut, ImageSize, Material, Node, Object, SceneFile, Shape, Step, Surface,
+    Camera, Cut, ImageSize, Lens, Material, Object, SceneFile, Shape, Step, Surface,
 };
 use num_rational::BigRational;
 
@@ -42,15 +42,12 @@ pub fn decades(mantissas: &[u32], exponents: impl Iterator<Item = i32>) -> Vec<S
 
 /// Parallel projection along z, `half_depth` pixels to both sides of the origin.
 pub fn orthographic(half_depth: f64) -> Camera {
-    Camera::Orthographic {
-        eye: [0.0, 0.0, 1.0],
-        target: [0.0; 3],
-        up: [0.0, 1.0, 0.0],
-        view_height: f64::from(SCREEN.1),
-        half_depth: None,
-        ends: Some([-half_depth, half_depth]),
-        sample_at: [0.0; 2],
-        node: Node::default(),
+    Camera {
+        lens: Lens::Orthographic {
+            half_depth: None,
+            ends: Some([-half_depth, half_depth]),
+        },
+        ..perspective(1.0)
     }
 }
 
@@ -68,15 +65,12 @@ pub fn looking(
     view_height: f64,
     near: f64,
 ) -> Camera {
-    Camera::Perspective {
-        eye,
-        target,
-        up: [0.0, 1.0, 0.0],
-        viewer_distance,
-        view_height,
-        near: Some(near),
-        sample_at: [0.0; 2],
-        node: Node::default(),
+    Camera {
+        lens: Lens::Perspective {
+            viewer_distance,
+            near: Some(near),
+        },
+        ..Camera::perspective([eye, target, [0.0, 1.0, 0.0]], viewer_distance, view_height)
     }
 }
 

@@ -8,7 +8,7 @@ use super::truth::{DEPTH_BITS, Truth};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
-use imogene_scene::{Camera, Quadric, SceneFile, Transform};
+use imogene_scene::{Lens, Quadric, SceneFile, Transform};
 use num_traits::Float;
 use serde::Serialize;
 
@@ -42,12 +42,9 @@ struct Viewer {
 
 /// Draws the first object of a scene as a whole quadric: one without cuts, seen in perspective along -z.
 pub fn compare(file: &SceneFile) -> Naive {
-    let Camera::Perspective {
-        eye,
-        viewer_distance,
-        view_height,
-        ..
-    } = file.camera
+    let Lens::Perspective {
+        viewer_distance, ..
+    } = file.camera.lens
     else {
         panic!("only perspective scenes are drawn in floating point");
     };
@@ -56,9 +53,9 @@ pub fn compare(file: &SceneFile) -> Naive {
     let quadric = quadric.transformed(&Transform::placement(&object.place));
     let coefficients = quadric.coefficients().map(to_f64);
     let viewer = Viewer {
-        eye,
+        eye: file.camera.eye,
         distance: viewer_distance,
-        unit: view_height / f64::from(file.image.height),
+        unit: file.camera.view_height / f64::from(file.image.height),
     };
     Naive {
         single: error(file, &viewer, coefficients.map(|c| c as f32)),

@@ -6,7 +6,7 @@ mod reuse;
 use imogene_algebra::rational::{fraction, integer};
 use imogene_prepare::Framing;
 use imogene_scene::animation::Playback;
-use imogene_scene::{Camera, Light, SceneFile, Step, Transform};
+use imogene_scene::{Beam, Camera, SceneFile, Step, Transform};
 use num_rational::BigRational;
 
 /// A scene of one ball with more keys; `top` stands before the first table.
@@ -227,22 +227,16 @@ actions = [
     for (frame, intensity, height) in [(0, 0.75, 3.2), (1, 0.5, 2.4)] {
         let scene = playback.scene(frame).unwrap();
         assert!(!scene.objects[0].visible && scene.objects[1].visible);
-        let Light::Point {
-            intensity: is,
-            node,
-            ..
-        } = &scene.lights[0]
-        else {
-            panic!("a point light");
-        };
-        assert_eq!(*is, intensity);
-        assert_eq!(node.place, [Step::Translate([0.0, [0.5, 1.0][frame], 0.0])]);
-        let Camera::Perspective {
+        let light = &scene.lights[0];
+        assert!(matches!(light.beam, Beam::Point { .. }));
+        assert_eq!(light.intensity, intensity);
+        assert_eq!(
+            light.node.place,
+            [Step::Translate([0.0, [0.5, 1.0][frame], 0.0])]
+        );
+        let Camera {
             view_height, eye, ..
-        } = scene.active()
-        else {
-            panic!("a perspective camera");
-        };
+        } = scene.active();
         // 24 mm : f = height : 10, with f = 75 and 100.
         assert_eq!((*view_height, eye[0]), (height, 10.0));
         assert!(scene.images.is_empty());
@@ -263,10 +257,7 @@ fn lenses_have_the_field_of_view_of_the_table() {
     ];
     let height = |window: &str| {
         let camera = CAMERA.replace("view_height = 6", window);
-        let Camera::Perspective { view_height, .. } = parsed(&camera, &ball("")).camera else {
-            panic!("a perspective camera");
-        };
-        view_height
+        parsed(&camera, &ball("")).camera.view_height
     };
     for (focal, field) in table {
         let lens = height(&format!("focal = {focal}"));
@@ -287,10 +278,7 @@ fn the_first_camera_is_active_unless_another_is_named() {
         )
     };
     let cameras = camera("one", 1) + &camera("two", 2);
-    let eye = |file: &SceneFile| match file.active() {
-        Camera::Orthographic { eye, .. } => eye[0],
-        Camera::Perspective { .. } => panic!("an orthographic camera"),
-    };
+    let eye = |file: &SceneFile| file.active().eye[0];
     let mut file = parsed(&cameras, &ball(""));
     assert_eq!(eye(&file), 1.0);
     let named = format!("active_camera = \"two\"\n{cameras}");

@@ -310,14 +310,12 @@ fn first_generation_takes_guard_bits() {
 }
 
 fn parallel_view(eye: [f64; 3]) -> imogene_scene::Camera {
-    imogene_scene::Camera::Orthographic {
-        eye,
-        target: [0.0, 0.1, 0.0],
-        up: [0.0, 1.0, 0.0],
-        view_height: 4.0,
-        half_depth: Some(4.0),
-        ends: None,
-        sample_at: [0.0; 2],
-        node: imogene_scene::Node::default(),
+    let pose = [eye, [0.0, 0.1, 0.0], [0.0, 1.0, 0.0]];
+    imogene_scene::Camera {
+        lens: imogene_scene::Lens::Orthographic {
+            half_depth: Some(4.0),
+            ends: None,
+        },
+        ..imogene_scene::Camera::perspective(pose, 1.0, 4.0)
     }
 }

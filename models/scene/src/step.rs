@@ -1,24 +1,73 @@
-//! Steps of a placement as they stand in the file.
+//! Steps of a placement.
 
-use super::{optional_numbers, three_of};
-use crate::file::{Axis, Rotation, Scale, Step};
+use super::keys::{Three, three_of};
 use serde::de::{self, Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
+
+/// One step of a placement.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "StepKeys", into = "StepKeys")]
+pub enum Step {
+    /// Displacement in scene units.
+    Translate([f64; 3]),
+    /// Rotation about an axis through the origin.
+    Rotate(Rotation),
+    /// Scaling from the origin, one factor or one for each axis; negative factors mirror.
+    Scale(Scale),
+}
+
+/// A rotation about an axis through the origin, counter-clockwise when the axis points to the observer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rotation {
+    /// The axis.
+    pub axis: Axis,
+    /// The angle in degrees; multiples of 90 about a coordinate axis are exact.
+    pub degrees: f64,
+}
+
+/// Axis of a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// The x axis.
+    X,
+    /// The y axis.
+    Y,
+    /// The z axis.
+    Z,
+    /// Any other direction; its length does not matter.
+    #[serde(untagged)]
+    Vector([f64; 3]),
+}
+
+/// Factors of a scaling.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Scale {
+    /// The same factor for x, y and z.
+    Uniform(f64),
+    /// One factor for each axis.
+    PerAxis([f64; 3]),
+}
+
+impl Scale {
+    /// The factors as they are written.
+    pub(crate) fn factors(&self) -> &[f64] {
+        match self {
+            Scale::Uniform(factor) => std::slice::from_ref(factor),
+            Scale::PerAxis(factors) => factors,
+        }
+    }
+}
 
 /// The key of a step as it stands in the file.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StepKeys {
-    #[serde(
-        default,
-        deserialize_with = "optional_numbers",
-        skip_serializing_if = "Option::is_none"
-    )]
-    pub(super) translate: Option<[f64; 3]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) rotate: Option<Rotation>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) scale: Option<Scale>,
+    pub translate: Option<Three>,
+    pub rotate: Option<Rotation>,
+    pub scale: Option<Scale>,
 }
 
 impl TryFrom<StepKeys> for Step {
@@ -26,15 +75,15 @@ impl TryFrom<StepKeys> for Step {
 
     fn try_from(keys: StepKeys) -> Result<Self, String> {
         match (keys.translate, keys.rotate, keys.scale) {
-            (Some(offset), None, None) => Ok(Self::Translate(offset)),
+            (Some(Three(offset)), None, None) => Ok(Self::Translate(offset)),
             (None, Some(rotation), None) => Ok(Self::Rotate(rotation)),
             (None, None, Some(scale)) => Ok(Self::Scale(scale)),
             (None, None, None) => {
-                Err("the step is empty; it needs one of `translate`, `rotate`, `scale`".to_owned())
+                Err("the step is empty; it needs one of `translate`, `rotate`, `scale`".into())
             }
             _ => Err(
                 "several steps in one table; write each in its own { }, in the order they apply"
-                    .to_owned(),
+                    .into(),
             ),
         }
     }
@@ -42,21 +91,13 @@ impl TryFrom<StepKeys> for Step {
 
 impl From<Step> for StepKeys {
     fn from(step: Step) -> Self {
-        let none = Self::default();
+        let mut keys = Self::default();
         match step {
-            Step::Translate(offset) => Self {
-                translate: Some(offset),
-                ..none
-            },
-            Step::Rotate(rotation) => Self {
-                rotate: Some(rotation),
-                ..none
-            },
-            Step::Scale(scale) => Self {
-                scale: Some(scale),
-                ..none
-            },
+            Step::Translate(offset) => keys.translate = Some(Three(offset)),
+            Step::Rotate(rotation) => keys.rotate = Some(rotation),
+            Step::Scale(scale) => keys.scale = Some(scale),
         }
+        keys
     }
 }
 

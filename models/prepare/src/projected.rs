@@ -1,0 +1,120 @@
+//! A cut quadric on the screen: its expressions, its box, and why nothing of it may be there.
+
+use super::cell::Cell;
+use super::context::Context;
+use super::error::PrepareError;
+use super::extent::Extent;
+use super::perspective::{ScreenQuadric, on_screen};
+use super::planes::{PlaneOf, PreparedPlane, prepare_plane};
+use super::screen_box::{Existence, Region};
+use super::seams::Place;
+use imogene_algebra::rational::to_f64;
+use imogene_golden::object::quadric::ScreenBox;
+use imogene_scene::{FramedQuadric, Plane};
+use num_traits::Zero;
+
+/// A cut quadric after perspective, and its box on the screen.
+pub(super) struct Projected {
+    pub quadric: ScreenQuadric,
+    pub planes: Vec<Plane>,
+    pub region: Region,
+    pub window: ScreenBox,
+}
+
+impl Projected {
+    pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
+        let (quadric, planes) = on_screen(object, &context.inverse_distance);
+        let region = Region::new(&quadric.q, &planes, object.surface);
+        Projected {
+            window: window_of(&quadric, &region, &planes, context),
+            quadric,
+            planes,
+            region,
+        }
+    }
+
+    /// Every plane of the object, in the order of the file.
+    pub fn prepare_planes<'a>(
+        &'a self,
+        object: &'a FramedQuadric,
+        place: &'a Place,
+        context: &'a Context,
+    ) -> impl Iterator<Item = Result<PreparedPlane, PrepareError>> + 'a {
+        let depths = || {
+            let full = to_f64(&context.full_depth);
+            let range = self.region.depth_range(context.width, context.height, full);
+            range.unwrap_or((-full, full))
+        };
+        let planes = object.planes.iter().zip(&self.planes).zip(&place.planes);
+        let planes = planes.enumerate();
+        planes.map(move |(index, ((original, projected), shared))| {
+            let plane = PlaneOf {
+                object: &object.name,
+                index,
+                original,
+                projected,
+                window: &self.window,
+                shared,
+            };
+            prepare_plane(&plane, depths, context)
+        })
+    }
+}
+
+/// The screen box: of an uncut closed quadric from its tangent planes, else by search.
+fn window_of(
+    quadric: &ScreenQuadric,
+    region: &Region,
+    planes: &[Plane],
+    context: &Context,
+) -> ScreenBox {
+    let depth = to_f64(&context.full_depth);
+    let searched = || region.screen_box(context.width, context.height, depth);
+    tangent_box(quadric, planes, context).unwrap_or_else(searched)
+}
+
+/// The box of an uncut closed quadric within the screen and the depths; nothing for any other.
+pub(super) fn tangent_box(
+    quadric: &ScreenQuadric,
+    planes: &[Plane],
+    context: &Context,
+) -> Option<ScreenBox> {
+    let depth = to_f64(&context.full_depth);
+    let is_whole = planes.is_empty() && !quadric.eye_value().is_zero();
+    let extent = is_whole.then(|| Extent::of(&quadric.q)).flatten()?;
+    extent.screen_box(context.width, context.height, depth)
+}
+
+/// The note on an object that can only be seen from a camera that looks the other way.
+pub const BEHIND_VIEWER: &str =
+    "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw";
+
+/// Why nothing of an object is on the screen.
+pub(super) fn unseen_note(
+    object: &FramedQuadric,
+    edge_on: bool,
+    context: &Context,
+) -> &'static str {
+    if edge_on {
+        "a patch seen exactly edge-on: nothing to draw"
+    } else if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
+        "outside the screen or its depth range: nothing to draw"
+    } else if is_empty_between(object, -64.0, -1.0, context) {
+        "its planes leave nothing of it: nothing to draw"
+    } else {
+        BEHIND_VIEWER
+    }
+}
+
+/// True if a search of the space between two depths of the camera frame (in viewer distances; the eye is at -1), out
+/// to many viewer distances sideways, proves that nothing of the object is there.
+fn is_empty_between(object: &FramedQuadric, near: f64, far: f64, context: &Context) -> bool {
+    let distance = to_f64(&context.full_depth);
+    let side = 64.0 * distance;
+    let cell = Cell::between(
+        [-side, -side, near * distance],
+        [side, side, far * distance],
+    );
+    let region = Region::new(&object.quadric, &object.planes, object.surface);
+    region.existence(cell, [1e-3 * distance; 3]) == Existence::Empty
+}

@@ -1,0 +1,140 @@
+//! The preparation of a scene.
+
+use super::context::{Context, Options};
+use super::error::PrepareError;
+use super::known::Known;
+use super::located::Located;
+use super::object;
+use super::prepared::{Missing, PreparedObject, PreparedScene};
+use super::volume::{self, Volumes, prepare_volumes};
+use imogene_golden::format::Format;
+use imogene_golden::unit::interval::Class;
+use imogene_scene::{CutOff, End, FramedScene};
+use rayon::prelude::*;
+
+/// The note on an object of which something lies before the range of the depth word.
+const NEAR_END_CUTS: &str = "reaches nearer than the near end of the depth: what is nearer is cut off, and a solid is \
+                             seen open there";
+/// The same behind it.
+const FAR_END_CUTS: &str =
+    "reaches farther than the far end of the depth: what is farther is cut off";
+
+/// Prepares a scene for a format.
+pub fn prepare(scene: &FramedScene, format: Format) -> Result<PreparedScene, PrepareError> {
+    prepare_with(scene, format, Options::default())
+}
+
+/// Prepares a scene for machines that have quadric and patch processors alone, so that an object that the eye lies on
+/// is refused.
+pub fn prepare_for_roots(
+    scene: &FramedScene,
+    format: Format,
+) -> Result<PreparedScene, PrepareError> {
+    prepare_with(scene, format, Options::ROOTS)
+}
+
+/// Prepares a scene with options.
+pub fn prepare_with(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+) -> Result<PreparedScene, PrepareError> {
+    prepare_reporting(scene, format, options, &|| ())
+}
+
+/// The objects that cannot be prepared for a format, by index, each with its reason; shadows are not looked at.
+pub fn refused(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+) -> Vec<(usize, PrepareError)> {
+    let context = Context::of(scene, format, options);
+    let located = Located::new(scene, &context, &Known::nothing(scene));
+    let problem = |(index, object)| Some((index, located.prepare(index, object, &context).err()?));
+    let objects = scene.objects.par_iter().enumerate();
+    objects.filter_map(problem).collect()
+}
+
+/// Steps of a preparation, for a bar of its progress.
+pub fn steps(scene: &FramedScene) -> u64 {
+    (scene.objects.len() + volume::pairs(scene).len()) as u64
+}
+
+/// Prepares a scene; `done` is called about once for each of [`steps`], from any thread.
+pub fn prepare_reporting(
+    scene: &FramedScene,
+    format: Format,
+    options: Options,
+    done: &(impl Fn() + Sync),
+) -> Result<PreparedScene, PrepareError> {
+    let context = Context::of(scene, format, options);
+    let known = Known::nothing(scene);
+    let located = Located::new(scene, &context, &known);
+    let mut missing = vec![];
+    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
+    let volumes = prepare_volumes(scene, &mut objects, &context, &known, &mut missing, done)?;
+    Ok(prepared_scene(scene, context, objects, volumes, missing))
+}
+
+/// The objects, those that are known taken over.
+pub(super) fn prepare_objects(
+    scene: &FramedScene,
+    located: &Located,
+    context: &Context,
+    known: &Known,
+    missing: &mut Vec<Missing>,
+    done: &(impl Fn() + Sync),
+) -> Result<Vec<PreparedObject>, PrepareError> {
+    // Collected before the first error is taken, so that the same object is named in every run.
+    let objects: Vec<Result<PreparedObject, Box<PrepareError>>> = scene
+        .objects
+        .par_iter()
+        .enumerate()
+        .map(|(index, object)| {
+            let prepared = match known.object(index) {
+                Some(known) => Ok(known.clone()),
+                None => located.prepare(index, object, context).map_err(Box::new),
+            };
+            done();
+            prepared
+        })
+        .collect();
+    let named = objects.into_iter().zip(&scene.objects);
+    named
+        .map(|(prepared, object)| {
+            prepared.or_else(|reason| {
+                context.leave_out(missing, false, *reason)?;
+                let note = "left out: it cannot be drawn";
+                let absent = object::absent(object.name(), Class::default(), note);
+                Ok(PreparedObject::Quadric(Box::new(absent)))
+            })
+        })
+        .collect()
+}
+
+pub(super) fn prepared_scene(
+    scene: &FramedScene,
+    context: Context,
+    mut objects: Vec<PreparedObject>,
+    volumes: Volumes,
+    missing: Vec<Missing>,
+) -> PreparedScene {
+    for CutOff { object, end } in &scene.range.cut {
+        let cut = objects.iter_mut().find(|o| o.name() == object);
+        if let Some(cut) = cut.filter(|o| !o.screen_box().is_empty()) {
+            cut.add_note(match end {
+                End::Near => NEAR_END_CUTS,
+                End::Far => FAR_END_CUTS,
+            });
+        }
+    }
+    PreparedScene {
+        missing,
+        format: context.format,
+        width: context.width,
+        height: context.height,
+        depth_scale: context.depth_scale,
+        objects,
+        volumes: volumes.into_list(),
+    }
+}

@@ -1,0 +1,224 @@
+//! Light sources, and their keys in the file.
+
+use super::group::Node;
+use super::keys::{Three, is_no, is_yes, numbers, refuse_keys, require, white, yes};
+use super::step::Step;
+use serde::{Deserialize, Serialize};
+
+/// A light source.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "LightKeys", into = "LightKeys")]
+pub struct Light {
+    /// From where, and whereto.
+    pub beam: Beam,
+    /// 0 to 1 for each of red, green, blue.
+    pub colour: [f64; 3],
+    /// Factor of the colour.
+    pub intensity: f64,
+    /// Whether objects in its way keep its light off others.
+    pub shadows: bool,
+    /// Name, group and place.
+    pub node: Node,
+}
+
+/// From where a light comes, and whereto.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Beam {
+    /// Parallel light.
+    Directional {
+        /// The direction the light comes from: a vector from the scene towards the source.
+        from: [f64; 3],
+    },
+    /// Light from one point, without attenuation.
+    Point {
+        /// Where the source stands.
+        position: [f64; 3],
+    },
+    /// Light from one point into a cone, without attenuation.
+    Spot {
+        /// Where the source stands: the apex of the cone.
+        position: [f64; 3],
+        /// The axis of the cone.
+        aim: Aim,
+        /// Angle in degrees between the axis and the cone.
+        half_angle: f64,
+    },
+}
+
+/// What a spot is directed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Aim {
+    /// A point on the axis.
+    Target([f64; 3]),
+    /// The direction of the axis.
+    Towards([f64; 3]),
+}
+
+impl Light {
+    /// White parallel light without shadows.
+    pub fn directional(from: [f64; 3], intensity: f64) -> Light {
+        Light {
+            beam: Beam::Directional { from },
+            colour: white(),
+            intensity,
+            shadows: false,
+            node: Node::default(),
+        }
+    }
+}
+
+/// The keys of an entry of `[[lights]]` as they stand in the file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LightKeys {
+    kind: LightKind,
+    from: Option<Three>,
+    position: Option<Three>,
+    target: Option<Three>,
+    towards: Option<Three>,
+    half_angle: Option<f64>,
+    #[serde(default = "white", deserialize_with = "numbers")]
+    colour: [f64; 3],
+    #[serde(default = "full")]
+    intensity: f64,
+    #[serde(default, skip_serializing_if = "is_no")]
+    shadows: bool,
+    name: Option<String>,
+    group: Option<String>,
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    visible: bool,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    place: Vec<Step>,
+}
+
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum LightKind {
+    Directional,
+    Point,
+    Spot,
+}
+
+fn full() -> f64 {
+    1.0
+}
+
+impl LightKeys {
+    /// Refuses the keys of other kinds, and gives the words for this one.
+    fn owner(&self) -> Result<&'static str, String> {
+        let (owner, taken) = match self.kind {
+            LightKind::Directional => ("a directional light", "`from`"),
+            LightKind::Point => ("a point light", "`position`"),
+            LightKind::Spot => (
+                "a spot",
+                "`position`, `target` or `towards`, and `half_angle`",
+            ),
+        };
+        let is_directional = self.kind == LightKind::Directional;
+        let is_spot = self.kind == LightKind::Spot;
+        let others = [
+            ("from", self.from.is_some() && !is_directional),
+            ("position", self.position.is_some() && is_directional),
+            ("target", self.target.is_some() && !is_spot),
+            ("towards", self.towards.is_some() && !is_spot),
+            ("half_angle", self.half_angle.is_some() && !is_spot),
+        ];
+        refuse_keys(others, owner, taken)?;
+        Ok(owner)
+    }
+
+    fn aim(&self) -> Result<Aim, String> {
+        match (self.target, self.towards) {
+            (Some(Three(target)), None) => Ok(Aim::Target(target)),
+            (None, Some(Three(direction))) => Ok(Aim::Towards(direction)),
+            (None, None) => Err(
+                "a spot needs `target`, a point on its axis, or `towards`, the direction of its axis"
+                    .into(),
+            ),
+            (Some(_), Some(_)) => Err("a spot takes `target` or `towards`; found both".into()),
+        }
+    }
+
+    fn beam(&self) -> Result<Beam, String> {
+        let owner = self.owner()?;
+        let position = || Ok::<_, String>(require(self.position, owner, "`position`")?.0);
+        Ok(match self.kind {
+            LightKind::Directional => {
+                let wanted = "`from`, the direction the light comes from";
+                let Three(from) = require(self.from, owner, wanted)?;
+                Beam::Directional { from }
+            }
+            LightKind::Point => Beam::Point {
+                position: position()?,
+            },
+            LightKind::Spot => Beam::Spot {
+                position: position()?,
+                aim: self.aim()?,
+                half_angle: require(
+                    self.half_angle,
+                    owner,
+                    "`half_angle`, the angle in degrees between its axis and its cone",
+                )?,
+            },
+        })
+    }
+}
+
+impl TryFrom<LightKeys> for Light {
+    type Error = String;
+
+    fn try_from(keys: LightKeys) -> Result<Self, String> {
+        Ok(Light {
+            beam: keys.beam()?,
+            colour: keys.colour,
+            intensity: keys.intensity,
+            shadows: keys.shadows,
+            node: Node {
+                name: keys.name,
+                group: keys.group,
+                visible: keys.visible,
+                place: keys.place,
+            },
+        })
+    }
+}
+
+impl From<Light> for LightKeys {
+    fn from(light: Light) -> Self {
+        let mut keys = LightKeys {
+            kind: LightKind::Spot,
+            from: None,
+            position: None,
+            target: None,
+            towards: None,
+            half_angle: None,
+            colour: light.colour,
+            intensity: light.intensity,
+            shadows: light.shadows,
+            name: light.node.name,
+            group: light.node.group,
+            visible: light.node.visible,
+            place: light.node.place,
+        };
+        match light.beam {
+            Beam::Directional { from } => {
+                (keys.kind, keys.from) = (LightKind::Directional, Some(Three(from)));
+            }
+            Beam::Point { position } => {
+                (keys.kind, keys.position) = (LightKind::Point, Some(Three(position)));
+            }
+            Beam::Spot {
+                position,
+                aim,
+                half_angle,
+            } => {
+                (keys.position, keys.half_angle) = (Some(Three(position)), Some(half_angle));
+                match aim {
+                    Aim::Target(point) => keys.target = Some(Three(point)),
+                    Aim::Towards(direction) => keys.towards = Some(Three(direction)),
+                }
+            }
+        }
+        keys
+    }
+}

@@ -1,0 +1,190 @@
+//! The limits of single values, and the refusals of what is beyond them.
+
+use super::error::SceneError;
+use super::step::{Axis, Step};
+use imogene_algebra::vector::{cross, dot, normalised};
+
+/// Most cut planes of one object.
+pub const MAX_CUTS: usize = 12;
+/// Most columns or lines of a picture.
+pub const MAX_IMAGE_SIDE: u32 = 4096;
+/// Most light sources: a pixel carries one flag for each (thesis section 4.1.3).
+pub const MAX_LIGHTS: usize = 16;
+/// Shortest length of a camera, in scene units; below it `f64` pictures of it lose their meaning.
+const SHORTEST_LENGTH: f64 = 1e-30;
+/// Largest magnitude of any number of a scene; beyond it `f64` directions lose their meaning.
+pub const MAX_MAGNITUDE: f64 = 1e12;
+/// Largest exponent of a highlight.
+pub const MAX_SPECULAR_EXPONENT: u32 = 200;
+/// Largest factor of a light's colour.
+pub const MAX_INTENSITY: f64 = 10.0;
+/// Smallest angle between the axis of a spot and its cone, in degrees.
+pub const SMALLEST_HALF_ANGLE: f64 = 0.1;
+/// Largest angle between the axis of a spot and its cone, in degrees; at 90 the cone is a plane.
+pub const LARGEST_HALF_ANGLE: f64 = 89.0;
+/// Sine of the angle under which `up` counts as parallel to the viewing direction.
+const PARALLEL: f64 = 1e-9;
+
+pub(super) type Checked = Result<(), SceneError>;
+
+/// Refuses what is not sound: with the place, the problem and what would be accepted.
+pub(super) fn unless<P: Into<String>, Q: Into<String>, R: Into<String>>(
+    is_sound: bool,
+    say: impl FnOnce() -> (P, Q, R),
+) -> Checked {
+    if is_sound {
+        return Ok(());
+    }
+    let (place, problem, accepted) = say();
+    Err(SceneError::value(place, problem, accepted))
+}
+
+pub(super) fn check_number(place: &str, value: f64) -> Checked {
+    unless(value.is_finite(), || {
+        let problem = format!("{value} is not a finite number");
+        (place, problem, "a finite number is needed")
+    })?;
+    unless(value.abs() <= MAX_MAGNITUDE, || {
+        let least = -MAX_MAGNITUDE;
+        let accepted = format!("numbers from {least:e} to {MAX_MAGNITUDE:e} are possible");
+        (place, format!("{value:e} is too large"), accepted)
+    })
+}
+
+pub(super) fn check_numbers(place: &str, values: &[f64]) -> Checked {
+    let mut values = values.iter().enumerate();
+    values.try_for_each(|(index, value)| check_number(&format!("{place}[{index}]"), *value))
+}
+
+pub(super) fn check_direction(place: &str, vector: [f64; 3]) -> Checked {
+    check_numbers(place, &vector)?;
+    unless(vector != [0.0; 3], || {
+        let accepted = "a vector with at least one number other than 0 is needed";
+        (place, "[0, 0, 0] has no direction", accepted)
+    })
+}
+
+pub(super) fn check_positive(place: &str, value: f64) -> Checked {
+    check_number(place, value)?;
+    unless(value > 0.0, || {
+        let problem = format!("{value} is not positive");
+        (place, problem, "a number above 0 is needed")
+    })
+}
+
+/// Refuses a length of the camera that is not above 0, or so short that nothing could be told apart in it.
+pub(super) fn check_length(place: &str, value: f64) -> Checked {
+    check_positive(place, value)?;
+    unless(value >= SHORTEST_LENGTH, || {
+        let accepted = format!("at least {SHORTEST_LENGTH:e} is possible");
+        (place, format!("{value:e} is too small"), accepted)
+    })
+}
+
+/// Refuses a value that is not within; `accepted` says what is.
+pub(super) fn check_within<T: PartialOrd + std::fmt::Display>(
+    place: impl Into<String>,
+    value: T,
+    [least, most]: [T; 2],
+    accepted: &str,
+) -> Checked {
+    unless(least <= value && value <= most, || {
+        (place, format!("{value} is out of range"), accepted)
+    })
+}
+
+pub(super) fn check_share(place: &str, value: f64, largest: f64) -> Checked {
+    check_number(place, value)?;
+    let accepted = format!("a number from 0 to {largest} is possible");
+    check_within(place, value, [0.0, largest], &accepted)
+}
+
+pub(super) fn check_colour(place: &str, colour: [f64; 3]) -> Checked {
+    check_numbers(place, &colour)?;
+    let accepted = "red, green and blue are numbers from 0 to 1 (an 8-bit value divided by 255)";
+    let mut parts = colour.into_iter().enumerate();
+    parts.try_for_each(|(index, value)| {
+        check_within(format!("{place}[{index}]"), value, [0.0, 1.0], accepted)
+    })
+}
+
+pub(super) fn check_name(place: &str, name: &str) -> Checked {
+    unless(!name.trim().is_empty(), || {
+        (place, "the name is empty", "a name is needed")
+    })
+}
+
+/// Refuses a name that an earlier one of a class has.
+pub(super) fn check_new(is_new: bool, place: &str, earlier: &str) -> Checked {
+    unless(is_new, || {
+        let problem = format!("this name is taken by an earlier {earlier}");
+        (place, problem, "every name must be unique")
+    })
+}
+
+/// Refuses more than are possible.
+pub(super) fn check_count(
+    place: impl Into<String>,
+    count: usize,
+    what: &str,
+    most: usize,
+) -> Checked {
+    unless(count <= most, || {
+        let accepted = format!("at most {most} are possible");
+        (place, format!("{count} {what}"), accepted)
+    })
+}
+
+/// Refuses a picture size the machine cannot scan.
+pub(super) fn check_image_size(width: u32, height: u32) -> Checked {
+    let mut sides = [("image.width", width), ("image.height", height)].into_iter();
+    sides.try_for_each(|(key, side)| {
+        unless((1..=MAX_IMAGE_SIDE).contains(&side), || {
+            let accepted = format!("1 to {MAX_IMAGE_SIDE} are possible");
+            (key, format!("{side} pixels"), accepted)
+        })
+    })
+}
+
+/// Refuses a direction upwards along the view.
+pub(super) fn check_up(key: &str, view: [f64; 3], up: [f64; 3]) -> Checked {
+    let side = cross(normalised(view), normalised(up));
+    let is_parallel = dot(side, side).sqrt() < PARALLEL;
+    unless(!is_parallel, || {
+        let problem = format!("{up:?} is parallel to the viewing direction {view:?}");
+        (
+            key,
+            problem,
+            "a direction seen upwards in the picture is needed",
+        )
+    })
+}
+
+pub(super) fn check_place(place: &str, steps: &[Step]) -> Checked {
+    let mut steps = steps.iter().enumerate();
+    steps.try_for_each(|(index, step)| check_step(&format!("{place}, place[{index}]"), step))
+}
+
+pub(super) fn check_step(place: &str, step: &Step) -> Checked {
+    match step {
+        Step::Translate(offset) => check_numbers(&format!("{place}.translate"), offset),
+        Step::Rotate(rotation) => {
+            if let Axis::Vector(vector) = rotation.axis {
+                check_direction(&format!("{place}.rotate.axis"), vector)?;
+            }
+            check_number(&format!("{place}.rotate.degrees"), rotation.degrees)
+        }
+        Step::Scale(scale) => {
+            let key = format!("{place}.scale");
+            match scale.factors() {
+                [factor] => check_number(&key, *factor)?,
+                factors => check_numbers(&key, factors)?,
+            }
+            unless(!scale.factors().contains(&0.0), || {
+                let problem = "a factor of 0 flattens the object, the transform is singular";
+                let accepted = "factors other than 0 are needed (negative ones mirror)";
+                (key, problem, accepted)
+            })
+        }
+    }
+}
