@@ -90,8 +90,9 @@ mod tests {
             from_fn(|i| from_fn(|j| if i == j { determinant } else { 0 }))
         );
         let n = [[2, 1, 0], [1, -4, 2], [0, 5, 1]];
-        assert_eq!(cofactors3(&n)[0], [-14, -1, 5]);
-        assert_eq!(dot(&n[0], &cofactors3(&n)[0]), -29);
+        let cofactors = cofactors3(&n);
+        assert_eq!(cofactors[0], [-14, -1, 5]);
+        assert_eq!(dot(n[0], cofactors[0]), -29);
         assert_eq!(image(&n, &[1, 2, 3]), [4, -1, 13]);
     }
 }

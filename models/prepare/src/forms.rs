@@ -190,10 +190,9 @@ impl QuadraticForm {
 
     /// The expression plus a constant.
     pub fn raised(&self, constant: &BigRational) -> QuadraticForm {
-        QuadraticForm {
-            f: &self.f + constant,
-            ..self.clone()
-        }
+        let mut raised = self.clone();
+        raised.f += constant;
+        raised
     }
 
     /// The square of a first-degree expression.
@@ -230,11 +229,8 @@ impl QuadraticForm {
     /// Least and greatest value over the rectangle of a box of pixels.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
         let ([a, b, c, d, e, f], denominator) = self.whole();
-        let whole = |value: BigInt| BigRational::from_integer(value);
-        let mut values: Vec<BigRational> = corners(window)
-            .iter()
-            .map(|&(x, y)| whole((&a * x + &c * y + &d) * x + (&b * y + &e) * y + &f))
-            .collect();
+        let at = |(x, y): (i64, i64)| ((&a * x + &c * y + &d) * x + (&b * y + &e) * y + &f).into();
+        let mut values: Vec<BigRational> = corners(window).map(at).to_vec();
         for y in [window.y0, window.y1] {
             let (linear, constant) = (&c * y + &d, (&b * y + &e) * y + &f);
             values.extend(vertex(&a, &linear, &constant, window.x0, window.x1));
@@ -364,12 +360,8 @@ fn whole(value: i128) -> BigRational {
 }
 
 fn corners(window: &ScreenBox) -> [(i64, i64); 4] {
-    [
-        (window.x0, window.y0),
-        (window.x1, window.y0),
-        (window.x0, window.y1),
-        (window.x1, window.y1),
-    ]
+    let (x, y) = ([window.x0, window.x1], [window.y0, window.y1]);
+    [0, 1, 2, 3].map(|k| (x[k % 2], y[k / 2]))
 }
 
 #[cfg(test)]

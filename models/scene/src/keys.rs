@@ -60,8 +60,10 @@ pub(crate) struct Three(#[serde(deserialize_with = "numbers")] pub [f64; 3]);
 pub(crate) fn numbers<'de, D: Deserializer<'de>, const N: usize>(
     input: D,
 ) -> Result<[f64; N], D::Error> {
-    exactly(Vec::deserialize(input)?, |_| {
-        format!("[{}], {N} numbers,", vec!["0.0"; N].join(", "))
+    let values = Vec::<f64>::deserialize(input)?;
+    values.try_into().map_err(|values: Vec<f64>| {
+        let wanted = format!("[{}], {N} numbers,", vec!["0.0"; N].join(", "));
+        miscounted(&values, &wanted)
     })
 }
 
@@ -74,15 +76,11 @@ pub(crate) fn three_of<'de, A: SeqAccess<'de>>(
     while let Some(value) = sequence.next_element()? {
         values.push(value);
     }
-    exactly(values, |_| wanted.to_owned())
+    let three = values.try_into();
+    three.map_err(|values: Vec<f64>| miscounted(&values, wanted))
 }
 
-fn exactly<E: de::Error, const N: usize>(
-    values: Vec<f64>,
-    wanted: impl Fn(usize) -> String,
-) -> Result<[f64; N], E> {
-    values.try_into().map_err(|values: Vec<f64>| {
-        let (found, wanted) = (values.len(), wanted(N));
-        E::custom(format!("{found} numbers found; {wanted} would be accepted"))
-    })
+fn miscounted<E: de::Error>(values: &[f64], wanted: &str) -> E {
+    let count = values.len();
+    E::custom(format!("{count} numbers found; {wanted} would be accepted"))
 }

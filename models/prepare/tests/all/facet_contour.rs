@@ -178,7 +178,7 @@ proptest! {
 /// Every facet of a scene, as it is prepared; the operations are those of its spans.
 #[test]
 fn facets_of_a_scene() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/processors/mesh.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/mesh.toml");
     let framed = SceneFile::read(&path).unwrap().frame(320, 240).unwrap();
     let prepared = prepare(&framed, Format::BASE).unwrap();
     let (mut facets, mut pixels) = (0, 0);

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Scene files of a folder of the collection, by name.
 fn files(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../scenes")
+        .join("../../scenes")
         .join(folder);
     let entries = fs::read_dir(folder).expect("the collection");
     let mut files: Vec<PathBuf> = entries

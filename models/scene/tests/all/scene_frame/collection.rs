@@ -5,7 +5,7 @@ use imogene_prepare::Framing;
 
 #[test]
 fn shipped_scenes_load_frame_and_survive_writing() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let mut count = 0;
     for entry in fs::read_dir(&folder).expect("the scenes folder") {
         let path = entry.expect("a folder entry").path();
@@ -28,7 +28,7 @@ fn shipped_scenes_load_frame_and_survive_writing() {
 
 #[test]
 fn teapot_is_made_of_the_source_s_quadrics() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/teapot.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/teapot.toml");
     let scene = SceneFile::read(&path).unwrap_or_else(|error| panic!("{error}"));
     let count = |test: fn(&Shape) -> bool| {
         scene
