@@ -8,5 +8,7 @@ pub mod format;
 pub mod machine;
 pub mod object;
 pub mod slots;
+#[cfg(test)]
+mod testing;
 pub mod unit;
 pub mod widths;

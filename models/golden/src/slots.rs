@@ -1,9 +1,43 @@
 //! Slots of a fitted machine as text: the planes of each, with a `v` for those with half B, as in `3,0,2v`.
 
-use crate::machine::fitted::FittedSlot;
-use crate::object::quadric::MAX_PLANES;
+use crate::format::Format;
+use crate::object::quadric::{MAX_PLANES, QuadricWords};
+use crate::unit::interval::Class;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+
+/// One object slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct FittedSlot {
+    /// Cut planes, 0 to 12.
+    pub planes: u32,
+    /// With half B, for objects of class front.
+    pub two_volumes: bool,
+}
+
+impl FittedSlot {
+    /// What an object requires.
+    pub fn of(words: &QuadricWords) -> FittedSlot {
+        FittedSlot {
+            planes: words.planes.len() as u32,
+            two_volumes: words.class == Class::Front,
+        }
+    }
+
+    /// A slot for the objects of both.
+    pub fn or(&self, other: &FittedSlot) -> FittedSlot {
+        FittedSlot {
+            planes: self.planes.max(other.planes),
+            two_volumes: self.two_volumes || other.two_volumes,
+        }
+    }
+
+    /// Clocks from a slot's raster flags to its outputs.
+    pub fn latency(&self, format: &Format, rows_per_stage: u32) -> u32 {
+        let merge = u32::from(self.two_volumes);
+        format.root_rows().div_ceil(rows_per_stage) + self.planes + 6 + merge
+    }
+}
 
 /// Text that names no slots.
 #[derive(Debug, Error, PartialEq, Eq)]
@@ -15,15 +49,12 @@ pub struct SlotsError(String);
 /// Reads slots.
 pub fn parse(text: &str) -> Result<Vec<FittedSlot>, SlotsError> {
     let slot = |part: &str| {
-        let (planes, two_volumes) = match part.strip_suffix('v') {
-            Some(planes) => (planes, true),
-            None => (part, false),
-        };
-        let planes = planes.parse().ok();
+        let without_half = part.strip_suffix('v');
+        let planes = without_half.unwrap_or(part).parse().ok();
         let planes = planes.filter(|&planes| planes as usize <= MAX_PLANES);
         Ok(FittedSlot {
             planes: planes.ok_or_else(|| SlotsError(part.to_owned()))?,
-            two_volumes,
+            two_volumes: without_half.is_some(),
         })
     };
     text.split(',').map(slot).collect()

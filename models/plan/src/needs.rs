@@ -1,7 +1,7 @@
 //! Has a machine what scenes need? If not, the lines of a description that has.
 
+use super::beam::{DisplayError, beam_words, parts, volumes};
 use super::description::{MachineDescription, MachineKind, Mode, Output, OwnMode, ZoneSize};
-use super::display::{DisplayError, beam_words, parts, volumes};
 use super::zone::plan::PlanError;
 use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::machine::shader::MOST_LIGHTS;

@@ -1,6 +1,6 @@
 //! A picture divided among workers: rectangular zones, or groups of interleaved lines (source: 1.3.2, 2.4.4, 4.1.3).
 //!
-//! Each worker runs the incremental processors of the golden model over its own pieces of the screen, from coefficients that are moved to the piece in whole numbers, and
+//! Each worker draws its own pieces of the screen, from coefficients that are moved to the piece in whole numbers, and
 //! knows nothing of the others. The picture is that of the whole screen, bit for bit.
 
 mod division;
@@ -16,38 +16,10 @@ use imogene_golden::object::slot::Slot;
 use imogene_golden::object::volume::VolumeWords;
 use imogene_prepare::PreparedScene;
 use piece::DrawnPiece;
+pub use piece::Work;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::time::Instant;
-
-/// Work of a piece, of a worker, or of a whole picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Work {
-    /// Processors that are loaded: each counts once for each piece that its object's screen box touches.
-    pub loads: u64,
-    /// Pixels that object processors visit: those of the boxes.
-    pub object_pixels: u64,
-    /// Volumes that are loaded.
-    pub volume_loads: u64,
-    /// Pixels that volume processors visit.
-    pub volume_pixels: u64,
-}
-
-impl Work {
-    /// Pixels that are visited.
-    pub fn pixels(&self) -> u64 {
-        self.object_pixels + self.volume_pixels
-    }
-}
-
-impl std::ops::AddAssign for Work {
-    fn add_assign(&mut self, other: Work) {
-        self.loads += other.loads;
-        self.object_pixels += other.object_pixels;
-        self.volume_loads += other.volume_loads;
-        self.volume_pixels += other.volume_pixels;
-    }
-}
 
 /// What one worker did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

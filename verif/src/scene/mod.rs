@@ -16,6 +16,7 @@ use crate::signal::Signal;
 use band::{Band, Part};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
+use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use std::time::Instant;
 use thiserror::Error;

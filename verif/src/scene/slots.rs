@@ -13,6 +13,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use rayon::prelude::*;
 use std::time::Instant;

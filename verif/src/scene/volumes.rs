@@ -9,6 +9,7 @@ use crate::unit::words::{Loaded, volume};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use rayon::prelude::*;
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! The flat and the non-planar facet processor.
 
 use super::Description;
-use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
+use super::zone::{Likely, Reader, Timing, golden, held, words};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet;
@@ -9,26 +9,6 @@ use imogene_golden::object::curved_facet::{CurvedFacetProcessor, CurvedFacetWord
 use imogene_golden::object::facet;
 use imogene_golden::object::facet::{FacetProcessor, FacetWords};
 use proptest::prelude::*;
-
-impl Processor for FacetProcessor {
-    fn line_step(&mut self) {
-        FacetProcessor::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&FacetProcessor::pixel(self))
-    }
-}
-
-impl Processor for CurvedFacetProcessor {
-    fn line_step(&mut self) {
-        CurvedFacetProcessor::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&CurvedFacetProcessor::pixel(self))
-    }
-}
 
 pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
     Description {

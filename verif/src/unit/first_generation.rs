@@ -1,7 +1,7 @@
 //! The quadric processor of the first generation.
 
 use super::patch::quadric_words;
-use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
+use super::zone::{Likely, Reader, Timing, golden, held, words};
 use super::{Description, bit};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -10,16 +10,6 @@ use imogene_golden::object::first_generation::{
 };
 use imogene_golden::unit::interval::Class;
 use proptest::prelude::*;
-
-impl Processor for FirstGenerationProcessor {
-    fn line_step(&mut self) {
-        FirstGenerationProcessor::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&FirstGenerationProcessor::pixel(self))
-    }
-}
 
 fn words_of(i: &[i64]) -> FirstGenerationWords {
     let mut reader = Reader::new(i);

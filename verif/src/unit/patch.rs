@@ -7,8 +7,8 @@ use super::{Late, bit};
 use crate::stimulus::depth;
 use crate::subject::{GoldenFn, Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::object::patch::{PatchProcessor, latency};
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
+use imogene_golden::object::patch::{at, latency};
+use imogene_golden::object::quadric::{PlaneWords, QuadricProcessor, QuadricWords};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::interval::Class;
 use imogene_golden::unit::patch_decider::{Faces, decide, kept, visible};
@@ -35,13 +35,15 @@ pub(super) fn quadric_words(reader: &mut Reader, class: Class) -> QuadricWords {
     }
 }
 
-impl Processor for PatchProcessor {
+struct Patch(QuadricProcessor);
+
+impl Processor for Patch {
     fn line_step(&mut self) {
-        PatchProcessor::line_step(self);
+        self.0.line_step();
     }
 
     fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&PatchProcessor::pixel(self))
+        object_values(&self.0.step(at))
     }
 }
 
@@ -58,7 +60,7 @@ pub(super) fn patch_processor(format: Format, planes: usize, rows_per_stage: usi
                     normal: [0; 3],
                 })
                 .collect();
-            Box::new(PatchProcessor::zone_start(&words, &format))
+            Box::new(Patch(QuadricProcessor::zone_start(&words, &format)))
         }),
         stimulus: patches,
     }

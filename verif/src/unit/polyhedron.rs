@@ -11,9 +11,11 @@ use imogene_golden::object::polyhedron::{
 use imogene_golden::object::quadric::PlaneWords;
 use proptest::prelude::*;
 
-impl Processor for PolyhedronProcessor {
+struct Solid(PolyhedronProcessor);
+
+impl Processor for Solid {
     fn line_step(&mut self) {
-        PolyhedronProcessor::line_step(self);
+        self.0.line_step();
     }
 
     fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
@@ -21,7 +23,7 @@ impl Processor for PolyhedronProcessor {
             interval,
             front_normal,
             back_normal,
-        } = PolyhedronProcessor::pixel(self);
+        } = self.0.step(PolyhedronWords::faces_at);
         let mut values = vec![interval.zf, interval.zb, interval.nf.into()];
         values.extend(front_normal.map(i64::from));
         values.push(interval.nb.into());
@@ -44,7 +46,7 @@ pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description
                 screen_box,
                 planes: (0..planes).map(|_| plane()).collect(),
             };
-            Box::new(PolyhedronProcessor::zone_start(&words, &format))
+            Box::new(Solid(PolyhedronProcessor::zone_start(&words, &format)))
         }),
         stimulus: solids,
     }

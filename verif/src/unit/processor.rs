@@ -3,7 +3,7 @@
 use super::Description;
 use super::normal::normal_words;
 use super::patch::plane_kind;
-use super::zone::{Processor, Timing, golden, held, object_values};
+use super::zone::{Timing, golden, held};
 use crate::signal::Signal;
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};
@@ -40,16 +40,6 @@ pub(super) fn quadric_processor(
             Box::new(Golden::zone_start(&words_of(i, planes), &format))
         }),
         stimulus: zones,
-    }
-}
-
-impl Processor for Golden {
-    fn line_step(&mut self) {
-        Golden::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&Golden::pixel(self))
     }
 }
 

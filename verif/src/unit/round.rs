@@ -1,32 +1,12 @@
 //! The sphere and the cylinder processor of the first machine.
 
 use super::Description;
-use super::zone::{Likely, Processor, Reader, Timing, golden, held, object_values, words};
+use super::zone::{Likely, Reader, Timing, golden, held, words};
 use imogene_golden::format::Format;
 use imogene_golden::object::cylinder;
 use imogene_golden::object::cylinder::{CylinderProcessor, CylinderWords};
 use imogene_golden::object::sphere;
 use imogene_golden::object::sphere::{SphereProcessor, SphereWords};
-
-impl Processor for SphereProcessor {
-    fn line_step(&mut self) {
-        SphereProcessor::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&SphereProcessor::pixel(self))
-    }
-}
-
-impl Processor for CylinderProcessor {
-    fn line_step(&mut self) {
-        CylinderProcessor::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&CylinderProcessor::pixel(self))
-    }
-}
 
 pub(super) fn sphere_processor(format: Format) -> Description {
     Description {

@@ -4,7 +4,8 @@ use super::{Late, bit};
 use crate::signal::{Delay, Signal};
 use crate::stimulus::word;
 use crate::subject::{Golden, GoldenFn, Inputs};
-use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
+use imogene_golden::object::screen_box::ScreenBox;
+use imogene_golden::object::words::{Object, ObjectPixel, Running};
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
@@ -18,6 +19,16 @@ pub(super) trait Processor: Send {
     fn line_step(&mut self);
     /// Outputs of the next pixel, from what the ports show when its depth comes in.
     fn pixel(&mut self, inputs: &[i64]) -> Vec<i64>;
+}
+
+impl<W: Object + Send> Processor for Running<W> {
+    fn line_step(&mut self) {
+        Running::line_step(self);
+    }
+
+    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
+        object_values(&self.step(W::at))
+    }
 }
 
 /// Clocks of a processor.

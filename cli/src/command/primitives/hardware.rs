@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use imogene_contract::{Request, Unit};
 use imogene_golden::machine::decider;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use imogene_package::census::{Census, census};
 use imogene_synth::baseline::{Baseline, BaselineRow};
 use serde::Serialize;

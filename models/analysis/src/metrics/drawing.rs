@@ -5,6 +5,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::Slot;
+use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 

@@ -5,7 +5,8 @@
 //! line or once a zone are left out, and so is combinational logic.
 
 use imogene_golden::format::{Format, word_max};
-use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords};
+use imogene_golden::object::quadric::QuadricWords;
+use imogene_golden::object::words::Words;
 use imogene_golden::unit::pe1::{Linear, Pe1};
 use imogene_golden::unit::pe2::{Pe2, Quadratic};
 use serde::{Deserialize, Serialize};
@@ -97,11 +98,10 @@ impl Sums {
             self.pe1 += first_degree(g, format.normal_linear, width);
         }
         self.pe2 += second_degree(&words.f2, format.pe2_width(), width);
-        let mut processor = QuadricProcessor::zone_start(words, format);
         let mut stages = Bits::default();
         let mut depths = Bits::default();
-        for _ in 0..width {
-            let probe = processor.probe();
+        for x in 0..width {
+            let probe = words.probe_at(x.into(), 0, format);
             self.root += stages.change(root_stages(probe.f2, probe.root, format, rows));
             let output = probe.output;
             let own = [

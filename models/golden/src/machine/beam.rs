@@ -3,6 +3,7 @@
 use super::frame::Frame;
 use crate::format::Format;
 use crate::object::slot::Slot;
+use crate::object::words::Words;
 use rayon::prelude::*;
 
 /// One line of a frame, borrowed.

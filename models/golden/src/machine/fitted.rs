@@ -5,20 +5,10 @@
 
 use crate::format::{FittedError, Format};
 use crate::machine::decider;
-use crate::object::quadric::QuadricWords;
-use crate::unit::interval::Class;
+pub use crate::slots::FittedSlot;
 use crate::{slots, widths};
 use imogene_contract::MachineWords;
 use serde::{Deserialize, Serialize};
-
-/// One object slot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct FittedSlot {
-    /// Cut planes, 0 to 12.
-    pub planes: u32,
-    /// With half B, for objects of class front.
-    pub two_volumes: bool,
-}
 
 /// The machine.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -29,30 +19,6 @@ pub struct FittedMachine {
     pub rows_per_stage: u32,
     /// The slots in the order of their objects.
     pub slots: Vec<FittedSlot>,
-}
-
-impl FittedSlot {
-    /// What an object requires.
-    pub fn of(words: &QuadricWords) -> FittedSlot {
-        FittedSlot {
-            planes: words.planes.len() as u32,
-            two_volumes: words.class == Class::Front,
-        }
-    }
-
-    /// A slot for the objects of both.
-    pub fn or(&self, other: &FittedSlot) -> FittedSlot {
-        FittedSlot {
-            planes: self.planes.max(other.planes),
-            two_volumes: self.two_volumes || other.two_volumes,
-        }
-    }
-
-    /// Clocks from a slot's raster flags to its outputs.
-    pub fn latency(&self, format: &Format, rows_per_stage: u32) -> u32 {
-        let merge = u32::from(self.two_volumes);
-        format.root_rows().div_ceil(rows_per_stage) + self.planes + 6 + merge
-    }
 }
 
 impl FittedMachine {

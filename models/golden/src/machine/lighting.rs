@@ -78,12 +78,7 @@ mod tests {
         VolumeWords {
             kind,
             source,
-            screen_box: ScreenBox {
-                x0: 1,
-                x1: 2,
-                y0: 0,
-                y1: 0,
-            },
+            screen_box: ScreenBox::of([1, 2], [0, 0]),
             margin,
             quadric: None,
             planes: vec![VolumePlane {

@@ -93,12 +93,7 @@ mod tests {
         VolumeWords {
             kind,
             source,
-            screen_box: ScreenBox {
-                x0,
-                x1,
-                y0: 0,
-                y1: 0,
-            },
+            screen_box: ScreenBox::of([x0, x1], [0, 0]),
             margin: 1,
             quadric: None,
             planes: vec![VolumePlane {

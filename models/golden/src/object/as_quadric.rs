@@ -161,57 +161,27 @@ fn depth_of_facet(depth: &Linear, format: &Format) -> Result<Linear, AsQuadricEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::object::facet::FacetProcessor;
-    use crate::object::patch::PatchProcessor;
-    use crate::object::polyhedron::PolyhedronProcessor;
-    use crate::object::quadric::{ObjectPixel, QuadricProcessor, ScreenBox};
-    use crate::object::volume::{VolumeKind, VolumePlane, VolumeProcessor};
+    use crate::object::patch;
+    use crate::object::screen_box::ScreenBox;
+    use crate::object::volume::{VolumeKind, VolumePlane};
+    use crate::object::words::{Object, ObjectPixel};
+    use crate::testing::{SIDE, bowl, class, kind, linear, pixels};
     use proptest::prelude::*;
 
-    const SIDE: i64 = 20;
-    const BOX: ScreenBox = ScreenBox {
-        x0: 2,
-        x1: SIDE - 1,
-        y0: 1,
-        y1: SIDE - 3,
-    };
+    const BOX: ScreenBox = ScreenBox::of([2, SIDE - 1], [1, SIDE - 3]);
 
-    fn linear(slope: i64, constant: i64) -> impl Strategy<Value = Linear> {
-        let one = -slope..=slope;
-        (one.clone(), one, -constant..=constant)
-            .prop_map(|(a, b, c)| Linear::new(a.into(), b.into(), c.into()))
-    }
-
-    fn kind() -> impl Strategy<Value = PlaneKind> {
-        prop_oneof![
-            1 => Just(PlaneKind::None),
-            4 => Just(PlaneKind::Front),
-            4 => Just(PlaneKind::Back),
-            1 => Just(PlaneKind::Perpendicular),
-        ]
-    }
-
-    /// Every pixel of the quadric processor beside another one: `step` is a line step, the rest is a pixel.
-    fn compare<P>(
+    /// Every pixel of the quadric processor beside another one.
+    fn compare(
         words: &QuadricWords,
         format: &Format,
-        mut other: P,
-        step: impl Fn(&mut P),
-        pixel: impl Fn(&mut P) -> ObjectPixel,
+        other: impl Fn(i64, i64) -> ObjectPixel,
         same: impl Fn(&ObjectPixel, &ObjectPixel) -> bool,
     ) -> Result<usize, TestCaseError> {
-        let mut ours = QuadricProcessor::zone_start(words, format);
         let mut present = 0;
-        for y in 0..SIDE {
-            if y > 0 {
-                ours.line_step();
-                step(&mut other);
-            }
-            for x in 0..SIDE {
-                let (got, wanted) = (ours.pixel(), pixel(&mut other));
-                prop_assert!(same(&got, &wanted), "({x}, {y}): {got:?}, not {wanted:?}");
-                present += usize::from(got.zf != format.z_max());
-            }
+        for (x, y) in pixels() {
+            let (got, wanted) = (words.at(x, y, format), other(x, y));
+            prop_assert!(same(&got, &wanted), "({x}, {y}): {got:?}, not {wanted:?}");
+            present += usize::from(got.zf != format.z_max());
         }
         Ok(present)
     }
@@ -250,9 +220,7 @@ mod tests {
         compare(
             &quadric,
             format,
-            FacetProcessor::zone_start(words, format),
-            FacetProcessor::line_step,
-            FacetProcessor::pixel,
+            |x, y| words.at(x, y, format),
             // All but the number of the face.
             |a, b| (a.zf, a.zb, a.normal) == (b.zf, b.zb, b.normal),
         )
@@ -290,25 +258,17 @@ mod tests {
         /// A patch processor reads no class; its words may have any.
         #[test]
         fn patches_are_the_same(
-            class in prop_oneof![Just(Class::Side), Just(Class::Front), Just(Class::Patch), Just(Class::Prism)],
+            class in class(),
             f1 in linear(60, 900), (a, b) in (-900i128..=60, -900i128..=60), f in 0i128..200_000,
             g in [linear(9000, 1 << 22), linear(9000, 1 << 22), linear(9000, 1 << 22)], k in any::<[i16; 3]>(),
             planes in prop::collection::vec((kind(), linear(40, 900), any::<[i16; 3]>()), 0..=5)
         ) {
             let format = Format::BASE;
-            let half = i128::from(SIDE / 2);
             let words = QuadricWords {
                 class,
                 screen_box: BOX,
                 f1,
-                f2: Quadratic {
-                    a,
-                    b,
-                    c: 3,
-                    d: -2 * half * a,
-                    e: -2 * half * b,
-                    f: f + (a + b) * half * half,
-                },
+                f2: bowl(a, b, f),
                 normal: NormalWords { g, k, shift: 1 },
                 planes: planes
                     .into_iter()
@@ -321,9 +281,7 @@ mod tests {
             compare(
                 &quadric,
                 &format,
-                PatchProcessor::zone_start(&words, &format),
-                PatchProcessor::line_step,
-                PatchProcessor::pixel,
+                |x, y| patch::at(&words, x, y, &format),
                 |a, b| a == b,
             )?;
         }
@@ -348,9 +306,7 @@ mod tests {
             compare(
                 &quadric,
                 &format,
-                PolyhedronProcessor::zone_start(&words, &format),
-                PolyhedronProcessor::line_step,
-                |p| p.pixel().front(),
+                |x, y| words.at(x, y, &format),
                 // An absent object is absent, whatever face it lost last.
                 |a, b| a == b || (a.zf, b.zf) == (format.z_max(), format.z_max()),
             )?;
@@ -371,15 +327,9 @@ mod tests {
                 planes: planes.into_iter().map(|(kind, depth)| VolumePlane { kind, depth }).collect(),
             };
             let quadric = words.on_quadric_processor(10).expect("ten planes");
-            let [mut ours, mut theirs] = [&quadric, &words].map(|w| VolumeProcessor::zone_start(w, &format));
-            for y in 0..SIDE {
-                if y > 0 {
-                    ours.line_step();
-                    theirs.line_step();
-                }
-                for &z in &depths {
-                    prop_assert_eq!(ours.pixel(z), theirs.pixel(z));
-                }
+            for (x, y) in pixels() {
+                let [ours, theirs] = [&quadric, &words].map(|w| w.holds(x, y, depths[x as usize], &format));
+                prop_assert_eq!(ours, theirs);
             }
         }
     }

@@ -4,11 +4,12 @@ use super::paraboloid::{
     Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, one_face,
     plane_guard, second_degree,
 };
-use super::quadric::{ObjectPixel, ScreenBox};
+use super::screen_box::ScreenBox;
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::interval::{FACE_NEAR, FACE_PLANE};
-use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::{integer, round_half_up};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -205,7 +206,7 @@ impl CylinderShape {
     pub fn words(&self, screen_box: ScreenBox, format: &Format) -> CylinderWords {
         let conic = |exact: &Exact| {
             let [a, b, c, d, e, f] = contour(exact);
-            Quadratic { a, b, c, d, e, f }
+            Quadratic::new([a, b, c, d, e, f])
         };
         let side = |exact: &Affine| {
             let [a, b, c] = contour(exact);
@@ -224,29 +225,20 @@ impl CylinderShape {
     }
 }
 
-impl CylinderWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> CylinderWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        words.sides = self.sides.map(|s| s.from_zone(x0, y0));
-        words.discs = self.discs.map(|d| d.from_zone(x0, y0));
-        words.body = self.body.from_zone(x0, y0);
-        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
-        words.disc = self.disc.from_zone(x0, y0);
-        words
+impl Words for CylinderWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> CylinderWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        words.sides = self.sides.map(|s| s.every_line(step, first));
-        words.discs = self.discs.map(|d| d.every_line(step, first));
-        words.body = self.body.every_line(step, first);
-        words.normal = self.normal.map(|n| n.every_line(step, first));
-        words.disc = self.disc.every_line(step, first);
-        words
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let first = self.sides.iter_mut().chain([&mut self.disc]);
+        let second = self.discs.iter_mut().chain([&mut self.body]);
+        let second = second.chain(&mut self.normal).map(Expression::Second);
+        first.map(Expression::First).chain(second).collect()
     }
 }
 
@@ -255,79 +247,27 @@ pub const LATENCY: u32 = 3;
 /// Number of the front disc among the faces.
 pub const FACE_DISC: u8 = FACE_PLANE;
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct CylinderProcessor {
-    format: Format,
-    words: CylinderWords,
-    sides: [Pe1; 4],
-    discs: [Pe2; 2],
-    body: Pe2,
-    normal: [Pe2; 3],
-    disc: Pe1,
-    x: i64,
-    y: i64,
-}
+/// The processor running over a zone.
+pub type CylinderProcessor = Running<CylinderWords>;
 
-impl CylinderProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &CylinderWords, format: &Format) -> CylinderProcessor {
-        let pe1 = |l: Linear| Pe1::object_start(&l, format.plane);
-        let pe2 = |q: Quadratic| Pe2::object_start(&q, format.quadratic);
-        CylinderProcessor {
-            format: *format,
-            words: words.clone(),
-            sides: words.sides.map(pe1),
-            discs: words.discs.map(pe2),
-            body: pe2(words.body),
-            normal: words.normal.map(pe2),
-            disc: pe1(words.disc),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.sides.iter_mut().for_each(Pe1::line_step);
-        self.discs.iter_mut().for_each(Pe2::line_step);
-        self.body.line_step();
-        self.normal.iter_mut().for_each(Pe2::line_step);
-        self.disc.line_step();
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line; front and back depth are the same, that of the visible part.
-    pub fn pixel(&mut self) -> ObjectPixel {
-        let format = self.format;
-        let in_box = self.words.screen_box.contains(self.x, self.y);
-        let sides = self.sides.each_mut().map(Pe1::pixel);
-        let [front, back] = self.discs.each_mut().map(|pe| pe.pixel() >= 0);
-        let body = (self.body.pixel() >> depth_guard(&format)) as i64;
-        let disc = (self.disc.pixel() >> plane_guard(&format)) as i64;
-        let guard = normal_guard(&format);
-        let body_normal = self
-            .normal
-            .each_mut()
-            .map(|pe| (pe.pixel() >> guard) as i16);
-        self.x += 1;
-        let between = sides.iter().all(|&v| v >= 0);
-        let (z, number, normal) = if front {
-            (disc, FACE_DISC, self.words.disc_normal)
-        } else {
-            (body, FACE_NEAR, body_normal)
+impl Object for CylinderWords {
+    /// Front and back depth are the same, that of the visible part.
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        let linear = |l: &Linear| l.wrapped_at(x, y, format.plane);
+        let quadratic = |q: &Quadratic| q.wrapped_at(x, y, format.quadratic);
+        let [front, back] = self.discs.each_ref().map(|disc| quadratic(disc) >= 0);
+        let between = || self.sides.iter().all(|side| linear(side) >= 0);
+        let there = self.screen_box.contains(x, y) && (front || back || between());
+        let (z, number) = match front {
+            true => (linear(&self.disc) >> plane_guard(format), FACE_DISC),
+            false => (quadratic(&self.body) >> depth_guard(format), FACE_NEAR),
         };
-        let face = one_face(z, number, in_box && (front || between || back), &format);
-        ObjectPixel {
-            zf: face.zf,
-            zb: face.zb,
-            number: face.nf,
-            normal: if face.is_present(&format) {
-                normal
-            } else {
-                [0; 3]
-            },
-        }
+        let face = one_face(z as i64, number, there, format);
+        let component = |n: &Quadratic| (quadratic(n) >> normal_guard(format)) as i16;
+        let normal = || match front {
+            true => self.disc_normal,
+            false => self.normal.each_ref().map(component),
+        };
+        ObjectPixel::of(face, normal, format)
     }
 }

@@ -1,11 +1,12 @@
 //! The facet processor: a flat facet of three or four sides with Phong's interpolated normals (source: Chaillou, IV.2.2; Nyiri, 4.1.2).
 
 use super::paraboloid::{first_degree, one_face, plane_guard};
-use super::quadric::{ObjectPixel, ScreenBox};
+use super::screen_box::ScreenBox;
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::interval::FACE_PLANE;
 use crate::unit::normal::LINEAR_WIDTH;
-use crate::unit::pe1::{Linear, Pe1};
+use crate::unit::pe1::Linear;
 use imogene_algebra::rational::{fraction, integer};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -164,92 +165,42 @@ impl FacetWords {
             normal,
         })
     }
+}
 
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> FacetWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        for edge in &mut words.edges {
-            *edge = edge.from_zone(x0, y0);
-        }
-        words.depth = self.depth.from_zone(x0, y0);
-        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
-        words
+impl Words for FacetWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> FacetWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        for edge in &mut words.edges {
-            *edge = edge.every_line(step, first);
-        }
-        words.depth = self.depth.every_line(step, first);
-        words.normal = self.normal.map(|n| n.every_line(step, first));
-        words
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let all = self.edges.iter_mut().chain([&mut self.depth]);
+        all.chain(&mut self.normal).map(Expression::First).collect()
     }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors; signs, ends of the depth word and selection.
 pub const LATENCY: u32 = 2;
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct FacetProcessor {
-    format: Format,
-    screen_box: ScreenBox,
-    edges: Vec<Pe1>,
-    depth: Pe1,
-    normal: [Pe1; 3],
-    x: i64,
-    y: i64,
+/// The processor running over a zone.
+pub type FacetProcessor = Running<FacetWords>;
+
+impl Object for FacetWords {
+    /// Front and back depth are the same.
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        let not_negative = |edge: &Linear| edge.wrapped_at(x, y, format.plane) >= 0;
+        let inside = self.screen_box.contains(x, y) && self.edges.iter().all(not_negative);
+        let z = self.depth.wrapped_at(x, y, format.plane) >> plane_guard(format);
+        let face = one_face(z as i64, FACE_FACET, inside, format);
+        let component = |n: &Linear| linear_component(n, x, y);
+        ObjectPixel::of(face, || self.normal.each_ref().map(component), format)
+    }
 }
 
-impl FacetProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &FacetWords, format: &Format) -> FacetProcessor {
-        let pe1 = |l: &Linear| Pe1::object_start(l, format.plane);
-        FacetProcessor {
-            format: *format,
-            screen_box: words.screen_box,
-            edges: words.edges.iter().map(pe1).collect(),
-            depth: pe1(&words.depth),
-            normal: words.normal.map(|n| Pe1::object_start(&n, LINEAR_WIDTH)),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.edges.iter_mut().for_each(Pe1::line_step);
-        self.depth.line_step();
-        self.normal.iter_mut().for_each(Pe1::line_step);
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line; front and back depth are the same.
-    pub fn pixel(&mut self) -> ObjectPixel {
-        let values: Vec<i128> = self.edges.iter_mut().map(Pe1::pixel).collect();
-        let z = (self.depth.pixel() >> plane_guard(&self.format)) as i64;
-        let normal = self
-            .normal
-            .each_mut()
-            .map(|pe| (pe.pixel() >> (LINEAR_WIDTH - 16)) as i16);
-        let in_box = self.screen_box.contains(self.x, self.y);
-        self.x += 1;
-        let inside = in_box && values.iter().all(|&v| v >= 0);
-        let face = one_face(z, FACE_FACET, inside, &self.format);
-        ObjectPixel {
-            zf: face.zf,
-            zb: face.zb,
-            number: face.nf,
-            normal: if face.is_present(&self.format) {
-                normal
-            } else {
-                [0; 3]
-            },
-        }
-    }
+/// A component of a normal that has a first-degree expression of its own.
+pub(super) fn linear_component(n: &Linear, x: i64, y: i64) -> i16 {
+    (n.wrapped_at(x, y, LINEAR_WIDTH) >> (LINEAR_WIDTH - 16)) as i16
 }

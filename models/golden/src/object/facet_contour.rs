@@ -72,13 +72,14 @@ impl Follower {
     fn start(side: &Linear, y: i64) -> Follower {
         let (before, rest) = (-(side.b * i128::from(y) + side.c) - 1).div_mod_floor(&side.a);
         let (step, rest_step) = (-side.b).div_mod_floor(&side.a);
-        let small = |v: i128| v as i64;
+        let words = [before, rest, side.a, step, rest_step];
+        let [before, rest, a, step, rest_step] = words.map(|v| v as i64);
         Follower {
-            before: small(before),
-            rest: small(rest),
-            a: small(side.a),
-            step: small(step),
-            rest_step: small(rest_step),
+            before,
+            rest,
+            a,
+            step,
+            rest_step,
         }
     }
 
@@ -208,8 +209,7 @@ struct Span {
 pub struct FacetContour {
     left: Chain,
     right: Chain,
-    x0: i64,
-    y0: i64,
+    first: (i64, i64),
     width: i64,
     /// Lines of the box that no side along a line takes away.
     lines: std::ops::Range<i64>,
@@ -219,6 +219,7 @@ pub struct FacetContour {
 }
 
 /// The contour being followed.
+#[derive(Default)]
 struct Walk {
     left: Option<Follower>,
     right: Option<Follower>,
@@ -231,11 +232,7 @@ impl FacetContour {
     /// Sets up the facet of these words, as the facet processor is loaded with them.
     pub fn new(words: &FacetWords, format: &Format) -> FacetContour {
         let window = words.screen_box;
-        let (width, height) = if window.is_empty() {
-            (0, 0)
-        } else {
-            (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1)
-        };
+        let [width, height] = window.size();
         let mut lines = 0..height;
         let (mut left, mut right) = (vec![], vec![]);
         for side in &words.edges {
@@ -251,15 +248,12 @@ impl FacetContour {
             }
         }
         let moved = |words: &Linear| words.from_zone(window.x0, window.y0);
-        let [nx, ny, nz] = words
-            .normal
-            .each_ref()
-            .map(|n| Carried::new(&moved(n), LINEAR_WIDTH));
+        let normal = |n: &Linear| Carried::new(&moved(n), LINEAR_WIDTH);
+        let [nx, ny, nz] = words.normal.each_ref().map(normal);
         FacetContour {
             left: Chain::new(left),
             right: Chain::new(right),
-            x0: window.x0,
-            y0: window.y0,
+            first: (window.x0, window.y0),
             width,
             lines,
             values: [Carried::new(&moved(&words.depth), format.plane), nx, ny, nz],
@@ -272,7 +266,7 @@ impl FacetContour {
     pub fn for_each_pixel(&self, mut sink: impl FnMut(i64, i64, ObjectPixel)) {
         let [near, far] = self.ends;
         let steps = self.values.map(|v| v.per_pixel);
-        self.for_each_span(|span| {
+        let draw = |span: Span| {
             let mut values = span.values;
             for x in span.first..=span.last {
                 let z = values[0] >> self.depth_shift;
@@ -284,13 +278,14 @@ impl FacetContour {
                         number: FACE_FACET,
                         normal: [nx, ny, nz],
                     };
-                    sink(self.x0 + x, self.y0 + span.y, pixel);
+                    sink(self.first.0 + x, self.first.1 + span.y, pixel);
                 }
                 for (value, step) in values.iter_mut().zip(steps) {
                     *value = value.wrapping_add(step);
                 }
             }
-        });
+        };
+        self.walk(|_, _, _| (), draw);
     }
 
     /// What the facet costs: [`Self::for_each_pixel`] counted, without the set-up of its words.
@@ -320,20 +315,11 @@ impl FacetContour {
         count
     }
 
-    fn for_each_span(&self, span: impl FnMut(Span)) {
-        self.walk(|_, _, _| (), span);
-    }
-
     /// Follows the contour; `line` gets the carries, the new sides and the multiplications of each line.
     #[inline]
     fn walk(&self, mut line: impl FnMut(u64, u64, u64), mut span: impl FnMut(Span)) {
         let (mut left, mut right) = (self.left.clone(), self.right.clone());
-        let mut at = Walk {
-            left: None,
-            right: None,
-            values: [0; VALUES],
-            growth: [[0; VALUES]; 2],
-        };
+        let mut at = Walk::default();
         for y in 0..self.lines.end {
             let carries = at.line_step();
             let corners = self.turn(&mut at, y, &mut left, &mut right);

@@ -3,15 +3,17 @@
 //! Two parallel planes, the front one before the back one, cut a quadric seen from outside. Nothing compares depths: the signs of two conics and two lines
 //! say which face is seen.
 
-use super::quadric::{ObjectPixel, ScreenBox};
+use super::screen_box::ScreenBox;
+use super::words::Expression::{First, Second};
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::patch_decider::{Faces, decide, visible};
-use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use crate::unit::plane_depth::saturate;
-use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
+use crate::unit::quadric_pe::QuadricDepths;
 use serde::{Deserialize, Serialize};
 
 /// Coefficient words of one of the two planes.
@@ -53,14 +55,14 @@ impl ContourPlane {
         };
         ContourPlane {
             depth,
-            conic: Quadratic {
-                a: f2.a - p * p,
-                b: f2.b - q * q,
-                c: f2.c - 2 * p * q,
-                d: f2.d - 2 * p * r,
-                e: f2.e - 2 * q * r,
-                f: f2.f - r * r,
-            },
+            conic: Quadratic::new([
+                f2.a - p * p,
+                f2.b - q * q,
+                f2.c - 2 * p * q,
+                f2.d - 2 * p * r,
+                f2.e - 2 * q * r,
+                f2.f - r * r,
+            ]),
             polar: Linear::new(sign * p, sign * q, sign * r),
             normal,
         }
@@ -86,35 +88,23 @@ pub struct FirstGenerationWords {
     pub back: ContourPlane,
 }
 
-impl FirstGenerationWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> FirstGenerationWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        words.f1 = self.f1.from_zone(x0, y0);
-        words.f2 = self.f2.from_zone(x0, y0);
-        words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
-        for plane in [&mut words.front, &mut words.back] {
-            plane.depth = plane.depth.from_zone(x0, y0);
-            plane.conic = plane.conic.from_zone(x0, y0);
-            plane.polar = plane.polar.from_zone(x0, y0);
-        }
-        words
+impl Words for FirstGenerationWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> FirstGenerationWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        words.f1 = self.f1.every_line(step, first);
-        words.f2 = self.f2.every_line(step, first);
-        words.normal.g = self.normal.g.map(|g| g.every_line(step, first));
-        for plane in [&mut words.front, &mut words.back] {
-            plane.depth = plane.depth.every_line(step, first);
-            plane.conic = plane.conic.every_line(step, first);
-            plane.polar = plane.polar.every_line(step, first);
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let mut all = vec![First(&mut self.f1), Second(&mut self.f2)];
+        all.extend(self.normal.g.iter_mut().map(First));
+        for plane in [&mut self.front, &mut self.back] {
+            all.extend([&mut plane.depth, &mut plane.polar].map(First));
+            all.push(Second(&mut plane.conic));
         }
-        words
+        all
     }
 }
 
@@ -162,10 +152,7 @@ pub fn solid(
 
 /// Depths and faces of a patch: a plane inside the quadric has removed the face on its side.
 pub fn patch(near: i64, far: i64, contours: Contours, format: &Format) -> Interval {
-    let kept = Faces {
-        front: !contours.front,
-        back: !contours.back,
-    };
+    let kept = Faces::new(!contours.front, !contours.back);
     let faces = visible(near, far, !contours.removed(), format);
     decide(near, far, faces.and(kept), format)
 }
@@ -175,98 +162,38 @@ pub fn latency(format: &Format, rows_per_stage: u32) -> u32 {
     format.root.div_ceil(rows_per_stage) + 6
 }
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct FirstGenerationProcessor {
-    format: Format,
-    words: FirstGenerationWords,
-    core: QuadricPe,
-    depths: [Pe1; 2],
-    conics: [Pe2; 2],
-    polars: [Pe1; 2],
-    g: [Pe1; 3],
-    x: i64,
-    y: i64,
-}
+/// The processor running over a zone.
+pub type FirstGenerationProcessor = Running<FirstGenerationWords>;
 
-impl FirstGenerationProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &FirstGenerationWords, format: &Format) -> FirstGenerationProcessor {
-        let planes = [words.front, words.back];
-        let plane_pe = |l: &Linear| Pe1::object_start(l, format.plane);
-        FirstGenerationProcessor {
-            format: *format,
-            words: words.clone(),
-            core: QuadricPe::object_start(&words.f1, &words.f2, format),
-            depths: planes.each_ref().map(|p| plane_pe(&p.depth)),
-            conics: planes
-                .each_ref()
-                .map(|p| Pe2::object_start(&p.conic, format.quadratic)),
-            polars: planes.each_ref().map(|p| plane_pe(&p.polar)),
-            g: words
-                .normal
-                .g
-                .map(|g| Pe1::object_start(&g, format.normal_linear)),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.core.line_step();
-        self.depths.iter_mut().for_each(Pe1::line_step);
-        self.conics.iter_mut().for_each(Pe2::line_step);
-        self.polars.iter_mut().for_each(Pe1::line_step);
-        self.g.iter_mut().for_each(Pe1::line_step);
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line.
-    pub fn pixel(&mut self) -> ObjectPixel {
-        let format = self.format;
+impl Object for FirstGenerationWords {
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
         let QuadricDepths {
             f2,
             root,
             near,
             far,
             ..
-        } = self.core.pixel(&format);
-        let planes = self
-            .depths
-            .each_mut()
-            .map(|pe| saturate(pe.pixel() as i64, &format));
-        let [front, back] = self.conics.each_mut().map(|pe| pe.pixel() >= 0);
-        let sides = self.polars.each_mut().map(|pe| pe.pixel() >= 0);
-        let g = self.g.each_mut().map(|pe| pe.pixel() as i64);
+        } = QuadricDepths::at(&self.f1, &self.f2, x, y, format);
+        let planes = [&self.front, &self.back];
+        let linear = |l: &Linear| l.wrapped_at(x, y, format.plane);
+        let inside = planes.map(|p| p.conic.wrapped_at(x, y, format.quadratic) >= 0);
         let contours = Contours {
-            front,
-            back,
-            middle: sides == [true; 2],
+            front: inside[0],
+            back: inside[1],
+            middle: planes.iter().all(|p| linear(&p.polar) >= 0),
         };
-        let there = f2 >= 0 && self.words.screen_box.contains(self.x, self.y);
-        self.x += 1;
-        let left = match (there, self.words.patch) {
-            (false, _) => Interval::absent(&format),
-            (true, false) => solid(near, far, planes, contours, &format),
-            (true, true) => patch(near, far, contours, &format),
+        let there = f2 >= 0 && self.screen_box.contains(x, y);
+        let depths = planes.map(|p| saturate(linear(&p.depth) as i64, format));
+        let left = match (there, self.patch) {
+            (false, _) => Interval::absent(format),
+            (true, false) => solid(near, far, depths, contours, format),
+            (true, true) => patch(near, far, contours, format),
         };
-        let normals = [self.words.front.normal, self.words.back.normal];
-        let present = left.is_present(&format);
-        ObjectPixel {
-            zf: left.zf,
-            zb: left.zb,
-            number: left.nf,
-            normal: select(
-                left.nf,
-                present,
-                g,
-                root,
-                &self.words.normal,
-                &normals,
-                &format,
-            ),
-        }
+        let (g, normals) = (
+            self.normal.linear_at(x, y, format),
+            planes.map(|p| p.normal),
+        );
+        let normal = || select(left.nf, true, g, root, &self.normal, &normals, format);
+        ObjectPixel::of(left, normal, format)
     }
 }

@@ -118,24 +118,11 @@ fn run<const N: usize>(
         }
         let front = merge(a, b);
         if front.is_present(format) {
-            let normal = select(
-                front.nf,
-                true,
-                normal_linear,
-                root,
-                &words.normal,
-                &normals,
-                format,
-            );
-            sink(
-                x,
-                ObjectPixel {
-                    zf: front.zf,
-                    zb: front.zb,
-                    number: front.nf,
-                    normal,
-                },
-            );
+            let normal = || {
+                let g = normal_linear;
+                select(front.nf, true, g, root, &words.normal, &normals, format)
+            };
+            sink(x, ObjectPixel::of(front, normal, format));
         }
     }
 }
@@ -143,64 +130,31 @@ fn run<const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::object::quadric::{QuadricProcessor, ScreenBox};
-    use crate::unit::cut_plane::PlaneKind;
+    use crate::object::words::Object;
+    use crate::testing::{SIDE, class, kind, linear, quadratic, window};
     use crate::unit::normal::NormalWords;
     use proptest::prelude::*;
 
-    fn linear(range: i64) -> impl Strategy<Value = Linear> {
-        let one = -range..=range;
-        (one.clone(), one.clone(), one)
-            .prop_map(|(a, b, c)| Linear::new(a as i128, b as i128, c as i128))
-    }
-
-    fn plane() -> impl Strategy<Value = PlaneWords> {
-        (0usize..4, linear(1 << 22), any::<[i16; 3]>()).prop_map(|(kind, depth, normal)| {
-            use PlaneKind::*;
-            PlaneWords {
-                kind: [None, Front, Back, Perpendicular][kind],
-                depth,
-                normal,
-            }
-        })
-    }
-
     fn words() -> impl Strategy<Value = QuadricWords> {
-        let f2 = (any::<[i32; 3]>(), any::<[i64; 3]>()).prop_map(|(q, l)| Quadratic {
-            a: q[0] as i128,
-            b: q[1] as i128,
-            c: q[2] as i128,
-            d: (l[0] >> 22) as i128,
-            e: (l[1] >> 22) as i128,
-            f: (l[2] >> 17) as i128,
-        });
-        let normal = (
-            [linear(1 << 22), linear(1 << 22), linear(1 << 22)],
-            any::<[i16; 3]>(),
-            0u8..16,
-        )
+        let g = || linear(1 << 22, 1 << 22);
+        let normal = ([g(), g(), g()], any::<[i16; 3]>(), 0u8..16)
             .prop_map(|(g, k, shift)| NormalWords { g, k, shift });
-        (
-            0usize..4,
-            linear(1 << 24),
+        let plane = (kind(), g(), any::<[i16; 3]>()).prop_map(|(kind, depth, normal)| PlaneWords {
+            kind,
+            depth,
+            normal,
+        });
+        let planes = prop::collection::vec(plane, 0..=6);
+        let f1 = linear(1 << 24, 1 << 24);
+        let parts = (class(), window(), f1, quadratic(), normal, planes);
+        parts.prop_map(|(class, screen_box, f1, f2, normal, planes)| QuadricWords {
+            class,
+            screen_box,
+            f1,
             f2,
             normal,
-            proptest::collection::vec(plane(), 0..=6),
-            [0i64..20, 0..20, 0..20, 0..20],
-        )
-            .prop_map(|(class, f1, f2, normal, planes, b)| QuadricWords {
-                class: [Class::Side, Class::Front, Class::Patch, Class::Prism][class],
-                screen_box: ScreenBox {
-                    x0: b[0].min(b[1]),
-                    x1: b[0].max(b[1]),
-                    y0: b[2].min(b[3]),
-                    y1: b[2].max(b[3]),
-                },
-                f1,
-                f2,
-                normal,
-                planes,
-            })
+            planes,
+        })
     }
 
     proptest! {
@@ -211,18 +165,12 @@ mod tests {
             let quadratic = guards[1].min(64 - base.quadratic);
             let linear = guards[0].min(base.quadratic + quadratic - base.sum);
             let format = base.with_guards(linear, quadratic).unwrap();
-            let mut processor = QuadricProcessor::zone_start(&words, &format);
-            let mut probed = processor.clone();
-            for y in 0..20 {
-                if y > 0 {
-                    processor.line_step();
-                    probed.line_step();
-                }
-                let mut line = [None; 20];
+            for y in 0..SIDE {
+                let mut line = [None; SIDE as usize];
                 for_each_present(&words, &format, y, |x, pixel| line[x as usize] = Some(pixel));
-                for got in line {
-                    let expected = processor.pixel();
-                    prop_assert_eq!(expected, probed.probe().output);
+                for (x, got) in line.into_iter().enumerate() {
+                    let expected = words.at(x as i64, y, &format);
+                    prop_assert_eq!(expected, words.probe_at(x as i64, y, &format).output);
                     prop_assert_eq!(got, (expected.zf != format.z_max()).then_some(expected));
                 }
             }

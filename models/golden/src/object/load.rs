@@ -102,21 +102,9 @@ mod tests {
     fn words_stand_at_their_addresses() {
         let words = QuadricWords {
             class: Class::Patch,
-            screen_box: ScreenBox {
-                x0: 3,
-                x1: 9,
-                y0: 5,
-                y1: 7,
-            },
+            screen_box: ScreenBox::of([3, 9], [5, 7]),
             f1: Linear::new(-1, 2, 3),
-            f2: Quadratic {
-                a: -5,
-                b: 7,
-                c: 1,
-                d: 10,
-                e: 20,
-                f: -1,
-            },
+            f2: Quadratic::new([-5, 7, 1, 10, 20, -1]),
             normal: Default::default(),
             planes: vec![],
         };

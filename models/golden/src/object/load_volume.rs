@@ -53,12 +53,7 @@ mod tests {
         let words = VolumeWords {
             kind: VolumeKind::Light,
             source: 5,
-            screen_box: ScreenBox {
-                x0: 1,
-                x1: 6,
-                y0: 2,
-                y1: 4,
-            },
+            screen_box: ScreenBox::of([1, 6], [2, 4]),
             margin: 77,
             quadric: Some(VolumeQuadric {
                 class: Class::Front,

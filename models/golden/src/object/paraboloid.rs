@@ -53,14 +53,7 @@ fn word(value: &BigRational) -> i128 {
 pub fn second_degree(exact: &Exact, guard: u32) -> Quadratic {
     let one = BigRational::from_integer(BigInt::one() << guard);
     let [a, b, c, d, e, f] = exact.each_ref().map(|v| word(&(v * &one)));
-    Quadratic {
-        a,
-        b,
-        c,
-        d,
-        e,
-        f: f + half(guard),
-    }
+    Quadratic::new([a, b, c, d, e, f + half(guard)])
 }
 
 /// The same for `a x + b y + c`.

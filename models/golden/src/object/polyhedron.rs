@@ -1,12 +1,12 @@
 //! The polyhedron processor: a convex solid of planes with its front and back depth and both faces (source: annex A; Chaillou: IV.2.3).
 
-use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
+use super::quadric::PlaneWords;
+use super::screen_box::ScreenBox;
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
 use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::unit::normal::NEAR_END_NORMAL;
-use crate::unit::pe1::Pe1;
-use crate::unit::plane_depth::saturate;
 use serde::{Deserialize, Serialize};
 
 /// Planes of the source's polyhedron.
@@ -21,25 +21,18 @@ pub struct PolyhedronWords {
     pub planes: Vec<PlaneWords>,
 }
 
-impl PolyhedronWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> PolyhedronWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        for plane in &mut words.planes {
-            plane.depth = plane.depth.from_zone(x0, y0);
-        }
-        words
+impl Words for PolyhedronWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> PolyhedronWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        for plane in &mut words.planes {
-            plane.depth = plane.depth.every_line(step, first);
-        }
-        words
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let planes = self.planes.iter_mut();
+        planes.map(|p| Expression::First(&mut p.depth)).collect()
     }
 }
 
@@ -54,88 +47,42 @@ pub struct PolyhedronPixel {
     pub back_normal: [i16; 3],
 }
 
-impl PolyhedronPixel {
-    /// What a decider needs: both depths, and number and normal of the front face.
-    pub fn front(&self) -> ObjectPixel {
-        ObjectPixel {
-            zf: self.interval.zf,
-            zb: self.interval.zb,
-            number: self.interval.nf,
-            normal: self.front_normal,
-        }
-    }
-}
-
 /// Latency in clocks from the raster flags to the outputs: pe1, saturation, tree, the two ends, normals.
 pub fn latency(planes: usize) -> u32 {
     tree_levels(planes) + 4
 }
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct PolyhedronProcessor {
-    format: Format,
-    words: PolyhedronWords,
-    planes: Vec<Pe1>,
-    x: i64,
-    y: i64,
-}
+/// The processor running over a zone.
+pub type PolyhedronProcessor = Running<PolyhedronWords>;
 
-impl PolyhedronProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
+impl PolyhedronWords {
+    /// Both faces at pixel (x, y) of the zone.
     ///
     /// # Panics
     ///
     /// If there is no plane.
-    pub fn zone_start(words: &PolyhedronWords, format: &Format) -> PolyhedronProcessor {
-        assert!(
-            !words.planes.is_empty(),
-            "a polyhedron has at least one plane"
-        );
-        let start = |p: &PlaneWords| Pe1::object_start(&p.depth, format.plane);
-        PolyhedronProcessor {
-            format: *format,
-            words: words.clone(),
-            planes: words.planes.iter().map(start).collect(),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.planes.iter_mut().for_each(Pe1::line_step);
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line.
-    pub fn pixel(&mut self) -> PolyhedronPixel {
-        let format = self.format;
-        let planes = self.words.planes.iter().zip(&mut self.planes).enumerate();
-        let leaves = planes.map(|(i, (plane, pe))| {
-            let zp = saturate(pe.pixel() as i64, &format);
-            leaf(plane.kind, zp, i, &format)
-        });
-        let all = tree(leaves.collect()).expect("there is a plane");
-        let there = self.words.screen_box.contains(self.x, self.y);
-        let interval = close(all, there, &format);
-        self.x += 1;
+    pub fn faces_at(&self, x: i64, y: i64, format: &Format) -> PolyhedronPixel {
+        let planes = self.planes.iter().enumerate();
+        let leaves = planes.map(|(i, p)| leaf(p.kind, p.depth_at(x, y, format), i, format));
+        let all = tree(leaves.collect()).expect("a polyhedron has at least one plane");
+        let interval = close(all, self.screen_box.contains(x, y), format);
+        let normal = |number: u8, end: [i16; 3]| match number {
+            _ if !interval.is_present(format) => [0; 3],
+            FACE_NEAR_END => end,
+            plane => self.planes[usize::from(plane - FACE_PLANE)].normal,
+        };
         PolyhedronPixel {
             interval,
-            front_normal: self.normal(interval, interval.nf, NEAR_END_NORMAL),
-            back_normal: self.normal(interval, interval.nb, FAR_END_NORMAL),
+            front_normal: normal(interval.nf, NEAR_END_NORMAL),
+            back_normal: normal(interval.nb, FAR_END_NORMAL),
         }
     }
+}
 
-    fn normal(&self, interval: Interval, number: u8, end: [i16; 3]) -> [i16; 3] {
-        if !interval.is_present(&self.format) {
-            [0; 3]
-        } else if number == FACE_NEAR_END {
-            end
-        } else {
-            self.words.planes[usize::from(number - FACE_PLANE)].normal
-        }
+impl Object for PolyhedronWords {
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        let faces = self.faces_at(x, y, format);
+        ObjectPixel::of(faces.interval, || faces.front_normal, format)
     }
 }
 
@@ -189,12 +136,7 @@ mod tests {
     fn words(spaces: &[HalfSpace]) -> PolyhedronWords {
         let planes = spaces.iter().enumerate();
         PolyhedronWords {
-            screen_box: ScreenBox {
-                x0: 0,
-                x1: SIDE - 1,
-                y0: 0,
-                y1: SIDE - 1,
-            },
+            screen_box: ScreenBox::of([0, SIDE - 1], [0, SIDE - 1]),
             planes: planes
                 .map(|(i, h)| plane_words(h, [i as i16 + 1; 3]))
                 .collect(),
@@ -224,7 +166,7 @@ mod tests {
                 processor.line_step();
             }
             for x in 0..SIDE {
-                visit(x, y, processor.pixel());
+                visit(x, y, processor.step(PolyhedronWords::faces_at));
             }
         }
     }

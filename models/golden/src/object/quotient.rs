@@ -14,17 +14,19 @@
 //! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a
 //! solid everywhere or nowhere. Quotients outside the depth word lie nearer than the near end, or behind the eye.
 
-use super::quadric::{ObjectPixel, PlaneWords, ScreenBox};
+use super::quadric::{PlaneWords, face_normal};
+use super::screen_box::ScreenBox;
+use super::words::Expression::{First, Second};
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::cut;
 use crate::unit::interval::{
     Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval, halves,
 };
 use crate::unit::merge::merge;
-use crate::unit::normal::{NormalWords, select};
-use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
-use crate::unit::plane_depth::saturate;
+use crate::unit::normal::NormalWords;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use crate::unit::quotient::{Quotient, restoring_quotient};
 use serde::{Deserialize, Serialize};
 
@@ -153,148 +155,69 @@ impl QuotientWords {
     }
 }
 
-impl QuotientWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the
-    /// present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> QuotientWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        words.numerator = self.numerator.from_zone(x0, y0);
-        words.denominator = self.denominator.from_zone(x0, y0);
-        if let Some(root) = &mut words.root {
-            root.discriminant = root.discriminant.from_zone(x0, y0);
-        }
-        words.normal.g = self.normal.g.map(|g| g.from_zone(x0, y0));
-        for plane in &mut words.planes {
-            plane.depth = plane.depth.from_zone(x0, y0);
-        }
-        words
+impl Words for QuotientWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
+    }
+
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let root = self.root.iter_mut().map(|root| &mut root.discriminant);
+        let second = root.chain([&mut self.numerator]).map(Second);
+        let planes = self.planes.iter_mut().map(|plane| &mut plane.depth);
+        let first = planes
+            .chain(&mut self.normal.g)
+            .chain([&mut self.denominator]);
+        first.map(First).chain(second).collect()
     }
 }
 
-impl QuotientWords {
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0,
-    /// 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> QuotientWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        words.numerator = self.numerator.every_line(step, first);
-        words.denominator = self.denominator.every_line(step, first);
-        if let Some(root) = &mut words.root {
-            root.discriminant = root.discriminant.every_line(step, first);
-        }
-        words.normal.g = self.normal.g.map(|g| g.every_line(step, first));
-        for plane in &mut words.planes {
-            plane.depth = plane.depth.every_line(step, first);
-        }
-        words
-    }
-}
+/// The processor running over a zone.
+pub type QuotientProcessor = Running<QuotientWords>;
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct QuotientProcessor {
-    format: Format,
-    words: QuotientWords,
-    normals: Vec<[i16; 3]>,
-    numerator: Pe2,
-    denominator: Pe1,
-    discriminant: Option<Pe2>,
-    planes: Vec<Pe1>,
-    g: [Pe1; 3],
-    x: i64,
-    y: i64,
-}
-
-impl QuotientProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &QuotientWords, format: &Format) -> QuotientProcessor {
-        let widths = words.widths(format);
-        let plane = |p: &PlaneWords| Pe1::object_start(&p.depth, format.plane);
-        let g = |g: &Linear| Pe1::object_start(g, format.normal_linear);
-        QuotientProcessor {
-            format: *format,
-            normals: words.planes.iter().map(|p| p.normal).collect(),
-            numerator: Pe2::object_start(&words.numerator, widths.numerator),
-            denominator: Pe1::object_start(&words.denominator, widths.denominator),
-            discriminant: words
-                .root
-                .as_ref()
-                .map(|root| Pe2::object_start(&root.discriminant, widths.discriminant)),
-            planes: words.planes.iter().map(plane).collect(),
-            g: words.normal.g.each_ref().map(g),
-            words: words.clone(),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.numerator.line_step();
-        self.denominator.line_step();
-        self.discriminant.iter_mut().for_each(Pe2::line_step);
-        self.planes.iter_mut().for_each(Pe1::line_step);
-        self.g.iter_mut().for_each(Pe1::line_step);
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line.
-    pub fn pixel(&mut self) -> ObjectPixel {
-        let format = self.format;
-        let (mut a, mut b) = self.interval();
-        self.x += 1;
-        for (i, plane) in self.words.planes.iter().enumerate() {
-            let depth = saturate(self.planes[i].pixel() as i64, &format);
-            let number = FACE_PLANE + i as u8;
-            let one = |half| cut(half, plane.kind, depth, number, !self.words.solid, &format);
+impl Object for QuotientWords {
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        let (mut a, mut b) = self.interval(x, y, format);
+        for (plane, number) in self.planes.iter().zip(FACE_PLANE..) {
+            let depth = plane.depth_at(x, y, format);
+            let one = |half| cut(half, plane.kind, depth, number, !self.solid, format);
             (a, b) = (one(a), one(b));
         }
         let face = merge(a, b);
-        let g = std::array::from_fn(|k| self.g[k].pixel() as i64);
-        let behind = (face.zf - self.words.normal_from).max(0);
-        let present = face.is_present(&format);
-        ObjectPixel {
-            zf: face.zf,
-            zb: face.zb,
-            number: face.nf,
-            normal: select(
-                face.nf,
-                present,
-                g,
-                behind,
-                &self.normal_of(face.nf),
-                &self.normals,
-                &format,
-            ),
-        }
+        let g = self.normal.linear_at(x, y, format);
+        let behind = (face.zf - self.normal_from).max(0);
+        let words = self.normal_of(face.nf);
+        let normal = || face_normal(face.nf, g, behind, &words, &self.planes, format);
+        ObjectPixel::of(face, normal, format)
     }
+}
 
-    /// The depth interval of the next pixel before the planes, both halves.
-    fn interval(&mut self) -> (Interval, Interval) {
-        let format = self.format;
-        let (numerator, denominator) = (self.numerator.pixel(), self.denominator.pixel());
-        let discriminant = self.discriminant.as_mut().map(Pe2::pixel);
-        let absent = Interval::absent(&format);
-        if !self.words.screen_box.contains(self.x, self.y) {
+impl QuotientWords {
+    /// The depth interval of a pixel before the planes, both halves.
+    fn interval(&self, x: i64, y: i64, format: &Format) -> (Interval, Interval) {
+        let absent = Interval::absent(format);
+        if !self.screen_box.contains(x, y) {
             return (absent, absent);
         }
-        if let (Some(root), Some(discriminant)) = (&self.words.root, discriminant) {
-            let depths = root.depths(numerator, denominator, discriminant, &format);
-            let class = self.words.class(root);
-            return match depths {
-                None => halves(class, 0, 0, true, &format),
+        if let Some(root) = &self.root {
+            let class = self.class(root);
+            return match self.depths_at(x, y, format) {
+                None => halves(class, 0, 0, true, format),
                 Some(QuotientDepths { inner, outer, .. }) => {
-                    halves(class, inner.min(outer), inner.max(outer), false, &format)
+                    halves(class, inner.min(outer), inner.max(outer), false, format)
                 }
             };
         }
+        let widths = self.widths(format);
+        let numerator = self.numerator.wrapped_at(x, y, widths.numerator);
+        let denominator = self.denominator.wrapped_at(x, y, widths.denominator);
         let quotient = restoring_quotient(numerator, denominator, format.depth);
-        let face = if self.words.solid {
-            solid(quotient, numerator, denominator, &format)
-        } else {
-            surface(quotient, &format)
+        let face = match self.solid {
+            true => solid(quotient, numerator, denominator, format),
+            false => surface(quotient, format),
         };
         (face, absent)
     }
@@ -302,8 +225,8 @@ impl QuotientProcessor {
     /// The words of the normal as the normal unit takes them for a face: of two depths it is asked for the change
     /// behind `normal_from` of either.
     fn normal_of(&self, face: u8) -> NormalWords {
-        let mut words = self.words.normal;
-        if face == FACE_FAR && self.words.root.is_some() {
+        let mut words = self.normal;
+        if face == FACE_FAR && self.root.is_some() {
             words.k = words.k.map(|k| -k);
         }
         words
@@ -313,12 +236,9 @@ impl QuotientProcessor {
 /// The one face of a surface.
 fn surface(quotient: Quotient, format: &Format) -> Interval {
     match quotient {
-        Quotient::Word(z) if z >= format.z_low() && z < format.z_max() => Interval {
-            zf: z,
-            zb: z,
-            nf: FACE_NEAR,
-            nb: FACE_NEAR,
-        },
+        Quotient::Word(z) if z >= format.z_low() && z < format.z_max() => {
+            Interval::new((z, FACE_NEAR), (z, FACE_NEAR))
+        }
         _ => Interval::absent(format),
     }
 }
@@ -326,12 +246,7 @@ fn surface(quotient: Quotient, format: &Format) -> Interval {
 /// The part of the line of sight where `denominator z <= numerator`.
 fn solid(quotient: Quotient, numerator: i128, denominator: i128, format: &Format) -> Interval {
     let (low, end) = (format.z_low(), format.z_max());
-    let all = Interval {
-        zf: low,
-        zb: end,
-        nf: FACE_NEAR_END,
-        nb: FACE_NEAR_END,
-    };
+    let all = Interval::new((low, FACE_NEAR_END), (end, FACE_NEAR_END));
     let ends_here = denominator > 0;
     match quotient {
         Quotient::None if numerator >= 0 => all,
@@ -382,14 +297,9 @@ mod tests {
         )
             .prop_map(
                 |([a, b, c, d, e, f], [p, q, r], solid, planes)| QuotientWords {
-                    screen_box: ScreenBox {
-                        x0: 1,
-                        x1: SIDE - 2,
-                        y0: 0,
-                        y1: SIDE - 1,
-                    },
+                    screen_box: ScreenBox::of([1, SIDE - 2], [0, SIDE - 1]),
                     solid,
-                    numerator: Quadratic { a, b, c, d, e, f },
+                    numerator: Quadratic::new([a, b, c, d, e, f]),
                     denominator: Linear::new(p, q, r),
                     root: None,
                     normal: NormalWords::default(),

@@ -5,11 +5,13 @@ use super::cylinder::CylinderWords;
 use super::facet::FacetWords;
 use super::first_generation::FirstGenerationWords;
 use super::line;
+use super::patch;
 use super::polyhedron::PolyhedronWords;
-use super::quadric::{ObjectPixel, QuadricWords, ScreenBox};
+use super::quadric::QuadricWords;
 use super::quotient::QuotientWords;
-use super::running::RunningProcessor;
+use super::screen_box::ScreenBox;
 use super::sphere::SphereWords;
+use super::words::{Expression, Object, ObjectPixel, Words};
 use crate::format::Format;
 use serde::Serialize;
 
@@ -49,49 +51,29 @@ pub struct Slot {
 }
 
 impl ProcessorWords {
-    /// Where the object can be on the screen.
-    pub fn screen_box(&self) -> &ScreenBox {
+    fn object(&self) -> &dyn Object {
         match self {
-            Self::Quadric(words) | Self::Patch(words) => &words.screen_box,
-            Self::FirstGeneration(words) => &words.screen_box,
-            Self::Polyhedron(words) => &words.screen_box,
-            Self::Facet(words) => &words.screen_box,
-            Self::Sphere(words) => &words.screen_box,
-            Self::Cylinder(words) => &words.screen_box,
-            Self::CurvedFacet(words) => &words.screen_box,
-            Self::Quotient(words) => &words.screen_box,
+            Self::Quadric(words) | Self::Patch(words) => words,
+            Self::FirstGeneration(words) => words,
+            Self::Polyhedron(words) => words,
+            Self::Facet(words) => words,
+            Self::Sphere(words) => words,
+            Self::Cylinder(words) => words,
+            Self::CurvedFacet(words) => words,
+            Self::Quotient(words) => words,
         }
     }
 
-    /// The words for a zone of the screen.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> ProcessorWords {
+    fn words_mut(&mut self) -> &mut dyn Words {
         match self {
-            Self::Quadric(words) => Self::Quadric(words.for_zone(x0, y0, width, height)),
-            Self::Patch(words) => Self::Patch(words.for_zone(x0, y0, width, height)),
-            Self::FirstGeneration(words) => {
-                Self::FirstGeneration(words.for_zone(x0, y0, width, height))
-            }
-            Self::Polyhedron(words) => Self::Polyhedron(words.for_zone(x0, y0, width, height)),
-            Self::Facet(words) => Self::Facet(words.for_zone(x0, y0, width, height)),
-            Self::Sphere(words) => Self::Sphere(words.for_zone(x0, y0, width, height)),
-            Self::Cylinder(words) => Self::Cylinder(words.for_zone(x0, y0, width, height)),
-            Self::CurvedFacet(words) => Self::CurvedFacet(words.for_zone(x0, y0, width, height)),
-            Self::Quotient(words) => Self::Quotient(words.for_zone(x0, y0, width, height)),
-        }
-    }
-
-    /// The words on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> ProcessorWords {
-        match self {
-            Self::Quadric(words) => Self::Quadric(words.every_line(step, first)),
-            Self::Patch(words) => Self::Patch(words.every_line(step, first)),
-            Self::FirstGeneration(words) => Self::FirstGeneration(words.every_line(step, first)),
-            Self::Polyhedron(words) => Self::Polyhedron(words.every_line(step, first)),
-            Self::Facet(words) => Self::Facet(words.every_line(step, first)),
-            Self::Sphere(words) => Self::Sphere(words.every_line(step, first)),
-            Self::Cylinder(words) => Self::Cylinder(words.every_line(step, first)),
-            Self::CurvedFacet(words) => Self::CurvedFacet(words.every_line(step, first)),
-            Self::Quotient(words) => Self::Quotient(words.every_line(step, first)),
+            Self::Quadric(words) | Self::Patch(words) => words,
+            Self::FirstGeneration(words) => words,
+            Self::Polyhedron(words) => words,
+            Self::Facet(words) => words,
+            Self::Sphere(words) => words,
+            Self::Cylinder(words) => words,
+            Self::CurvedFacet(words) => words,
+            Self::Quotient(words) => words,
         }
     }
 
@@ -109,14 +91,34 @@ impl ProcessorWords {
         if window.is_empty() || !(window.y0..=window.y1).contains(&y) {
             return;
         }
-        // A zone of one line, which begins at the first column of the box.
-        let line = self.for_zone(window.x0, y, window.x1 - window.x0 + 1, 1);
-        let mut processor = RunningProcessor::zone_start(&line, format);
         for x in window.x0..=window.x1 {
-            let pixel = processor.pixel();
+            let pixel = self.at(x, y, format);
             if pixel.zf < format.z_max() {
                 sink(x, pixel);
             }
+        }
+    }
+}
+
+impl Words for ProcessorWords {
+    fn screen_box(&self) -> &ScreenBox {
+        self.object().screen_box()
+    }
+
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        self.words_mut().screen_box_mut()
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        self.words_mut().expressions()
+    }
+}
+
+impl Object for ProcessorWords {
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        match self {
+            Self::Patch(words) => patch::at(words, x, y, format),
+            _ => self.object().at(x, y, format),
         }
     }
 }

@@ -1,14 +1,16 @@
 //! The sphere processor of the first machine: an exact outline, and a paraboloid for the depth (source: Chaillou, IV.2.4).
 
+use super::facet::linear_component;
 use super::paraboloid::{
     Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, second_degree,
 };
-use super::quadric::{ObjectPixel, ScreenBox};
+use super::screen_box::ScreenBox;
+use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::{Format, wrap64};
-use crate::unit::interval::{Class, FACE_NEAR, FACE_NEAR_END, halves};
+use crate::unit::interval::{Class, FACE_NEAR_END, halves};
 use crate::unit::normal::{LINEAR_WIDTH, NEAR_END_NORMAL};
-use crate::unit::pe1::{Linear, Pe1};
-use crate::unit::pe2::{Pe2, Quadratic};
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::{integer, round_half_up};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -98,7 +100,7 @@ impl SphereShape {
         let sum = round_half_up(&(integer(2) * &self.z));
         SphereWords {
             screen_box,
-            contour: Quadratic { a, b, c, d, e, f },
+            contour: Quadratic::new([a, b, c, d, e, f]),
             front: second_degree(&self.paraboloid(), depth_guard(format)),
             sum: sum
                 .to_i64()
@@ -109,92 +111,43 @@ impl SphereShape {
     }
 }
 
-impl SphereWords {
-    /// The words of the same object for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one: moved, not rounded again.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> SphereWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.in_zone(x0, y0, width, height);
-        words.contour = self.contour.from_zone(x0, y0);
-        words.front = self.front.from_zone(x0, y0);
-        words.normal = self.normal.map(|n| n.from_zone(x0, y0));
-        words.normal_z = self.normal_z.from_zone(x0, y0);
-        words
+impl Words for SphereWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
     }
 
-    /// The words of the same object on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> SphereWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_line(step, first);
-        words.contour = self.contour.every_line(step, first);
-        words.front = self.front.every_line(step, first);
-        words.normal = self.normal.map(|n| n.every_line(step, first));
-        words.normal_z = self.normal_z.every_line(step, first);
-        words
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let second = [&mut self.contour, &mut self.front, &mut self.normal_z];
+        let first = self.normal.iter_mut().map(Expression::First);
+        first.chain(second.map(Expression::Second)).collect()
     }
 }
 
 /// Latency in clocks from the raster flags to the outputs: processors, back depth, depth interval, output.
 pub const LATENCY: u32 = 4;
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct SphereProcessor {
-    format: Format,
-    words: SphereWords,
-    contour: Pe2,
-    front: Pe2,
-    normal: [Pe1; 2],
-    normal_z: Pe2,
-    x: i64,
-    y: i64,
-}
+/// The processor running over a zone.
+pub type SphereProcessor = Running<SphereWords>;
 
-impl SphereProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &SphereWords, format: &Format) -> SphereProcessor {
-        let pe2 = |q: &Quadratic| Pe2::object_start(q, format.quadratic);
-        SphereProcessor {
-            format: *format,
-            words: words.clone(),
-            contour: pe2(&words.contour),
-            front: pe2(&words.front),
-            normal: words.normal.map(|n| Pe1::object_start(&n, LINEAR_WIDTH)),
-            normal_z: pe2(&words.normal_z),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        self.contour.line_step();
-        self.front.line_step();
-        self.normal.iter_mut().for_each(Pe1::line_step);
-        self.normal_z.line_step();
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// What the processor hands on for the next pixel of the line.
-    pub fn pixel(&mut self) -> ObjectPixel {
-        let format = self.format;
-        let there = self.contour.pixel() >= 0 && self.words.screen_box.contains(self.x, self.y);
-        let near = (self.front.pixel() >> depth_guard(&format)) as i64;
-        let far = wrap64(self.words.sum - near, format.sum);
-        let (interval, _) = halves(Class::Side, near, far, !there, &format);
-        let [nx, ny] = [0, 1].map(|k| (self.normal[k].pixel() >> (LINEAR_WIDTH - 16)) as i16);
-        let nz = (self.normal_z.pixel() >> normal_guard(&format)) as i16;
-        self.x += 1;
-        let normal = match interval.nf {
-            FACE_NEAR if interval.is_present(&format) => [nx, ny, nz],
+impl Object for SphereWords {
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
+        let value = |q: &Quadratic| q.wrapped_at(x, y, format.quadratic);
+        let there = self.screen_box.contains(x, y) && value(&self.contour) >= 0;
+        let near = (value(&self.front) >> depth_guard(format)) as i64;
+        let far = wrap64(self.sum - near, format.sum);
+        let (interval, _) = halves(Class::Side, near, far, !there, format);
+        let normal = || match interval.nf {
             FACE_NEAR_END => NEAR_END_NORMAL,
-            _ => [0; 3],
+            _ => {
+                let [nx, ny] = self.normal.each_ref().map(|n| linear_component(n, x, y));
+                let nz = value(&self.normal_z) >> normal_guard(format);
+                [nx, ny, nz as i16]
+            }
         };
-        ObjectPixel {
-            zf: interval.zf,
-            zb: interval.zb,
-            number: interval.nf,
-            normal,
-        }
+        ObjectPixel::of(interval, normal, format)
     }
 }

@@ -3,14 +3,16 @@
 //! A volume is a quadric with cut planes, or planes alone. Its processor is given the visible depth and answers inside or outside; it has
 //! no normals and hands on no depth.
 
-use super::quadric::ScreenBox;
+use super::screen_box::ScreenBox;
+use super::words::Expression::{First, Second};
+use super::words::{Expression, Running, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
-use crate::unit::pe1::{Linear, Pe1};
+use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use crate::unit::quadric_pe::{QuadricDepths, QuadricPe};
+use crate::unit::quadric_pe::QuadricDepths;
 use serde::{Deserialize, Serialize};
 
 /// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source, and one through the
@@ -77,14 +79,7 @@ impl VolumeQuadric {
     pub const EVERYWHERE: VolumeQuadric = VolumeQuadric {
         class: Class::Prism,
         f1: Linear::new(0, 0, 0),
-        f2: Quadratic {
-            a: 0,
-            b: 0,
-            c: 0,
-            d: 0,
-            e: 0,
-            f: 0,
-        },
+        f2: Quadratic::new([0, 0, 0, 0, 0, 0]),
         shift: 0,
     };
 }
@@ -107,62 +102,6 @@ pub struct VolumeWords {
 }
 
 impl VolumeWords {
-    /// The words for a zone of the screen.
-    pub fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> VolumeWords {
-        VolumeWords {
-            screen_box: self.screen_box.in_zone(x0, y0, width, height),
-            quadric: self.quadric.map(|q| VolumeQuadric {
-                f1: q.f1.from_zone(x0, y0),
-                f2: q.f2.from_zone(x0, y0),
-                ..q
-            }),
-            planes: self
-                .planes
-                .iter()
-                .map(|p| VolumePlane {
-                    depth: p.depth.from_zone(x0, y0),
-                    ..*p
-                })
-                .collect(),
-            ..self.clone()
-        }
-    }
-
-    /// The words at one sample of each pixel: columns `column, column + step, ..` and lines `line, line + step, ..`.
-    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> VolumeWords {
-        let mut words = self.clone();
-        words.screen_box = self.screen_box.every_sample(step, column, line);
-        if let Some(q) = &mut words.quadric {
-            q.f1 = q.f1.every_sample(step, column, line);
-            q.f2 = q.f2.every_sample(step, column, line);
-        }
-        for plane in &mut words.planes {
-            plane.depth = plane.depth.every_sample(step, column, line);
-        }
-        words
-    }
-
-    /// The words of the same volume on the lines `first, first + step, first + 2 step, ..` alone, which are counted 0, 1, 2, ..
-    pub fn every_line(&self, step: i64, first: i64) -> VolumeWords {
-        VolumeWords {
-            screen_box: self.screen_box.every_line(step, first),
-            quadric: self.quadric.map(|q| VolumeQuadric {
-                f1: q.f1.every_line(step, first),
-                f2: q.f2.every_line(step, first),
-                ..q
-            }),
-            planes: self
-                .planes
-                .iter()
-                .map(|p| VolumePlane {
-                    depth: p.depth.every_line(step, first),
-                    ..*p
-                })
-                .collect(),
-            ..self.clone()
-        }
-    }
-
     /// The same words as the registers of a format hold them; every accumulator takes the same values.
     pub fn wrapped(&self, format: &Format) -> VolumeWords {
         let mut words = self.clone();
@@ -193,74 +132,49 @@ pub const fn polyhedral_latency() -> u32 {
     3
 }
 
-#[derive(Clone, Debug)]
-struct QuadricPart {
-    class: Class,
-    shift: u8,
-    core: QuadricPe,
+impl Words for VolumeWords {
+    fn screen_box(&self) -> &ScreenBox {
+        &self.screen_box
+    }
+
+    fn screen_box_mut(&mut self) -> &mut ScreenBox {
+        &mut self.screen_box
+    }
+
+    fn expressions(&mut self) -> Vec<Expression<'_>> {
+        let planes = self.planes.iter_mut().map(|plane| First(&mut plane.depth));
+        let quadric = self.quadric.iter_mut();
+        let quadric = quadric.flat_map(|q| [First(&mut q.f1), Second(&mut q.f2)]);
+        planes.chain(quadric).collect()
+    }
 }
 
-/// The processor running over a zone, pixel by pixel.
-#[derive(Clone, Debug)]
-pub struct VolumeProcessor {
-    format: Format,
-    words: VolumeWords,
-    quadric: Option<QuadricPart>,
-    planes: Vec<Pe1>,
-    x: i64,
-    y: i64,
+impl VolumeWords {
+    /// Is the visible depth `z` of pixel (x, y) inside the volume; the background (`z_max`) is not.
+    pub fn holds(&self, x: i64, y: i64, z: i64, format: &Format) -> bool {
+        let point = Point::new(z, self.margin);
+        let in_plane = |plane: &VolumePlane| {
+            let zp = plane.depth.wrapped_at(x, y, format.plane);
+            in_half_space(plane.kind, zp as i64, point)
+        };
+        let in_quadric = |q: &VolumeQuadric| {
+            let QuadricDepths { f2, near, far, .. } = QuadricDepths::at(&q.f1, &q.f2, x, y, format);
+            in_quadric(q.class, near, far, f2 < 0, point.coarse(q.shift))
+        };
+        self.screen_box.contains(x, y)
+            && point.is_surface(format)
+            && self.planes.iter().all(in_plane)
+            && self.quadric.as_ref().is_none_or(in_quadric)
+    }
 }
+
+/// The processor running over a zone.
+pub type VolumeProcessor = Running<VolumeWords>;
 
 impl VolumeProcessor {
-    /// Zone start: all elementary processors load their words; the next pixel is (0, 0) of the zone.
-    pub fn zone_start(words: &VolumeWords, format: &Format) -> VolumeProcessor {
-        let quadric = words.quadric.map(|q| QuadricPart {
-            class: q.class,
-            shift: q.shift,
-            core: QuadricPe::object_start(&q.f1, &q.f2, format),
-        });
-        let plane = |p: &VolumePlane| Pe1::object_start(&p.depth, format.plane);
-        VolumeProcessor {
-            format: *format,
-            words: words.clone(),
-            quadric,
-            planes: words.planes.iter().map(plane).collect(),
-            x: 0,
-            y: 0,
-        }
-    }
-
-    /// Line step: the next pixel is the first of the next line.
-    pub fn line_step(&mut self) {
-        if let Some(quadric) = &mut self.quadric {
-            quadric.core.line_step();
-        }
-        self.planes.iter_mut().for_each(Pe1::line_step);
-        self.x = 0;
-        self.y += 1;
-    }
-
-    /// Is the visible depth `z` of the next pixel of the line inside the volume; the background (`z_max`) is not.
+    /// Is the visible depth `z` of the next pixel of the line inside the volume.
     pub fn pixel(&mut self, z: i64) -> bool {
-        let point = Point::new(z, self.words.margin);
-        let format = &self.format;
-        let quadric = self.quadric.as_mut();
-        let in_quadric = quadric.is_none_or(|q| q.holds(point, format));
-        let planes = self.words.planes.iter().zip(&mut self.planes);
-        // All processors step, whatever the others answer.
-        let in_planes = planes
-            .map(|(plane, pe)| in_half_space(plane.kind, pe.pixel() as i64, point))
-            .fold(true, |all, one| all & one);
-        let in_box = self.words.screen_box.contains(self.x, self.y);
-        self.x += 1;
-        in_box && point.is_surface(format) && in_quadric && in_planes
-    }
-}
-
-impl QuadricPart {
-    fn holds(&mut self, point: Point, format: &Format) -> bool {
-        let QuadricDepths { f2, near, far, .. } = self.core.pixel(format);
-        in_quadric(self.class, near, far, f2 < 0, point.coarse(self.shift))
+        self.step(|words, x, y, format| words.holds(x, y, z, format))
     }
 }
 

@@ -85,44 +85,24 @@ impl Quadric {
 mod tests {
     use super::*;
     use crate::object::quadric::ScreenBox;
-    use crate::object::volume::{
-        MAX_SHIFT, VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric,
-    };
-    use crate::unit::pe1::Linear;
+    use crate::object::volume::{MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric};
+    use crate::testing::{SIDE, class, kind, linear, quadratic, window};
     use crate::unit::pe2::Quadratic;
     use imogene_contract::MachineWords;
     use proptest::prelude::*;
 
-    fn linear(range: i64) -> impl Strategy<Value = Linear> {
-        let one = -range..=range;
-        (one.clone(), one.clone(), one)
-            .prop_map(|(a, b, c)| Linear::new(a as i128, b as i128, c as i128))
-    }
-
     fn plane() -> impl Strategy<Value = VolumePlane> {
-        (0usize..4, linear(1 << 19)).prop_map(|(kind, depth)| {
-            use PlaneKind::*;
-            let kind = [None, Front, Back, Perpendicular][kind];
-            VolumePlane { kind, depth }
-        })
+        (kind(), linear(1 << 19, 1 << 19)).prop_map(|(kind, depth)| VolumePlane { kind, depth })
     }
 
     fn quadric() -> impl Strategy<Value = VolumeQuadric> {
-        let f2 = (any::<[i32; 3]>(), any::<[i64; 3]>()).prop_map(|(q, l)| Quadratic {
-            a: q[0] as i128,
-            b: q[1] as i128,
-            c: q[2] as i128,
-            d: (l[0] >> 22) as i128,
-            e: (l[1] >> 22) as i128,
-            f: (l[2] >> 17) as i128,
-        });
-        (0usize..4, linear(1 << 19), f2, 0u8..=MAX_SHIFT).prop_map(|(class, f1, f2, shift)| {
-            VolumeQuadric {
-                class: [Class::Side, Class::Front, Class::Patch, Class::Prism][class],
-                f1,
-                f2,
-                shift,
-            }
+        let f1 = linear(1 << 19, 1 << 19);
+        let parts = (class(), f1, quadratic(), 0u8..=MAX_SHIFT);
+        parts.prop_map(|(class, f1, f2, shift)| VolumeQuadric {
+            class,
+            f1,
+            f2,
+            shift,
         })
     }
 
@@ -141,12 +121,7 @@ mod tests {
             let words = VolumeWords {
                 kind: VolumeKind::Shadow,
                 source: 0,
-                screen_box: ScreenBox {
-                    x0: 0,
-                    x1: last,
-                    y0: 0,
-                    y1: 0,
-                },
+                screen_box: ScreenBox::of([0, last], [0, 0]),
                 margin: 0,
                 quadric: Some(VolumeQuadric {
                     class: Class::Side,
@@ -158,11 +133,11 @@ mod tests {
                 }),
                 planes: vec![],
             };
-            let mut processor = VolumeProcessor::zone_start(&words, &format);
             let mut line = vec![false; depths.len()];
             for_each_inside(&words, &format, 0, &depths, |x| line[x] = true);
-            for (&got, &z) in line.iter().zip(&depths) {
-                assert_eq!(got, processor.pixel(z), "f2 = {f}, depth {z}");
+            for (x, (&got, &z)) in line.iter().zip(&depths).enumerate() {
+                let expected = words.holds(x as i64, 0, z, &format);
+                assert_eq!(got, expected, "f2 = {f}, depth {z}");
                 inside += usize::from(got);
             }
         }
@@ -175,14 +150,12 @@ mod tests {
         fn lines_equal_the_processor_pixel_by_pixel(
             quadric in proptest::option::of(quadric()), planes in proptest::collection::vec(plane(), 0..=5),
             depths in proptest::collection::vec(-(1i64 << 23) + 1..1 << 23, 20), margin in 0u32..1000,
-            b in [0i64..20, 0..20, 0..20, 0..20], guards in 0u32..=8, dropped_rows in 0u32..=8
+            screen_box in window(), guards in 0u32..=8, dropped_rows in 0u32..=8
         ) {
             let words = VolumeWords {
                 kind: VolumeKind::Shadow,
                 source: 0,
-                screen_box: ScreenBox {
-                    x0: b[0].min(b[1]), x1: b[0].max(b[1]), y0: b[2].min(b[3]), y1: b[2].max(b[3]),
-                },
+                screen_box,
                 margin,
                 quadric,
                 planes,
@@ -194,15 +167,11 @@ mod tests {
                 ..Format::BASE.widths()
             };
             let format = Format::fitted(&widths).unwrap();
-            let mut processor = VolumeProcessor::zone_start(&words, &format);
-            for y in 0..20 {
-                if y > 0 {
-                    processor.line_step();
-                }
-                let mut line = [false; 20];
+            for y in 0..SIDE {
+                let mut line = [false; SIDE as usize];
                 for_each_inside(&words, &format, y, &depths, |x| line[x] = true);
-                for (got, &z) in line.into_iter().zip(&depths) {
-                    prop_assert_eq!(got, processor.pixel(z));
+                for (x, got) in line.into_iter().enumerate() {
+                    prop_assert_eq!(got, words.holds(x as i64, y, depths[x], &format));
                 }
             }
         }

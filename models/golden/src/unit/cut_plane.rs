@@ -93,12 +93,7 @@ mod tests {
     const F: Format = Format::BASE;
 
     fn solid(zf: i64, zb: i64) -> Interval {
-        Interval {
-            zf,
-            zb,
-            nf: 0,
-            nb: 1,
-        }
+        Interval::new((zf, 0), (zb, 1))
     }
 
     #[test]

@@ -83,7 +83,7 @@ pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
         (format.z_max(), FACE_NEAR_END)
     };
     if there && !branch.removed && zf <= zb && zf < format.z_max() {
-        Interval { zf, zb, nf, nb }
+        Interval::new((zf, nf), (zb, nb))
     } else {
         Interval::absent(format)
     }
@@ -104,12 +104,7 @@ mod tests {
 
     /// The source's chain: the whole line of sight, cut by one plane after the other.
     fn chain(planes: &[(PlaneKind, i64)]) -> Interval {
-        let line = Interval {
-            zf: F.z_low(),
-            zb: F.z_max(),
-            nf: FACE_NEAR_END,
-            nb: FACE_NEAR_END,
-        };
+        let line = Interval::new((F.z_low(), FACE_NEAR_END), (F.z_max(), FACE_NEAR_END));
         planes
             .iter()
             .enumerate()

@@ -2,7 +2,7 @@
 //!
 //! Two adders and three registers do all the work of a line and between lines; the memory has one port, and only the last register can be
 //! written back. This project's pe2 has registers instead of the memory and no bubble between lines; for it a field is other words
-//! ([`Quadratic::every_line`]).
+//! ([`Quadratic::on`]).
 
 use super::pe2::Quadratic;
 use crate::format::wrap;

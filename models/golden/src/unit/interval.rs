@@ -44,16 +44,17 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// From a front depth with the number of its face to a back depth with its own.
+    #[inline]
+    pub const fn new((zf, nf): (i64, u8), (zb, nb): (i64, u8)) -> Interval {
+        Interval { zf, zb, nf, nb }
+    }
+
     /// The absent object.
     #[inline]
     pub const fn absent(format: &Format) -> Interval {
         let z_max = format.z_max();
-        Interval {
-            zf: z_max,
-            zb: z_max,
-            nf: 0,
-            nb: 0,
-        }
+        Interval::new((z_max, 0), (z_max, 0))
     }
 
     /// True if something is there to be seen.
@@ -87,11 +88,18 @@ pub fn halves(
 }
 
 fn whole_line(format: &Format) -> Interval {
-    Interval {
-        zf: format.z_low(),
-        zb: format.z_max(),
-        nf: FACE_NEAR_END,
-        nb: FACE_NEAR_END,
+    Interval::new(
+        (format.z_low(), FACE_NEAR_END),
+        (format.z_max(), FACE_NEAR_END),
+    )
+}
+
+/// A front face, or the cap if it is nearer than the near end.
+#[inline]
+fn capped(z: i64, number: u8, format: &Format) -> (i64, u8) {
+    match z < format.z_low() {
+        true => (format.z_low(), FACE_NEAR_END),
+        false => (z, number),
     }
 }
 
@@ -100,13 +108,8 @@ fn side(near: i64, far: i64, format: &Format) -> Interval {
     if near >= format.z_max() || far < format.z_low() {
         return Interval::absent(format);
     }
-    let clipped = near < format.z_low();
-    Interval {
-        zf: near.max(format.z_low()),
-        zb: far.min(format.z_max()),
-        nf: if clipped { FACE_NEAR_END } else { FACE_NEAR },
-        nb: FACE_FAR,
-    }
+    let back = (far.min(format.z_max()), FACE_FAR);
+    Interval::new(capped(near, FACE_NEAR, format), back)
 }
 
 #[inline]
@@ -114,12 +117,8 @@ fn front_a(near: i64, format: &Format) -> Interval {
     if near < format.z_low() {
         return Interval::absent(format);
     }
-    Interval {
-        zf: format.z_low(),
-        zb: near.min(format.z_max()),
-        nf: FACE_NEAR_END,
-        nb: FACE_NEAR,
-    }
+    let back = (near.min(format.z_max()), FACE_NEAR);
+    Interval::new((format.z_low(), FACE_NEAR_END), back)
 }
 
 #[inline]
@@ -127,31 +126,16 @@ fn front_b(far: i64, format: &Format) -> Interval {
     if far >= format.z_max() {
         return Interval::absent(format);
     }
-    let clipped = far < format.z_low();
-    Interval {
-        zf: far.max(format.z_low()),
-        zb: format.z_max(),
-        nf: if clipped { FACE_NEAR_END } else { FACE_FAR },
-        nb: FACE_NEAR_END,
-    }
+    let back = (format.z_max(), FACE_NEAR_END);
+    Interval::new(capped(far, FACE_FAR, format), back)
 }
 
 #[inline]
 fn patch(near: i64, far: i64, format: &Format) -> Interval {
     let visible = |z: i64| z >= format.z_low() && z < format.z_max();
-    let one = |z: i64, number: u8| Interval {
-        zf: z,
-        zb: z,
-        nf: number,
-        nb: number,
-    };
+    let one = |z: i64, number: u8| Interval::new((z, number), (z, number));
     match (visible(near), visible(far)) {
-        (true, true) => Interval {
-            zf: near,
-            zb: far,
-            nf: FACE_NEAR,
-            nb: FACE_FAR,
-        },
+        (true, true) => Interval::new((near, FACE_NEAR), (far, FACE_FAR)),
         (true, false) => one(near, FACE_NEAR),
         (false, true) => one(far, FACE_FAR),
         (false, false) => Interval::absent(format),

@@ -4,6 +4,7 @@ pub mod cut_plane;
 pub mod half_spaces;
 pub mod interlaced;
 pub mod interval;
+pub mod lattice;
 pub mod membership;
 pub mod merge;
 pub mod normal;

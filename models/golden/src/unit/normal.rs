@@ -17,6 +17,14 @@ pub struct NormalWords {
     pub shift: u8,
 }
 
+impl NormalWords {
+    /// The linear parts at a pixel of the zone.
+    pub fn linear_at(&self, x: i64, y: i64, format: &Format) -> [i64; 3] {
+        let width = format.normal_linear;
+        self.g.each_ref().map(|g| g.wrapped_at(x, y, width) as i64)
+    }
+}
+
 /// Width of g in the base format.
 pub const LINEAR_WIDTH: u32 = 24;
 

@@ -17,19 +17,19 @@ pub struct Faces {
 }
 
 impl Faces {
+    /// The faces that are there.
+    #[inline]
+    pub const fn new(front: bool, back: bool) -> Faces {
+        Faces { front, back }
+    }
+
     /// Both faces.
-    pub const BOTH: Faces = Faces {
-        front: true,
-        back: true,
-    };
+    pub const BOTH: Faces = Faces::new(true, true);
 
     /// The faces that are in both sets.
     #[inline]
     pub const fn and(self, other: Faces) -> Faces {
-        Faces {
-            front: self.front && other.front,
-            back: self.back && other.back,
-        }
+        Faces::new(self.front && other.front, self.back && other.back)
     }
 }
 
@@ -40,10 +40,10 @@ impl Faces {
 #[inline]
 pub const fn visible(near: i64, far: i64, there: bool, format: &Format) -> Faces {
     let (low, end) = (format.z_low(), format.z_max());
-    Faces {
-        front: there && low <= near && near < end,
-        back: there && low <= far && far < end,
-    }
+    Faces::new(
+        there && low <= near && near < end,
+        there && low <= far && far < end,
+    )
 }
 
 /// The two signals of one plane of saturated depth (or value) `zp`. Closed: a face in the plane is kept.
@@ -51,18 +51,9 @@ pub const fn visible(near: i64, far: i64, there: bool, format: &Format) -> Faces
 pub const fn kept(kind: PlaneKind, zp: i64, near: i64, far: i64) -> Faces {
     match kind {
         PlaneKind::None => Faces::BOTH,
-        PlaneKind::Front => Faces {
-            front: near >= zp,
-            back: far >= zp,
-        },
-        PlaneKind::Back => Faces {
-            front: near <= zp,
-            back: far <= zp,
-        },
-        PlaneKind::Perpendicular => Faces {
-            front: zp >= 0,
-            back: zp >= 0,
-        },
+        PlaneKind::Front => Faces::new(near >= zp, far >= zp),
+        PlaneKind::Back => Faces::new(near <= zp, far <= zp),
+        PlaneKind::Perpendicular => Faces::new(zp >= 0, zp >= 0),
     }
 }
 
@@ -80,7 +71,7 @@ pub const fn decide(near: i64, far: i64, left: Faces, format: &Format) -> Interv
         (near, FACE_NEAR)
     };
     if left.front || left.back {
-        Interval { zf, zb, nf, nb }
+        Interval::new((zf, nf), (zb, nb))
     } else {
         Interval::absent(format)
     }
@@ -202,9 +193,8 @@ mod tests {
     /// faces: the decision is wrong already for one plane.
     #[test]
     fn each_plane_has_a_say_on_both_faces() {
-        let front_only = |zp: i64, near: i64, far: i64| Faces {
-            front: kept(PlaneKind::Front, zp, near, far).front,
-            back: true,
+        let front_only = |zp: i64, near: i64, far: i64| {
+            Faces::new(kept(PlaneKind::Front, zp, near, far).front, true)
         };
         let wrong = decide(1, 2, front_only(3, 1, 2), &F);
         let right = decide(1, 2, kept(PlaneKind::Front, 3, 1, 2), &F);

@@ -1,5 +1,6 @@
 //! PE1, the first-degree elementary processor: `a x + b y + c` by one addition per pixel (source: 2.3.2, B.2.1).
 
+use super::lattice::Lattice;
 use crate::format::wrap;
 use num_bigint::BigInt;
 use serde::{Deserialize, Serialize};
@@ -44,31 +45,23 @@ impl Linear {
         }
     }
 
-    /// The expression on the lines `first, first + step, first + 2 step, ..` alone: a field, or one of several groups of lines.
-    pub fn every_line(&self, step: i64, first: i64) -> Linear {
+    /// The expression at the pixels of a lattice alone.
+    pub fn on(&self, pixels: &Lattice) -> Linear {
+        let moved = self.from_zone(pixels.x0, pixels.y0);
         Linear {
-            b: self.b * step as i128,
-            ..self.from_zone(0, first)
-        }
-    }
-
-    /// The same expression at the columns `column, column + step, ..` and lines `line, line + step, ..` alone.
-    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> Linear {
-        let moved = self.from_zone(column, line);
-        Linear {
-            a: moved.a * step as i128,
-            b: moved.b * step as i128,
+            a: moved.a * pixels.dx as i128,
+            b: moved.b * pixels.dy as i128,
             ..moved
         }
     }
 
     /// The coefficient words as a register of `width` bits holds them.
     pub fn wrapped(&self, width: u32) -> Linear {
-        Linear {
-            a: wrap(self.a, width),
-            b: wrap(self.b, width),
-            c: wrap(self.c, width),
-        }
+        Linear::new(
+            wrap(self.a, width),
+            wrap(self.b, width),
+            wrap(self.c, width),
+        )
     }
 }
 

@@ -1,6 +1,7 @@
 //! PE2, the second-degree elementary processor: `a x^2 + b y^2 + c xy + d x + e y + f` by two additions per pixel
 //! (source: 2.3.2, B.2.1).
 
+use super::lattice::Lattice;
 use crate::format::wrap;
 use num_bigint::BigInt;
 use serde::{Deserialize, Serialize};
@@ -40,6 +41,11 @@ pub struct PreconditionedWords {
 }
 
 impl Quadratic {
+    /// A new expression `a x^2 + b y^2 + c x y + d x + e y + f`.
+    pub const fn new([a, b, c, d, e, f]: [i128; 6]) -> Quadratic {
+        Quadratic { a, b, c, d, e, f }
+    }
+
     /// The exact value at a pixel: the reference PE2 is measured against.
     pub fn exact_at(&self, x: i64, y: i64) -> BigInt {
         (BigInt::from(self.a) * x + BigInt::from(self.c) * y + self.d) * x
@@ -67,50 +73,30 @@ impl Quadratic {
         }
     }
 
-    /// The expression on the lines `first, first + step, first + 2 step, ..` alone (source: 2.4.4, with the term `e first` it drops).
-    pub fn every_line(&self, step: i64, first: i64) -> Quadratic {
-        let moved = self.from_zone(0, first);
-        let n = step as i128;
-        Quadratic {
-            b: moved.b * n * n,
-            c: moved.c * n,
-            e: moved.e * n,
-            ..moved
-        }
-    }
-
-    /// The same expression at the columns `column, column + step, ..` and lines `line, line + step, ..` alone.
-    pub fn every_sample(&self, step: i64, column: i64, line: i64) -> Quadratic {
-        let moved = self.from_zone(column, line);
-        let n = step as i128;
-        Quadratic {
-            a: moved.a * n * n,
-            b: moved.b * n * n,
-            c: moved.c * n * n,
-            d: moved.d * n,
-            e: moved.e * n,
-            f: moved.f,
-        }
+    /// The expression at the pixels of a lattice alone (source: 2.4.4, with the term `e first` it drops).
+    pub fn on(&self, pixels: &Lattice) -> Quadratic {
+        let moved = self.from_zone(pixels.x0, pixels.y0);
+        let (m, n) = (pixels.dx as i128, pixels.dy as i128);
+        Quadratic::new([
+            moved.a * m * m,
+            moved.b * n * n,
+            moved.c * m * n,
+            moved.d * m,
+            moved.e * n,
+            moved.f,
+        ])
     }
 
     /// The coefficients as registers of `width` bits hold them.
     pub fn wrapped(&self, width: u32) -> Quadratic {
         let Quadratic { a, b, c, d, e, f } = *self;
-        let [a, b, c, d, e, f] = [a, b, c, d, e, f].map(|v| wrap(v, width));
-        Quadratic { a, b, c, d, e, f }
+        Quadratic::new([a, b, c, d, e, f].map(|v| wrap(v, width)))
     }
 
     /// An expression with the same words; second differences are even, so halving them loses nothing.
     pub fn of_preconditioned(words: &PreconditionedWords) -> Quadratic {
         let (a, b) = (words.a2 >> 1, words.b2 >> 1);
-        Quadratic {
-            a,
-            b,
-            c: words.c,
-            d: words.p0 - a,
-            e: words.i0 - b,
-            f: words.f,
-        }
+        Quadratic::new([a, b, words.c, words.p0 - a, words.i0 - b, words.f])
     }
 
     /// The words the hardware is loaded with, as registers of `width` bits hold them.
@@ -187,13 +173,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn quadratic(v: [i128; 6]) -> Quadratic {
-        let [a, b, c, d, e, f] = v;
-        Quadratic { a, b, c, d, e, f }
-    }
-
     fn raster(coefficients: [i128; 6], width: u32, columns: usize, lines: usize) -> Vec<Vec<i128>> {
-        let mut pe = Pe2::object_start(&quadratic(coefficients), width);
+        let mut pe = Pe2::object_start(&Quadratic::new(coefficients), width);
         (0..lines)
             .map(|line| {
                 if line > 0 {
@@ -242,7 +223,7 @@ mod tests {
     /// The IMOGENE datapath adds before it outputs and starts at (1, 1): the same polynomial one pixel later.
     #[test]
     fn imogene_origin_is_one_pixel_later() {
-        let q = quadratic([2, 3, 1, -4, 5, 6]);
+        let q = Quadratic::new([2, 3, 1, -4, 5, 6]);
         let shifted = q.from_zone(1, 1);
         let values: Vec<i128> = (0..5).map(|x| shifted.wrapped_at(x, 0, 48)).collect();
         assert_eq!(values, [13, 16, 23, 34, 49]);
@@ -254,7 +235,7 @@ mod tests {
             v in proptest::array::uniform6(any::<i64>()), width in 2u32..=64
         ) {
             let coefficients = v.map(i128::from);
-            let q = quadratic(coefficients);
+            let q = Quadratic::new(coefficients);
             let modulus = BigInt::from(1) << width;
             for (y, line) in raster(coefficients, width, 7, 7).iter().enumerate() {
                 for (x, &value) in line.iter().enumerate() {
@@ -270,7 +251,7 @@ mod tests {
         fn zones_and_interleaved_lines_are_coefficient_changes(
             v in proptest::array::uniform6(-1_000_000i64..1_000_000), k in -500i64..500, l in -500i64..500, x in 0i64..64, y in 0i64..64
         ) {
-            let q = quadratic(v.map(i128::from));
+            let q = Quadratic::new(v.map(i128::from));
             prop_assert_eq!(q.from_zone(k, l).exact_at(x, y), q.exact_at(x + k, y + l));
         }
     }

@@ -2,9 +2,11 @@
 
 use imogene_golden::format::{Format, wrap};
 use imogene_golden::object::quadric::{PlaneWords, QuadricProcessor, QuadricWords, ScreenBox};
+use imogene_golden::object::words::Words;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::interlaced::{INTERLACED_LINE, MemoryPe2, PROGRESSIVE_LINE, RESTORE};
 use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::{Linear, Pe1};
 use imogene_golden::unit::pe2::{Pe2, Quadratic};
@@ -26,7 +28,7 @@ fn quadratic() -> impl Strategy<Value = Quadratic> {
         coefficient(),
         coefficient(),
     ]
-    .prop_map(|[a, b, c, d, e, f]| Quadratic { a, b, c, d, e, f })
+    .prop_map(|[a, b, c, d, e, f]| Quadratic::new([a, b, c, d, e, f]))
 }
 
 fn linear() -> impl Strategy<Value = Linear> {
@@ -49,14 +51,7 @@ fn expected(q: &Quadratic, y: i64, width: u32) -> Vec<i128> {
 /// The vectors of the restatement of the source, x and y from 1 there and from 0 here.
 #[test]
 fn memory_pe2_vectors_of_the_specification() {
-    let q = Quadratic {
-        a: 2,
-        b: 3,
-        c: 1,
-        d: -4,
-        e: 5,
-        f: 6,
-    };
+    let q = Quadratic::new([2, 3, 1, -4, 5, 6]);
     let mut pe = MemoryPe2::progressive(&q.from_zone(1, 1), 48);
     assert_eq!(pe.memory_words(), 6);
     assert_eq!(line(&mut pe)[..4], [13, 16, 23, 34]);
@@ -95,8 +90,8 @@ proptest! {
     #[test]
     fn words_of_every_nth_line_give_its_values(q in quadratic(), l in linear(), step in 1i64..5, width in 8u32..=64) {
         for first in 0..step {
-            let mut pe2 = Pe2::object_start(&q.every_line(step, first), width);
-            let mut pe1 = Pe1::object_start(&l.every_line(step, first), width);
+            let mut pe2 = Pe2::object_start(&q.on(&Lattice::lines(step, first)), width);
+            let mut pe1 = Pe1::object_start(&l.on(&Lattice::lines(step, first)), width);
             for y in 0..5 {
                 if y > 0 {
                     pe2.line_step();
@@ -121,9 +116,9 @@ proptest! {
         let small = |l: Linear, bits: u32| Linear::new(wrap(l.a, bits), wrap(l.b, bits), wrap(l.c, bits + 4));
         let words = QuadricWords {
             class: Class::Side,
-            screen_box: ScreenBox { x0: 1, x1: 10, y0, y1 },
+            screen_box: ScreenBox::of([1, 10], [y0, y1]),
             f1: small(f1, 8),
-            f2: Quadratic { a: -150, b: -90, c: 31, d: 1800, e: 900, f: -3000 },
+            f2: Quadratic::new([-150, -90, 31, 1800, 900, -3000]),
             normal: NormalWords { g, k: [300, -7000, 90], shift: 2 },
             planes: planes
                 .iter()
@@ -143,7 +138,7 @@ proptest! {
         };
         let whole = picture(&words, SIDE);
         for field in 0..2 {
-            let half = picture(&words.every_line(2, field), SIDE / 2);
+            let half = picture(&words.on(&Lattice::lines(2, field)), SIDE / 2);
             for (y, line) in half.into_iter().enumerate() {
                 prop_assert_eq!(line, whole[2 * y + field as usize].clone(), "line {} of field {}", y, field);
             }

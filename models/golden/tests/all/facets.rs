@@ -17,12 +17,7 @@ use proptest::prelude::*;
 const F: Format = Format::BASE;
 const SIDE: i64 = 26;
 const ONE: i64 = 1 << SUBPIXEL;
-const SCREEN: ScreenBox = ScreenBox {
-    x0: 0,
-    x1: SIDE - 1,
-    y0: 0,
-    y1: SIDE - 1,
-};
+const SCREEN: ScreenBox = ScreenBox::of([0, SIDE - 1], [0, SIDE - 1]);
 
 fn corner(x: i64, y: i64, z: i64) -> Corner {
     Corner {

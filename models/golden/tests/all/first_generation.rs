@@ -31,12 +31,7 @@ fn object(
         c: front.c + thickness,
         ..front
     };
-    let screen_box = ScreenBox {
-        x0: 0,
-        x1: SIDE - 1,
-        y0: 1,
-        y1: SIDE - 1,
-    };
+    let screen_box = ScreenBox::of([0, SIDE - 1], [1, SIDE - 1]);
     let normal = NormalWords {
         g: [
             Linear::new(9000, -70, 40),
@@ -119,14 +114,7 @@ fn parts() -> impl Strategy<Value = (Linear, Quadratic, Linear, i128)> {
     let linear = || (slope(), slope(), -80i128..=80).prop_map(|(a, b, c)| Linear::new(a, b, c));
     let quadratic = (-60i128..=25, -60i128..=25, -30i128..=30, 0i128..6000);
     (linear(), quadratic, linear(), 0i128..200).prop_map(|(f1, (a, b, c, f), front, thickness)| {
-        let f2 = Quadratic {
-            a,
-            b,
-            c,
-            d: -SIDE as i128 * a,
-            e: -SIDE as i128 * b,
-            f,
-        };
+        let f2 = Quadratic::new([a, b, c, -SIDE as i128 * a, -SIDE as i128 * b, f]);
         (f1, f2, front, thickness)
     })
 }
@@ -178,14 +166,7 @@ proptest! {
 /// One object on which every face is seen.
 #[test]
 fn an_ellipsoid_between_two_planes() {
-    let f2 = Quadratic {
-        a: -60,
-        b: -60,
-        c: 0,
-        d: 1080,
-        e: 1080,
-        f: -4860,
-    };
+    let f2 = Quadratic::new([-60, -60, 0, 1080, 1080, -4860]);
     let f1 = Linear::new(2, 0, 0);
     let count = |front: Linear, thickness: i128, patch: bool| {
         let (first, second) = object(f1, f2, front, thickness, patch);

@@ -10,12 +10,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 fn screen(width: i64, height: i64) -> ScreenBox {
-    ScreenBox {
-        x0: 0,
-        x1: width - 1,
-        y0: 0,
-        y1: height - 1,
-    }
+    ScreenBox::of([0, width - 1], [0, height - 1])
 }
 
 fn at(exact: &Exact, x: i64, y: i64) -> BigRational {

@@ -19,7 +19,7 @@ pub fn everywhere(window: &ScreenBox, holds: &impl Fn(&ScreenBox) -> bool) -> bo
     let lines = lines.into_iter().flatten();
     lines.into_iter().all(|(y0, y1)| {
         let mut columns = columns.into_iter().flatten();
-        columns.all(|(x0, x1)| everywhere(&ScreenBox { x0, x1, y0, y1 }, holds))
+        columns.all(|(x0, x1)| everywhere(&ScreenBox::of([x0, x1], [y0, y1]), holds))
     })
 }
 
@@ -34,12 +34,10 @@ fn halves(first: i64, last: i64) -> [Option<(i64, i64)>; 2] {
 
 /// The pixels that two windows share.
 pub fn shared(p: &ScreenBox, q: &ScreenBox) -> ScreenBox {
-    ScreenBox {
-        x0: p.x0.max(q.x0),
-        x1: p.x1.min(q.x1),
-        y0: p.y0.max(q.y0),
-        y1: p.y1.min(q.y1),
-    }
+    ScreenBox::of(
+        [p.x0.max(q.x0), p.x1.min(q.x1)],
+        [p.y0.max(q.y0), p.y1.min(q.y1)],
+    )
 }
 
 #[cfg(test)]
@@ -50,12 +48,7 @@ mod tests {
     #[test]
     fn the_last_windows_cover_each_pixel_once() {
         for (columns, lines) in [(1, 1), (8, 8), (9, 3), (64, 64), (83, 61), (200, 2)] {
-            let window = ScreenBox {
-                x0: 5,
-                x1: 4 + columns,
-                y0: 7,
-                y1: 6 + lines,
-            };
+            let window = ScreenBox::of([5, 4 + columns], [7, 6 + lines]);
             let seen = RefCell::new(vec![0; (columns * lines) as usize]);
             let small = |w: &ScreenBox| {
                 let small = w.x1 - w.x0 < BLOCK && w.y1 - w.y0 < BLOCK;

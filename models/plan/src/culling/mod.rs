@@ -6,12 +6,10 @@
 mod blocks;
 pub mod part;
 pub mod precision;
-mod range;
 pub mod reduce;
 mod surface;
 pub mod volume;
 pub mod zones;
 
 pub(crate) use blocks::shared;
-pub use range::Range;
 pub use surface::{Planes, all_planes};

@@ -1,7 +1,7 @@
 //! Is an object in a zone, and which of its planes matter there?
 
 use super::blocks::everywhere;
-use super::surface::{Planes, Surface, all_planes};
+use super::surface::{Planes, Surface, all_planes, keep};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 
@@ -42,10 +42,6 @@ pub fn matter(words: &QuadricWords, window: &ScreenBox, format: &Format) -> Matt
 /// The words with these planes only, one after the other; the faces behind one that is left out have smaller numbers.
 pub fn with_planes(words: &QuadricWords, planes: Planes) -> QuadricWords {
     let mut left = words.clone();
-    let mut index = 0;
-    left.planes.retain(|_| {
-        index += 1;
-        planes >> (index - 1) & 1 == 1
-    });
+    keep(&mut left.planes, planes);
     left
 }

@@ -1,8 +1,8 @@
 //! The bits that an object needs where it is drawn: the narrowest words with which every pixel stays what it is (source: Claux, 13.7).
 
-use super::range::Range;
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords};
+use imogene_golden::object::quadric::QuadricWords;
+use imogene_golden::object::range::Range;
 use imogene_golden::unit::interval::Class;
 use serde::Serialize;
 
@@ -26,16 +26,10 @@ impl Bits {
         if window.is_empty() {
             return Bits::default();
         }
-        let (columns, lines) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
-        let own = words.for_zone(window.x0, window.y0, columns, lines);
-        let mut processor = QuadricProcessor::zone_start(&own, format);
         let mut found = Found::default();
-        for y in 0..lines {
-            if y > 0 {
-                processor.line_step();
-            }
-            for x in 0..columns {
-                found.visit(&own, format, x, y, &mut processor);
+        for y in window.y0..=window.y1 {
+            for x in window.x0..=window.x1 {
+                found.visit(words, format, x, y);
             }
         }
         found.bits()
@@ -73,19 +67,12 @@ struct Found {
 }
 
 fn join(range: &mut Option<Range>, value: i128) {
-    *range = Some(range.map_or(Range::one(value), |range| range.with(value)));
+    *range = Some(range.unwrap_or(Range::NONE).with(value));
 }
 
 impl Found {
-    fn visit(
-        &mut self,
-        words: &QuadricWords,
-        format: &Format,
-        x: i64,
-        y: i64,
-        processor: &mut QuadricProcessor,
-    ) {
-        let probe = processor.probe();
+    fn visit(&mut self, words: &QuadricWords, format: &Format, x: i64, y: i64) {
+        let probe = words.probe_at(x, y, format);
         join(&mut self.radicands, probe.f2.into());
         if probe.f2 >= 0 {
             self.root = self.root.max(probe.root);

@@ -4,8 +4,9 @@
 use super::precision::Bits;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::{PreparedObject, PreparedScene};
 use rayon::prelude::*;
@@ -123,12 +124,7 @@ fn box_around(drawn: &[Drawn]) -> ScreenBox {
     let mut around = ScreenBox::EMPTY;
     for (place, &(x, y, _)) in drawn.iter().enumerate() {
         if place == 0 {
-            around = ScreenBox {
-                x0: x,
-                x1: x,
-                y0: y,
-                y1: y,
-            };
+            around = ScreenBox::of([x, x], [y, y]);
         }
         around.x0 = around.x0.min(x);
         around.x1 = around.x1.max(x);
@@ -202,16 +198,7 @@ impl ReducedObject {
 /// The same words in a smaller box.
 fn in_box(words: &ProcessorWords, screen_box: ScreenBox) -> ProcessorWords {
     let mut words = words.clone();
-    *match &mut words {
-        ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => &mut words.screen_box,
-        ProcessorWords::FirstGeneration(words) => &mut words.screen_box,
-        ProcessorWords::Polyhedron(words) => &mut words.screen_box,
-        ProcessorWords::Facet(words) => &mut words.screen_box,
-        ProcessorWords::Sphere(words) => &mut words.screen_box,
-        ProcessorWords::Cylinder(words) => &mut words.screen_box,
-        ProcessorWords::CurvedFacet(words) => &mut words.screen_box,
-        ProcessorWords::Quotient(words) => &mut words.screen_box,
-    } = screen_box;
+    *words.screen_box_mut() = screen_box;
     words
 }
 
@@ -225,21 +212,14 @@ fn planes_of(words: &ProcessorWords) -> &[PlaneWords] {
 }
 
 fn without_plane(words: &ProcessorWords, plane: usize) -> ProcessorWords {
-    let of_quadric = |words: &QuadricWords| {
-        let mut words = words.clone();
-        words.planes.remove(plane);
-        words
-    };
-    match words {
-        ProcessorWords::Quadric(words) => ProcessorWords::Quadric(of_quadric(words)),
-        ProcessorWords::Patch(words) => ProcessorWords::Patch(of_quadric(words)),
-        ProcessorWords::Polyhedron(words) => {
-            let mut words = words.clone();
-            words.planes.remove(plane);
-            ProcessorWords::Polyhedron(words)
-        }
-        other => other.clone(),
+    let mut words = words.clone();
+    match &mut words {
+        ProcessorWords::Quadric(words) | ProcessorWords::Patch(words) => &mut words.planes,
+        ProcessorWords::Polyhedron(words) => &mut words.planes,
+        _ => return words,
     }
+    .remove(plane);
+    words
 }
 
 /// The search for planes that can be left out.

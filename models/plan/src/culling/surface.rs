@@ -3,9 +3,9 @@
 //! Every sentence is about the words as the processor computes with them, so it is exact or on the safe side: first-degree expressions are taken at the corners, the
 //! discriminant line by line, and a register is believed only where the true value fits it at every pixel of the window (source: Claux, III.3.2.2; Nyiri, 5.5).
 
-use super::range::Range;
 use imogene_golden::format::Format;
-use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::range::Range;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::interval::Class;
 use imogene_golden::unit::pe1::Linear;
@@ -18,6 +18,15 @@ pub type Planes = u16;
 /// All of so many planes.
 pub const fn all_planes(count: usize) -> Planes {
     (1 << count) - 1
+}
+
+/// Leaves these planes only, one after the other.
+pub(super) fn keep<T>(list: &mut Vec<T>, planes: Planes) {
+    let mut index = 0;
+    list.retain(|_| {
+        index += 1;
+        planes >> (index - 1) & 1 == 1
+    });
 }
 
 /// Linear part and greatest root of a quadric on a window, in units of `2^-g1` depth words, where both depths fit their words.
@@ -102,10 +111,9 @@ pub(super) fn difference(p: &Linear, q: &Linear, window: &ScreenBox) -> Range {
 /// The radicand on a window, guard bits dropped; nothing if its register could wrap.
 pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> Option<Range> {
     let range = Range::of_quadratic(f2, window);
-    range.fits(format.pe2_width()).then_some(Range {
-        low: range.low >> format.guard_quadratic,
-        high: range.high >> format.guard_quadratic,
-    })
+    range
+        .fits(format.pe2_width())
+        .then_some(range.dropped(format.guard_quadratic))
 }
 
 /// An object on a window.
@@ -127,7 +135,7 @@ impl<'a> Surface<'a> {
         let roots = radicand
             .filter(|_| has_depths)
             .and_then(|range| Roots::of(&words.f1, &range, window, format));
-        let plane = |plane: &imogene_golden::object::quadric::PlaneWords| {
+        let plane = |plane: &PlaneWords| {
             let range = Range::of_linear(&plane.depth, window);
             range.fits(format.plane).then_some(range)
         };
@@ -165,20 +173,19 @@ impl<'a> Surface<'a> {
         };
         let (kind, plane) = self.plane(index);
         let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
-        let beyond = |roots: &Roots| match kind {
-            PlaneKind::Front => difference(&plane, &roots.above_far(), &self.window).low > 0,
-            PlaneKind::Back => {
-                difference(&plane, &roots.below_near(self.format), &self.window).high < 0
-            }
-            _ => false,
-        };
-        let at_the_ends = match kind {
+        let from = |bound: Linear| difference(&plane, &bound, &self.window);
+        let roots = self.roots.as_ref();
+        match kind {
             PlaneKind::None => false,
-            PlaneKind::Front => range.low >= high,
-            PlaneKind::Back => range.high < low,
+            PlaneKind::Front => {
+                range.low >= high || roots.is_some_and(|r| from(r.above_far()).low > 0)
+            }
+            PlaneKind::Back => {
+                let before = |r: &Roots| from(r.below_near(self.format)).high < 0;
+                range.high < low || roots.is_some_and(before)
+            }
             PlaneKind::Perpendicular => range.high < 0,
-        };
-        at_the_ends || self.roots.as_ref().is_some_and(beyond)
+        }
     }
 
     /// A front plane lies behind a back plane at every pixel: nothing is between them.
@@ -202,24 +209,21 @@ impl<'a> Surface<'a> {
         };
         let (kind, plane) = self.plane(index);
         let (low, high) = (self.format.z_low().into(), self.format.z_max().into());
-        let before = |roots: &Roots| match kind {
-            PlaneKind::Front => {
-                difference(&plane, &roots.below_near(self.format), &self.window).high <= 0
-            }
-            PlaneKind::Back => difference(&plane, &roots.above_far(), &self.window).low >= 0,
-            _ => false,
-        };
-        let at_the_ends = match kind {
+        let from = |bound: Linear| difference(&plane, &bound, &self.window);
+        let roots = self.roots.as_ref();
+        let alone = match kind {
             PlaneKind::None => true,
-            PlaneKind::Front => range.high <= low,
-            PlaneKind::Back => range.low >= high,
+            PlaneKind::Front => {
+                let before = |r: &Roots| from(r.below_near(self.format)).high <= 0;
+                range.high <= low || roots.is_some_and(before)
+            }
+            PlaneKind::Back => {
+                range.low >= high || roots.is_some_and(|r| from(r.above_far()).low >= 0)
+            }
             PlaneKind::Perpendicular => range.low >= 0,
         };
-        at_the_ends
-            || self.roots.as_ref().is_some_and(before)
-            || self
-                .listed(planes)
-                .any(|other| self.is_behind(other, index))
+        let mut others = self.listed(planes);
+        alone || others.any(|other| self.is_behind(other, index))
     }
 
     /// Plane `other` cuts at least as much as plane `index` of the same kind at every pixel. At equal depths the face is that of the first one in the chain.
@@ -274,12 +278,9 @@ impl<'a> Surface<'a> {
             Class::Front => return None,
         };
         for index in 0..self.words.planes.len() {
-            match self.words.planes[index].kind {
-                PlaneKind::Front => {
-                    self.planes[index]?;
-                    fronts.push(self.plane(index).1);
-                }
-                PlaneKind::None | PlaneKind::Back | PlaneKind::Perpendicular => {}
+            if self.words.planes[index].kind == PlaneKind::Front {
+                self.planes[index]?;
+                fronts.push(self.plane(index).1);
             }
         }
         Some(fronts)
@@ -288,9 +289,7 @@ impl<'a> Surface<'a> {
     fn near_of_patch(&self) -> Option<Linear> {
         let roots = self.roots.as_ref()?;
         let near_end = self.constant(self.format.z_low());
-        let cuts = |plane: &imogene_golden::object::quadric::PlaneWords| {
-            matches!(plane.kind, PlaneKind::Front | PlaneKind::Back)
-        };
+        let cuts = |plane: &PlaneWords| matches!(plane.kind, PlaneKind::Front | PlaneKind::Back);
         let is_there = difference(&roots.below_near(self.format), &near_end, &self.window).low >= 0;
         (is_there && !self.words.planes.iter().any(cuts)).then(|| roots.above_near())
     }

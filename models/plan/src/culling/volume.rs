@@ -5,12 +5,12 @@
 
 use super::blocks::{everywhere, shared};
 use super::part::with_planes;
-use super::range::Range;
 use super::surface::{
-    DepthBounds, Planes, Roots, Surface, all_planes, difference, plus, radicand, times,
+    DepthBounds, Planes, Roots, Surface, all_planes, difference, keep, plus, radicand, times,
 };
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::range::Range;
 use imogene_golden::object::volume::{VolumeQuadric, VolumeWords};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::interval::Class;
@@ -71,11 +71,7 @@ pub fn matter_of_volume(words: &VolumeWords, seen: &[Seen], format: &Format) -> 
 /// The same volume with these planes only.
 pub fn volume_with_planes(words: &VolumeWords, planes: Planes) -> VolumeWords {
     let mut left = words.clone();
-    let mut index = 0;
-    left.planes.retain(|_| {
-        index += 1;
-        planes >> (index - 1) & 1 == 1
-    });
+    keep(&mut left.planes, planes);
     left
 }
 

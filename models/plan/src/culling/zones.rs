@@ -6,6 +6,7 @@ use crate::split::{Division, Piece};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -107,12 +108,7 @@ fn touched(words: &ProcessorWords, format: &Format, pieces: &[Piece]) -> Vec<(us
 /// The pixels of a zone on the screen.
 pub fn window_of(piece: &Piece) -> ScreenBox {
     let [x0, y0, width, height] = [piece.x0, piece.y0, piece.width, piece.height].map(i64::from);
-    ScreenBox {
-        x0,
-        x1: x0 + width - 1,
-        y0,
-        y1: y0 + height - 1,
-    }
+    ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1])
 }
 
 fn is_drawn(words: &ProcessorWords, piece: &Piece, format: &Format) -> bool {

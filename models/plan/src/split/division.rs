@@ -1,8 +1,8 @@
 //! How a screen is divided, as text and as pieces.
 
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::volume::VolumeWords;
+use imogene_golden::object::words::Words;
+use imogene_golden::unit::lattice::Lattice;
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
@@ -129,36 +129,22 @@ impl Piece {
 
     /// The part of a screen box in the piece, in pixels of the piece.
     pub fn part_of(&self, screen_box: &ScreenBox) -> ScreenBox {
-        let [x0, y0, width, height] = self.numbers();
-        screen_box
-            .every_line(self.step.into(), y0)
-            .in_zone(x0, 0, width, height)
+        let [width, height] = [self.width, self.height].map(i64::from);
+        screen_box.on(&self.pixels()).in_zone(0, 0, width, height)
     }
 
-    /// The words of an object for the piece.
-    pub fn words(&self, words: &ProcessorWords) -> ProcessorWords {
-        let [x0, y0, width, height] = self.numbers();
-        match self.step {
-            1 => words.for_zone(x0, y0, width, height),
-            step => words
-                .every_line(step.into(), y0)
-                .for_zone(x0, 0, width, height),
+    /// The words of an object or a volume for the piece.
+    pub fn words<W: Words + Clone>(&self, words: &W) -> W {
+        let mut own = words.on(&self.pixels());
+        *own.screen_box_mut() = self.part_of(words.screen_box());
+        own
+    }
+
+    fn pixels(&self) -> Lattice {
+        Lattice {
+            dy: self.step.into(),
+            ..Lattice::zone(self.x0.into(), self.y0.into())
         }
-    }
-
-    /// The words of a volume for the piece.
-    pub fn volume(&self, words: &VolumeWords) -> VolumeWords {
-        let [x0, y0, width, height] = self.numbers();
-        match self.step {
-            1 => words.for_zone(x0, y0, width, height),
-            step => words
-                .every_line(step.into(), y0)
-                .for_zone(x0, 0, width, height),
-        }
-    }
-
-    fn numbers(&self) -> [i64; 4] {
-        [self.x0, self.y0, self.width, self.height].map(i64::from)
     }
 }
 

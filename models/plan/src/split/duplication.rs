@@ -6,6 +6,7 @@
 use super::Division;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
+use imogene_golden::object::words::Words;
 use serde::Serialize;
 
 /// How often objects are loaded.
@@ -72,12 +73,7 @@ mod tests {
     use super::*;
 
     fn at(x0: i64, y0: i64, l: i64, h: i64) -> ScreenBox {
-        ScreenBox {
-            x0,
-            x1: x0 + l - 1,
-            y0,
-            y1: y0 + h - 1,
-        }
+        ScreenBox::of([x0, x0 + l - 1], [y0, y0 + h - 1])
     }
 
     /// The source's numbers: 80 in 128 gives 2.641, 80 in 64 gives 5.06.

@@ -1,14 +1,44 @@
 //! One piece of the screen, drawn by itself.
 
-use super::{Piece, Work};
+use super::division::Piece;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::ALL_SOURCES;
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::object::running::RunningProcessor;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
-use imogene_golden::object::volume::{VolumeKind, VolumeProcessor, VolumeWords};
+use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::words::{Object, Words};
 use imogene_prepare::PreparedScene;
+use serde::Serialize;
+
+/// Work of a piece, of a worker, or of a whole picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Work {
+    /// Processors that are loaded: each counts once for each piece that its object's screen box touches.
+    pub loads: u64,
+    /// Pixels that object processors visit: those of the boxes.
+    pub object_pixels: u64,
+    /// Volumes that are loaded.
+    pub volume_loads: u64,
+    /// Pixels that volume processors visit.
+    pub volume_pixels: u64,
+}
+
+impl Work {
+    /// Pixels that are visited.
+    pub fn pixels(&self) -> u64 {
+        self.object_pixels + self.volume_pixels
+    }
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Work) {
+        self.loads += other.loads;
+        self.object_pixels += other.object_pixels;
+        self.volume_loads += other.volume_loads;
+        self.volume_pixels += other.volume_pixels;
+    }
+}
 
 /// What a worker knows of a piece when it is done.
 pub(super) struct DrawnPiece {
@@ -44,19 +74,12 @@ impl DrawnPiece {
         drawn
     }
 
-    /// The processor starts at the first pixel of the object's box in the piece, and then only adds.
     fn draw_object(&mut self, object: usize, words: &ProcessorWords, format: &Format) {
         let window = *words.screen_box();
-        let (columns, lines) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
-        let own = words.for_zone(window.x0, window.y0, columns, lines);
-        let mut processor = RunningProcessor::zone_start(&own, format);
         let frame = &mut self.frame;
         for y in window.y0..=window.y1 {
-            if y > window.y0 {
-                processor.line_step();
-            }
             for x in window.x0..=window.x1 {
-                let pixel = processor.pixel();
+                let pixel = words.at(x, y, format);
                 let at = y as usize * frame.width + x as usize;
                 if pixel.zf < frame.depth[at] {
                     frame.depth[at] = pixel.zf;
@@ -100,20 +123,12 @@ impl DrawnPiece {
         if window.is_empty() {
             return vec![];
         }
-        let (columns, lines) = (window.x1 - window.x0 + 1, window.y1 - window.y0 + 1);
-        let own = self
-            .piece
-            .volume(words)
-            .for_zone(window.x0, window.y0, columns, lines);
-        let mut processor = VolumeProcessor::zone_start(&own, format);
+        let own = self.piece.words(words);
         let mut found = Vec::with_capacity(window.pixels() as usize);
         for y in window.y0..=window.y1 {
-            if y > window.y0 {
-                processor.line_step();
-            }
             for x in window.x0..=window.x1 {
                 let at = y as usize * self.frame.width + x as usize;
-                found.push((at, processor.pixel(self.frame.depth[at])));
+                found.push((at, own.holds(x, y, self.frame.depth[at], format)));
             }
         }
         self.work.volume_loads += 1;

@@ -7,6 +7,7 @@ use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine, ZoneMachi
 use imogene_golden::object::as_quadric::AsQuadricError;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
+use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -87,6 +88,15 @@ pub struct Zone {
     pub part_planes: BTreeMap<u32, Planes>,
     /// The same of volumes.
     pub volume_planes: BTreeMap<u32, Planes>,
+}
+
+impl Zone {
+    /// The words of a part or a volume for the zone at its sample.
+    pub(super) fn moved<W: Words + Clone>(&self, words: &W) -> W {
+        let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
+        let words = words.on(&self.sample.pixels());
+        words.for_zone(x0, y0, width, height)
+    }
 }
 
 /// One pass of the machine over a zone.
@@ -266,8 +276,7 @@ fn zones_of(window: &ScreenBox, width: u32, machine: &ZoneMachine) -> Vec<usize>
     };
     let mut zones = vec![];
     for (place, sample) in Sample::all(of).enumerate() {
-        let [step, column, line] = [of, sample.column, sample.line].map(i64::from);
-        let window = window.every_sample(step, column, line);
+        let window = window.on(&sample.pixels());
         if window.is_empty() {
             continue;
         }

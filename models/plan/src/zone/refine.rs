@@ -9,6 +9,7 @@ use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::volume_line::for_each_inside;
+use imogene_golden::object::words::Words;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::cmp::Reverse;
@@ -48,13 +49,12 @@ impl ZonePlan {
 impl ZonePlan {
     /// The plan without zones, with the words of one sample of the pixels.
     fn at_sample(&self, sample: Sample) -> ZonePlan {
-        let [of, column, line] = [sample.of, sample.column, sample.line].map(i64::from);
         let mut plan = self.clone();
         for part in &mut plan.parts {
-            part.words = part.words.every_sample(of, column, line);
+            part.words = part.words.on(&sample.pixels());
         }
         for volume in &mut plan.volumes {
-            *volume = volume.every_sample(of, column, line);
+            *volume = volume.on(&sample.pixels());
         }
         plan
     }
@@ -71,12 +71,7 @@ struct ZoneRefiner<'a> {
 impl<'a> ZoneRefiner<'a> {
     fn new(plan: &'a ZonePlan, zone: Zone) -> Self {
         let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
-        let window = ScreenBox {
-            x0,
-            x1: x0 + width - 1,
-            y0,
-            y1: y0 + height - 1,
-        };
+        let window = ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1]);
         ZoneRefiner { plan, zone, window }
     }
 

@@ -46,16 +46,11 @@ impl ZonePlan {
     }
 
     fn words_of(&self, pass: &Pass, zone: &Zone, beats: &mut Vec<Beat>) {
-        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
-        let sample = zone.sample;
-        let [of, column, line] = [sample.of, sample.column, sample.line].map(i64::from);
         match pass {
             Pass::Draw { parts, .. } => {
                 for (unit, &index) in parts.iter().enumerate() {
                     let object = self.parts[index as usize].object;
-                    let words = self.part_words(zone, index);
-                    let words = words.every_sample(of, column, line);
-                    let words = words.for_zone(x0, y0, width, height);
+                    let words = zone.moved(&self.part_words(zone, index));
                     let list = load_words(&words, &self.format, words.planes.len());
                     let unused = words.planes.len()..self.machine.planes;
                     let unused = unused.map(unused::object_plane);
@@ -66,9 +61,7 @@ impl ZonePlan {
             }
             Pass::Light { volumes, .. } => {
                 for (unit, &index) in volumes.iter().enumerate() {
-                    let words = self.volume_words(zone, index);
-                    let words = words.every_sample(of, column, line);
-                    let words = words.for_zone(x0, y0, width, height);
+                    let words = zone.moved(&self.volume_words(zone, index));
                     let list = load_volume(&words, &self.format, words.planes.len());
                     let unused = words.planes.len()..self.machine.volume_planes;
                     let unused = unused.map(unused::volume_plane);

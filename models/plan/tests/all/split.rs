@@ -5,6 +5,7 @@ use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::object::slot::ProcessorWords;
+use imogene_golden::object::words::Words;
 use imogene_plan::split::{Divided, Division};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};

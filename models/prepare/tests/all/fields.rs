@@ -5,6 +5,8 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
+use imogene_golden::unit::lattice::Lattice;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
@@ -30,9 +32,11 @@ fn slots_of_field(prepared: &PreparedScene, step: i64, first: i64) -> Option<Vec
     let field = |slot: Slot| {
         let words = match &slot.words {
             ProcessorWords::Quadric(words) => {
-                ProcessorWords::Quadric(words.every_line(step, first))
+                ProcessorWords::Quadric(words.on(&Lattice::lines(step, first)))
             }
-            ProcessorWords::Patch(words) => ProcessorWords::Patch(words.every_line(step, first)),
+            ProcessorWords::Patch(words) => {
+                ProcessorWords::Patch(words.on(&Lattice::lines(step, first)))
+            }
             _ => return None,
         };
         Some(Slot { words, ..slot })

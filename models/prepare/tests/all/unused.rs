@@ -7,6 +7,7 @@ use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::{Unused, UnusedPlane, every_kind};
 use imogene_golden::object::volume::VolumeKind;
+use imogene_golden::object::words::Words;
 use imogene_golden::unit::interval::Class;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
@@ -64,16 +65,7 @@ fn add_one(words: &mut ProcessorWords) -> &'static str {
 /// The same object in an empty box.
 fn switched_off(slot: &Slot, nowhere: ScreenBox) -> Slot {
     let mut slot = slot.clone();
-    *match &mut slot.words {
-        ProcessorWords::Quadric(w) | ProcessorWords::Patch(w) => &mut w.screen_box,
-        ProcessorWords::FirstGeneration(w) => &mut w.screen_box,
-        ProcessorWords::Polyhedron(w) => &mut w.screen_box,
-        ProcessorWords::Facet(w) => &mut w.screen_box,
-        ProcessorWords::Sphere(w) => &mut w.screen_box,
-        ProcessorWords::Cylinder(w) => &mut w.screen_box,
-        ProcessorWords::CurvedFacet(w) => &mut w.screen_box,
-        ProcessorWords::Quotient(w) => &mut w.screen_box,
-    } = nowhere;
+    *slot.words.screen_box_mut() = nowhere;
     slot
 }
 

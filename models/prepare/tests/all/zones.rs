@@ -3,6 +3,7 @@
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricProcessor, QuadricWords};
+use imogene_golden::object::words::Words;
 use imogene_scene::Surface;
 use imogene_testkit::*;
 use proptest::prelude::*;

@@ -5,6 +5,7 @@ use imogene_golden::object::facet::{FacetProcessor, FacetWords};
 use imogene_golden::object::facet_contour::{FacetContour, Operations};
 use imogene_golden::object::quadric::ObjectPixel;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use serde::Serialize;
 use std::hint::black_box;
 use std::time::{Duration, Instant};

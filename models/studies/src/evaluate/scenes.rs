@@ -5,6 +5,7 @@ use super::hardware::MACHINE_PLANES;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
+use imogene_golden::object::words::Words;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene, prepare};
 use imogene_scene::SceneFile;

@@ -2,21 +2,31 @@
 
 use super::*;
 use proptest::prelude::*;
+use std::ops::{BitAnd, BitOr, Sub};
 
 fn leaf(object: usize) -> Tree {
     Tree::Leaf(object)
 }
 
-fn union(a: Tree, b: Tree) -> Tree {
-    Tree::Union(Box::new(a), Box::new(b))
+impl BitOr for Tree {
+    type Output = Tree;
+    fn bitor(self, other: Tree) -> Tree {
+        Tree::Union(Box::new(self), Box::new(other))
+    }
 }
 
-fn intersection(a: Tree, b: Tree) -> Tree {
-    Tree::Intersection(Box::new(a), Box::new(b))
+impl BitAnd for Tree {
+    type Output = Tree;
+    fn bitand(self, other: Tree) -> Tree {
+        Tree::Intersection(Box::new(self), Box::new(other))
+    }
 }
 
-fn difference(a: Tree, b: Tree) -> Tree {
-    Tree::Difference(Box::new(a), Box::new(b))
+impl Sub for Tree {
+    type Output = Tree;
+    fn sub(self, other: Tree) -> Tree {
+        Tree::Difference(Box::new(self), Box::new(other))
+    }
 }
 
 fn literals(intersected: &[usize], subtracted: &[usize]) -> Literals {
@@ -36,11 +46,8 @@ fn in_products(products: &[Literals], inside: &dyn Fn(usize) -> bool) -> bool {
 fn assert_same(tree: &Tree, products: &[Literals], objects: usize) {
     for assignment in 0u32..1 << objects {
         let inside = |object: usize| assignment >> object & 1 == 1;
-        assert_eq!(
-            tree.contains(&inside),
-            in_products(products, &inside),
-            "{tree:?} at {assignment:b}"
-        );
+        let (wanted, found) = (tree.contains(&inside), in_products(products, &inside));
+        assert_eq!(found, wanted, "{tree:?} at {assignment:b}");
     }
 }
 
@@ -53,9 +60,9 @@ fn trees(first: usize, count: usize) -> Vec<Tree> {
     for left in 1..count {
         for a in trees(first, left) {
             for b in trees(first + left, count - left) {
-                list.push(union(a.clone(), b.clone()));
-                list.push(intersection(a.clone(), b.clone()));
-                list.push(difference(a.clone(), b.clone()));
+                list.push(a.clone() | b.clone());
+                list.push(a.clone() & b.clone());
+                list.push(a.clone() - b.clone());
             }
         }
     }
@@ -65,41 +72,16 @@ fn trees(first: usize, count: usize) -> Vec<Tree> {
 /// The rules of the source's figure 3.9, each side a tree.
 #[test]
 fn the_rules_of_normalisation_hold() {
-    let [x, y, z] = [leaf(0), leaf(1), leaf(2)];
-    let c = |t: &Tree| t.clone();
+    let [x, y, z] = [0, 1, 2].map(|object| move || leaf(object));
     let rules = [
-        (
-            difference(c(&x), union(c(&y), c(&z))),
-            difference(difference(c(&x), c(&y)), c(&z)),
-        ),
-        (
-            intersection(c(&x), union(c(&y), c(&z))),
-            union(intersection(c(&x), c(&y)), intersection(c(&x), c(&z))),
-        ),
-        (
-            difference(c(&x), intersection(c(&y), c(&z))),
-            union(difference(c(&x), c(&y)), difference(c(&x), c(&z))),
-        ),
-        (
-            intersection(c(&x), intersection(c(&y), c(&z))),
-            intersection(intersection(c(&x), c(&y)), c(&z)),
-        ),
-        (
-            difference(c(&x), difference(c(&y), c(&z))),
-            union(difference(c(&x), c(&y)), intersection(c(&x), c(&z))),
-        ),
-        (
-            intersection(c(&x), difference(c(&y), c(&z))),
-            difference(intersection(c(&x), c(&y)), c(&z)),
-        ),
-        (
-            difference(union(c(&x), c(&y)), c(&z)),
-            union(difference(c(&x), c(&z)), difference(c(&y), c(&z))),
-        ),
-        (
-            intersection(union(c(&x), c(&y)), c(&z)),
-            union(intersection(c(&x), c(&z)), intersection(c(&y), c(&z))),
-        ),
+        (x() - (y() | z()), x() - y() - z()),
+        (x() & (y() | z()), (x() & y()) | (x() & z())),
+        (x() - (y() & z()), (x() - y()) | (x() - z())),
+        (x() & (y() & z()), (x() & y()) & z()),
+        (x() - (y() - z()), (x() - y()) | (x() & z())),
+        (x() & (y() - z()), (x() & y()) - z()),
+        ((x() | y()) - z(), (x() - z()) | (y() - z())),
+        ((x() | y()) & z(), (x() & z()) | (y() & z())),
     ];
     for (before, after) in rules {
         assert_eq!(normal_form(&before), normal_form(&after), "{before:?}");
@@ -126,8 +108,8 @@ fn the_normal_form_has_the_points_of_the_tree() {
 #[test]
 fn the_printed_example_of_a_normal_form_is_wrong() {
     let [a, b, c, d, e] = [0, 1, 2, 3, 4];
-    let solid = intersection(union(leaf(a), leaf(b)), leaf(c));
-    let tree = difference(solid.clone(), intersection(leaf(d), leaf(e)));
+    let solid = (leaf(a) | leaf(b)) & leaf(c);
+    let tree = solid.clone() - (leaf(d) & leaf(e));
     let printed = [literals(&[a, c], &[d, e]), literals(&[b, c], &[d, e])];
     let inside = |object: usize| [a, c, d].contains(&object);
     assert!(tree.contains(&inside));
@@ -140,19 +122,19 @@ fn the_printed_example_of_a_normal_form_is_wrong() {
     ];
     assert_eq!(normal_form(&tree), right);
     assert_same(&tree, &right, 5);
-    let united = difference(solid, union(leaf(d), leaf(e)));
+    let united = solid - (leaf(d) | leaf(e));
     assert_eq!(normal_form(&united), printed);
 }
 
 #[test]
 fn products_without_points_or_within_others_are_left_out() {
-    let [x, y] = [leaf(0), leaf(1)];
-    assert_eq!(normal_form(&difference(x.clone(), x.clone())), []);
-    let absorbed = union(x.clone(), intersection(x.clone(), y.clone()));
+    let [x, y] = [0, 1].map(|object| move || leaf(object));
+    assert_eq!(normal_form(&(x() - x())), []);
+    let absorbed = x() | (x() & y());
     assert_eq!(normal_form(&absorbed), [literals(&[0], &[])]);
-    let again = difference(x.clone(), difference(x.clone(), y.clone()));
+    let again = x() - (x() - y());
     assert_eq!(normal_form(&again), [literals(&[0, 1], &[])]);
-    let twice = union(difference(x.clone(), y.clone()), difference(x, y));
+    let twice = (x() - y()) | (x() - y());
     assert_eq!(normal_form(&twice), [literals(&[0], &[1])]);
 }
 
@@ -246,10 +228,10 @@ fn for_each_choice(objects: usize, levels: i64, mut visit: impl FnMut(&[Primitiv
     }
 }
 
-fn product(choice: &[Primitive], intersected: usize) -> Product {
+fn product(intersected: &[Primitive], subtracted: &[Primitive]) -> Product {
     Product {
-        intersected: choice[..intersected].to_vec(),
-        subtracted: choice[intersected..].to_vec(),
+        intersected: intersected.to_vec(),
+        subtracted: subtracted.to_vec(),
     }
 }
 
@@ -285,7 +267,8 @@ fn the_front_is_the_first_candidate_that_survives() {
         (1, 3, 4),
     ] {
         for_each_choice(intersected + subtracted, levels, |choice| {
-            let product = product(choice, intersected);
+            let (intersected, subtracted) = choice.split_at(intersected);
+            let product = product(intersected, subtracted);
             let expected = scan(|place| product.contains(place, FAR));
             assert_eq!(candidates(&product), expected, "{product:?}");
             assert_eq!(product.front(FAR).map(|s| s.depth), expected, "{product:?}");
@@ -304,10 +287,7 @@ fn moved(front: i64, subtracted: &[Primitive]) -> i64 {
 fn a_chain_of_cells_is_not_enough() {
     let solid = primitive(0, (0, 6));
     let [near, far] = [primitive(1, (0, 3)), primitive(2, (3, 5))];
-    let product = |subtracted: &[Primitive]| Product {
-        intersected: vec![solid],
-        subtracted: subtracted.to_vec(),
-    };
+    let product = |subtracted: &[Primitive]| product(&[solid], subtracted);
     for order in [[near, far], [far, near]] {
         assert_eq!(product(&order).front(FAR).map(|s| s.depth), Some(5));
     }
@@ -332,42 +312,33 @@ fn faces_and_ties() {
         number,
     };
     let nothing = shown(FAR, false, 0, 0);
-    let front = |intersected: &[Primitive], subtracted: &[Primitive]| {
-        let product = Product {
-            intersected: intersected.to_vec(),
-            subtracted: subtracted.to_vec(),
-        };
-        decide(&[product], FAR)
-    };
-    // Of two fronts at one depth the smaller id; of two backs likewise.
-    assert_eq!(
-        front(&[at(2, 5, 8, 1), at(2, 6, 3, 2)], &[]),
-        shown(2, false, 3, 2)
-    );
-    assert_eq!(
-        front(&[at(0, 6, 1, 1)], &[at(0, 3, 9, 4), at(0, 3, 7, 5)]),
-        shown(3, true, 7, 5)
-    );
-    // What ends where the solid begins takes nothing away, and what ends where the solid ends leaves nothing.
-    assert_eq!(
-        front(&[at(3, 6, 9, 1)], &[at(0, 3, 1, 2)]),
-        shown(3, false, 9, 1)
-    );
-    assert_eq!(front(&[at(0, 6, 9, 1)], &[at(0, 6, 1, 2)]), nothing);
-    // A solid of no thickness is there, unless something touches it; of no thickness, nothing is taken away.
-    assert_eq!(front(&[at(4, 4, 9, 1)], &[]), shown(4, false, 9, 1));
-    assert_eq!(front(&[at(4, 4, 9, 1)], &[at(0, 4, 1, 2)]), nothing);
-    assert_eq!(
-        front(&[at(0, 6, 9, 1)], &[at(0, 0, 1, 2)]),
-        shown(0, false, 9, 1)
-    );
+    type Case<'a> = (&'a [Primitive], &'a [Primitive], Shown);
+    let cases: [Case; 7] = [
+        // Of two fronts at one depth the smaller id; of two backs likewise.
+        (
+            &[at(2, 5, 8, 1), at(2, 6, 3, 2)],
+            &[],
+            shown(2, false, 3, 2),
+        ),
+        (
+            &[at(0, 6, 1, 1)],
+            &[at(0, 3, 9, 4), at(0, 3, 7, 5)],
+            shown(3, true, 7, 5),
+        ),
+        // What ends where the solid begins takes nothing away, and what ends where the solid ends leaves nothing.
+        (&[at(3, 6, 9, 1)], &[at(0, 3, 1, 2)], shown(3, false, 9, 1)),
+        (&[at(0, 6, 9, 1)], &[at(0, 6, 1, 2)], nothing),
+        // A solid of no thickness is there, unless something touches it; of no thickness, nothing is taken away.
+        (&[at(4, 4, 9, 1)], &[], shown(4, false, 9, 1)),
+        (&[at(4, 4, 9, 1)], &[at(0, 4, 1, 2)], nothing),
+        (&[at(0, 6, 9, 1)], &[at(0, 0, 1, 2)], shown(0, false, 9, 1)),
+    ];
+    for (intersected, subtracted, expected) in cases {
+        assert_eq!(decide(&[product(intersected, subtracted)], FAR), expected);
+    }
     // Between products a front goes before a back, then the smaller id.
-    let one = |intersected, subtracted: &[Primitive]| Product {
-        intersected: vec![intersected],
-        subtracted: subtracted.to_vec(),
-    };
-    let cut = one(at(0, 6, 1, 1), &[at(0, 3, 2, 2)]);
-    let other = one(at(3, 5, 7, 3), &[]);
+    let cut = product(&[at(0, 6, 1, 1)], &[at(0, 3, 2, 2)]);
+    let other = product(&[at(3, 5, 7, 3)], &[]);
     for products in [[cut.clone(), other.clone()], [other, cut]] {
         assert_eq!(decide(&products, FAR), shown(3, false, 7, 3));
     }
@@ -376,10 +347,8 @@ fn faces_and_ties() {
 
 #[test]
 fn latency_counts_the_two_trees_and_the_candidates() {
-    assert_eq!(
-        [(1, 1, 0), (1, 1, 1), (2, 2, 2), (4, 3, 2)].map(|(g, i, s)| latency(g, i, s)),
-        [1, 2, 5, 7]
-    );
+    let shapes = [(1, 1, 0), (1, 1, 1), (2, 2, 2), (4, 3, 2)];
+    assert_eq!(shapes.map(|(g, i, s)| latency(g, i, s)), [1, 2, 5, 7]);
     assert_eq!([1, 2, 3, 4, 5].map(skew), [0, 1, 2, 2, 3]);
 }
 
@@ -395,7 +364,11 @@ fn any_tree() -> impl Strategy<Value = Tree> {
                 let place = place.index(parts.len() - 1);
                 let b = parts.remove(place + 1);
                 let a = std::mem::replace(&mut parts[place], leaf(0));
-                parts[place] = [union, intersection, difference][usize::from(operation)](a, b);
+                parts[place] = match operation {
+                    0 => a | b,
+                    1 => a & b,
+                    _ => a - b,
+                };
             }
             parts.remove(0)
         })

@@ -1,8 +1,8 @@
 //! One light at one pixel.
 
+use super::curves::{Curves, dot, normalised};
 use super::view::Sight;
 use super::words::LightWords;
-use super::{Curves, dot, normalised};
 
 /// The vector to a light and its products with normal and line of sight.
 pub(super) struct Light<'a> {

@@ -1,7 +1,7 @@
 //! What all lights share at one pixel: the line of sight, the normal, the attenuation.
 
-use super::words::ShaderWords;
-use super::{Curves, Pixel, dot, normalised};
+use super::curves::{Curves, dot, normalised};
+use super::words::{Pixel, ShaderWords};
 
 /// Line of sight and normal at a pixel, shifted to full words.
 pub(super) struct Sight {

@@ -11,6 +11,23 @@ pub const LIGHT_ADDRESS: u16 = shading::LIGHT as u16;
 /// Address of the first word of material 0; the next material begins 4 further on.
 pub const MATERIAL_ADDRESS: u16 = shading::MATERIAL as u16;
 
+/// What is asked of the shading processor at one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// Column.
+    pub x: u16,
+    /// Line.
+    pub y: u16,
+    /// Depth word.
+    pub depth: i64,
+    /// Number of the material.
+    pub material: u8,
+    /// Normal of any length, towards the viewer or away.
+    pub normal: [i16; 3],
+    /// Bit i: source i reaches the point.
+    pub flags: u16,
+}
+
 /// All that a shading processor is loaded with.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ShaderWords {

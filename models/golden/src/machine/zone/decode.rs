@@ -133,7 +133,7 @@ fn triple<T>(words: &[u64], of: impl Fn(u64) -> T) -> [T; 3] {
 
 fn linear(words: &[u64], width: u32) -> Linear {
     let [a, b, c] = triple(words, |word| signed(word, width));
-    Linear { a, b, c }
+    Linear::new(a, b, c)
 }
 
 fn quadratic(words: &[u64], width: u32) -> Quadratic {
@@ -151,12 +151,7 @@ fn quadratic(words: &[u64], width: u32) -> Quadratic {
 fn window(words: &[u64]) -> ScreenBox {
     let [x, y] = [words[0], words[1]];
     let side = |word: u64, from: u32| (word >> from & 0xfff) as i64;
-    ScreenBox {
-        x0: side(x, 0),
-        x1: side(x, 12),
-        y0: side(y, 0),
-        y1: side(y, 12),
-    }
+    ScreenBox::of([side(x, 0), side(x, 12)], [side(y, 0), side(y, 12)])
 }
 
 fn class(word: u64) -> Class {
@@ -188,21 +183,21 @@ mod tests {
     fn linears() -> impl Strategy<Value = Linear> {
         any::<[i64; 3]>().prop_map(|v| {
             let [a, b, c] = v.map(i128::from);
-            Linear { a, b, c }
+            Linear::new(a, b, c)
         })
     }
 
     fn quadratics() -> impl Strategy<Value = Quadratic> {
         any::<[i64; 6]>().prop_map(|v| {
             let [a, b, c, d, e, f] = v.map(i128::from);
-            Quadratic { a, b, c, d, e, f }
+            Quadratic::new([a, b, c, d, e, f])
         })
     }
 
     fn boxes() -> impl Strategy<Value = ScreenBox> {
         let side = || 0i64..4096;
         (side(), side(), side(), side()).prop_map(|(x0, x1, y0, y1)| {
-            let found = ScreenBox { x0, x1, y0, y1 };
+            let found = ScreenBox::of([x0, x1], [y0, y1]);
             if found.is_empty() {
                 ScreenBox::EMPTY
             } else {

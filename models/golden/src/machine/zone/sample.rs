@@ -1,5 +1,6 @@
 //! Samples of a pixel, each drawn in passes of its own over the zone.
 
+use crate::unit::lattice::Lattice;
 use serde::Serialize;
 
 /// One of the `of x of` samples of every pixel of a zone.
@@ -18,6 +19,11 @@ impl Sample {
     pub fn all(of: u32) -> impl Iterator<Item = Sample> {
         let line = move |line| (0..of).map(move |column| Sample { of, column, line });
         (0..of).flat_map(line)
+    }
+
+    /// Its place in every pixel of a picture of samples.
+    pub fn pixels(&self) -> Lattice {
+        Lattice::samples(self.of.into(), self.column.into(), self.line.into())
     }
 
     /// The first that is drawn.

@@ -1,6 +1,6 @@
 //! The iterative form: one restoring row, used once for each digit (source: 2.3.3).
 
-use super::Root;
+use super::restoring::Root;
 
 /// What the unit shows after a clock edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,11 +60,7 @@ impl IterativeRoot {
         let partial = 4 * self.shown.remainder + pair;
         let divisor = 4 * self.shown.root + 1;
         let digit = partial >= divisor;
-        if digit {
-            self.shown.remainder = partial - divisor;
-        } else {
-            self.shown.remainder = partial;
-        }
+        self.shown.remainder = partial - if digit { divisor } else { 0 };
         self.shown.root = 2 * self.shown.root + u64::from(digit);
     }
 }

@@ -1,162 +1,20 @@
 //! The family of square root networks: floor root and remainder of a radicand, or a bounded approximation (source: 2.3.3, 4.1.2, B.10).
 //!
 //! Every member takes a radicand `X` of `2 K` bits and gives a root of `K` bits. The exact ones are the digit recurrences
-//! [`restoring`], [`non_restoring`] and [`iterative`]; [`rows`] and [`leading`] give fewer digits of the exact root; [`linear`] and
-//! [`quadratic`] start from a polynomial and approach the root by [`correction`]s.
+//! [`restoring_root`], [`non_restoring`] and [`iterative`]; others give fewer digits of the exact root, or start from a
+//! [`polynomial`] and approach the root by corrections.
 
-pub mod correction;
-pub mod fast;
+mod fast;
 pub mod iterative;
-pub mod leading;
-pub mod linear;
+mod method;
 pub mod non_restoring;
-pub mod quadratic;
-pub mod restoring;
-pub mod rows;
+pub mod polynomial;
+mod restoring;
 
 pub use fast::fast_root;
-pub use restoring::restoring_root;
-
-use serde::Serialize;
-use std::fmt;
-
-/// Root and remainder, `radicand = root^2 + remainder`, `0 <= remainder <= 2 root`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Root {
-    /// floor(sqrt(radicand)).
-    pub root: u64,
-    /// radicand - root^2.
-    pub remainder: u64,
-}
-
-/// A member of the family.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "snake_case", tag = "name")]
-pub enum Method {
-    /// Digit recurrence that keeps the old remainder where a trial is negative.
-    Restoring,
-    /// Digit recurrence that adds back in the next row.
-    NonRestoring,
-    /// One row, used once for each digit.
-    Iterative,
-    /// Two straight lines per pair of octaves, joined.
-    Linear {
-        /// Correction steps behind the estimate.
-        corrections: u32,
-    },
-    /// One parabola per pair of octaves, joined.
-    Quadratic {
-        /// Correction steps behind the estimate.
-        corrections: u32,
-    },
-    /// The first rows of the fixed network; the lower digits are zero.
-    Rows {
-        /// Rows built.
-        kept: u32,
-    },
-    /// The leading significant digits of the exact root; the lower ones are zero.
-    Leading {
-        /// Digits kept.
-        kept: u32,
-    },
-}
-
-impl Method {
-    /// The unit's name, as in the catalogue of the hardware.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Method::Restoring => "square_root",
-            Method::NonRestoring => "square_root_non_restoring",
-            Method::Iterative => "square_root_iterative",
-            Method::Linear { .. } => "square_root_linear",
-            Method::Quadratic { .. } => "square_root_quadratic",
-            Method::Rows { .. } => "square_root_rows",
-            Method::Leading { .. } => "square_root_leading",
-        }
-    }
-
-    /// True where root and remainder are those of the definition.
-    pub const fn is_exact(self) -> bool {
-        matches!(
-            self,
-            Method::Restoring | Method::NonRestoring | Method::Iterative
-        )
-    }
-
-    /// Clocks from the radicand to the root (`docs/root-network.md`), at `rows_per_stage` rows between registers.
-    pub const fn latency(self, root_bits: u32, rows_per_stage: u32) -> u32 {
-        match self {
-            Method::Restoring | Method::NonRestoring => root_bits.div_ceil(rows_per_stage),
-            Method::Iterative => root_bits,
-            Method::Rows { kept } => kept.div_ceil(rows_per_stage),
-            Method::Leading { kept } => kept.div_ceil(rows_per_stage) + 2,
-            Method::Linear { corrections } => 1 + 2 * corrections,
-            Method::Quadratic { corrections } => 3 + 2 * corrections,
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Method::Restoring => f.write_str("restoring"),
-            Method::NonRestoring => f.write_str("non-restoring"),
-            Method::Iterative => f.write_str("iterative"),
-            Method::Linear { corrections } => write!(f, "linear + {corrections}"),
-            Method::Quadratic { corrections } => write!(f, "quadratic + {corrections}"),
-            Method::Rows { kept } => write!(f, "first {kept} rows"),
-            Method::Leading { kept } => write!(f, "{kept} leading digits"),
-        }
-    }
-}
-
-/// What a member answers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RootResult {
-    /// The root, or its approximation; `2^K` at most, which only a corrected approximation reaches.
-    pub root: u64,
-    /// radicand - root^2, from the exact members.
-    pub remainder: Option<u64>,
-}
-
-impl From<Root> for RootResult {
-    fn from(exact: Root) -> RootResult {
-        RootResult {
-            root: exact.root,
-            remainder: Some(exact.remainder),
-        }
-    }
-}
-
-/// The golden answer of a member to a radicand of `2 root_bits` bits; `root_bits` is 1 to 32.
-pub fn root(method: Method, radicand: u128, root_bits: u32) -> RootResult {
-    let approximate = |root: u64| RootResult {
-        root,
-        remainder: None,
-    };
-    match method {
-        Method::Restoring => restoring_root(radicand, root_bits).into(),
-        Method::NonRestoring => non_restoring::non_restoring_root(radicand, root_bits).into(),
-        Method::Iterative => iterative::iterative_root(radicand, root_bits).into(),
-        Method::Rows { kept } => approximate(rows::rows_root(radicand, root_bits, kept)),
-        Method::Leading { kept } => approximate(leading::leading_root(radicand, root_bits, kept)),
-        Method::Linear { corrections } => approximate(correction::corrected(
-            radicand,
-            linear::linear_estimate(radicand),
-            corrections,
-        )),
-        Method::Quadratic { corrections } => approximate(correction::corrected(
-            radicand,
-            quadratic::quadratic_estimate(radicand),
-            corrections,
-        )),
-    }
-}
-
-/// `m`: bits of the root of a radicand, which has `2m` or `2m - 1` significant bits; 0 for radicand 0.
-pub const fn root_length(radicand: u128) -> u32 {
-    (128 - radicand.leading_zeros()).div_ceil(2)
-}
+pub use method::{Method, RootResult, root};
+pub use polynomial::root_length;
+pub use restoring::{Root, restoring_root};
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! The non-restoring network: rows of controlled add/subtract cells (source: 2.3.3; restatement 4.1).
 
-use super::Root;
+use super::restoring::Root;
 
 /// The non-restoring recurrence, most significant digit first.
 ///

@@ -1,6 +1,14 @@
-//! The restoring network, the source's cellular array (source: 2.3.3).
+//! Digits of the exact root by the restoring network, the source's cellular array: all of them, the first, or the leading
+//! (source: 2.3.3, B.10; restatement 4.3).
 
-use super::Root;
+/// Root and remainder, `radicand = root^2 + remainder`, `0 <= remainder <= 2 root`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Root {
+    /// floor(sqrt(radicand)).
+    pub root: u64,
+    /// radicand - root^2.
+    pub remainder: u64,
+}
 
 /// The cellular array's recurrence, one row per root digit, most significant digit first.
 ///
@@ -21,4 +29,23 @@ pub fn restoring_root(radicand: u128, root_bits: u32) -> Root {
         root = (root << 1) | u64::from(digit);
     }
     Root { root, remainder }
+}
+
+/// The first `kept` of `root_bits` digits of the exact root; the lower digits are zero.
+///
+/// The first `kept` rows read the upper `2 kept` bits of the radicand only, so this is the exact network with rows left out. Error: at
+/// most `2^(root_bits - kept)` of the last place, never negative, whatever the radicand: a small root is lost altogether.
+pub fn rows_root(radicand: u128, root_bits: u32, kept: u32) -> u64 {
+    let missing = root_bits.saturating_sub(kept);
+    restoring_root(radicand >> (2 * missing), root_bits - missing).root << missing
+}
+
+/// The exact root with only its `kept` leading significant bits; shorter roots are untouched.
+///
+/// Error: relative, below `2^(1 - kept)`, never negative. Hardware needs no more than `kept` rows behind a shift of the radicand by an
+/// even count, and one shift back: both floors fall on the same digits.
+pub fn leading_root(radicand: u128, root_bits: u32, kept: u32) -> u64 {
+    let exact = restoring_root(radicand, root_bits).root;
+    let dropped = (64 - exact.leading_zeros()).saturating_sub(kept);
+    exact >> dropped << dropped
 }

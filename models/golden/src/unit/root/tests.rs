@@ -167,7 +167,7 @@ fn fifteenth_is_exact() {
         .chain((1 << 36) - (1 << 20)..(1 << 36))
         .chain((0..1 << 36).step_by(65_537))
     {
-        assert_eq!(quadratic::fifteenth(value), value / 15, "{value}");
+        assert_eq!(polynomial::fifteenth(value), value / 15, "{value}");
     }
 }
 
@@ -228,7 +228,7 @@ fn real_errors_of_the_specification() {
 fn all_roots(bits: u32, estimate: fn(u128) -> u64, corrections: u32) -> Vec<u64> {
     (0..1u64 << (2 * bits))
         .into_par_iter()
-        .map(|x| correction::corrected(x.into(), estimate(x.into()), corrections))
+        .map(|x| polynomial::corrected(x.into(), estimate(x.into()), corrections))
         .collect()
 }
 
@@ -261,7 +261,7 @@ fn estimate_with_full_square(radicand: u128) -> u64 {
 fn monotonicity_of_the_specification() {
     for bits in [8, 12] {
         for corrections in 0..=3 {
-            let roots = all_roots(bits, linear::linear_estimate, corrections);
+            let roots = all_roots(bits, polynomial::linear_estimate, corrections);
             assert_eq!(
                 steps_down(&roots),
                 0,
@@ -274,20 +274,20 @@ fn monotonicity_of_the_specification() {
     };
     assert_eq!(down(8, estimate_with_full_square), [91, 19, 2, 0]);
     assert_eq!(down(12, estimate_with_full_square), [1_884, 379, 101, 36]);
-    assert_eq!(down(8, quadratic::quadratic_estimate), [104, 20, 1, 0]);
+    assert_eq!(down(8, polynomial::quadratic_estimate), [104, 20, 1, 0]);
 
     let worst = |estimate, corrections| worst_percent(&all_roots(8, estimate, corrections), 4096);
     let linear = [6.07, 2.75, 2.05];
     for (corrections, expected) in (0..).zip(linear) {
-        assert!((worst(linear::linear_estimate, corrections) - expected).abs() < 0.01);
+        assert!((worst(polynomial::linear_estimate, corrections) - expected).abs() < 0.01);
     }
     for (corrections, expected) in (0..).zip([2.61, 1.55]) {
         assert!((worst(estimate_with_full_square, corrections) - expected).abs() < 0.01);
     }
     for (corrections, expected) in (0..).zip([2.56, 1.55]) {
-        assert!((worst(quadratic::quadratic_estimate, corrections) - expected).abs() < 0.01);
+        assert!((worst(polynomial::quadratic_estimate, corrections) - expected).abs() < 0.01);
     }
-    let short = worst_percent(&all_roots(8, linear::linear_estimate, 0), 1);
+    let short = worst_percent(&all_roots(8, polynomial::linear_estimate, 0), 1);
     assert!((short - 42.26).abs() < 0.01, "radicand 3: {short}");
 }
 

@@ -210,12 +210,7 @@ fn a_spot_is_dark_in_all_other_zones() {
     let spot = volumes
         .into_iter()
         .find(|words| words.kind == VolumeKind::Light);
-    spot.expect("a spot").screen_box = ScreenBox {
-        x0: 30,
-        x1: 45,
-        y0: 20,
-        y1: 33,
-    };
+    spot.expect("a spot").screen_box = ScreenBox::of([30, 45], [20, 33]);
     assert_same_on_every_machine(&prepared);
 }
 

@@ -1,0 +1,146 @@
+//! Values of an expression on a rectangle of pixels: the least and the greatest, exactly.
+
+use super::screen_box::ScreenBox;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
+
+/// The least and the greatest of some values, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Range {
+    /// Least.
+    pub low: i128,
+    /// Greatest.
+    pub high: i128,
+}
+
+impl Range {
+    /// Of no value.
+    pub const NONE: Range = Range {
+        low: i128::MAX,
+        high: i128::MIN,
+    };
+
+    /// This range and a value.
+    pub fn with(self, value: i128) -> Range {
+        self.merged(Range {
+            low: value,
+            high: value,
+        })
+    }
+
+    /// The least range around two.
+    pub fn merged(self, other: Range) -> Range {
+        Range {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// Of the values without guard bits: a shift keeps the order.
+    pub const fn dropped(self, guards: u32) -> Range {
+        Range {
+            low: self.low >> guards,
+            high: self.high >> guards,
+        }
+    }
+
+    /// Of a first-degree expression on a window that is not empty: it is least and greatest at corners.
+    pub fn of_linear(form: &Linear, window: &ScreenBox) -> Range {
+        let line = |y: i64| {
+            let ends = [window.x0, window.x1];
+            ends.map(|x| form.a * i128::from(x) + form.b * i128::from(y) + form.c)
+        };
+        [line(window.y0), line(window.y1)]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// Of a second-degree expression on the pixels of a window that is not empty, line by line.
+    pub fn of_quadratic(form: &Quadratic, window: &ScreenBox) -> Range {
+        let line = |y: i64| {
+            let y = i128::from(y);
+            let (slope, constant) = (form.c * y + form.d, (form.b * y + form.e) * y + form.f);
+            Range::of_parabola([form.a, slope, constant], window.x0, window.x1)
+        };
+        let lines = (window.y0..=window.y1).map(line);
+        lines.fold(Range::NONE, Range::merged)
+    }
+
+    /// Of `a t^2 + b t + c` at the integers from `first` to `last`: it is extreme at an end, or beside its vertex.
+    pub fn of_parabola([a, b, c]: [i128; 3], first: i64, last: i64) -> Range {
+        let (first, last) = (i128::from(first), i128::from(last));
+        let vertex = (a != 0).then(|| (-b).div_euclid(2 * a));
+        // Division by a negative number rounds up here, so the integers on both sides are asked.
+        let beside = vertex.into_iter().flat_map(|t| [t - 1, t, t + 1]);
+        let inside = beside.filter(|t| (first..=last).contains(t));
+        let all = [first, last].into_iter().chain(inside);
+        all.map(|t| (a * t + b) * t + c).collect()
+    }
+
+    /// Bits of a two's complement word that holds all values.
+    pub const fn bits(&self) -> u32 {
+        let most = bits(self.low);
+        let other = bits(self.high);
+        if most > other { most } else { other }
+    }
+
+    /// Does a word of `width` bits hold all values? Then a register of that width has the true value at every pixel.
+    pub const fn fits(&self, width: u32) -> bool {
+        self.bits() <= width
+    }
+}
+
+impl FromIterator<i128> for Range {
+    fn from_iter<T: IntoIterator<Item = i128>>(values: T) -> Range {
+        values.into_iter().fold(Range::NONE, Range::with)
+    }
+}
+
+/// Bits of a two's complement word that holds a value, at least 1.
+pub const fn bits(value: i128) -> u32 {
+    let magnitude = if value < 0 { !value } else { value };
+    129 - magnitude.leading_zeros()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn bits_of_the_ends_of_words() {
+        let cases = [
+            (0, 1),
+            (-1, 1),
+            (1, 2),
+            (-2, 2),
+            (127, 8),
+            (-128, 8),
+            (128, 9),
+            (-129, 9),
+        ];
+        for (value, wanted) in cases {
+            assert_eq!(bits(value), wanted, "{value}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn ranges_are_those_of_all_pixels(
+            q in proptest::array::uniform6(-60i64..=60), corner in [-20i64..20, -20i64..20], size in [0i64..9, 0i64..9]
+        ) {
+            let window = ScreenBox::of([corner[0], corner[0] + size[0]], [corner[1], corner[1] + size[1]]);
+            let [a, b, c, d, e, f] = q.map(i128::from);
+            let form = Quadratic::new([a, b, c, 7 * d, 7 * e, f]);
+            let linear = Linear::new(a, b, c);
+            let pixels: Vec<(i64, i64)> = (window.y0..=window.y1).flat_map(|y| (window.x0..=window.x1).map(move |x| (x, y))).collect();
+            let values = |of: &dyn Fn(i64, i64) -> i128| {
+                let values = || pixels.iter().map(|&(x, y)| of(x, y));
+                Range { low: values().min().unwrap(), high: values().max().unwrap() }
+            };
+            prop_assert_eq!(Range::of_quadratic(&form, &window).dropped(2), values(&|x, y| form.wrapped_at(x, y, 127) >> 2));
+            prop_assert_eq!(Range::of_linear(&linear, &window), values(&|x, y| linear.wrapped_at(x, y, 127)));
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! What all processors have in common: words that are moved with the raster, and a pixel that is handed on.
+
+use super::screen_box::ScreenBox;
+use crate::format::Format;
+use crate::unit::interval::Interval;
+use crate::unit::lattice::Lattice;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
+use serde::Serialize;
+
+/// What the processor hands on for one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ObjectPixel {
+    /// Front depth, or the format's `z_max` if the object is absent.
+    pub zf: i64,
+    /// Back depth.
+    pub zb: i64,
+    /// Number of the front face.
+    pub number: u8,
+    /// Normal of the front face.
+    pub normal: [i16; 3],
+}
+
+impl ObjectPixel {
+    /// A face with its normal, which is asked for only if something is there.
+    #[inline]
+    pub fn of(face: Interval, normal: impl FnOnce() -> [i16; 3], format: &Format) -> ObjectPixel {
+        ObjectPixel {
+            zf: face.zf,
+            zb: face.zb,
+            number: face.nf,
+            normal: match face.is_present(format) {
+                true => normal(),
+                false => [0; 3],
+            },
+        }
+    }
+}
+
+/// An expression in pixels among the words of a processor.
+pub enum Expression<'a> {
+    /// Of a PE1.
+    First(&'a mut Linear),
+    /// Of a PE2.
+    Second(&'a mut Quadratic),
+}
+
+/// Coefficient words of one processor for one zone. They are moved, not rounded again, so every pixel keeps its value.
+pub trait Words {
+    /// Where the object can be on the screen.
+    fn screen_box(&self) -> &ScreenBox;
+
+    /// The same, to be changed; an empty box switches the processor off.
+    fn screen_box_mut(&mut self) -> &mut ScreenBox;
+
+    /// All words that depend on where the raster begins.
+    fn expressions(&mut self) -> Vec<Expression<'_>>;
+
+    /// The words at the pixels of a lattice alone.
+    fn on(&self, pixels: &Lattice) -> Self
+    where
+        Self: Clone,
+    {
+        let mut words = self.clone();
+        *words.screen_box_mut() = self.screen_box().on(pixels);
+        for expression in words.expressions() {
+            match expression {
+                Expression::First(linear) => *linear = linear.on(pixels),
+                Expression::Second(quadratic) => *quadratic = quadratic.on(pixels),
+            }
+        }
+        words
+    }
+
+    /// The words for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
+    fn for_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> Self
+    where
+        Self: Clone,
+    {
+        let mut words = self.on(&Lattice::zone(x0, y0));
+        *words.screen_box_mut() = self.screen_box().in_zone(x0, y0, width, height);
+        words
+    }
+}
+
+/// A processor that draws an object: what it hands on depends on its words and the pixel alone.
+pub trait Object: Words {
+    /// What is handed on for pixel (x, y) of the zone.
+    fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel;
+}
+
+/// A processor running over a zone, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct Running<W> {
+    format: Format,
+    words: W,
+    x: i64,
+    y: i64,
+}
+
+impl<W: Clone> Running<W> {
+    /// Zone start: the next pixel is (0, 0) of the zone.
+    pub fn zone_start(words: &W, format: &Format) -> Running<W> {
+        Running {
+            format: *format,
+            words: words.clone(),
+            x: 0,
+            y: 0,
+        }
+    }
+}
+
+impl<W> Running<W> {
+    /// Line step: the next pixel is the first of the next line.
+    pub fn line_step(&mut self) {
+        self.x = 0;
+        self.y += 1;
+    }
+
+    /// What `at` finds at the next pixel of the line.
+    pub fn step<P>(&mut self, at: impl FnOnce(&W, i64, i64, &Format) -> P) -> P {
+        self.x += 1;
+        at(&self.words, self.x - 1, self.y, &self.format)
+    }
+}
+
+impl<W: Object> Running<W> {
+    /// What the processor hands on for the next pixel of the line.
+    pub fn pixel(&mut self) -> ObjectPixel {
+        self.step(W::at)
+    }
+}

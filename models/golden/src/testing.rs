@@ -1,0 +1,64 @@
+//! Random words for tests.
+
+use crate::object::screen_box::ScreenBox;
+use crate::unit::cut_plane::PlaneKind;
+use crate::unit::interval::Class;
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
+use proptest::prelude::*;
+
+/// Side of the zones that are compared pixel by pixel.
+pub const SIDE: i64 = 20;
+
+/// The pixels of such a zone, line by line.
+pub fn pixels() -> impl Iterator<Item = (i64, i64)> {
+    (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)))
+}
+
+/// A first-degree expression with factors and constant up to these.
+pub fn linear(slope: i64, constant: i64) -> impl Strategy<Value = Linear> {
+    let one = -slope..=slope;
+    let parts = (one.clone(), one, -constant..=constant);
+    parts.prop_map(|(a, b, c)| Linear::new(a.into(), b.into(), c.into()))
+}
+
+/// A second-degree expression that changes its sign on a picture.
+pub fn quadratic() -> impl Strategy<Value = Quadratic> {
+    (any::<[i32; 3]>(), any::<[i64; 3]>()).prop_map(|(q, l)| {
+        let ([a, b, c], [d, e, f]) = (q.map(i128::from), l.map(i128::from));
+        Quadratic::new([a, b, c, d >> 22, e >> 22, f >> 17])
+    })
+}
+
+/// A bowl about the middle of a zone, `f` where it is highest.
+pub fn bowl(a: i128, b: i128, f: i128) -> Quadratic {
+    let side = i128::from(SIDE);
+    let middle = (a + b) * side * side / 4;
+    Quadratic::new([a, b, 3, -side * a, -side * b, f + middle])
+}
+
+/// How a plane lies; seldom not at all.
+pub fn kind() -> impl Strategy<Value = PlaneKind> {
+    prop_oneof![
+        1 => Just(PlaneKind::None),
+        4 => Just(PlaneKind::Front),
+        4 => Just(PlaneKind::Back),
+        1 => Just(PlaneKind::Perpendicular),
+    ]
+}
+
+/// Any class.
+pub fn class() -> impl Strategy<Value = Class> {
+    prop_oneof![
+        Just(Class::Side),
+        Just(Class::Front),
+        Just(Class::Patch),
+        Just(Class::Prism)
+    ]
+}
+
+/// A box in a zone.
+pub fn window() -> impl Strategy<Value = ScreenBox> {
+    let side = || [0..SIDE, 0..SIDE].prop_map(|[a, b]| [a.min(b), a.max(b)]);
+    (side(), side()).prop_map(|(columns, lines)| ScreenBox::of(columns, lines))
+}

@@ -1,0 +1,189 @@
+//! The words that a machine is given for a scene, or why it cannot show it.
+
+use super::description::MachineDescription;
+use super::zone::plan::PlanError;
+use imogene_golden::machine::shader::{LIGHT_ADDRESS, ShaderWords};
+use imogene_golden::machine::zone::beat::{Beat, kind};
+use imogene_golden::object::as_quadric::AsQuadricError;
+use imogene_golden::object::load::{LoadWord, load_words};
+use imogene_golden::object::load_volume::load_volume;
+use imogene_golden::object::paraboloid::plane_guard;
+use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
+use imogene_golden::object::slot::Slot;
+use imogene_golden::object::unused;
+use imogene_golden::object::volume::{VolumePlane, VolumeWords};
+use imogene_prepare::PreparedScene;
+use imogene_prepare::shader::{ShaderError, material_numbers, shader_words};
+use imogene_scene::FramedScene;
+use thiserror::Error;
+
+/// Why a machine cannot show a scene.
+#[derive(Debug, Error)]
+pub enum DisplayError {
+    /// Too few processors, planes, lights or words.
+    #[error(
+        "the machine has too little for what it is to show; these lines in its description, in place of its own, would do:\n{0}"
+    )]
+    Needs(String),
+    /// More planes than any processor has.
+    #[error(
+        "{what} has {needed} planes, and no processor of a machine more than {MAX_PLANES}; fewer cuts of the object would do"
+    )]
+    Planes {
+        /// The object, or whose volume it is.
+        what: String,
+        /// Its planes.
+        needed: usize,
+    },
+    /// An object that its processors do not draw.
+    #[error("object '{object}': {why}")]
+    Object {
+        /// Its name.
+        object: String,
+        /// Why not.
+        why: AsQuadricError,
+    },
+    /// A facet whose depths are not in its words.
+    #[error(
+        "object '{object}': {why}; widths = {{ g1 = {enough} }} in the machine description is enough for every facet"
+    )]
+    Guards {
+        /// Its name.
+        object: String,
+        /// Why not.
+        why: AsQuadricError,
+        /// Guard bits of f1 with which every facet is drawn.
+        enough: u32,
+    },
+    /// A volume that its processors are not for.
+    #[error("volume '{volume}': {why}")]
+    Volume {
+        /// Its name.
+        volume: String,
+        /// Why not.
+        why: AsQuadricError,
+    },
+    /// The zones cannot be planned.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The shading processor cannot be loaded.
+    #[error(transparent)]
+    Shader(#[from] ShaderError),
+    /// The picture has another size than the screen.
+    #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", picture.0, picture.1, screen.0, screen.1)]
+    Size {
+        /// Of the picture.
+        picture: (u32, u32),
+        /// Of the screen, in samples.
+        screen: (u32, u32),
+    },
+}
+
+/// The words of the shading processor; lights that the scene has not got are dark.
+pub(super) fn shading_words(shader: &ShaderWords, machine: &MachineDescription) -> Vec<(u16, u32)> {
+    let missing = shader.lights.len()..machine.lights;
+    let dark = missing.flat_map(|light| dark_light(light as u16));
+    shader.load_words().into_iter().chain(dark).collect()
+}
+
+/// The words of a light that sends nothing: its colour is black.
+fn dark_light(light: u16) -> impl Iterator<Item = (u16, u32)> {
+    let first = LIGHT_ADDRESS + 16 * light;
+    (first..first + 16).map(|address| (address, 0))
+}
+
+/// Object and words of every part of the scene, for processors of so many planes.
+pub(super) fn parts(
+    prepared: &PreparedScene,
+    planes: usize,
+) -> Result<Vec<(usize, QuadricWords)>, DisplayError> {
+    let part = |slot: Slot| {
+        let words = slot.words.on_quadric_processor(&prepared.format, planes);
+        let object = || prepared.objects[slot.object].name().to_owned();
+        let words = words.map_err(|why| match why {
+            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+                what: format!("object '{}'", object()),
+                needed,
+            },
+            AsQuadricError::GuardBits { .. } => DisplayError::Guards {
+                object: object(),
+                why,
+                enough: plane_guard(&prepared.format),
+            },
+            why => DisplayError::Object {
+                object: object(),
+                why,
+            },
+        })?;
+        Ok((slot.object, words))
+    };
+    prepared.slots().into_iter().map(part).collect()
+}
+
+/// Words of every volume of the scene, for processors of so many planes.
+pub(super) fn volumes(
+    prepared: &PreparedScene,
+    planes: usize,
+) -> Result<Vec<VolumeWords>, DisplayError> {
+    let volumes = prepared.volumes.iter().map(|volume| {
+        let words = volume.words.on_quadric_processor(planes);
+        words.map_err(|why| match why {
+            AsQuadricError::Planes { needed, .. } => DisplayError::Planes {
+                what: volume.name.clone(),
+                needed,
+            },
+            why => DisplayError::Volume {
+                volume: volume.name.clone(),
+                why,
+            },
+        })
+    });
+    volumes.collect()
+}
+
+/// The words of a whole frame of a beam machine, tables first; processors without an object are emptied.
+pub(super) fn beam_words(
+    scene: &FramedScene,
+    prepared: &PreparedScene,
+    machine: &MachineDescription,
+) -> Result<Vec<Beat>, DisplayError> {
+    let shader = shader_words(scene, &prepared.format, None)?;
+    let shading = shading_words(&shader, machine);
+    let materials = material_numbers(scene);
+    let parts = parts(prepared, machine.planes)?;
+    let volumes = volumes(prepared, machine.volume_planes)?;
+    let format = &prepared.format;
+    let shading = shading.into_iter();
+    let mut beats: Vec<Beat> = shading
+        .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
+        .collect();
+    let slots = machine.slots();
+    for (place, (object, words)) in parts.iter().enumerate() {
+        let planes = slots.get(place).map(|slot| slot.planes as usize);
+        let planes = planes.unwrap_or(machine.planes);
+        let material = materials[*object].into();
+        beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
+        let mut words = words.clone();
+        words.planes.resize(planes, PlaneWords::default());
+        let words = load_words(&words, format, planes);
+        beats.extend(words.iter().map(load(kind::OBJECT, place)));
+    }
+    for place in parts.len()..machine.objects {
+        beats.push(load(kind::OBJECT, place)(&unused::object_slot()));
+    }
+    for (place, words) in volumes.iter().enumerate() {
+        let (mut words, planes) = (words.clone(), machine.volume_planes);
+        words.planes.resize(planes, VolumePlane::default());
+        let words = load_volume(&words, format, planes);
+        beats.extend(words.iter().map(load(kind::VOLUME, place)));
+    }
+    if let Some(beat) = beats.last_mut() {
+        beat.last = true;
+    }
+    Ok(beats)
+}
+
+/// The beats of a processor's words.
+fn load(kind: u8, place: usize) -> impl Fn(&LoadWord) -> Beat {
+    move |word| Beat::new(kind, place as u8, word.address.into(), word.bits)
+}
