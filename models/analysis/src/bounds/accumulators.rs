@@ -6,6 +6,7 @@
 
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::range::{Range, bits};
 use imogene_golden::unit::interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
@@ -88,17 +89,12 @@ pub fn accumulators(
     if window.is_empty() {
         return None;
     }
-    let screen = ScreenBox {
-        x0: 0,
-        x1: i64::from(width) - 1,
-        y0: 0,
-        y1: i64::from(height) - 1,
-    };
-    let f2 = quadratic_span(&words.f2, window).dropped(format.guard_quadratic);
+    let screen = ScreenBox::of([0, i64::from(width) - 1], [0, i64::from(height) - 1]);
+    let f2 = Range::of_quadratic(&words.f2, window).dropped(format.guard_quadratic);
     let depths = has_depth(words.class).then(|| Depths::of(object, format));
     let depths = depths.filter(|_| f2.high >= 0);
     Some(Accumulators {
-        f1: linear_span(&words.f1, window)
+        f1: Range::of_linear(&words.f1, window)
             .dropped(format.guard_linear)
             .bits(),
         f2: f2.bits(),
@@ -107,8 +103,8 @@ pub fn accumulators(
         root: depths.map(|_| root_bits(f2.high)),
         planes: plane_bits(words),
         normal_linear: has_depth(words.class)
-            .then(|| words.normal.g.map(|g| linear_span(&g, window).bits())),
-        normal_sum: depths.map(|d| d.normal.map(Span::bits)),
+            .then(|| words.normal.g.map(|g| linear_bits(&g, window))),
+        normal_sum: depths.map(|d| d.normal.map(|range| range.bits())),
         increments: Increments {
             f1: linear_increments(&words.f1, &screen),
             f2: quadratic_increments(&words.f2, &screen),
@@ -124,7 +120,7 @@ pub(super) fn plane_bits(words: &QuadricWords) -> Vec<u32> {
     }
     let planes = words.planes.iter();
     planes
-        .map(|plane| linear_span(&plane.depth, window).bits())
+        .map(|plane| linear_bits(&plane.depth, window))
         .collect()
 }
 
@@ -133,108 +129,28 @@ fn has_depth(class: Class) -> bool {
     class != Class::Prism
 }
 
+fn linear_bits(form: &Linear, window: &ScreenBox) -> u32 {
+    Range::of_linear(form, window).bits()
+}
+
 /// Least K with `f2 < 2^(2 K - 1)`.
 fn root_bits(greatest: i128) -> u32 {
-    bits_of(greatest).div_ceil(2)
-}
-
-/// Two's complement bits of one integer.
-fn bits_of(value: i128) -> u32 {
-    let magnitude = if value < 0 { !value } else { value };
-    129 - magnitude.leading_zeros()
-}
-
-/// Least and greatest of some integers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Span {
-    low: i128,
-    high: i128,
-}
-
-impl Span {
-    /// Of no integer.
-    const NONE: Span = Span {
-        low: i128::MAX,
-        high: i128::MIN,
-    };
-
-    fn with(self, value: i128) -> Span {
-        Span {
-            low: self.low.min(value),
-            high: self.high.max(value),
-        }
-    }
-
-    fn merged(self, other: Span) -> Span {
-        Span {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
-    }
-
-    /// Of the values without guard bits: a shift keeps the order.
-    fn dropped(self, guards: u32) -> Span {
-        Span {
-            low: self.low >> guards,
-            high: self.high >> guards,
-        }
-    }
-
-    fn bits(self) -> u32 {
-        bits_of(self.low).max(bits_of(self.high))
-    }
-}
-
-impl FromIterator<i128> for Span {
-    fn from_iter<T: IntoIterator<Item = i128>>(values: T) -> Span {
-        values.into_iter().fold(Span::NONE, Span::with)
-    }
-}
-
-/// A first-degree expression is extreme in corners.
-fn linear_span(q: &Linear, window: &ScreenBox) -> Span {
-    let at = |x: i64, y: i64| q.a * i128::from(x) + q.b * i128::from(y) + q.c;
-    let ScreenBox { x0, x1, y0, y1 } = *window;
-    [at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1)]
-        .into_iter()
-        .collect()
-}
-
-/// A second-degree expression at the pixels of a box: on each line it is extreme at an end, or at a pixel beside its vertex.
-fn quadratic_span(q: &Quadratic, window: &ScreenBox) -> Span {
-    let line = |y: i64| {
-        let y = i128::from(y);
-        let (linear, constant) = (q.c * y + q.d, (q.b * y + q.e) * y + q.f);
-        parabola_span([q.a, linear, constant], window.x0, window.x1)
-    };
-    (window.y0..=window.y1)
-        .map(line)
-        .fold(Span::NONE, Span::merged)
-}
-
-/// `a t^2 + b t + c` at the integers from `first` to `last`.
-fn parabola_span([a, b, c]: [i128; 3], first: i64, last: i64) -> Span {
-    let (first, last) = (i128::from(first), i128::from(last));
-    let at = |t: i128| (a * t + b) * t + c;
-    let vertex = (a != 0).then(|| (-b).div_euclid(2 * a));
-    let beside = vertex.into_iter().flat_map(|t| [t - 1, t, t + 1]);
-    let inside = beside.filter(|t| (first..=last).contains(t));
-    [first, last].into_iter().chain(inside).map(at).collect()
+    bits(greatest).div_ceil(2)
 }
 
 /// What is known of pixels with a root only.
 #[derive(Clone, Copy)]
 struct Depths {
-    near: Span,
-    far: Span,
-    normal: [Span; 3],
+    near: Range,
+    far: Range,
+    normal: [Range; 3],
 }
 
 impl Depths {
     const NONE: Depths = Depths {
-        near: Span::NONE,
-        far: Span::NONE,
-        normal: [Span::NONE; 3],
+        near: Range::NONE,
+        far: Range::NONE,
+        normal: [Range::NONE; 3],
     };
 
     /// At every pixel of the box.
@@ -291,22 +207,22 @@ fn root_parts(words: &NormalWords, root: i64, format: &Format) -> [[i128; 2]; 3]
 }
 
 fn linear_increments(q: &Linear, screen: &ScreenBox) -> LinearIncrements {
-    let lines = parabola_span([0, q.b, q.c], screen.y0, screen.y1);
+    let lines = Range::of_parabola([0, q.b, q.c], screen.y0, screen.y1);
     LinearIncrements {
-        a: bits_of(q.a),
-        b: bits_of(q.b),
+        a: bits(q.a),
+        b: bits(q.b),
         line_value: lines.bits(),
     }
 }
 
 fn quadratic_increments(q: &Quadratic, screen: &ScreenBox) -> QuadraticIncrements {
-    let lines = |factors| parabola_span(factors, screen.y0, screen.y1).bits();
+    let lines = |factors| Range::of_parabola(factors, screen.y0, screen.y1).bits();
     let increment = Linear::new(2 * q.a, q.c, q.d + q.a);
     QuadraticIncrements {
-        a2: bits_of(2 * q.a),
-        b2: bits_of(2 * q.b),
-        c: bits_of(q.c),
-        j: linear_span(&increment, screen).bits(),
+        a2: bits(2 * q.a),
+        b2: bits(2 * q.b),
+        c: bits(q.c),
+        j: linear_bits(&increment, screen),
         p: lines([0, q.c, q.d + q.a]),
         i: lines([0, 2 * q.b, q.e + q.b]),
         line_value: lines([q.b, q.e, q.f]),
@@ -319,19 +235,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn bits_are_those_of_twos_complement() {
-        let cases = [
-            (0, 1),
-            (-1, 1),
-            (1, 2),
-            (-2, 2),
-            (127, 8),
-            (-128, 8),
-            (128, 9),
-        ];
-        for (value, bits) in cases {
-            assert_eq!(bits_of(value), bits, "{value}");
-        }
+    fn roots_end_half_a_bit_below_their_word() {
         // Roots of K = 8 bits end at floor(2^7.5) = 181.
         assert_eq!(root_bits((1 << 15) - 1), 8);
         assert_eq!(root_bits(1 << 15), 9);
@@ -339,31 +243,15 @@ mod tests {
     }
 
     proptest! {
-        /// Least and greatest value at the pixels, against all pixels one by one.
-        #[test]
-        fn spans_are_those_of_all_pixels(
-            v in proptest::array::uniform6(-90i64..90), x0 in -20i64..20, y0 in -20i64..20, w in 0i64..25, h in 0i64..25, guards in 0u32..4
-        ) {
-            let [a, b, c, d, e, f] = v.map(i128::from);
-            let q = Quadratic { a, b, c, d, e, f };
-            let p = Linear::new(d, e, f);
-            let window = ScreenBox { x0, x1: x0 + w, y0, y1: y0 + h };
-            let pixels = || (y0..=y0 + h).flat_map(|y| (x0..=x0 + w).map(move |x| (x, y)));
-            let all: Span = pixels().map(|(x, y)| q.wrapped_at(x, y, 127) >> guards).collect();
-            prop_assert_eq!(quadratic_span(&q, &window).dropped(guards), all);
-            let all: Span = pixels().map(|(x, y)| p.wrapped_at(x, y, 127)).collect();
-            prop_assert_eq!(linear_span(&p, &window), all);
-        }
-
         /// The registers of both processors, run over a screen without ever wrapping.
         #[test]
         fn increments_are_those_of_the_registers(v in proptest::array::uniform6(-9000i128..9000), width in 1i64..12, height in 1i64..12) {
             let [a, b, c, d, e, f] = v;
-            let q = Quadratic { a, b, c, d, e, f };
-            let screen = ScreenBox { x0: 0, x1: width - 1, y0: 0, y1: height - 1 };
+            let q = Quadratic::new([a, b, c, d, e, f]);
+            let screen = ScreenBox::of([0, width - 1], [0, height - 1]);
             let words = q.preconditioned(100);
             let (mut value, mut first, mut down) = (words.f, words.p0, words.i0);
-            let [mut j, mut p, mut i, mut line] = [Span::NONE; 4];
+            let [mut j, mut p, mut i, mut line] = [Range::NONE; 4];
             for _ in 0..height {
                 (line, p, i) = (line.with(value), p.with(first), i.with(down));
                 let mut step = first;
@@ -376,10 +264,10 @@ mod tests {
                 first += words.c;
             }
             let found = quadratic_increments(&q, &screen);
-            prop_assert_eq!([found.j, found.p, found.i, found.line_value], [j, p, i, line].map(Span::bits));
-            prop_assert_eq!([found.a2, found.b2, found.c], [words.a2, words.b2, words.c].map(bits_of));
+            prop_assert_eq!([found.j, found.p, found.i, found.line_value], [j, p, i, line].map(|range| range.bits()));
+            prop_assert_eq!([found.a2, found.b2, found.c], [words.a2, words.b2, words.c].map(bits));
             let p = Linear::new(a, b, c);
-            let lines: Span = (0..height).map(|y| p.wrapped_at(0, y, 100)).collect();
+            let lines: Range = (0..height).map(|y| p.wrapped_at(0, y, 100)).collect();
             prop_assert_eq!(linear_increments(&p, &screen).line_value, lines.bits());
         }
     }

@@ -58,6 +58,22 @@ impl Range {
         self.high <= other.low
     }
 
+    /// Whether the one is smaller than the other, where that is certain.
+    pub fn is_before(&self, other: &Range) -> Option<bool> {
+        match self.below(other) {
+            true => Some(true),
+            false => other.below(self).then_some(false),
+        }
+    }
+
+    /// Whether the number is not negative, where that is certain.
+    pub fn not_negative(&self) -> Option<bool> {
+        match self.low >= 0.0 {
+            true => Some(true),
+            false => (self.high < 0.0).then_some(false),
+        }
+    }
+
     /// The range of the greater of two numbers.
     pub fn max(&self, other: &Range) -> Range {
         Range::new(self.low.max(other.low), self.high.max(other.high))

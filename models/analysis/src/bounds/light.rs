@@ -93,8 +93,8 @@ impl Volume<'_> {
                 PlaneKind::Front if index == 0 && self.begins_at(seen) => Some(false),
                 PlaneKind::Back if index == 0 && self.begins_at(seen) => Some(true),
                 PlaneKind::Front => self.is_behind(&seen.depth, &value),
-                PlaneKind::Back => is_before(&seen.depth, &value),
-                PlaneKind::Perpendicular => sign(&value),
+                PlaneKind::Back => seen.depth.is_before(&value),
+                PlaneKind::Perpendicular => value.not_negative(),
             };
             all = both(all, kept);
         }
@@ -124,19 +124,19 @@ impl Volume<'_> {
     ) -> Option<bool> {
         let bounds: &RoundingBounds = &self.prepared.bounds;
         let f2 = words.f2_at(x, y, format);
-        let met = sign(&Range::of_dropped(f2, bounds.f2, bounds.dropped_f2));
+        let met = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2).not_negative();
         let (near, far) = face_ranges(words.f1_at(x, y, format), f2, bounds);
         // In depth words; the golden point is cut to the unit, which takes less than one.
         let [near, far] =
             [near, far].map(|r| Range::new((r.low - 1.0) * unit, (r.high + 1.0) * unit));
         let behind_near = self.is_behind(depth, &near);
-        let before_far = is_before(depth, &far);
+        let before_far = depth.is_before(&far);
         match words.class {
             Class::Prism => met,
             Class::Side => both(met, both(behind_near, before_far)),
             Class::Front => {
                 let between = both(
-                    is_before(depth, &near).map(|before| !before),
+                    depth.is_before(&near).map(|before| !before),
                     self.is_behind(depth, &far).map(|behind| !behind),
                 );
                 both(met, between).map(|inside| !inside)
@@ -153,22 +153,6 @@ impl Volume<'_> {
         } else {
             (point.high < start.low).then_some(false)
         }
-    }
-}
-
-fn is_before(point: &Range, end: &Range) -> Option<bool> {
-    if point.high < end.low {
-        Some(true)
-    } else {
-        (end.high < point.low).then_some(false)
-    }
-}
-
-fn sign(value: &Range) -> Option<bool> {
-    if value.low >= 0.0 {
-        Some(true)
-    } else {
-        (value.high < 0.0).then_some(false)
     }
 }
 

@@ -7,8 +7,8 @@ use super::jury::Jury;
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
 use super::outline::{Presence, Silhouette};
-use super::summary::Shows;
-use super::verdict::{Verdict, decide};
+use super::pixels::{Findings, Shown, Shows, Undecided, adrift_problem, unshown_problem};
+use super::verdict::decide;
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
@@ -93,71 +93,10 @@ pub struct ObjectBounds {
     pub normals_undetermined: usize,
 }
 
-/// Pixels that rounding could change.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Undecided {
-    /// The sign of f2 is open.
-    pub silhouette: usize,
-    /// A comparison with a plane, or with the near or far end, is open.
-    pub edge: usize,
-    /// Pixels of the picture at which the outline may be a pixel or more away from the true one.
-    pub adrift: usize,
-}
-
-impl Undecided {
-    /// Counts what is open at a pixel.
-    pub(super) fn count(&mut self, verdict: &Verdict) {
-        if let Verdict::Undecided { silhouette, .. } = verdict {
-            let open = if *silhouette {
-                &mut self.silhouette
-            } else {
-                &mut self.edge
-            };
-            *open += 1;
-        }
-    }
-}
-
-/// What a person should know of an outline that is adrift.
-pub(super) fn adrift_problem(adrift: &[(i64, i64)]) -> Option<String> {
-    let (x, y) = adrift.get(adrift.len() / 2)?;
-    Some(format!(
-        "rounding decides whether it is there at {} pixels, as at ({x}, {y}), where its outline may be a pixel or more away from the true one",
-        adrift.len()
-    ))
-}
-
 /// A report, and the normal bounds that the scene's quantile is taken of.
 pub(super) struct Review {
     pub report: QuadricReport,
     pub angles: Vec<f32>,
-}
-
-/// What one line of the golden pass finds.
-#[derive(Default)]
-struct Findings {
-    pixels: usize,
-    near_end: usize,
-    undetermined: usize,
-    depth: f64,
-    angles: Vec<f32>,
-    undecided: Undecided,
-    /// Line by line.
-    presence: Vec<Presence>,
-}
-
-impl Findings {
-    fn merged(mut self, other: Findings) -> Findings {
-        self.pixels += other.pixels;
-        self.near_end += other.near_end;
-        self.undetermined += other.undetermined;
-        self.depth = self.depth.max(other.depth);
-        self.angles.extend(other.angles);
-        self.undecided.silhouette += other.undecided.silhouette;
-        self.undecided.edge += other.undecided.edge;
-        self.presence.extend(other.presence);
-        self
-    }
 }
 
 pub(super) fn review(
@@ -165,6 +104,7 @@ pub(super) fn review(
     object: &PreparedQuadric,
     prepared: &PreparedScene,
     jury: &Jury,
+    shown: Shown,
 ) -> Review {
     let format = &prepared.format;
     let window = object.words.screen_box;
@@ -204,16 +144,15 @@ pub(super) fn review(
     let report = QuadricReport {
         name: object.name.clone(),
         kind: quadric_kind(&framed.quadric),
-        processor: "quadric",
+        processor: shown.processor,
         surface: framed.surface,
         class: object.words.class,
         planes: framed.planes.len(),
         screen_box: window,
         pixels: found.pixels,
-        // Of the whole picture, which the caller knows.
-        visible_pixels: 0,
-        shows: Shows::EmptyBox,
-        highlights: false,
+        visible_pixels: shown.visible_pixels,
+        shows: Shows::of(&window, found.pixels, shown.visible_pixels),
+        highlights: shown.highlights,
         front_view: object.words.class == Class::Front,
         prism: object.words.class == Class::Prism,
         degenerate: is_degenerate(quadric_kind(&framed.quadric)),
@@ -282,11 +221,7 @@ fn problems(
 ) -> Vec<String> {
     let mut problems = object.notes.clone();
     let window = &object.words.screen_box;
-    if found.pixels == 0 && !window.is_empty() {
-        problems.push(
-            "no pixel shows it: it falls between the pixels, or its planes leave nothing".into(),
-        );
-    }
+    problems.extend(unshown_problem(window, found.pixels));
     if found.near_end > 0 {
         problems.push(format!(
             "reaches nearer than the near end at {} pixels; a flat cap is drawn there",

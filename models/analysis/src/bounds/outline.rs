@@ -106,12 +106,7 @@ mod tests {
                 _ => Presence::Unclear,
             })
             .collect();
-        let window = ScreenBox {
-            x0: 1,
-            x1: 8,
-            y0: 1,
-            y1: 4,
-        };
+        let window = ScreenBox::of([1, 8], [1, 4]);
         Silhouette {
             window,
             presence: &presence,
@@ -154,12 +149,7 @@ mod tests {
     #[test]
     fn nothing_is_known_beyond_the_picture() {
         let presence = [Presence::Open; 4];
-        let window = ScreenBox {
-            x0: 0,
-            x1: 3,
-            y0: 0,
-            y1: 0,
-        };
+        let window = ScreenBox::of([0, 3], [0, 0]);
         let size = (4, 1);
         assert!(
             Silhouette {

@@ -3,9 +3,8 @@
 
 use super::jury::{Comparison, Judge, Jury};
 use super::kind::quadric_kind;
-use super::object::{Undecided, adrift_problem};
 use super::outline::{Presence, Silhouette};
-use super::summary::Shows;
+use super::pixels::{Findings, Shown, Shows, Undecided, adrift_problem, unshown_problem};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_prepare::{NeededWord, PreparedObject, PreparedScene};
@@ -51,32 +50,13 @@ pub struct PartsBounds {
     pub depth_lsb: f64,
 }
 
-/// What one line finds.
-#[derive(Default)]
-struct Findings {
-    pixels: usize,
-    depth: f64,
-    undecided: Undecided,
-    presence: Vec<Presence>,
-}
-
-impl Findings {
-    fn merged(mut self, other: Findings) -> Findings {
-        self.pixels += other.pixels;
-        self.depth = self.depth.max(other.depth);
-        self.undecided.silhouette += other.undecided.silhouette;
-        self.undecided.edge += other.undecided.edge;
-        self.presence.extend(other.presence);
-        self
-    }
-}
-
 pub(super) fn report(
     framed: &FramedObject,
     object: &PreparedObject,
     judge: &Judge,
     prepared: &PreparedScene,
     jury: &Jury,
+    shown: Shown,
 ) -> PartsReport {
     let words = object.words();
     let mut found = match judge {
@@ -91,26 +71,21 @@ pub(super) fn report(
     found.undecided.adrift = adrift.len();
     let mut problems = object.notes().to_vec();
     let window = *object.screen_box();
-    if found.pixels == 0 && !window.is_empty() {
-        problems.push(
-            "no pixel shows it: it falls between the pixels, or its planes leave nothing".into(),
-        );
-    }
+    problems.extend(unshown_problem(&window, found.pixels));
     problems.extend(adrift_problem(&adrift));
     PartsReport {
         name: object.name().to_owned(),
         kind: kind(framed),
         processor: match words.first() {
             Some(ProcessorWords::Quotient(_)) => "quotient",
-            _ => framed.processor(),
+            _ => shown.processor,
         },
         processors: words.len(),
         screen_box: window,
         pixels: found.pixels,
-        // Of the whole picture, which the caller knows.
-        visible_pixels: 0,
-        shows: Shows::EmptyBox,
-        highlights: false,
+        visible_pixels: shown.visible_pixels,
+        shows: Shows::of(&window, found.pixels, shown.visible_pixels),
+        highlights: shown.highlights,
         needed: match object {
             PreparedObject::Parts(parts) => parts.needed.clone(),
             _ => vec![],

@@ -8,8 +8,8 @@
 use super::accumulators::plane_bits;
 use super::contour::{displacement, steep_everywhere};
 use super::jury::Jury;
-use super::object::adrift_problem;
 use super::outline::{Presence, Silhouette};
+use super::pixels::adrift_problem;
 use super::verdict::decide;
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
@@ -94,24 +94,17 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part>
         for [first, last] in near_zero(object, format, y) {
             for x in (first..=last).filter(|&x| at(x, y) == Presence::Open) {
                 pixels += 1;
-                let one = ScreenBox {
-                    x0: x,
-                    x1: x,
-                    y0: y,
-                    y1: y,
-                };
+                let one = ScreenBox::of([x, x], [y, y]);
                 around = Some(around.map_or(one, |found| found.around(&one)));
             }
         }
     }
     let around = around.filter(|_| pixels > 3)?;
     // One more on each side, where the neighbours are.
-    let window = ScreenBox {
-        x0: around.x0 - 1,
-        x1: around.x1 + 1,
-        y0: around.y0 - 1,
-        y1: around.y1 + 1,
-    };
+    let window = ScreenBox::of(
+        [around.x0 - 1, around.x1 + 1],
+        [around.y0 - 1, around.y1 + 1],
+    );
     let window = window.in_zone(0, 0, prepared.width.into(), prepared.height.into());
     let lines = window.y0..=window.y1;
     Some(Part {
@@ -186,8 +179,8 @@ mod tests {
             v in proptest::array::uniform6(-40i128..40), scale in 0u32..24, e2 in 0.0f64..3000.0, x0 in 0i64..600, y0 in 0i64..400
         ) {
             let unit = 1i128 << scale;
-            let about = Quadratic { a: v[0] * unit, b: v[1] * unit, c: v[2] * unit, d: v[3] * unit, e: v[4] * unit, f: v[5] * unit };
-            let window = ScreenBox { x0, x1: x0 + 20, y0, y1: y0 + 14 };
+            let about = Quadratic::new([v[0] * unit, v[1] * unit, v[2] * unit, v[3] * unit, v[4] * unit, v[5] * unit]);
+            let window = ScreenBox::of([x0, x0 + 20], [y0, y0 + 14]);
             let words = imogene_golden::object::quadric::QuadricWords {
                 class: Class::Side,
                 screen_box: window,

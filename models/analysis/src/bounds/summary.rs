@@ -1,39 +1,14 @@
 //! What a scene needs and has, in short: the machine, and the objects that a person may want to know of.
 
-use super::ObjectReport;
 use super::guards::{ExactGuards, exact_guards};
 use super::needs::{MachineNeeds, machine_needs};
 use super::object::QuadricReport;
+use super::pixels::Shows;
+use super::report::ObjectReport;
 use imogene_golden::machine::beam;
-use imogene_golden::object::quadric::ScreenBox;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 use serde::Serialize;
-
-/// Whether the golden picture shows an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Shows {
-    /// At one pixel at least.
-    Visible,
-    /// Others are before it at all its pixels.
-    Hidden,
-    /// Its screen box has pixels, but none shows it: it falls between them, or its planes leave nothing.
-    BetweenPixels,
-    /// Its screen box holds no pixel: off the screen or its depth range, edge-on, cut away, or so small that it lies between the pixels.
-    EmptyBox,
-}
-
-impl Shows {
-    pub(super) fn of(window: &ScreenBox, pixels: usize, visible: usize) -> Shows {
-        match (pixels, visible) {
-            _ if window.is_empty() => Shows::EmptyBox,
-            (0, _) => Shows::BetweenPixels,
-            (_, 0) => Shows::Hidden,
-            _ => Shows::Visible,
-        }
-    }
-}
 
 /// The scene in short; objects by their names.
 #[derive(Clone, Debug, Serialize)]

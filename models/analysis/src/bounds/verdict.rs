@@ -53,11 +53,7 @@ pub(super) fn decide(object: &PreparedQuadric, format: &Format, x: i64, y: i64) 
     }
     let f2 = words.f2_at(x, y, format);
     let radicand = Range::of_dropped(f2, bounds.f2, bounds.dropped_f2);
-    let seen = if radicand.low >= 0.0 {
-        Some(true)
-    } else {
-        (radicand.high < 0.0).then_some(false)
-    };
+    let seen = radicand.not_negative();
     if seen == Some(false) && words.class != Class::Front {
         return Verdict::Absent;
     }

@@ -1,6 +1,6 @@
 //! Where objects end along a line of sight, behind the point at which they are first seen.
 
-use super::ray::{Hit, RayObject, ordered_roots};
+use super::ray::{Hit, RayObject, is_visible, ordered_roots};
 use super::real::SurdReal;
 use super::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::format::Format;
@@ -26,7 +26,7 @@ impl RayObject {
         let roots = ordered_roots(&a, &b, &c);
         match self.surface {
             Surface::Patch => {
-                let kept = |w: &SurdReal| self.is_visible(w) && self.planes_keep(w, x, y);
+                let kept = |w: &SurdReal| is_visible(w) && self.planes_keep(w, x, y);
                 let last = roots.and_then(|roots| roots.into_iter().rev().find(kept));
                 last.unwrap_or_else(|| hit.w.clone())
             }

@@ -1,6 +1,6 @@
 //! A mesh along one line of sight: flat facets with corners where they truly are, in exact integers.
 
-use super::ray::{Affine, Hit, common_integers, dot, first_degree, ray_points};
+use super::ray::{Affine, Hit, common_integers, dot, first_degree, is_visible, ray_points};
 use super::real::SurdReal;
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::object::facet::FACE_FACET;
@@ -9,7 +9,6 @@ use imogene_scene::{FramedFacet, FramedMesh, Projection};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-use std::cmp::Ordering;
 
 type Point = [BigRational; 3];
 
@@ -97,9 +96,7 @@ impl RayFacet {
             return None;
         }
         let w = SurdReal::ratio(-constant, slope);
-        let visible = w.cmp_ratio(&BigInt::from(-2), &BigInt::from(1)) != Ordering::Less
-            && w.signum() == Ordering::Less;
-        visible.then_some(w)
+        is_visible(&w).then_some(w)
     }
 }
 
@@ -152,7 +149,7 @@ fn window(corners: &[[BigRational; 2]]) -> ScreenBox {
         )
     };
     let ((x0, x1), (y0, y1)) = (bound(0), bound(1));
-    ScreenBox { x0, x1, y0, y1 }
+    ScreenBox::of([x0, x1], [y0, y1])
 }
 
 /// The factors of the plane through three points.

@@ -24,6 +24,12 @@ pub struct Hit {
     pub part: usize,
 }
 
+impl Hit {
+    fn new(w: SurdReal, number: u8) -> Hit {
+        Hit { w, number, part: 0 }
+    }
+}
+
 /// An object's equation along the rays of a screen: polynomials in pixel column and line with integer coefficients.
 #[derive(Clone, Debug)]
 pub struct RayObject {
@@ -89,23 +95,14 @@ impl RayObject {
     fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
         if a.is_zero() && !b.is_zero() {
             let w = SurdReal::ratio(-c, b.clone());
-            let there = self.is_visible(&w) && self.planes_keep(&w, x, y);
-            return there.then_some(Hit {
-                w,
-                number: FACE_NEAR,
-                part: 0,
-            });
+            let there = is_visible(&w) && self.planes_keep(&w, x, y);
+            return there.then_some(Hit::new(w, FACE_NEAR));
         }
         ordered_roots(a, b, c)?
             .into_iter()
             .zip([FACE_NEAR, FACE_FAR])
-            .find(|(w, _)| self.is_visible(w) && self.planes_keep(w, x, y))
-            .map(|(w, number)| Hit { w, number, part: 0 })
-    }
-
-    pub(super) fn is_visible(&self, w: &SurdReal) -> bool {
-        w.cmp_ratio(&BigInt::from(-2), &BigInt::one()) != Ordering::Less
-            && w.signum() == Ordering::Less
+            .find(|(w, _)| is_visible(w) && self.planes_keep(w, x, y))
+            .map(|(w, number)| Hit::new(w, number))
     }
 
     pub(super) fn planes_keep(&self, w: &SurdReal, x: i64, y: i64) -> bool {
@@ -132,11 +129,8 @@ impl RayObject {
         let (low, high) = self.kept_interval(x, y)?;
         let (start, end) = (&low.w, &high);
         if at_ratio(a, b, c, start) <= Ordering::Equal {
-            return Some(Hit {
-                w: SurdReal::ratio(start.0.clone(), start.1.clone()),
-                number: low.number,
-                part: 0,
-            });
+            let w = SurdReal::ratio(start.0.clone(), start.1.clone());
+            return Some(Hit::new(w, low.number));
         }
         let kept = |w: &SurdReal| {
             w.cmp_ratio(&start.0, &start.1) != Ordering::Less
@@ -146,18 +140,14 @@ impl RayObject {
         if a.is_zero() && !b.is_zero() {
             // A line of sight that meets the quadric once enters it there.
             let w = SurdReal::ratio(-c, b.clone());
-            return kept(&w).then_some(Hit {
-                w,
-                number: FACE_NEAR,
-                part: 0,
-            });
+            return kept(&w).then_some(Hit::new(w, FACE_NEAR));
         }
         let roots = ordered_roots(a, b, c)?;
         roots
             .into_iter()
             .zip([FACE_NEAR, FACE_FAR])
             .find(|(w, _)| kept(w))
-            .map(|(w, number)| Hit { w, number, part: 0 })
+            .map(|(w, number)| Hit::new(w, number))
     }
 
     /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and an end.
@@ -191,6 +181,11 @@ impl RayObject {
         let zero = (BigInt::zero(), BigInt::one());
         (!less(&high, &low.w) && less(&low.w, &zero)).then_some((low, high))
     }
+}
+
+/// Between the near and the far end.
+pub(super) fn is_visible(w: &SurdReal) -> bool {
+    w.cmp_ratio(&BigInt::from(-2), &BigInt::one()) != Ordering::Less && w.signum() == Ordering::Less
 }
 
 /// A rational with positive denominator.

@@ -1,7 +1,7 @@
 //! Real numbers with one square root, compared exactly.
 
-use super::surd::Surd;
-use num_bigint::{BigInt, Sign};
+use super::surd::{Surd, order, sign_with_root};
+use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
@@ -87,28 +87,6 @@ impl Ord for SurdReal {
     }
 }
 
-fn order(sign: Sign) -> Ordering {
-    match sign {
-        Sign::Minus => Ordering::Less,
-        Sign::NoSign => Ordering::Equal,
-        Sign::Plus => Ordering::Greater,
-    }
-}
-
-/// Sign of `a + s sqrt(b)`, b >= 0.
-pub(super) fn sign_with_root(a: &BigInt, s: i32, b: &BigInt) -> Ordering {
-    let root = if b.is_zero() { 0 } else { s };
-    let rational = order(a.sign());
-    match (rational, root) {
-        (_, 0) => rational,
-        (Ordering::Equal, 1) | (Ordering::Greater, 1) => Ordering::Greater,
-        (Ordering::Equal, _) | (Ordering::Less, -1) => Ordering::Less,
-        // Opposite signs: the greater square wins.
-        (Ordering::Less, _) => b.cmp(&(a * a)),
-        (Ordering::Greater, _) => (a * a).cmp(b),
-    }
-}
-
 /// Sign of `a + s sqrt(b) + t sqrt(c)`.
 fn sign_with_two_roots(a: &BigInt, s: i32, b: &BigInt, t: i32, c: &BigInt) -> Ordering {
     let left = sign_with_root(a, s, b);
@@ -121,20 +99,11 @@ fn sign_with_two_roots(a: &BigInt, s: i32, b: &BigInt, t: i32, c: &BigInt) -> Or
         _ => {
             let rational = a * a + b - c;
             let product = BigInt::from(2 * s) * a;
-            let squared = order(product.sign());
-            let against = sign_with_root(
-                &rational,
-                match squared {
-                    Ordering::Less => -1,
-                    Ordering::Equal => 0,
-                    Ordering::Greater => 1,
-                },
-                &(&product * &product * b),
-            );
-            if left == Ordering::Greater {
-                against
-            } else {
-                against.reverse()
+            let square = &product * &product * b;
+            let against = sign_with_root(&rational, order(&product) as i32, &square);
+            match left {
+                Ordering::Greater => against,
+                _ => against.reverse(),
             }
         }
     }

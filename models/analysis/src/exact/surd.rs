@@ -1,6 +1,5 @@
 //! The numbers `u + v sqrt(q)` of one q: sums, products and signs, exactly.
 
-use super::real::sign_with_root;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -76,13 +75,28 @@ impl Surd {
 
     /// The sign, against zero.
     pub fn sign(&self) -> Ordering {
-        let s = match self.v.cmp(&BigInt::zero()) {
-            Ordering::Less => -1,
-            Ordering::Equal => return self.u.cmp(&BigInt::zero()),
-            Ordering::Greater => 1,
-        };
         debug_assert!(!self.q.is_negative());
-        sign_with_root(&self.u, s, &(&self.v * &self.v * &*self.q))
+        let square = &self.v * &self.v * &*self.q;
+        sign_with_root(&self.u, order(&self.v) as i32, &square)
+    }
+}
+
+/// The sign, against zero.
+pub(super) fn order(value: &BigInt) -> Ordering {
+    value.cmp(&BigInt::ZERO)
+}
+
+/// Sign of `a + s sqrt(b)`, b >= 0.
+pub(super) fn sign_with_root(a: &BigInt, s: i32, b: &BigInt) -> Ordering {
+    let root = if b.is_zero() { 0 } else { s };
+    let rational = order(a);
+    match (rational, root) {
+        (_, 0) => rational,
+        (Ordering::Equal, 1) | (Ordering::Greater, 1) => Ordering::Greater,
+        (Ordering::Equal, _) | (Ordering::Less, -1) => Ordering::Less,
+        // Opposite signs: the greater square wins.
+        (Ordering::Less, _) => b.cmp(&(a * a)),
+        (Ordering::Greater, _) => (a * a).cmp(b),
     }
 }
 

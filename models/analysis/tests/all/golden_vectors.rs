@@ -111,14 +111,7 @@ const CYLINDER_ROWS: [Row; 7] = [
 fn cylinder_words() {
     let words = words_of(&cut_cylinder(Surface::Solid));
     assert_eq!(words.f1, Linear::new(0, 0, 1_897_423));
-    let f2 = Quadratic {
-        a: -41_886_147,
-        b: 0,
-        c: 0,
-        d: 30_158_026_029,
-        e: 0,
-        f: -5_179_122_380_046,
-    };
+    let f2 = Quadratic::new([-41_886_147, 0, 0, 30_158_026_029, 0, -5_179_122_380_046]);
     assert_eq!(words.f2, f2);
     let planes: Vec<_> = words.planes.iter().map(|p| (p.kind, p.depth)).collect();
     let expected = [
@@ -236,14 +229,14 @@ const SPHERE_ROWS: [((i64, i64), [i64; 5]); 4] = [
 fn sphere_words_and_pixels() {
     let words = words_of(&sphere_scene());
     assert_eq!(words.f1, Linear::new(-100, 50, 1_921_817));
-    let f2 = Quadratic {
-        a: -41_863_718,
-        b: -41_871_193,
-        c: -9_967,
-        d: 31_440_272_584,
-        e: 21_966_180_078,
-        f: -8_533_734_878_403,
-    };
+    let f2 = Quadratic::new([
+        -41_863_718,
+        -41_871_193,
+        -9_967,
+        31_440_272_584,
+        21_966_180_078,
+        -8_533_734_878_403,
+    ]);
     assert_eq!(words.f2, f2);
     for ((x, y), [f1, f2, root, zf, zb]) in SPHERE_ROWS {
         assert_eq!(words.f1.wrapped_at(x, y, Format::BASE.sum) as i64, f1);

@@ -121,12 +121,7 @@ fn a_cut_wall_does_not_show_the_ghost_behind_the_viewer() {
     let naive = |x, y| {
         let (f1, f2) = values(words, x, y);
         let r = fast_root(f2);
-        let both = Interval {
-            zf: f1 - r,
-            zb: f1 + r,
-            nf: 0,
-            nb: 1,
-        };
+        let both = Interval::new((f1 - r, 0), (f1 + r, 1));
         cut(
             both,
             plane.kind,
@@ -286,12 +281,7 @@ fn the_screen_box_hides_the_wrapped_discriminant() {
         "within sqrt(2) D of the centre the sign is right"
     );
     let mut naive = words.clone();
-    naive.screen_box = ScreenBox {
-        x0: 0,
-        x1: 719,
-        y0: 0,
-        y1: 539,
-    };
+    naive.screen_box = ScreenBox::of([0, 719], [0, 539]);
     let ghosts = golden_pixels(&naive) - golden_pixels(words);
     println!("{ghosts} ghost pixels without the screen box");
     assert!(ghosts > 1000);

@@ -224,12 +224,8 @@ impl CutShape {
             (false, 1) => Class::Side,
             (false, _) => Class::Front,
         };
-        let seen = match discriminant {
-            Range { low, .. } if low >= 0.0 => Some(true),
-            Range { high, .. } if high < 0.0 => Some(false),
-            _ => None,
-        };
-        Some((class, seen, self.two_roots(b, c, discriminant.root())))
+        let roots = self.two_roots(b, c, discriminant.root());
+        Some((class, discriminant.not_negative(), roots))
     }
 
     /// `(-b -+ root) / 2a` in ascending order; the one in which terms of one sign are added gives the other by c.
