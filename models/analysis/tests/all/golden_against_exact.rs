@@ -58,7 +58,7 @@ struct Pictures {
 }
 
 fn scene_files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let entries = std::fs::read_dir(folder).expect("the scenes folder");
     let mut files: Vec<PathBuf> = entries
         .map(|e| e.expect("readable").path())

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../scenes")
+        .join("../../scenes")
         .join(name)
 }
 

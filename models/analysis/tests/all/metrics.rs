@@ -265,8 +265,7 @@ fn backs_of_the_scenes_agree_with_the_processors() {
         ("front-view", 80.0),
         ("crossing-cylinders", 80.0),
     ] {
-        let path =
-            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../../scenes/{name}.toml"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
         let scene = SceneFile::read(&path).unwrap().frame(160, 120).unwrap();
         let truth = Truth::new(&scene, || ());
         let drawing = Drawing::of(&prepare(&scene, F).unwrap(), &scene);

@@ -12,7 +12,7 @@ use std::path::Path;
 
 fn framed(name: &str) -> FramedScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../scenes")
+        .join("../../scenes")
         .join(name);
     let file = SceneFile::read(&path).unwrap();
     file.frame(192, 144).unwrap()

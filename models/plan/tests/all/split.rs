@@ -128,7 +128,7 @@ fn lights_and_guard_bits_are_the_same_however_the_picture_is_divided() {
 /// The balance of loads that are known: lines share a box evenly, zones do not.
 #[test]
 fn balance_is_the_mean_over_the_most() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/cut-sphere.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");
     let scene = prepared(&path).expect("fits");
     let alone = Divided::draw(
         &scene,

@@ -469,7 +469,7 @@ fn every_sweep_has_scenes_that_can_be_written_and_names_that_can_be_found() {
 /// The page and its plots are what the program says today.
 #[test]
 fn the_page_and_the_plots_are_current() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs");
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let page = std::fs::read_to_string(docs.join("sweeps.md")).expect("the page");
     let advice =
         "run `imogene sweep --out docs/images/sweeps` and renew docs/sweeps.md as its end says";

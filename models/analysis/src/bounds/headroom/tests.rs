@@ -10,7 +10,7 @@ use num_traits::Signed;
 use std::path::Path;
 
 fn scene(name: &str, width: u32, height: u32) -> FramedScene {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let file = SceneFile::read(&folder.join(name)).expect("a scene of the collection");
     file.frame(width, height).expect("a valid size")
 }

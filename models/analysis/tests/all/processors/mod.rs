@@ -39,7 +39,7 @@ struct Pictures {
 }
 
 fn file(name: &str) -> SceneFile {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/processors");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors");
     SceneFile::read(&path.join(format!("{name}.toml"))).expect("valid")
 }
 

@@ -46,7 +46,7 @@ fn a_scene_with_a_spot_has_the_shadows_of_the_exact_rays() {
 #[test]
 fn the_robot_has_the_shadows_of_the_exact_rays() {
     let mut tally = Tally::default();
-    let volumes = compare_file("../../../scenes/shadows/robot.toml", (120, 90), &mut tally);
+    let volumes = compare_file("../../scenes/shadows/robot.toml", (120, 90), &mut tally);
     assert!(volumes > 100);
     assert!(tally.lit > 3_000 && tally.dark > 2_000, "{tally:?}");
     assert!(tally.open <= 22 && tally.differing <= 15, "{tally:?}");

@@ -48,9 +48,9 @@ pub fn by_beats(beats: impl Iterator<Item = Beat>, timing: &ZoneTiming) -> u64 {
 fn the_formula_is_what_the_stream_takes() {
     let mut waited = 0;
     for path in [
-        "../../../scenes/shadows/robot.toml",
-        "../../../scenes/teapot.toml",
-        "../../../scenes/processors/mesh.toml",
+        "../../scenes/shadows/robot.toml",
+        "../../scenes/teapot.toml",
+        "../../scenes/processors/mesh.toml",
     ] {
         let prepared = scene(path, (72, 54), with_facets());
         for (side, k, v) in [(4, 1, 1), (8, 16, 8), (32, 4, 2), (100, 2, 3)] {
@@ -92,7 +92,7 @@ fn the_formula_is_what_the_stream_takes() {
 /// One object in one zone, by hand.
 #[test]
 fn one_zone_of_one_object() {
-    let prepared = scene("../../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
+    let prepared = scene("../../scenes/ellipsoid.toml", (40, 30), Format::BASE);
     let machine = ZoneMachine {
         object_processors: 1,
         planes: 3,
@@ -114,11 +114,7 @@ fn one_zone_of_one_object() {
 
 #[test]
 fn more_processors_take_fewer_clocks_and_the_same_words() {
-    let prepared = scene(
-        "../../../scenes/shadows/robot.toml",
-        (160, 120),
-        Format::BASE,
-    );
+    let prepared = scene("../../scenes/shadows/robot.toml", (160, 120), Format::BASE);
     let rows = growth(
         &prepared,
         &MACHINE,

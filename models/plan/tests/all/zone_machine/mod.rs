@@ -49,7 +49,7 @@ fn scene(path: &str, (width, height): (u32, u32), format: Format) -> PreparedSce
 /// The polyhedra of the collection with shadows, which are volumes of planes alone.
 fn polyhedra_with_shadows(size: (u32, u32)) -> PreparedScene {
     let path =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenes/processors/polyhedron.toml");
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/processors/polyhedron.toml");
     let text = std::fs::read_to_string(path).expect("a readable file");
     let shadows = text.replace("[[lights]]\n", "[[lights]]\nshadows = true\n");
     let file = SceneFile::parse(&shadows, "polyhedra with shadows").expect("a valid scene");
@@ -127,11 +127,11 @@ fn assert_same_on_every_machine(prepared: &PreparedScene) -> Truth {
 #[test]
 fn scenes_without_shadows_are_drawn() {
     for path in [
-        "../../../scenes/teapot.toml",
-        "../../../scenes/molecule.toml",
-        "../../../scenes/cut-sphere.toml",
-        "../../../scenes/front-view.toml",
-        "../../../scenes/orthographic.toml",
+        "../../scenes/teapot.toml",
+        "../../scenes/molecule.toml",
+        "../../scenes/cut-sphere.toml",
+        "../../scenes/front-view.toml",
+        "../../scenes/orthographic.toml",
     ] {
         let truth = assert_same_on_every_machine(&scene(path, (83, 61), Format::BASE));
         assert!(truth.frame.covered() > 300, "{path}");
@@ -142,8 +142,8 @@ fn scenes_without_shadows_are_drawn() {
 #[test]
 fn samples_are_the_pixels_of_a_finer_picture() {
     for path in [
-        "../../../scenes/teapot.toml",
-        "../../../scenes/shadows/robot.toml",
+        "../../scenes/teapot.toml",
+        "../../scenes/shadows/robot.toml",
     ] {
         let prepared = scene(path, (88, 68), Format::BASE);
         let truth = Truth::of(&prepared, &prepared.slots());
@@ -164,7 +164,7 @@ fn samples_are_the_pixels_of_a_finer_picture() {
 #[test]
 fn four_hundred_and_eighty_spheres_are_drawn() {
     let prepared = scene(
-        "../../../scenes/zones/molecule-480.toml",
+        "../../scenes/zones/molecule-480.toml",
         (320, 240),
         Format::BASE,
     );
@@ -180,7 +180,7 @@ fn four_hundred_and_eighty_spheres_are_drawn() {
 #[test]
 fn scenes_of_other_processors_are_drawn() {
     for name in ["polyhedron", "patch-processor", "tetrahedra", "mesh"] {
-        let path = format!("../../../scenes/processors/{name}.toml");
+        let path = format!("../../scenes/processors/{name}.toml");
         let truth = assert_same_on_every_machine(&scene(&path, (83, 61), with_facets()));
         assert!(truth.frame.covered() > 300, "{name}");
     }
@@ -190,8 +190,8 @@ fn scenes_of_other_processors_are_drawn() {
 fn scenes_with_shadows_are_drawn() {
     let of_file = |path| (path, scene(path, (72, 54), Format::BASE));
     for (path, prepared) in [
-        of_file("../../../scenes/shadows/robot.toml"),
-        of_file("../../../scenes/shadows/dna.toml"),
+        of_file("../../scenes/shadows/robot.toml"),
+        of_file("../../scenes/shadows/dna.toml"),
         of_file("../testkit/scenes/shadows.toml"),
         ("polyhedra with shadows", polyhedra_with_shadows((72, 54))),
     ] {
@@ -222,7 +222,7 @@ fn other_formats_are_drawn() {
     ];
     for format in formats {
         let format = format.expect("guard bits");
-        let prepared = scene("../../../scenes/shadows/robot.toml", (60, 45), format);
+        let prepared = scene("../../scenes/shadows/robot.toml", (60, 45), format);
         assert_same_on_every_machine(&prepared);
     }
 }
@@ -232,8 +232,8 @@ fn other_formats_are_drawn() {
 fn a_machine_is_used_again() {
     let mut model = ZoneMachineModel::new(&Format::BASE, &MACHINE);
     for path in [
-        "../../../scenes/shadows/robot.toml",
-        "../../../scenes/teapot.toml",
+        "../../scenes/shadows/robot.toml",
+        "../../scenes/teapot.toml",
         "../testkit/scenes/shadows.toml",
     ] {
         let prepared = scene(path, (72, 54), Format::BASE);
@@ -245,7 +245,7 @@ fn a_machine_is_used_again() {
 
 #[test]
 fn the_last_beat_and_the_last_pixel_say_so() {
-    let prepared = scene("../../../scenes/teapot.toml", (83, 61), Format::BASE);
+    let prepared = scene("../../scenes/teapot.toml", (83, 61), Format::BASE);
     let plan = ZonePlan::of(&prepared, MACHINE).expect("fits the machine");
     let objects = prepared.objects.len();
     let materials: Vec<u32> = (0..objects as u32).map(|id| 7 * id % 256).collect();
@@ -292,8 +292,8 @@ static PERMUTED: LazyLock<Vec<(ZonePlan, Truth)>> = LazyLock::new(|| {
         (plan, truth)
     };
     vec![
-        twice("../../../scenes/shadows/robot.toml"),
-        twice("../../../scenes/molecule.toml"),
+        twice("../../scenes/shadows/robot.toml"),
+        twice("../../scenes/molecule.toml"),
     ]
 });
 

@@ -43,22 +43,22 @@ fn assert_same(prepared: &PreparedScene, machine: ZoneMachine, truth: &Truth) ->
 fn refined_plans_draw_the_same_pictures() {
     let size = (83, 61);
     let scenes = [
-        scene("../../../scenes/teapot.toml", size, Format::BASE),
-        scene("../../../scenes/front-view.toml", size, Format::BASE),
-        scene("../../../scenes/orthographic.toml", size, Format::BASE),
-        scene("../../../scenes/processors/mesh.toml", size, with_facets()),
+        scene("../../scenes/teapot.toml", size, Format::BASE),
+        scene("../../scenes/front-view.toml", size, Format::BASE),
+        scene("../../scenes/orthographic.toml", size, Format::BASE),
+        scene("../../scenes/processors/mesh.toml", size, with_facets()),
         scene(
-            "../../../scenes/processors/polyhedron.toml",
+            "../../scenes/processors/polyhedron.toml",
             size,
             Format::BASE,
         ),
         scene(
-            "../../../scenes/processors/patch-processor.toml",
+            "../../scenes/processors/patch-processor.toml",
             size,
             Format::BASE,
         ),
-        scene("../../../scenes/shadows/robot.toml", size, Format::BASE),
-        scene("../../../scenes/shadows/dna.toml", size, Format::BASE),
+        scene("../../scenes/shadows/robot.toml", size, Format::BASE),
+        scene("../../scenes/shadows/dna.toml", size, Format::BASE),
         scene("../testkit/scenes/shadows.toml", size, Format::BASE),
         polyhedra_with_shadows(size),
     ];
@@ -91,11 +91,7 @@ fn refined_plans_draw_the_same_pictures() {
 /// The robot's shadows: two in three do not reach the zones that their boxes meet, and bounds say so.
 #[test]
 fn most_shadows_of_the_robot_stay_out_of_most_zones() {
-    let prepared = scene(
-        "../../../scenes/shadows/robot.toml",
-        (160, 120),
-        Format::BASE,
-    );
+    let prepared = scene("../../scenes/shadows/robot.toml", (160, 120), Format::BASE);
     let machine = ZoneMachine {
         zone_width: 16,
         zone_height: 16,
@@ -113,8 +109,8 @@ fn guard_bits_and_other_depth_words_are_refined() {
         let format = Format::new(depth).expect("in the catalogue");
         let format = format.with_guards(linear, quadratic).expect("guard bits");
         for path in [
-            "../../../scenes/shadows/robot.toml",
-            "../../../scenes/front-view.toml",
+            "../../scenes/shadows/robot.toml",
+            "../../scenes/front-view.toml",
         ] {
             let prepared = scene(path, (60, 45), format);
             let truth = Truth::of(&prepared, &prepared.slots());

@@ -20,7 +20,7 @@ fn processors_without_an_equal_are_named() {
         ("paraboloids", "a paraboloid"),
         ("curved-facet", "a curved facet"),
     ] {
-        let path = format!("../../../scenes/processors/{name}.toml");
+        let path = format!("../../scenes/processors/{name}.toml");
         let message = refused(&path, MACHINE).to_string();
         assert!(
             message.starts_with("object '") && message.contains(what),
@@ -32,7 +32,7 @@ fn processors_without_an_equal_are_named() {
 
 #[test]
 fn a_mesh_needs_guard_bits() {
-    let PlanError::Object { why, .. } = refused("../../../scenes/processors/mesh.toml", MACHINE)
+    let PlanError::Object { why, .. } = refused("../../scenes/processors/mesh.toml", MACHINE)
     else {
         panic!("an object is refused")
     };
@@ -50,7 +50,7 @@ fn a_mesh_needs_guard_bits() {
 
 #[test]
 fn planes_and_processors_must_be_there() {
-    let robot = "../../../scenes/shadows/robot.toml";
+    let robot = "../../scenes/shadows/robot.toml";
     let message = |machine| refused(robot, machine).to_string();
     let few = ZoneMachine {
         planes: 0,
@@ -116,7 +116,7 @@ fn planes_and_processors_must_be_there() {
 
 #[test]
 fn ids_and_materials_are_counted() {
-    let mut prepared = scene("../../../scenes/teapot.toml", SIZE, Format::BASE);
+    let mut prepared = scene("../../scenes/teapot.toml", SIZE, Format::BASE);
     let plan = ZonePlan::of(&prepared, MACHINE).expect("fits");
     let message = plan
         .shaded(vec![], vec![0])
