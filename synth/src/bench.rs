@@ -1,18 +1,33 @@
 //! A design and its harness in a folder, measured with the tools of a target.
 
 use crate::error::SynthError;
-use crate::flow::{Options, Programs};
 use crate::harness;
 use crate::nextpnr::{self, RouteReport, Run};
 use crate::report::{SeedResult, median};
 use crate::target::Target;
+use crate::tools::Programs;
 use crate::yosys::{self, Resources, Statistics};
+use imogene_rtl::emit::Emitted;
+use imogene_tools::{read, write};
 use rayon::prelude::*;
 use std::path::Path;
 
 /// Names of the netlists in the folder.
 const UNIT_NETLIST: &str = "unit.json";
 const HARNESS_NETLIST: &str = "harness.json";
+
+/// How a synthesis is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Seeds of place and route, from 1; with 0 the clock is not measured.
+    pub seeds: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { seeds: 3 }
+    }
+}
 
 /// A folder with a design and its harness, and how Yosys reads them.
 pub(crate) struct Bench<'a> {
@@ -37,7 +52,27 @@ pub(crate) struct Clock {
     pub fmax_mhz: Option<f64>,
 }
 
-impl Bench<'_> {
+impl<'a> Bench<'a> {
+    /// An emitted unit and its harness, whose texts are written into the folder.
+    pub fn of(
+        programs: &'a Programs,
+        target: Target,
+        folder: &'a Path,
+        unit: &'a Emitted,
+        harness: &str,
+    ) -> Result<Self, SynthError> {
+        write(&folder.join("unit.v"), &unit.bundle())?;
+        write(&folder.join("harness.v"), harness)?;
+        Ok(Self {
+            programs,
+            target,
+            folder,
+            top: &unit.top,
+            read: "read_verilog unit.v",
+            read_with_harness: "read_verilog unit.v harness.v",
+        })
+    }
+
     /// Resources of the design alone; its netlist stays in the folder.
     pub fn resources(&self) -> Result<(Statistics, Resources), SynthError> {
         let script = format!(
@@ -47,9 +82,7 @@ impl Bench<'_> {
             self.target.statistics()
         );
         yosys::run(&self.programs.yosys, self.folder, &script)?;
-        let path = self.folder.join("unit.stat");
-        let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
-        let statistics = yosys::parse_statistics(&text)?;
+        let statistics = yosys::parse_statistics(&read(&self.folder.join("unit.stat"))?)?;
         let resources = yosys::resources(self.target.family(), &statistics.cells);
         Ok((statistics, resources))
     }

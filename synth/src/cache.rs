@@ -1,28 +1,11 @@
 //! Results kept by what they depend on, so that a table is made again only where something changed.
 
-use crate::error::SynthError;
-use crate::workspace::build_folder;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
-use sha2::{Digest, Sha256};
-use std::path::PathBuf;
+use imogene_tools::{Kept, target_folder};
 
 /// Digest of a Verilog text; comment lines do not count, for they change no cell.
 pub fn digest(verilog: &str) -> String {
-    let lines = verilog
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
-    hash(lines)
-}
-
-fn hash<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
-    let mut hasher = Sha256::new();
-    for part in parts {
-        hasher.update(part.as_bytes());
-        hasher.update(b"\n");
-    }
-    let bytes = hasher.finalize();
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+    let lines = verilog.lines();
+    imogene_tools::digest(lines.filter(|line| !line.trim_start().starts_with("//")))
 }
 
 /// Whether kept results count.
@@ -35,43 +18,12 @@ pub enum Cache {
     Renew,
 }
 
-/// Where one result is kept.
-pub(crate) struct Kept {
-    path: Option<PathBuf>,
-}
-
-impl Kept {
-    /// The place of a result that depends on these texts alone. Outside a checkout nothing is kept.
-    pub fn new(parts: &[&str]) -> Self {
-        let name = format!("{}.json", hash(parts.iter().copied()));
-        let path = build_folder().map(|folder| folder.join("synth-cache").join(name));
-        Self { path }
-    }
-
-    /// The result, if it is kept and of this form.
-    pub fn load<T: DeserializeOwned>(&self) -> Option<T> {
-        let text = std::fs::read_to_string(self.path.as_ref()?).ok()?;
-        serde_json::from_str(&text).ok()
-    }
-
-    /// Keeps a result.
-    pub fn store(&self, result: &impl Serialize) -> Result<(), SynthError> {
-        let Some(path) = &self.path else {
-            return Ok(());
-        };
-        let folder = path
-            .parent()
-            .expect("an entry lies in the folder of the cache");
-        std::fs::create_dir_all(folder).map_err(SynthError::file(folder))?;
-        let text =
-            serde_json::to_string_pretty(result).expect("results have no unserialisable keys");
-        // Written beside and renamed: another process never reads half an entry.
-        let mut file = tempfile::NamedTempFile::new_in(folder).map_err(SynthError::file(folder))?;
-        std::io::Write::write_all(&mut file, text.as_bytes()).map_err(SynthError::file(path))?;
-        file.persist(path)
-            .map_err(|error| SynthError::file(path)(error.error))?;
-        Ok(())
-    }
+/// The place of a result that depends on these texts alone. Outside a checkout nothing is kept.
+pub(crate) fn kept(parts: &[&str]) -> Kept {
+    Kept::new(
+        target_folder().map(|folder| folder.join("synth-cache")),
+        parts,
+    )
 }
 
 #[cfg(test)]
@@ -81,10 +33,8 @@ mod tests {
     #[test]
     fn comments_do_not_change_the_digest() {
         let text = "// a\nmodule m;\nendmodule\n";
-        assert_eq!(
-            digest(text),
-            digest("// b\n    // c\nmodule m;\nendmodule\n")
-        );
+        let other = "// b\n    // c\nmodule m;\nendmodule\n";
+        assert_eq!(digest(text), digest(other));
         assert_ne!(digest(text), digest("module n;\nendmodule\n"));
     }
 }

@@ -1,9 +1,8 @@
 //! Why a unit could not be synthesised.
 
 use crate::peer::PeerError;
-use crate::target::Target;
 use imogene_contract::RequestError;
-use std::path::Path;
+use imogene_tools::{FileError, last_lines};
 use thiserror::Error;
 
 /// A synthesis that did not happen.
@@ -12,12 +11,6 @@ pub enum SynthError {
     /// The unit cannot be emitted.
     #[error("{0}")]
     Emit(#[from] RequestError),
-    /// No target has this name.
-    #[error("there is no target `{name}`; the targets are {}", Target::names().join(", "))]
-    Target {
-        /// The name asked for.
-        name: String,
-    },
     /// A target whose cells have no simulation models here.
     #[error(
         "the netlist for `{target}` cannot be simulated; targets with models of their cells: ice40-hx8k, ice40-up5k, ecp5-45k, ecp5-85k"
@@ -40,7 +33,7 @@ pub enum SynthError {
     #[error(
         "`{tool}` is not installed (Python package {package}); `scripts/setup --synth` installs it, or set {} to the folder \
          that holds it",
-        crate::tools::FOLDER_VARIABLE
+        imogene_tools::FOLDER_VARIABLE
     )]
     MissingTool {
         /// Program looked for.
@@ -100,20 +93,16 @@ pub enum SynthError {
     #[error("the picture cannot be drawn: {0}")]
     Picture(String),
     /// A file could not be read or written.
-    #[error("{path}: {source}")]
-    File {
-        /// The file.
-        path: String,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
 }
 
 impl SynthError {
-    pub(crate) fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
-        move |source| Self::File {
-            path: path.display().to_string(),
-            source,
+    /// What a tool said before it gave up.
+    pub(crate) fn tool(tool: &str, said: &str) -> Self {
+        Self::Tool {
+            tool: tool.to_owned(),
+            message: last_lines(said),
         }
     }
 }

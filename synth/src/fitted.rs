@@ -6,14 +6,15 @@
 
 mod modules;
 
-use crate::bench::Bench;
-use crate::cache::{Kept, digest};
+use crate::bench::{Bench, Options};
+use crate::cache::{digest, kept};
 use crate::error::SynthError;
-use crate::flow::{Options, Programs, write};
 use crate::harness;
 use crate::target::{Family, Target};
+use crate::tools::Programs;
 use crate::yosys::{self, Resources};
 use imogene_rtl::emit::Emitted;
+use imogene_tools::{Kept, read, scratch, write};
 use modules::{Module, closure, is_of, modules, ports};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -92,7 +93,7 @@ impl Knowledge {
         let all = format!("{:?}", programs.versions());
         let key = |kind: &str, digest: &str| {
             let versions = if kind == OWN_CELLS { &yosys } else { &all };
-            Kept::new(&[
+            kept(&[
                 kind,
                 digest,
                 target.name(),
@@ -188,8 +189,8 @@ fn synthesise_alone(
     programs: &Programs,
     target: Target,
 ) -> Result<Vec<Resources>, SynthError> {
-    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
-    write(folder.path(), "machine.v", &machine.bundle())?;
+    let folder = scratch()?;
+    write(&folder.path().join("machine.v"), &machine.bundle())?;
     let mut script = String::from("read_verilog machine.v; design -save machine");
     for module in batch {
         script += "; design -load machine";
@@ -205,8 +206,7 @@ fn synthesise_alone(
     }
     yosys::run(&programs.yosys, folder.path(), &script)?;
     let read = |module: &Module| {
-        let path = folder.path().join(format!("{}.stat", module.name));
-        let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
+        let text = read(&folder.path().join(format!("{}.stat", module.name)))?;
         let statistics = yosys::parse_statistics(&text)?;
         Ok(yosys::resources(target.family(), &statistics.cells))
     };
@@ -264,17 +264,9 @@ fn clocks(
         if let Some(clock) = kept.load::<Option<f64>>() {
             return Ok(clock.map(|clock| (digest, clock)));
         }
-        let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
-        write(folder.path(), "unit.v", &unit.bundle())?;
-        write(folder.path(), "harness.v", &harness::verilog(&unit))?;
-        let bench = Bench {
-            programs,
-            target,
-            folder: folder.path(),
-            top: &unit.top,
-            read: "read_verilog unit.v",
-            read_with_harness: "read_verilog unit.v harness.v",
-        };
+        let folder = scratch()?;
+        let harness = harness::verilog(&unit);
+        let bench = Bench::of(programs, target, folder.path(), &unit, &harness)?;
         bench.resources()?;
         let clock = bench.clock(&Options { seeds: 1 })?.fmax_mhz;
         kept.store(&clock)?;

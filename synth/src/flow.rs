@@ -1,30 +1,18 @@
 //! One synthesis from request to report.
 
+pub use crate::bench::Options;
 use crate::bench::{Bench, Clock};
-use crate::cache::{Cache, Kept, digest};
+use crate::cache::{Cache, digest, kept};
 use crate::error::SynthError;
 use crate::harness;
 use crate::report::{SynthReport, thousandths};
 use crate::target::{Family, Target};
-use crate::tools::{Program, Tool};
+use crate::tools::Programs;
 use imogene_contract::Request;
 use imogene_rtl::emit::{Emitted, emit};
+use imogene_tools::scratch;
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::time::Instant;
-
-/// How a synthesis is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Seeds of place and route, from 1; with 0 the clock is not measured.
-    pub seeds: usize,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { seeds: 3 }
-    }
-}
 
 /// Synthesises a unit for a target, or takes the result that was kept.
 ///
@@ -56,7 +44,7 @@ pub fn synthesise_with(
     let tools = programs.versions();
     let verilog = digest(&text);
     let harness = harness::verilog(&emitted);
-    let entry = Kept::new(&[
+    let entry = kept(&[
         &verilog,
         target.name(),
         &target.synthesis(harness::TOP),
@@ -69,17 +57,8 @@ pub fn synthesise_with(
     }
 
     let start = Instant::now();
-    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
-    write(folder.path(), "unit.v", &text)?;
-    write(folder.path(), "harness.v", &harness)?;
-    let bench = Bench {
-        programs: &programs,
-        target,
-        folder: folder.path(),
-        top: &emitted.top,
-        read: "read_verilog unit.v",
-        read_with_harness: "read_verilog unit.v harness.v",
-    };
+    let folder = scratch()?;
+    let bench = Bench::of(&programs, target, folder.path(), &emitted, &harness)?;
     let mut report = resources(&bench, &emitted)?;
     report.parameters = parameters(request);
     report.tools = tools;
@@ -88,40 +67,6 @@ pub fn synthesise_with(
     report.seconds = thousandths(start.elapsed().as_secs_f64());
     entry.store(&report)?;
     Ok(report)
-}
-
-/// The programs of a target.
-pub(crate) struct Programs {
-    pub yosys: Tool,
-    /// None where only resources are reported.
-    pub router: Option<Tool>,
-}
-
-impl Programs {
-    pub fn find(target: Target) -> Result<Self, SynthError> {
-        Ok(Self {
-            yosys: Program::Yosys.find()?,
-            router: Program::router(target.family())
-                .map(Program::find)
-                .transpose()?,
-        })
-    }
-
-    /// Yosys alone, for resources.
-    pub fn find_yosys() -> Result<Self, SynthError> {
-        Ok(Self {
-            yosys: Program::Yosys.find()?,
-            router: None,
-        })
-    }
-
-    /// Versions by name.
-    pub fn versions(&self) -> BTreeMap<String, String> {
-        let tools = std::iter::once(&self.yosys).chain(&self.router);
-        tools
-            .map(|tool| (tool.name.to_owned(), tool.version.clone()))
-            .collect()
-    }
 }
 
 /// Versions of the tools of a target.
@@ -170,19 +115,4 @@ fn add_clock(report: &mut SynthReport, clock: Clock) {
     report.does_not_fit = clock.does_not_fit;
     report.fmax_mhz = clock.fmax_mhz;
     report.seeds = clock.seeds;
-}
-
-/// Writes a file of a bench.
-pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<(), SynthError> {
-    let path = folder.join(name);
-    std::fs::write(&path, text).map_err(SynthError::file(&path))
-}
-
-/// The last lines of what a tool said, enough to see its error.
-pub(crate) fn last_lines(text: &str) -> String {
-    let lines: Vec<&str> = text
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
-    lines[lines.len().saturating_sub(6)..].join("\n")
 }

@@ -25,7 +25,6 @@ mod report;
 pub mod table;
 mod target;
 mod tools;
-mod workspace;
 mod yosys;
 
 pub use cache::{Cache, digest};
@@ -33,7 +32,7 @@ pub use error::SynthError;
 pub use figures::Figures;
 pub use flow::{Options, synthesise, synthesise_with};
 pub use netlist::{Netlist, netlist};
-pub use nextpnr::{CriticalPath, RouteReport};
-pub use report::{SeedResult, SynthReport};
-pub use target::Target;
+pub use nextpnr::RouteReport;
+pub use report::{CriticalPath, SeedResult, SynthReport};
+pub use target::{Target, UnknownTarget};
 pub use yosys::{CellCounts, Resources};

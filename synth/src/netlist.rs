@@ -1,14 +1,13 @@
 //! The netlist that synthesis makes of a unit, as Verilog that a simulator runs: what is on the device, not what was meant.
 
 use crate::error::SynthError;
-use crate::flow::write;
 use crate::target::{Family, Target};
-use crate::tools::Program;
+use crate::tools::{Tool, YOSYS};
 use crate::yosys;
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;
+use imogene_tools::{read, scratch, write};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 /// A synthesised unit with the models of its cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,10 +31,10 @@ const NETLIST: &str = "netlist.v";
 pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError> {
     let libraries = libraries(target)?;
     let emitted = emit(request)?;
-    let yosys = Program::Yosys.find()?;
-    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    let yosys = Tool::find(YOSYS)?;
+    let folder = scratch()?;
     let folder = folder.path();
-    write(folder, "unit.v", &emitted.bundle())?;
+    write(&folder.join("unit.v"), &emitted.bundle())?;
     let copies = libraries.iter().enumerate();
     let copies = copies.map(|(k, file)| format!("write_file cells_{k}.v +/{file}"));
     let script = format!(
@@ -47,11 +46,11 @@ pub fn netlist(request: &Request, target: Target) -> Result<Netlist, SynthError>
         copies.collect::<Vec<_>>().join("; ")
     );
     yosys::run(&yosys, folder, &script)?;
-    let cells = yosys::parse_statistics(&read(folder, STATISTICS)?)?.cells;
+    let cells = yosys::parse_statistics(&read(&folder.join(STATISTICS))?)?.cells;
     let mut models = BTreeMap::new();
-    let mut text = read(folder, NETLIST)? + NO_PORT_DEFAULTS;
+    let mut text = read(&folder.join(NETLIST))? + NO_PORT_DEFAULTS;
     for k in 0..libraries.len() {
-        let library = read(folder, &format!("cells_{k}.v"))?;
+        let library = read(&folder.join(format!("cells_{k}.v")))?;
         text += &macros(&library);
         models.extend(modules(&library));
     }
@@ -82,11 +81,6 @@ fn libraries(target: Target) -> Result<&'static [&'static str], SynthError> {
             target: target.name(),
         }),
     }
-}
-
-fn read(folder: &Path, name: &str) -> Result<String, SynthError> {
-    let path = folder.join(name);
-    std::fs::read_to_string(&path).map_err(SynthError::file(&path))
 }
 
 /// The macros that a file defines before its first module.

@@ -1,27 +1,14 @@
 //! Packing, placing and routing with nextpnr, and its report.
 
 use crate::error::SynthError;
-use crate::report::thousandths;
+use crate::report::{CriticalPath, thousandths};
 use crate::target::PlaceAndRoute;
 use crate::tools::Tool;
-use serde::{Deserialize, Serialize};
+use imogene_tools::read;
+use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::Command;
-
-/// The slowest path from a register to a register.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CriticalPath {
-    /// Cell the path starts at.
-    pub from: String,
-    /// Cell the path ends at.
-    pub to: String,
-    /// Delay in cells, set-up included, in nanoseconds.
-    pub logic_ns: f64,
-    /// Delay in wires, in nanoseconds.
-    pub routing_ns: f64,
-}
 
 /// What nextpnr reports.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,27 +51,21 @@ pub(crate) fn run(
         Run::Pack => format!("{netlist}.pack.report"),
         Run::Route { seed } => format!("{netlist}.{seed}.report"),
     };
-    let mut command = Command::new(&tool.path);
-    command
-        .current_dir(folder)
-        .args(device.arguments)
-        .args(["--json", netlist, "--report", &name, "-q"])
-        .args(["--freq", &device.goal_mhz.to_string()])
-        .arg("--timing-allow-fail");
+    let goal = device.goal_mhz.to_string();
+    let seed;
+    let mut arguments = device.arguments.to_vec();
+    arguments.extend(["--json", netlist, "--report", &name, "-q", "--freq", &goal]);
+    arguments.push("--timing-allow-fail");
     match run {
-        Run::Pack => command.arg("--pack-only"),
-        Run::Route { seed } => command.args(["--seed", &seed.to_string()]),
-    };
-    let output = command.output().map_err(SynthError::file(&tool.path))?;
-    if !output.status.success() {
-        return Err(SynthError::Tool {
-            tool: tool.name.to_owned(),
-            message: crate::flow::last_lines(&String::from_utf8_lossy(&output.stderr)),
-        });
+        Run::Pack => arguments.push("--pack-only"),
+        Run::Route { seed: number } => {
+            seed = number.to_string();
+            arguments.extend(["--seed", &seed]);
+        }
     }
-    let path = folder.join(name);
-    let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
-    parse_report(&text)
+    let outcome = tool.run(&arguments, folder)?;
+    outcome.map_err(|said| SynthError::tool(tool.name, &said))?;
+    parse_report(&read(&folder.join(name))?)
 }
 
 #[derive(Deserialize)]

@@ -1,18 +1,21 @@
 //! A design of another project beside a unit: same scripts, same harness, same seeds, in one run.
 
+mod design;
 mod source;
 
 use crate::bench::Bench;
 use crate::error::SynthError;
 use crate::figures::Figures;
-use crate::flow::{Options, Programs, synthesise};
+use crate::flow::{Options, synthesise};
 use crate::harness;
 use crate::report::SeedResult;
 use crate::target::{Family, Target};
+use crate::tools::Programs;
+pub use design::{Peer, PeerError};
 use imogene_contract::Request;
+use imogene_tools::{scratch, write};
 use serde::Serialize;
 use source::Source;
-pub use source::{Peer, PeerError};
 use std::collections::BTreeMap;
 
 /// A peer and a unit, measured alike.
@@ -95,11 +98,11 @@ fn measure(
     target: Target,
     options: &Options,
 ) -> Result<Measured, SynthError> {
-    let folder = tempfile::tempdir().map_err(SynthError::file(&std::env::temp_dir()))?;
+    let folder = scratch()?;
     let source = Source::new(peer, folder.path())?;
     let (ports, clock) = source.ports(&programs.yosys)?;
     let text = harness::around(&peer.top, &ports, Some(&clock));
-    crate::flow::write(folder.path(), "harness.v", &text)?;
+    write(&folder.path().join("harness.v"), &text)?;
     let bench = Bench {
         programs,
         target,

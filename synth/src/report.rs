@@ -1,9 +1,21 @@
 //! The result of a synthesis.
 
-use crate::nextpnr::CriticalPath;
 use crate::yosys::CellCounts;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+
+/// The slowest path from a register to a register.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CriticalPath {
+    /// Cell the path starts at.
+    pub from: String,
+    /// Cell the path ends at.
+    pub to: String,
+    /// Delay in cells, set-up included, in nanoseconds.
+    pub logic_ns: f64,
+    /// Delay in wires, in nanoseconds.
+    pub routing_ns: f64,
+}
 
 /// One run of place and route.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,6 +1,6 @@
 //! The targets: a device, its synthesis command and its place and route command.
 
-use crate::error::SynthError;
+use thiserror::Error;
 
 /// What a unit is synthesised for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,6 +30,11 @@ pub(crate) enum Family {
     Gowin,
     Gates,
 }
+
+/// No target has this name.
+#[derive(Debug, Error)]
+#[error("there is no target `{}`; the targets are {}", .0, Target::names().join(", "))]
+pub struct UnknownTarget(pub String);
 
 /// How a device is placed and routed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,11 +82,9 @@ impl Target {
     /// # Errors
     ///
     /// When there is none; the error lists the names.
-    pub fn from_name(name: &str) -> Result<Self, SynthError> {
+    pub fn from_name(name: &str) -> Result<Self, UnknownTarget> {
         let found = Self::ALL.into_iter().find(|target| target.name() == name);
-        found.ok_or_else(|| SynthError::Target {
-            name: name.to_owned(),
-        })
+        found.ok_or_else(|| UnknownTarget(name.to_owned()))
     }
 
     pub(crate) const fn family(self) -> Family {

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::Command;
 
 /// Cells by type, as Yosys counts them.
 pub type CellCounts = BTreeMap<String, u64>;
@@ -36,24 +35,14 @@ pub(crate) struct Statistics {
 
 /// Runs a script in a folder; file names in it are relative to the folder.
 pub(crate) fn run(tool: &Tool, folder: &Path, script: &str) -> Result<(), SynthError> {
-    let log = folder.join("yosys.log");
-    let output = Command::new(&tool.path)
-        .current_dir(folder)
-        .args(["-q", "-l", "yosys.log", "-p", script])
-        .output()
-        .map_err(SynthError::file(&tool.path))?;
-    if output.status.success() {
-        return Ok(());
-    }
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    let logged = std::fs::read_to_string(log).unwrap_or_default();
-    Err(SynthError::Tool {
-        tool: tool.name.to_owned(),
-        message: crate::flow::last_lines(if said.trim().is_empty() {
-            &logged
-        } else {
-            &said
-        }),
+    let arguments = ["-q", "-l", "yosys.log", "-p", script];
+    let outcome = tool.run(&arguments, folder)?;
+    outcome.map_err(|said| match said.trim().is_empty() {
+        true => {
+            let logged = std::fs::read_to_string(folder.join("yosys.log"));
+            SynthError::tool(tool.name, &logged.unwrap_or_default())
+        }
+        false => SynthError::tool(tool.name, &said),
     })
 }
 

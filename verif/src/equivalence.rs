@@ -7,10 +7,9 @@
 
 pub mod table;
 
-use crate::tool::{ToolError, YOSYS_ABC, write};
-use crate::yosys::yosys;
 use imogene_contract::{Request, RequestError};
 use imogene_rtl::emit::{emit, raw};
+use imogene_tools::{ToolError, YOSYS_ABC, scratch, write, yosys};
 use thiserror::Error;
 
 /// Why nothing can be said.
@@ -69,10 +68,10 @@ pub fn unit(request: &Request) -> Result<Verdict, EquivalenceError> {
 ///
 /// When a tool is missing or refuses a text.
 pub fn compare(one: Text, other: Text) -> Result<Verdict, EquivalenceError> {
-    let scratch = tempfile::tempdir().map_err(ToolError::file(&std::env::temp_dir()))?;
+    let scratch = scratch().map_err(ToolError::from)?;
     let folder = scratch.path();
     for (name, text) in [("one", one), ("other", other)] {
-        write(&folder.join(format!("{name}.v")), text.verilog)?;
+        write(&folder.join(format!("{name}.v")), text.verilog).map_err(ToolError::from)?;
         let script = format!(
             "read_verilog {name}.v\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nmemory -nomap\nmemory_map\n\
              opt -full\nrename {top} {name}\nwrite_rtlil {name}.il\n",

@@ -18,7 +18,5 @@ pub mod scene;
 pub mod signal;
 pub mod stimulus;
 pub mod subject;
-pub mod tool;
 pub mod trace;
 pub mod unit;
-mod yosys;

@@ -72,14 +72,28 @@ pub struct Report {
 }
 
 impl Report {
-    /// Counts a comparison and keeps it if it fails.
-    pub fn compare(&mut self, mismatch: impl FnOnce() -> Mismatch, equal: bool) {
+    /// Counts a comparison and keeps it if it fails; `signal` is asked for its name only then.
+    pub fn compare(
+        &mut self,
+        cycle: u64,
+        pixel: Option<(i64, i64)>,
+        signal: impl fmt::Display,
+        hardware: Option<i64>,
+        golden: i64,
+    ) {
         self.comparisons += 1;
-        if !equal {
-            self.mismatches += 1;
-            if self.first_mismatches.len() < KEPT {
-                self.first_mismatches.push(mismatch());
-            }
+        if hardware == Some(golden) {
+            return;
+        }
+        self.mismatches += 1;
+        if self.first_mismatches.len() < KEPT {
+            self.first_mismatches.push(Mismatch {
+                cycle,
+                pixel,
+                signal: signal.to_string(),
+                hardware,
+                golden,
+            });
         }
     }
 

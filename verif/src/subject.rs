@@ -1,6 +1,6 @@
 //! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard over them.
 
-use crate::report::{Mismatch, Report};
+use crate::report::Report;
 use crate::signal::Signal;
 use crate::trace::{Group, Sample, Trace};
 use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
@@ -10,32 +10,21 @@ use std::time::Instant;
 /// One clock's values of the input ports, in their order.
 pub type Inputs = Vec<i64>;
 
-/// A clocked design: inputs before the edge, outputs after it; `None` where the engine shows an undefined bit.
-pub trait Hardware: Send {
+/// A clocked design or its golden model: inputs before the edge, outputs after it. An output is `None` where the engine shows an undefined
+/// bit, or where the golden model states nothing (before the first start, in an invalid clock).
+pub trait Clocked: Send {
     /// One clock.
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;
 }
 
-/// The golden model of a design, clock by clock; `None` where it states nothing (before the first start, in an invalid clock).
-pub trait Golden: Send {
-    /// One clock.
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;
-}
-
-impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Hardware for F {
+impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Clocked for F {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         self(inputs)
     }
 }
 
-/// A golden model given as a function.
-pub struct GoldenFn<F>(pub F);
-
-impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Golden for GoldenFn<F> {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
-        (self.0)(inputs)
-    }
-}
+/// Makes fresh instances of a design, or of its golden model.
+pub type Maker = Box<dyn Fn() -> Box<dyn Clocked> + Sync>;
 
 /// Random stimulus of about so many clocks, biased to the edges.
 pub type Stimulus = fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>;
@@ -51,9 +40,9 @@ pub struct Subject {
     /// Output ports.
     pub outputs: Vec<Signal>,
     /// A fresh instance of the hardware.
-    pub hardware: Box<dyn Fn() -> Box<dyn Hardware> + Sync>,
+    pub hardware: Maker,
     /// A fresh instance of the golden model.
-    pub golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
+    pub golden: Maker,
     /// Random stimulus of about this many clocks, biased to the edges.
     pub stimulus: Stimulus,
     /// Clocks from an input to its result.
@@ -133,14 +122,7 @@ impl Subject {
             let Some(golden) = *golden else { continue };
             stated = true;
             let hardware = sample.hardware[index];
-            let mismatch = || Mismatch {
-                cycle,
-                pixel: None,
-                signal: self.outputs[index].name.clone(),
-                hardware,
-                golden,
-            };
-            report.compare(mismatch, hardware == Some(golden));
+            report.compare(cycle, None, &self.outputs[index].name, hardware, golden);
         }
         report.pixels += u64::from(stated);
     }

@@ -1,177 +1,20 @@
 //! The Verilog of a peer: its files, its top module, its ports.
 
+use super::design::{Peer, PeerError, is_system_verilog};
 use crate::cache::digest;
 use crate::error::SynthError;
 use crate::harness::bits;
 use crate::tools::Tool;
 use crate::yosys;
 use imogene_rtl::emit::{Direction, Port};
+use imogene_tools::{FileError, read, write};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use thiserror::Error;
+use std::path::Path;
 
-/// Names of a clock port that are looked for if none is given. Most bytes of a Verilog file.
+/// Most bytes of a Verilog file.
 const MAX_BYTES: u64 = 64 << 20;
+/// Names of a clock port that are looked for if none is given.
 const CLOCKS: [&str; 2] = ["clk", "clock"];
-
-/// A design of another project, from files of the user.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Peer {
-    /// Verilog files in the order they are read, `.v`, or `.sv` for SystemVerilog.
-    pub files: Vec<PathBuf>,
-    /// Top module.
-    pub top: String,
-    /// Clock port; `clk` or `clock` if not given.
-    pub clock: Option<String>,
-    /// Folders of included files.
-    pub include: Vec<PathBuf>,
-    /// Parameters of the top module and their values.
-    pub parameters: Vec<(String, String)>,
-}
-
-/// Why a peer cannot be measured.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum PeerError {
-    /// A file is not there.
-    #[error("{path}: there is no such {kind}")]
-    Missing {
-        /// The path.
-        path: String,
-        /// File or folder.
-        kind: &'static str,
-    },
-    /// A file is no Verilog by its name.
-    #[error("{path}: a file of Verilog ends in .v, one of SystemVerilog in .sv")]
-    Ending {
-        /// The path.
-        path: String,
-    },
-    /// A name or value cannot stand in a command of Yosys.
-    #[error("`{text}` is no {what}: {accepted}")]
-    Word {
-        /// The text.
-        text: String,
-        /// What it should be.
-        what: &'static str,
-        /// What is accepted.
-        accepted: &'static str,
-    },
-    /// No module has the name of the top.
-    #[error("there is no module `{top}`; the files hold {}", list(modules))]
-    Top {
-        /// The name.
-        top: String,
-        /// The modules that there are.
-        modules: Vec<String>,
-    },
-    /// No port is the clock.
-    #[error(
-        "`{top}` has no clock port {wanted} of one bit; `--clock PORT` names it; the ports are {}",
-        list(ports)
-    )]
-    Clock {
-        /// The top module.
-        top: String,
-        /// The names looked for.
-        wanted: String,
-        /// The ports that there are.
-        ports: Vec<String>,
-    },
-    /// A port that no register can stand at.
-    #[error("port `{port}` of `{top}` is an inout; a register harness needs inputs and outputs")]
-    Inout {
-        /// The top module.
-        top: String,
-        /// The port.
-        port: String,
-    },
-    /// A design without data.
-    #[error("`{top}` has no {direction} beside its clock: there is nothing to measure")]
-    NoData {
-        /// The top module.
-        top: String,
-        /// Input or output.
-        direction: &'static str,
-    },
-    /// Yosys does not take the files.
-    #[error("Yosys refuses the peer: {message}")]
-    Refused {
-        /// Its error.
-        message: String,
-    },
-}
-
-fn list(names: &[String]) -> String {
-    if names.is_empty() {
-        "none".to_owned()
-    } else {
-        names.join(", ")
-    }
-}
-
-impl Peer {
-    /// Checks everything that needs no tool.
-    pub(crate) fn check(&self) -> Result<(), PeerError> {
-        for file in &self.files {
-            let path = file.display().to_string();
-            if !file.is_file() {
-                return Err(PeerError::Missing { path, kind: "file" });
-            }
-            is_system_verilog(file)?;
-            check_file_name(file)?;
-        }
-        if let Some(folder) = self.include.iter().find(|folder| !folder.is_dir()) {
-            let (path, kind) = (folder.display().to_string(), "folder");
-            return Err(PeerError::Missing { path, kind });
-        }
-        check_word(&self.top, "module", is_name)?;
-        for (name, value) in &self.parameters {
-            check_word(name, "parameter", is_name)?;
-            check_word(value, "value", is_value)?;
-        }
-        Ok(())
-    }
-}
-
-fn is_system_verilog(file: &Path) -> Result<bool, PeerError> {
-    match file.extension().and_then(|ending| ending.to_str()) {
-        Some("v") => Ok(false),
-        Some("sv") => Ok(true),
-        _ => Err(PeerError::Ending {
-            path: file.display().to_string(),
-        }),
-    }
-}
-
-/// The name without its folder: it goes into a command of Yosys.
-fn check_file_name(file: &Path) -> Result<(), PeerError> {
-    let name = file.file_name().and_then(|name| name.to_str());
-    check_word(name.unwrap_or_default(), "file name", is_value)
-}
-
-fn is_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '_' || c == '$'
-}
-
-fn is_value(c: char) -> bool {
-    is_name(c) || "'.+-".contains(c)
-}
-
-fn check_word(text: &str, what: &'static str, is_legal: fn(char) -> bool) -> Result<(), PeerError> {
-    if !text.is_empty() && !text.starts_with('-') && text.chars().all(is_legal) {
-        return Ok(());
-    }
-    let accepted = if is_legal('.') {
-        "letters, digits, _ $ ' . + -, not - first"
-    } else {
-        "letters, digits, _ $"
-    };
-    Err(PeerError::Word {
-        text: text.to_owned(),
-        what,
-        accepted,
-    })
-}
 
 /// The files of a peer, copied into the folder of a bench: the packaged Yosys sees no others.
 pub(super) struct Source<'a> {
@@ -193,11 +36,11 @@ impl<'a> Source<'a> {
         let mut all = String::new();
         let mut commands = Vec::new();
         for (index, file) in peer.files.iter().enumerate() {
-            let text = imogene_files::read_text(file, MAX_BYTES).map_err(SynthError::file(file))?;
+            let text = imogene_files::read_text(file, MAX_BYTES).map_err(FileError::at(file))?;
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             let own = format!("file{index}");
-            std::fs::create_dir_all(folder.join(&own)).map_err(SynthError::file(folder))?;
-            crate::flow::write(folder, &format!("{own}/{name}"), &text)?;
+            std::fs::create_dir_all(folder.join(&own)).map_err(FileError::at(folder))?;
+            write(&folder.join(format!("{own}/{name}")), &text)?;
             let sv = if is_system_verilog(file)? { " -sv" } else { "" };
             commands.push(format!("read_verilog{sv}{include} {own}/{name}"));
             all += &text;
@@ -235,8 +78,7 @@ impl<'a> Source<'a> {
             Err(SynthError::Tool { message, .. }) => Err(self.refusal(&message, modules).into()),
             Err(error) => Err(error),
             Ok(()) => {
-                let path = self.folder.join(PORTS);
-                let text = std::fs::read_to_string(&path).map_err(SynthError::file(&path))?;
+                let text = read(&self.folder.join(PORTS))?;
                 Ok(ports_and_clock(self.peer, &text)?)
             }
         }
@@ -344,18 +186,18 @@ fn describe(port: &Port) -> String {
 
 /// Copies a folder with what is below it, for Yosys to include from.
 fn copy_folder(from: &Path, to: &Path) -> Result<(), SynthError> {
-    std::fs::create_dir_all(to).map_err(SynthError::file(to))?;
-    for entry in std::fs::read_dir(from).map_err(SynthError::file(from))? {
-        let entry = entry.map_err(SynthError::file(from))?;
+    std::fs::create_dir_all(to).map_err(FileError::at(to))?;
+    for entry in std::fs::read_dir(from).map_err(FileError::at(from))? {
+        let entry = entry.map_err(FileError::at(from))?;
         let (path, name) = (entry.path(), entry.file_name());
-        let kind = entry.file_type().map_err(SynthError::file(&path))?;
+        let kind = entry.file_type().map_err(FileError::at(&path))?;
         if name.to_string_lossy().starts_with('.') {
             continue;
         }
         if kind.is_dir() {
             copy_folder(&path, &to.join(name))?;
         } else if path.is_file() {
-            std::fs::copy(&path, to.join(name)).map_err(SynthError::file(&path))?;
+            std::fs::copy(&path, to.join(name)).map_err(FileError::at(&path))?;
         }
     }
     Ok(())
@@ -432,35 +274,5 @@ mod tests {
         let listed = "\n2 modules:\n  add\n  other\n";
         assert_eq!(modules(listed), ["add", "other"]);
         assert!(modules("").is_empty());
-    }
-
-    #[test]
-    fn what_is_not_there_or_no_verilog_is_refused_before_any_tool_runs() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let file = |name: &str| {
-            let path = folder.path().join(name);
-            std::fs::write(&path, "").expect("a file");
-            path
-        };
-        let with = |path: PathBuf| {
-            let mut peer = peer(None);
-            peer.files = vec![path];
-            peer
-        };
-        let refusal = |peer: Peer| peer.check().expect_err("refused").to_string();
-        assert!(refusal(with(folder.path().join("no.v"))).contains("no such file"));
-        assert!(refusal(with(file("a.vhd"))).contains(".sv"));
-        assert!(refusal(with(file("a b.v"))).contains("`a b.v`"));
-        let legal = with(file("a.sv"));
-        legal.check().expect("a legal peer");
-        let mut bad = legal.clone();
-        bad.include = vec![folder.path().join("headers")];
-        assert!(refusal(bad).contains("no such folder"));
-        let mut bad = legal.clone();
-        bad.top = "a; shell".into();
-        assert!(refusal(bad).contains("`a; shell`"));
-        let mut bad = legal;
-        bad.parameters = vec![("W".into(), "8; exec".into())];
-        assert!(refusal(bad).contains("`8; exec`"));
     }
 }

@@ -1,6 +1,7 @@
 //! Whether the page of the table and the file of its figures tell the same.
 
-use super::{Section, markdown, transistors};
+use super::rows::Section;
+use super::{markdown, transistors};
 use crate::baseline::{Baseline, BaselineRow};
 
 /// What the page does not say as the baseline does; nothing if they agree.

@@ -1,6 +1,6 @@
 //! Text of the resource table.
 
-use super::{Section, Table};
+use super::rows::{self, Section, Table};
 use crate::figures::Figures;
 use crate::report::SynthReport;
 use crate::target::Target;
@@ -60,7 +60,7 @@ pub fn write(table: &Table) -> String {
     text += &opening(Section::Units, UNITS);
     text += &block_memory(table);
     text += &without_figures(table);
-    for target in super::DEVICES {
+    for target in rows::DEVICES {
         text += &devices(table, Section::Units, target);
     }
     text += &reading(table);
@@ -68,7 +68,7 @@ pub fn write(table: &Table) -> String {
     text += &devices(table, Section::Planes, Target::Ecp5With45k);
     text += &ratios(table);
     text += &opening(Section::Rows, ROWS);
-    for target in super::DEVICES {
+    for target in rows::DEVICES {
         text += &devices(table, Section::Rows, target);
     }
     let _ = write!(
@@ -113,7 +113,7 @@ are made and how to compare with another design is in [synthesis.md](synthesis.m
 * Verilog: {}
 ",
         tools.join(", "),
-        super::SEEDS,
+        rows::SEEDS,
         Target::Ecp5With45k
             .place_and_route()
             .map_or(0, |device| device.goal_mhz),
@@ -124,7 +124,7 @@ are made and how to compare with another design is in [synthesis.md](synthesis.m
 /// What the figures of the core and of the whole object processor come to.
 fn reading(table: &Table) -> String {
     let mut text = "\n### Reading\n\n".to_owned();
-    for target in super::DEVICES {
+    for target in rows::DEVICES {
         for unit in ["quadric_pe", "quadric_processor"] {
             let mut reports = table.section(Section::Units, target);
             let Some(report) = reports.find(|report| report.unit == unit) else {
@@ -169,7 +169,7 @@ fn ratios(table: &Table) -> String {
             patch as f64 / quadric as f64
         ))
     };
-    let list: Vec<String> = super::PLANES.into_iter().filter_map(ratio).collect();
+    let list: Vec<String> = rows::PLANES.into_iter().filter_map(ratio).collect();
     format!("{RATIO}{}.\n", list.join(", "))
 }
 

@@ -1,6 +1,6 @@
 //! The picture of the root networks over the rows of a stage.
 
-use super::{DEVICES, ROOTS, ROWS_PER_STAGE, Section, Table};
+use super::rows::{DEVICES, ROOTS, ROWS_PER_STAGE, Section, Table};
 use crate::error::SynthError;
 use crate::report::SynthReport;
 use crate::target::Target;

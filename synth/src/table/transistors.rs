@@ -1,6 +1,6 @@
 //! Transistors beside Table 5.10 of the source, which counts a processor of patches with four planes.
 
-use super::{Section, Table};
+use super::rows::{Section, Table};
 use crate::target::Target;
 use std::fmt::Write;
 
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn every_unit_of_the_section_has_a_counterpart() {
-        for unit in super::super::GATES {
+        for unit in super::super::rows::GATES {
             assert!(COUNTERPARTS.iter().any(|known| known.unit == unit.name()));
         }
     }

@@ -1,7 +1,7 @@
 //! The host of a machine: words over AXI4-Stream.
 
 use super::Machine;
-use super::pins::{PinsOutcome, PinsRun};
+use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
 use super::zone_core::offer;
 use imogene_plan::display::Image;

@@ -5,6 +5,7 @@ mod host;
 mod machine;
 pub mod pins;
 pub mod request;
+mod run;
 pub mod stalls;
 pub mod stream;
 pub mod zone_core;

@@ -3,8 +3,7 @@
 use super::host::Host;
 use super::request::request;
 use super::stream;
-use super::{DisplayEngine, DisplayError, Machine};
-use crate::report::{Mismatch, Report};
+use super::{DisplayError, Machine};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
@@ -12,37 +11,7 @@ use imogene_plan::display::Image;
 use std::collections::VecDeque;
 use std::time::Instant;
 
-/// How to run.
-#[derive(Clone, Copy, Debug)]
-pub struct PinsRun<'a> {
-    /// Plane that is put over the pictures, by a host that writes it while the first frame is shown; the machine has an overlay and a screen.
-    pub overlay: Option<&'a OverlayPlane>,
-    /// Engine.
-    pub engine: DisplayEngine,
-    /// Seed of random stalls of the host; none if it never stalls.
-    pub stalls: Option<u64>,
-    /// Clocks for which the host does nothing before each image.
-    pub late: u64,
-    /// Whole frames to see of the last image.
-    pub frames: usize,
-}
-
-/// What the pins have shown.
-#[derive(Clone, Debug, Default)]
-pub struct PinsOutcome {
-    /// Comparisons of every clock.
-    pub report: Report,
-    /// The last whole frame on the pins: red, green, blue, row-major.
-    pub picture: Vec<u8>,
-    /// Which image each frame showed, none before the first.
-    pub shown: Vec<Option<usize>>,
-    /// Clocks from the first word of each image to the blanking in which it came on.
-    pub loading: Vec<u64>,
-    /// Clocks from the first word of each image until the machine took its last one.
-    pub taking: Vec<u64>,
-    /// Clocks of a frame on the pins.
-    pub clocks_per_frame: u64,
-}
+pub use super::run::{PinsOutcome, PinsRun};
 
 /// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A frame is that of the image that came on
 /// last, or black.
@@ -105,20 +74,14 @@ pub fn run(
         }
     }
     let report = &mut run.outcome.report;
-    let mismatch = || Mismatch {
-        cycle: hardware.clocks,
-        pixel: None,
-        signal: "frames of the last image".into(),
-        hardware: Some(seen_last as i64),
-        golden: options.frames as i64,
-    };
-    report.compare(mismatch, seen_last == options.frames);
-    report.subject = hardware.name.clone();
-    report.engine = options.engine.name().into();
-    report.seed = options.stalls;
-    report.cycles = hardware.clocks;
-    report.timed(started.elapsed().as_secs_f64());
-    Ok(run.outcome)
+    report.compare(
+        hardware.clocks,
+        None,
+        "frames of the last image",
+        Some(seen_last as i64),
+        options.frames as i64,
+    );
+    Ok(run.outcome.finished(&hardware, options, started))
 }
 
 /// Puts the next word of the plane on the bus of the overlay; the words that are left.
@@ -201,14 +164,13 @@ impl Run<'_> {
         ];
         for (pin, golden) in pins {
             let found = hardware.get(pin);
-            let mismatch = || Mismatch {
-                cycle: hardware.clocks,
-                pixel: shown.active.then_some((shown.x.into(), shown.y.into())),
-                signal: pin.into(),
-                hardware: found,
+            self.outcome.report.compare(
+                hardware.clocks,
+                shown.active.then_some((shown.x.into(), shown.y.into())),
+                pin,
+                found,
                 golden,
-            };
-            self.outcome.report.compare(mismatch, found == Some(golden));
+            );
         }
         if !hardware.is_set("de") {
             return false;

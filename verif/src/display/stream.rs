@@ -1,11 +1,10 @@
 //! A machine without a screen: its pixels over AXI4-Stream against golden pictures, with a receiver that may stall.
 
 use super::host::Host;
-use super::pins::{PinsOutcome, PinsRun};
 use super::request::request;
+use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
 use super::{DisplayError, Machine};
-use crate::report::Mismatch;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
@@ -64,13 +63,7 @@ pub fn run(
         hardware.clocks,
         seen_last == wanted,
     );
-    let mut outcome = taker.outcome;
-    outcome.report.subject = hardware.name.clone();
-    outcome.report.engine = options.engine.name().into();
-    outcome.report.seed = options.stalls;
-    outcome.report.cycles = hardware.clocks;
-    outcome.report.timed(started.elapsed().as_secs_f64());
-    Ok(outcome)
+    Ok(taker.outcome.finished(&hardware, options, started))
 }
 
 /// A pixel on the stream.
@@ -177,16 +170,13 @@ impl<'a> Taker<'a> {
         for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
             self.frame[3 * at + channel] = (pixel.colour >> shift) as u8;
         }
-        let mismatch = || Mismatch {
-            cycle: clock,
-            pixel: Some(((at % self.width) as i64, (at / self.width) as i64)),
-            signal: "m_tdata".into(),
-            hardware: Some(pixel.colour),
+        self.outcome.report.compare(
+            clock,
+            Some(((at % self.width) as i64, (at / self.width) as i64)),
+            "m_tdata",
+            Some(pixel.colour),
             golden,
-        };
-        self.outcome
-            .report
-            .compare(mismatch, pixel.colour == golden);
+        );
     }
 
     fn finish(&mut self) {
@@ -203,13 +193,7 @@ impl<'a> Taker<'a> {
     }
 
     fn check(&mut self, what: &str, clock: u64, holds: bool) {
-        let mismatch = || Mismatch {
-            cycle: clock,
-            pixel: None,
-            signal: what.into(),
-            hardware: Some(0),
-            golden: 1,
-        };
-        self.outcome.report.compare(mismatch, holds);
+        let found = Some(holds.into());
+        self.outcome.report.compare(clock, None, what, found, 1);
     }
 }

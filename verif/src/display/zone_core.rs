@@ -3,7 +3,7 @@
 use super::request::core_request;
 use super::stalls::Stalls;
 use super::{DisplayEngine, DisplayError, Machine};
-use crate::report::{Mismatch, Report};
+use crate::report::Report;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
 use imogene_golden::machine::zone::beat::Beat;
@@ -87,16 +87,8 @@ pub fn run(
             idle = 0;
         }
     }
-    report.compare(
-        || Mismatch {
-            cycle: hardware.clocks,
-            pixel: None,
-            signal: "pixels".into(),
-            hardware: Some(seen as i64),
-            golden: wanted.len() as i64,
-        },
-        seen == wanted.len(),
-    );
+    let all = wanted.len() as i64;
+    report.compare(hardware.clocks, None, "pixels", Some(seen as i64), all);
     report.cycles = hardware.clocks;
     report.pixels = seen as u64;
     report.timed(started.elapsed().as_secs_f64());
@@ -119,13 +111,12 @@ fn compare(hardware: &Machine, wanted: &ShownPixel, format: &Format, report: &mu
     }
     for (port, golden) in values {
         let found = hardware.get(port);
-        let mismatch = || Mismatch {
-            cycle: hardware.clocks,
-            pixel: Some((wanted.x.into(), wanted.y.into())),
-            signal: port.into(),
-            hardware: found,
+        report.compare(
+            hardware.clocks,
+            Some((wanted.x.into(), wanted.y.into())),
+            port,
+            found,
             golden,
-        };
-        report.compare(mismatch, found == Some(golden));
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! A circuit in its own simulator, stepped by hand with plain numbers.
 
 use crate::signal::Signal;
-use crate::subject::Hardware;
+use crate::subject::Clocked;
 use imogene_hdl::{Design, Direction, Port, Simulator};
 
 /// A circuit with its ports in their order, in lanes.
@@ -96,7 +96,7 @@ impl Circuit {
     }
 }
 
-impl Hardware for Circuit {
+impl Clocked for Circuit {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         Circuit::clock(self, inputs);
         let outputs = 0..self.outputs.len();

@@ -3,27 +3,10 @@
 use super::icarus::IcarusDesign;
 use super::verilator::Model;
 use crate::signal::Signal;
-use crate::subject::{Hardware, Subject};
-use crate::tool::ToolError;
-use std::path::PathBuf;
+use crate::subject::{Clocked, Subject};
 use std::sync::Arc;
-use thiserror::Error;
 
-/// Why a design cannot be run.
-#[derive(Debug, Error)]
-pub enum DesignError {
-    /// A program is missing or refused the design.
-    #[error(transparent)]
-    Tool(#[from] ToolError),
-    /// The library that Verilator's output was compiled to cannot be loaded.
-    #[error("{}: {source}; remove the file and try again", path.display())]
-    Load {
-        /// Library.
-        path: PathBuf,
-        /// What the loader says.
-        source: libloading::Error,
-    },
-}
+pub use super::source::{Design, DesignError, Instance, Source};
 
 /// A simulator of Verilog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,44 +40,6 @@ impl Simulator {
             Simulator::Verilator => Box::new(Model::compile(source)?),
         })
     }
-}
-
-/// Verilog of a design: the clock is the port `clock`, every other port has at most 64 bits.
-#[derive(Clone, Copy, Debug)]
-pub struct Source<'a> {
-    /// Name of the top module.
-    pub top: &'a str,
-    /// All modules.
-    pub text: &'a str,
-    /// Input ports without the clock.
-    pub inputs: &'a [Signal],
-    /// Output ports.
-    pub outputs: &'a [Signal],
-}
-
-impl<'a> Source<'a> {
-    /// Verilog with the ports of a subject.
-    pub fn of(subject: &'a Subject, top: &'a str, text: &'a str) -> Source<'a> {
-        Source {
-            top,
-            text,
-            inputs: &subject.inputs,
-            outputs: &subject.outputs,
-        }
-    }
-}
-
-/// A compiled design; makes any number of instances.
-pub trait Design: Send + Sync {
-    /// A fresh instance: registers have their initial values.
-    fn instance(&self) -> Box<dyn Instance>;
-}
-
-/// One instance of a design.
-pub trait Instance: Send {
-    /// One clock on raw words, one for each port in the order of the signals: inputs change while the clock is low, outputs are those after
-    /// the rising edge, `None` where a bit is undefined. An unused high bit of an input must be 0.
-    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
 }
 
 /// Puts Verilog `text` (module `top`) in the place of the subject's hardware.
@@ -135,7 +80,7 @@ struct Driven {
     found: Vec<Option<u64>>,
 }
 
-impl Hardware for Driven {
+impl Clocked for Driven {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         for ((word, signal), value) in self.words.iter_mut().zip(&*self.inputs).zip(inputs) {
             *word = signal.bits(*value);

@@ -2,9 +2,9 @@
 //!
 //! It knows undefined bits, so that it shows what nothing drives or sets, where the other engines read 0.
 
-use super::design::{Design, DesignError, Instance, Source};
+use super::source::{Design, DesignError, Instance, Source};
 use crate::signal::Signal;
-use crate::tool::{ICARUS, VVP, write};
+use imogene_tools::{ICARUS, ToolError, VVP, scratch, write};
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -30,10 +30,10 @@ impl IcarusDesign {
     ///
     /// When Icarus Verilog is missing or refuses the text, or a file cannot be written.
     pub fn compile(source: &Source) -> Result<IcarusDesign, DesignError> {
-        let folder =
-            tempfile::tempdir().map_err(crate::tool::ToolError::file(&std::env::temp_dir()))?;
-        write(&folder.path().join("design.v"), source.text)?;
-        write(&folder.path().join("bench.v"), &bench(source))?;
+        let folder = scratch().map_err(ToolError::from)?;
+        for (name, text) in [("design.v", source.text), ("bench.v", &bench(source))] {
+            write(&folder.path().join(name), text).map_err(ToolError::from)?;
+        }
         let arguments = ["-g2005", "-s", BENCH, "-o", COMPILED, "bench.v", "design.v"];
         ICARUS.run(arguments, folder.path())?;
         // Found missing here, and not when the first instance starts.

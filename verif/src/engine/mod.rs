@@ -1,6 +1,6 @@
 //! Engines that run the hardware: the built-in simulator, and the emitted Verilog in Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Hardware`](crate::subject::Hardware), a beam machine behind [`Engine`]; both get the same
+//! A unit runs behind [`Clocked`](crate::subject::Clocked), a beam machine behind [`Engine`]; both get the same
 //! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod beam;
@@ -8,6 +8,7 @@ pub mod built_in;
 pub mod circuit;
 pub mod design;
 pub mod icarus;
+pub mod source;
 pub mod speed;
 pub mod verilator;
 

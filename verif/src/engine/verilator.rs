@@ -9,7 +9,7 @@ mod shim;
 
 pub use build::{CACHE_VARIABLE, cache_folder};
 
-use super::design::{Design, DesignError, Instance, Source};
+use super::source::{Design, DesignError, Instance, Source};
 use libloading::Library;
 use std::ffi::c_void;
 use std::sync::Arc;

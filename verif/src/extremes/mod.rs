@@ -4,6 +4,7 @@
 //! pixel that the words decide, with every depth within its proven bound; then the statement of the case itself is checked. A scene that
 //! cannot be drawn must be refused with a message that says why. A unit runs over a stimulus written for the case.
 
+mod case;
 mod pictures;
 mod processors;
 mod scenes;
@@ -14,46 +15,15 @@ use crate::report::Report;
 use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
+pub use case::Extreme;
+use case::{Case, Claim};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
-use imogene_prepare::Framing;
-use imogene_prepare::prepare;
+use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
 use pictures::Pictures;
 use serde::Serialize;
-
-/// What is run, and what must come of it.
-enum Case {
-    /// A scene that is drawn, and what its picture must show.
-    Drawn {
-        text: &'static str,
-        claim: fn(&Pictures) -> Result<(), String>,
-    },
-    /// A scene that the golden machine draws by a processor without hardware, and what its picture must show.
-    Modelled {
-        text: &'static str,
-        claim: fn(&Pictures) -> Result<(), String>,
-    },
-    /// A scene that is drawn, but of which the check says that its silhouette has no bound.
-    Flagged { text: &'static str },
-    /// A stimulus of a unit.
-    Unit {
-        unit: Unit,
-        stimulus: fn(&Subject) -> Vec<Inputs>,
-    },
-}
-
-/// A named case.
-pub struct Extreme {
-    /// Name, without `extremes/`.
-    pub name: &'static str,
-    /// Item of the list of extremes: of section 17, or 13.8.
-    pub item: &'static str,
-    /// What happens, and why that is right.
-    pub outcome: &'static str,
-    case: Case,
-}
 
 /// What came of a case.
 #[derive(Clone, Debug, Serialize)]
@@ -85,66 +55,49 @@ impl Extreme {
     /// Runs the case.
     pub fn run(&self) -> Finding {
         let (report, result) = match &self.case {
-            Case::Drawn { text, claim } => self.draw(text, *claim),
-            Case::Modelled { text, claim } => (None, self.model(text, *claim)),
-            Case::Flagged { text } => self.flag(text),
-            Case::Unit { unit, stimulus } => drive(*unit, *stimulus),
+            Case::Drawn(text, claim) => self.draw(text, |p| {
+                p.agree().and_then(|()| claim(p)).map(|()| String::new())
+            }),
+            Case::Modelled(text, claim) => (None, self.model(text, *claim)),
+            Case::Flagged(text) => self.draw(text, Pictures::unbounded),
+            Case::Unit(unit, stimulus) => drive(*unit, *stimulus),
         };
-        let (held, detail) = match result {
-            Ok(detail) => (true, detail),
-            Err(detail) => (false, detail),
-        };
+        let held = result.is_ok();
         Finding {
             name: format!("extremes/{}", self.name),
             outcome: self.outcome,
             held,
-            detail,
+            detail: result.unwrap_or_else(|detail| detail),
             cosimulation: report,
         }
     }
 
-    fn framed(&self, text: &str) -> Result<FramedScene, String> {
+    fn prepared(&self, text: &str) -> Result<(FramedScene, PreparedScene), String> {
         let file = SceneFile::parse(text, self.name).map_err(|e| e.to_string())?;
-        file.frame(file.image.width, file.image.height)
-            .map_err(|e| e.to_string())
+        let framed = file.frame(file.image.width, file.image.height);
+        let framed = framed.map_err(|e| e.to_string())?;
+        let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
+        Ok((framed, prepared))
     }
 
+    /// Draws with the hardware, which must agree with the golden machine, and judges the picture.
     fn draw(
         &self,
         text: &str,
-        claim: fn(&Pictures) -> Result<(), String>,
+        judge: impl FnOnce(&Pictures) -> Result<String, String>,
     ) -> (Option<Report>, Result<String, String>) {
         match self.cosimulate(text) {
             Err(refusal) => (None, Err(refusal)),
             Ok((report, pictures)) => {
-                let result = agreement(&report)
-                    .and_then(|()| pictures.agree())
-                    .and_then(|()| claim(&pictures))
-                    .map(|()| String::new());
-                (Some(report), result)
-            }
-        }
-    }
-
-    fn flag(&self, text: &str) -> (Option<Report>, Result<String, String>) {
-        match self.cosimulate(text) {
-            Err(refusal) => (None, Err(refusal)),
-            Ok((report, pictures)) => {
-                let result = agreement(&report).and_then(|()| pictures.unbounded());
+                let result = agreement(&report).and_then(|()| judge(&pictures));
                 (Some(report), result)
             }
         }
     }
 
     fn cosimulate(&self, text: &str) -> Result<(Report, Pictures), String> {
-        let framed = self.framed(text)?;
-        let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
-        let options = Options {
-            rows_per_stage: 1,
-            threads: 2,
-            trace: None,
-            fault: None,
-        };
+        let (framed, prepared) = self.prepared(text)?;
+        let options = Options::plain(1, 2);
         let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
         let (mut report, frame) =
             scene::run(&prepared, &options, engine, || ()).map_err(|e| e.to_string())?;
@@ -153,13 +106,8 @@ impl Extreme {
         Ok((report, Pictures::new(framed, prepared, frame)))
     }
 
-    fn model(
-        &self,
-        text: &str,
-        claim: fn(&Pictures) -> Result<(), String>,
-    ) -> Result<String, String> {
-        let framed = self.framed(text)?;
-        let prepared = prepare(&framed, Format::BASE).map_err(|e| e.to_string())?;
+    fn model(&self, text: &str, claim: Claim) -> Result<String, String> {
+        let (framed, prepared) = self.prepared(text)?;
         let (width, height) = (prepared.width as usize, prepared.height as usize);
         let frame = render(&prepared.slots(), &prepared.format, width, height, || ());
         let pictures = Pictures::new(framed, prepared, frame);

@@ -1,111 +1,35 @@
 //! Extremes of the object processors beside the quadric processor, of the volumes, and of the elementary processors with a mode or a memory:
 //! each configuration is a zone of one pixel, its words held until the result is out.
 
+use super::case::{Extreme, driven};
 use super::units::{ends, inputs};
-use super::{Case, Extreme};
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
 
+#[rustfmt::skip]
 pub const CASES: &[Extreme] = &[
-    Extreme {
-        name: "patch-ties",
-        item: "17.6",
-        outcome: "Both roots and all planes at the same depth, one word beside it, and at both ends of the word: a face in a plane stays, a face past an end is none, the near face goes before the far one.",
-        case: Case::Unit {
-            unit: Unit::PatchDecider,
-            stimulus: patch_ties,
-        },
-    },
-    Extreme {
-        name: "first-generation-contours-at-zero",
-        item: "17.6",
-        outcome: "Conics and polar lines at 0, -1 and both ends of their words: zero is inside the quadric and on the kept side, so that a plane exactly at a root is the face of a solid and has removed that root of a surface.",
-        case: Case::Unit {
-            unit: Unit::FirstGenerationProcessor,
-            stimulus: contours_at_zero,
-        },
-    },
-    Extreme {
-        name: "polyhedron-without-thickness",
-        item: "17.5",
-        outcome: "Two planes of opposite sense at the same depth, one word apart either way, at both ends and beyond them, and perpendicular planes of 0 and -1: no thickness is there, less is absent.",
-        case: Case::Unit {
-            unit: Unit::PolyhedronProcessor,
-            stimulus: without_thickness,
-        },
-    },
-    Extreme {
-        name: "facet-sides-at-zero",
-        item: "13.8",
-        outcome: "Sides of 0, -1 and both ends of their words, depths at and beside both ends of the depth word: zero is inside, and a facet past an end is absent.",
-        case: Case::Unit {
-            unit: Unit::FacetProcessor,
-            stimulus: facet_sides,
-        },
-    },
-    Extreme {
-        name: "curved-sides-at-zero",
-        item: "13.8",
-        outcome: "The same with sides and depth of second degree.",
-        case: Case::Unit {
-            unit: Unit::CurvedFacetProcessor,
-            stimulus: curved_sides,
-        },
-    },
-    Extreme {
-        name: "sphere-past-the-ends",
-        item: "17.4",
-        outcome: "Front and back depth at and beside both ends of the depth word, the outline at 0 and -1: one pixel is drawn on the outline itself, a cap where the front is past the near end, nothing where all of it is beyond.",
-        case: Case::Unit {
-            unit: Unit::SphereProcessor,
-            stimulus: sphere_depths,
-        },
-    },
-    Extreme {
-        name: "cylinder-parts-tied",
-        item: "17.6",
-        outcome: "Sides and discs at 0 and -1 in every combination: the front disc goes before the body, and a pixel in none of the parts is absent.",
-        case: Case::Unit {
-            unit: Unit::CylinderProcessor,
-            stimulus: cylinder_parts,
-        },
-    },
-    Extreme {
-        name: "volume-begins-at-the-point",
-        item: "17.14",
-        outcome: "The visible point at the beginning and the end of a volume and one word beside them, with margins from 0 to half the depth word and units of depth from 1 to 256 words, in all four classes: the margin opens the beginning, the end stays closed, the background is in no volume.",
-        case: Case::Unit {
-            unit: Unit::QuadricVolume,
-            stimulus: volume_ties,
-        },
-    },
-    Extreme {
-        name: "volume-planes-past-the-depth-word",
-        item: "17.5",
-        outcome: "Planes of a volume at the ends of their 36 bits and beside the point, of every kind: they are compared in full, without a clamp.",
-        case: Case::Unit {
-            unit: Unit::PolyhedralVolume,
-            stimulus: volume_planes,
-        },
-    },
-    Extreme {
-        name: "carry-at-the-middle",
-        item: "17.12",
-        outcome: "Low halves of all ones in every word: split, no carry reaches the high half, and the four lanes wrap by themselves; whole, it does.",
-        case: Case::Unit {
-            unit: Unit::ProgrammablePe,
-            stimulus: carries,
-        },
-    },
-    Extreme {
-        name: "fields-in-any-order",
-        item: "17.12",
-        outcome: "The odd field twice, then the even one, then the odd one again, on the greatest and least words: every field begins with the words as they were loaded.",
-        case: Case::Unit {
-            unit: Unit::MemoryPe2,
-            stimulus: fields,
-        },
-    },
+    driven("17.6", "patch-ties", Unit::PatchDecider, patch_ties,
+        "Both roots and all planes at the same depth, one word beside it, and at both ends of the word: a face in a plane stays, a face past an end is none, the near face goes before the far one."),
+    driven("17.6", "first-generation-contours-at-zero", Unit::FirstGenerationProcessor, contours_at_zero,
+        "Conics and polar lines at 0, -1 and both ends of their words: zero is inside the quadric and on the kept side, so that a plane exactly at a root is the face of a solid and has removed that root of a surface."),
+    driven("17.5", "polyhedron-without-thickness", Unit::PolyhedronProcessor, without_thickness,
+        "Two planes of opposite sense at the same depth, one word apart either way, at both ends and beyond them, and perpendicular planes of 0 and -1: no thickness is there, less is absent."),
+    driven("13.8", "facet-sides-at-zero", Unit::FacetProcessor, facet_sides,
+        "Sides of 0, -1 and both ends of their words, depths at and beside both ends of the depth word: zero is inside, and a facet past an end is absent."),
+    driven("13.8", "curved-sides-at-zero", Unit::CurvedFacetProcessor, curved_sides,
+        "The same with sides and depth of second degree."),
+    driven("17.4", "sphere-past-the-ends", Unit::SphereProcessor, sphere_depths,
+        "Front and back depth at and beside both ends of the depth word, the outline at 0 and -1: one pixel is drawn on the outline itself, a cap where the front is past the near end, nothing where all of it is beyond."),
+    driven("17.6", "cylinder-parts-tied", Unit::CylinderProcessor, cylinder_parts,
+        "Sides and discs at 0 and -1 in every combination: the front disc goes before the body, and a pixel in none of the parts is absent."),
+    driven("17.14", "volume-begins-at-the-point", Unit::QuadricVolume, volume_ties,
+        "The visible point at the beginning and the end of a volume and one word beside them, with margins from 0 to half the depth word and units of depth from 1 to 256 words, in all four classes: the margin opens the beginning, the end stays closed, the background is in no volume."),
+    driven("17.5", "volume-planes-past-the-depth-word", Unit::PolyhedralVolume, volume_planes,
+        "Planes of a volume at the ends of their 36 bits and beside the point, of every kind: they are compared in full, without a clamp."),
+    driven("17.12", "carry-at-the-middle", Unit::ProgrammablePe, carries,
+        "Low halves of all ones in every word: split, no carry reaches the high half, and the four lanes wrap by themselves; whole, it does."),
+    driven("17.12", "fields-in-any-order", Unit::MemoryPe2, fields,
+        "The odd field twice, then the even one, then the odd one again, on the greatest and least words: every field begins with the words as they were loaded."),
 ];
 
 /// The far end of the base format.

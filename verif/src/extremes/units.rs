@@ -1,101 +1,32 @@
 //! Extremes of single units: the words themselves at their ends.
 
-use super::{Case, Extreme};
+use super::case::{Extreme, driven};
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
 
+#[rustfmt::skip]
 pub const CASES: &[Extreme] = &[
-    Extreme {
-        name: "f2-at-the-ends-of-its-word",
-        item: "17.3",
-        outcome: "f2 = 0, 1, 2^47 - 1: inside, with the roots 0, 1 and 11863283; f2 = -1, -2^47: outside. Presence is the sign bit, so that zero is inside.",
-        case: Case::Unit {
-            unit: Unit::QuadricPe,
-            stimulus: f2_ends,
-        },
-    },
-    Extreme {
-        name: "smallest-radicands",
-        item: "17.10",
-        outcome: "Radicands 0 to 15 in the piecewise linear root: the floors of short words take over from the percentages; hardware and golden model floor at the same places.",
-        case: Case::Unit {
-            unit: Unit::SquareRootLinear,
-            stimulus: smallest_radicands,
-        },
-    },
-    Extreme {
-        name: "radicands-at-powers-of-four",
-        item: "17.10",
-        outcome: "4^m - 1, 4^m, 4^m + 1 and the same of 2 * 4^m, up to the top bit: the places where the pair of octaves of an approximation changes.",
-        case: Case::Unit {
-            unit: Unit::SquareRootQuadratic,
-            stimulus: powers_of_four,
-        },
-    },
-    Extreme {
-        name: "squares-and-their-neighbours",
-        item: "17.10",
-        outcome: "n^2 - 1, n^2, n^2 + 2n at both ends of the root and at every power of two: the only places where floor(sqrt) can step wrongly.",
-        case: Case::Unit {
-            unit: Unit::SquareRoot,
-            stimulus: squares,
-        },
-    },
-    Extreme {
-        name: "plane-ties",
-        item: "17.6",
-        outcome: "zp = zf, zp = zb, zf = zb, all three equal, at both ends of the word, for every kind of plane: the tests are closed, so a face in the plane stays.",
-        case: Case::Unit {
-            unit: Unit::CutPlane,
-            stimulus: plane_ties,
-        },
-    },
-    Extreme {
-        name: "plane-slope-of-one",
-        item: "17.5",
-        outcome: "A plane of slope 0, +1 and -1 of the last place: depth steps by exactly one word a pixel through zero.",
-        case: Case::Unit {
-            unit: Unit::PlaneDepth,
-            stimulus: plane_slopes,
-        },
-    },
-    Extreme {
-        name: "plane-past-its-word",
-        item: "17.5",
-        outcome: "A plane whose depth runs over both ends of the depth word: it is clamped one below the near end and at the far end, its sign kept, so that it removes all or nothing instead of wrapping.",
-        case: Case::Unit {
-            unit: Unit::PlaneDepth,
-            stimulus: plane_past_its_word,
-        },
-    },
-    Extreme {
-        name: "lines-after-the-last",
-        item: "17.12",
-        outcome: "Line steps after the last line of a zone go on with the polynomial modulo 2^48: nothing but a start loads anew.",
-        case: Case::Unit {
-            unit: Unit::Pe2,
-            stimulus: lines_after_the_last,
-        },
-    },
-    Extreme {
-        name: "normal-without-length",
-        item: "17.15",
-        outcome: "K = 0 and g = 0 on every component, at every root: the normal is (0, 0, 0), an apex; with the greatest negative words the sum wraps as stated and nothing else happens.",
-        case: Case::Unit {
-            unit: Unit::NormalUnit,
-            stimulus: normal_words,
-        },
-    },
-    Extreme {
-        name: "roots-past-the-depth-word",
-        item: "17.4",
-        outcome: "f1 - r and f1 + r at and beside both ends of the depth word in all four classes: clamped where a solid reaches past an end, absent where all of it lies beyond.",
-        case: Case::Unit {
-            unit: Unit::DepthInterval,
-            stimulus: past_the_depth_word,
-        },
-    },
+    driven("17.3", "f2-at-the-ends-of-its-word", Unit::QuadricPe, f2_ends,
+        "f2 = 0, 1, 2^47 - 1: inside, with the roots 0, 1 and 11863283; f2 = -1, -2^47: outside. Presence is the sign bit, so that zero is inside."),
+    driven("17.10", "smallest-radicands", Unit::SquareRootLinear, smallest_radicands,
+        "Radicands 0 to 15 in the piecewise linear root: the floors of short words take over from the percentages; hardware and golden model floor at the same places."),
+    driven("17.10", "radicands-at-powers-of-four", Unit::SquareRootQuadratic, powers_of_four,
+        "4^m - 1, 4^m, 4^m + 1 and the same of 2 * 4^m, up to the top bit: the places where the pair of octaves of an approximation changes."),
+    driven("17.10", "squares-and-their-neighbours", Unit::SquareRoot, squares,
+        "n^2 - 1, n^2, n^2 + 2n at both ends of the root and at every power of two: the only places where floor(sqrt) can step wrongly."),
+    driven("17.6", "plane-ties", Unit::CutPlane, plane_ties,
+        "zp = zf, zp = zb, zf = zb, all three equal, at both ends of the word, for every kind of plane: the tests are closed, so a face in the plane stays."),
+    driven("17.5", "plane-slope-of-one", Unit::PlaneDepth, plane_slopes,
+        "A plane of slope 0, +1 and -1 of the last place: depth steps by exactly one word a pixel through zero."),
+    driven("17.5", "plane-past-its-word", Unit::PlaneDepth, plane_past_its_word,
+        "A plane whose depth runs over both ends of the depth word: it is clamped one below the near end and at the far end, its sign kept, so that it removes all or nothing instead of wrapping."),
+    driven("17.12", "lines-after-the-last", Unit::Pe2, lines_after_the_last,
+        "Line steps after the last line of a zone go on with the polynomial modulo 2^48: nothing but a start loads anew."),
+    driven("17.15", "normal-without-length", Unit::NormalUnit, normal_words,
+        "K = 0 and g = 0 on every component, at every root: the normal is (0, 0, 0), an apex; with the greatest negative words the sum wraps as stated and nothing else happens."),
+    driven("17.4", "roots-past-the-depth-word", Unit::DepthInterval, past_the_depth_word,
+        "f1 - r and f1 + r at and beside both ends of the depth word in all four classes: clamped where a solid reaches past an end, absent where all of it lies beyond."),
 ];
 
 /// The least and greatest words of a signed port, and those about zero.

@@ -1,6 +1,6 @@
 //! `bind` statements of SystemVerilog, resolved in the text: Yosys reads them but does not act on them.
 
-use super::FormalError;
+use super::error::FormalError;
 
 /// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design followed by the
 /// properties without their `bind` statements.

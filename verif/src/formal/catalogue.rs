@@ -4,9 +4,6 @@ use super::job::{Design, Job, Method, Words};
 use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
 
-/// The format whose proofs run without `--full`.
-const BASE: usize = 24;
-
 /// Bits of a word where products are compared.
 const PRODUCT: usize = 4;
 
@@ -17,7 +14,10 @@ macro_rules! property {
     };
 }
 
+mod base;
 mod root;
+
+use base::{BASE, Definitions, at_format, define, integers, job};
 
 /// Names of all proofs, those for `--full` included.
 pub fn names() -> Vec<String> {
@@ -34,103 +34,108 @@ pub fn jobs() -> Vec<Job> {
     jobs
 }
 
-/// A job bound to an emitted unit of the base format; the rest is set by the functions below.
-fn job(name: String, statement: &'static str, properties: &'static str, unit: Unit) -> Job {
-    Job {
-        name,
-        statement,
-        method: Method::Induction { depth: 1 },
-        widths: String::new(),
-        full: false,
-        design: Design::Emitted(Request::new(unit)),
-        properties,
-        definitions: Vec::new(),
-        words: Words::None,
-        top: unit.name(),
+/// A proof at every depth word. Its jobs are named after the first width.
+struct Family {
+    name: &'static str,
+    unit: Unit,
+    properties: &'static str,
+    widths: fn(usize) -> Definitions,
+    statement: &'static str,
+}
+
+impl Family {
+    fn at(&self, depth_word: usize) -> Job {
+        let widths = (self.widths)(depth_word);
+        let name = format!("{}-{}", self.name, widths[0].1);
+        let job = job(name, self.statement, self.properties, self.unit);
+        at_format(job, depth_word, &widths)
     }
 }
+
+const PE1: Family = Family {
+    name: "pe1",
+    unit: Unit::Pe1,
+    properties: property!("pe1.sv"),
+    widths: |w| vec![("N", w + 2)],
+    statement: "pe1: value = c + ghost sum of b per line + ghost sum of a per pixel, modulo 2^N",
+};
+const PE2: Family = Family {
+    name: "pe2",
+    unit: Unit::Pe2,
+    properties: property!("pe2.sv"),
+    widths: |w| vec![("N", 2 * w)],
+    statement: "pe2: every register is its difference of the polynomial, in ghost sums, modulo 2^N",
+};
+const CUT_PLANE: Family = Family {
+    name: "cut_plane",
+    unit: Unit::CutPlane,
+    properties: property!("cut_plane.sv"),
+    widths: |w| vec![("W", w)],
+    statement: "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 1",
+};
+const CUT_PLANE_ORDER: Family = Family {
+    name: "cut_plane_order",
+    properties: property!("cut_plane_order.sv"),
+    statement: "two cut planes leave the same depths in either order",
+    ..CUT_PLANE
+};
+const DEPTH_INTERVAL: Family = Family {
+    name: "depth_interval",
+    unit: Unit::DepthInterval,
+    properties: property!("depth_interval.sv"),
+    widths: |w| vec![("W", w), ("S", w + 2)],
+    statement: "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 1",
+};
+const TWO_VOLUME_MERGE: Family = Family {
+    name: "two_volume_merge",
+    unit: Unit::TwoVolumeMerge,
+    properties: property!("two_volume_merge.sv"),
+    statement: "two_volume_merge: the half with the nearer front goes on whole, half A at a tie, latency 1",
+    ..CUT_PLANE
+};
+const VISIBILITY_NODE: Family = Family {
+    name: "visibility_node",
+    unit: Unit::VisibilityNode,
+    properties: property!("visibility_node.sv"),
+    statement: "visibility_node: the input with the smaller {depth, id} goes on whole, latency 1",
+    ..CUT_PLANE
+};
 
 fn depth_words() -> [usize; 5] {
     DEPTH_WORDS.map(|word| word as usize)
 }
 
-fn at_format(mut job: Job, depth_word: usize, definitions: &[(&str, usize)]) -> Job {
-    if let Design::Emitted(request) = &mut job.design {
-        request.depth_word = depth_word as u32;
-    }
-    job.full = depth_word != BASE;
-    job.definitions = define(definitions);
-    let widths: Vec<String> = definitions
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
-    job.widths = widths.join(", ");
-    job
-}
-
-fn define(definitions: &[(&str, usize)]) -> Vec<(String, String)> {
-    let pair = |(name, value): &(&str, usize)| ((*name).to_owned(), value.to_string());
-    definitions.iter().map(pair).collect()
-}
-
-fn integers(name: &str, statement: &'static str, text: &'static str) -> Job {
-    let mut job = job(name.to_owned(), statement, "", Unit::Pe1);
-    job.method = Method::Integers;
-    job.design = Design::Text(text);
-    job.widths = "any".into();
-    job
-}
-
 fn elementary() -> Vec<Job> {
-    let mut jobs = Vec::new();
-    for (word, n) in depth_words().map(|w| (w, 2 * w)) {
-        let statement =
-            "pe2: every register is its difference of the polynomial, in ghost sums, modulo 2^N";
-        let pe2 = job(
-            format!("pe2-{n}"),
-            statement,
-            property!("pe2.sv"),
-            Unit::Pe2,
-        );
-        jobs.push(at_format(pe2, word, &[("N", n)]));
-    }
-    for (word, n) in depth_words().map(|w| (w, w + 2)) {
-        let statement =
-            "pe1: value = c + ghost sum of b per line + ghost sum of a per pixel, modulo 2^N";
-        let pe1 = job(
-            format!("pe1-{n}"),
-            statement,
-            property!("pe1.sv"),
-            Unit::Pe1,
-        );
-        jobs.push(at_format(pe1, word, &[("N", n)]));
-    }
-    jobs.push(integers(
-        "pe1-integers",
-        "the ghost sums of pe1 are a x and b y",
-        property!("pe1.smt2"),
-    ));
-    jobs.push(integers(
-        "pe2-integers",
-        "the ghost sums of pe2 have their closed forms and add up to the polynomial",
-        property!("pe2.smt2"),
-    ));
-    let statement = "pe1 against a x + b y + c with multipliers, narrowed";
+    let mut jobs: Vec<Job> = [PE2, PE1]
+        .iter()
+        .flat_map(|family| depth_words().map(|word| family.at(word)))
+        .collect();
     let pe1 = job(
         "pe1-products".into(),
-        statement,
+        "pe1 against a x + b y + c with multipliers, narrowed",
         property!("pe1_products.sv"),
         Unit::Pe1,
     );
-    jobs.push(products(pe1, BASE + 2, 6));
-    let statement = "pe2 against a x^2 + b y^2 + c x y + d x + e y + f with multipliers, narrowed";
     let pe2 = job(
         "pe2-products".into(),
-        statement,
+        "pe2 against a x^2 + b y^2 + c x y + d x + e y + f with multipliers, narrowed",
         property!("pe2_products.sv"),
         Unit::Pe2,
     );
-    jobs.push(products(pe2, 2 * BASE, 5));
+    jobs.extend([
+        integers(
+            "pe1-integers",
+            "the ghost sums of pe1 are a x and b y",
+            property!("pe1.smt2"),
+        ),
+        integers(
+            "pe2-integers",
+            "the ghost sums of pe2 have their closed forms and add up to the polynomial",
+            property!("pe2.smt2"),
+        ),
+        products(pe1, BASE + 2, 6),
+        products(pe2, 2 * BASE, 5),
+    ]);
     jobs
 }
 
@@ -146,157 +151,112 @@ fn products(mut job: Job, width: usize, clocks: usize) -> Job {
 }
 
 fn depths() -> Vec<Job> {
-    let mut jobs = Vec::new();
-    for w in depth_words() {
-        let statement = "cut_plane: holds exactly the depths that the half holds and the plane keeps, ordered or absent, latency 1";
-        let cut = property!("cut_plane.sv");
-        let cut = job(format!("cut_plane-{w}"), statement, cut, Unit::CutPlane);
-        jobs.push(at_format(cut, w, &[("W", w)]));
-
-        let statement = "two cut planes leave the same depths in either order";
-        let order = property!("cut_plane_order.sv");
-        let mut order = job(
-            format!("cut_plane_order-{w}"),
-            statement,
-            order,
-            Unit::CutPlane,
-        );
-        order.top = "cut_plane_order";
-        order.method = Method::Induction { depth: 2 };
-        jobs.push(at_format(order, w, &[("W", w)]));
-
-        let statement = "depth_interval: holds exactly the depths of the object's class, ordered or absent, latency 1";
-        let interval = property!("depth_interval.sv");
-        let interval = job(
-            format!("depth_interval-{w}"),
-            statement,
-            interval,
-            Unit::DepthInterval,
-        );
-        jobs.push(at_format(interval, w, &[("W", w), ("S", w + 2)]));
-
-        let statement = "two_volume_merge: the half with the nearer front goes on whole, half A at a tie, latency 1";
-        let merge = property!("two_volume_merge.sv");
-        let merge = job(
-            format!("two_volume_merge-{w}"),
-            statement,
-            merge,
-            Unit::TwoVolumeMerge,
-        );
-        jobs.push(at_format(merge, w, &[("W", w)]));
-    }
-    jobs
+    let at = |word: usize| {
+        let order = Job {
+            top: "cut_plane_order",
+            method: Method::Induction { depth: 2 },
+            ..CUT_PLANE_ORDER.at(word)
+        };
+        let [cut, interval, merge] =
+            [CUT_PLANE, DEPTH_INTERVAL, TWO_VOLUME_MERGE].map(|family| family.at(word));
+        [cut, order, interval, merge]
+    };
+    depth_words().into_iter().flat_map(at).collect()
 }
 
 fn raster() -> Vec<Job> {
-    let statement = "raster_control: one pixel per clock in raster order from go to last, count = ghost sum of lines + x + 1";
-    let control = property!("raster_control.sv");
-    let mut control = job(
-        "raster_control-12".into(),
-        statement,
-        control,
-        Unit::RasterControl,
+    let control = |name: &str, statement, properties| Job {
+        widths: "coordinates 12".into(),
+        ..job(name.to_owned(), statement, properties, Unit::RasterControl)
+    };
+    let count = control(
+        "raster_control-3x3",
+        "raster_control: width x height valid clocks per go, against the product, zones to 3 x 3",
+        property!("raster_control_count.sv"),
     );
-    control.widths = "coordinates 12".into();
-
-    let statement =
-        "raster_control: width x height valid clocks per go, against the product, zones to 3 x 3";
-    let count = property!("raster_control_count.sv");
-    let mut count = job(
-        "raster_control-3x3".into(),
-        statement,
-        count,
-        Unit::RasterControl,
-    );
-    count.method = Method::Bounded { clocks: 22 };
-    count.widths = "coordinates 12".into();
-
     let mut jobs = vec![
-        control,
-        count,
+        control(
+            "raster_control-12",
+            "raster_control: one pixel per clock in raster order from go to last, count = ghost sum of lines + x + 1",
+            property!("raster_control.sv"),
+        ),
+        Job {
+            method: Method::Bounded { clocks: 22 },
+            ..count
+        },
         integers(
             "raster_control-integers",
             "the ghost sum of lines is y width, and the count at last is width x height",
             property!("raster_control.smt2"),
         ),
     ];
-    for (planes, rows) in [(3, 1), (0, 1), (12, 1), (3, 4), (1, 24)] {
-        jobs.push(valid_path(planes, rows));
-    }
+    jobs.extend([(3, 1), (0, 1), (12, 1), (3, 4), (1, 24)].map(valid_path));
     jobs.push(beam_valid());
     jobs
 }
 
-fn valid_path(planes: usize, rows_per_stage: usize) -> Job {
-    let request = Request {
-        planes: planes as u32,
-        rows_per_stage: rows_per_stage as u32,
-        ..Request::new(Unit::QuadricProcessor)
-    };
+/// A job about a latency of the base format, which is also the depth of its induction.
+fn late(job: Job, latency: usize, definitions: &[(&str, usize)]) -> Job {
+    let definitions = [definitions, &[("LATENCY", latency)]].concat();
+    Job {
+        method: Method::Induction { depth: latency },
+        ..at_format(job, BASE, &definitions)
+    }
+}
+
+fn valid_path((planes, rows_per_stage): (usize, usize)) -> Job {
+    let path = job(
+        format!("quadric_processor-n{planes}-r{rows_per_stage}"),
+        "quadric_processor: out_valid is valid, L + N + 7 clocks later; none lost, none made",
+        property!("valid_path.sv"),
+        Unit::QuadricProcessor,
+    );
     let latency = BASE.div_ceil(rows_per_stage) + planes + 7;
-    let statement =
-        "quadric_processor: out_valid is valid, L + N + 7 clocks later; none lost, none made";
-    let name = format!("quadric_processor-n{planes}-r{rows_per_stage}");
-    let path = property!("valid_path.sv");
-    let path = job(name, statement, path, Unit::QuadricProcessor);
-    let mut path = at_format(path, BASE, &[("LATENCY", latency)]);
-    path.method = Method::Induction { depth: latency };
-    path.design = Design::Emitted(request);
-    path.top = "valid_path";
-    path.full = (planes, rows_per_stage) != (3, 1);
-    path
+    Job {
+        design: Design::Emitted(Request {
+            planes: planes as u32,
+            rows_per_stage: rows_per_stage as u32,
+            ..Request::new(Unit::QuadricProcessor)
+        }),
+        top: "valid_path",
+        full: (planes, rows_per_stage) != (3, 1),
+        ..late(path, latency, &[])
+    }
 }
 
 fn beam_valid() -> Job {
-    let latency = BASE + 3 + 7 + 2;
-    let statement = "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made";
-    let beam = property!("beam_valid.sv");
-    let beam = job("beam-m4-n3".into(), statement, beam, Unit::Beam);
-    let mut beam = at_format(beam, BASE, &[("LATENCY", latency)]);
-    beam.method = Method::Induction { depth: latency };
-    beam.top = "beam_valid";
-    beam
+    let beam = job(
+        "beam-m4-n3".into(),
+        "beam: valid is that of its raster control, L + N + 7 + tree clocks later; none lost, none made",
+        property!("beam_valid.sv"),
+        Unit::Beam,
+    );
+    Job {
+        top: "beam_valid",
+        ..late(beam, BASE + 3 + 7 + 2, &[])
+    }
 }
 
 fn decision() -> Vec<Job> {
-    let mut jobs = Vec::new();
-    for w in depth_words() {
-        let statement =
-            "visibility_node: the input with the smaller {depth, id} goes on whole, latency 1";
-        let node = property!("visibility_node.sv");
-        let node = job(
-            format!("visibility_node-{w}"),
-            statement,
-            node,
-            Unit::VisibilityNode,
-        );
-        jobs.push(at_format(node, w, &[("W", w)]));
-    }
-    for inputs in [4, 2, 3, 5] {
-        jobs.push(decider(inputs));
-    }
-    jobs
+    let nodes = depth_words().map(|word| VISIBILITY_NODE.at(word));
+    nodes.into_iter().chain([4, 2, 3, 5].map(decider)).collect()
 }
 
 fn decider(inputs: usize) -> Job {
-    let latency = inputs.next_power_of_two().ilog2() as usize;
-    let statement =
-        "decider: the smallest {depth, id} of all inputs, whole, ceil(log2 M) clocks later";
-    let decider = property!("decider.sv");
     let decider = job(
         format!("decider-m{inputs}"),
-        statement,
-        decider,
+        "decider: the smallest {depth, id} of all inputs, whole, ceil(log2 M) clocks later",
+        property!("decider.sv"),
         Unit::Decider,
     );
-    let definitions = [("W", BASE), ("M", inputs), ("LATENCY", latency)];
-    let mut decider = at_format(decider, BASE, &definitions);
-    decider.design = Design::Emitted(Request {
-        objects: inputs as u32,
-        ..Request::new(Unit::Decider)
-    });
-    decider.method = Method::Induction { depth: latency };
-    decider.words = Words::Inputs;
-    decider.full = inputs != 4;
-    decider
+    let latency = inputs.next_power_of_two().ilog2() as usize;
+    Job {
+        design: Design::Emitted(Request {
+            objects: inputs as u32,
+            ..Request::new(Unit::Decider)
+        }),
+        words: Words::Inputs,
+        full: inputs != 4,
+        ..late(decider, latency, &[("W", BASE), ("M", inputs)])
+    }
 }

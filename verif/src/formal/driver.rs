@@ -1,14 +1,27 @@
 //! The programs that prove a text: SymbiYosys, Yosys with its SMT driver, or z3 alone.
 
-use super::FormalError;
+use super::error::FormalError;
 use super::job::{Job, Method};
-use super::runner::Verdict;
 use super::toolchain::{Driver, Toolchain};
+use imogene_tools::{FileError, Said, call, last_lines, write};
+use serde::Serialize;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
 /// Seconds a job may take.
 const TIME_LIMIT: u32 = 1800;
+
+/// What a job found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// The property holds, to the extent that the method covers.
+    Proved,
+    /// There is a counterexample.
+    Refuted,
+    /// Neither, in the time there was or by induction of this depth.
+    Open,
+}
 
 type Outcome = (Verdict, Option<String>);
 
@@ -42,35 +55,18 @@ fn script(top: &str) -> String {
     commands.join("\n") + "\n"
 }
 
-fn write(folder: &Path, name: &str, text: &str) -> Result<(), FormalError> {
-    let path = folder.join(name);
-    std::fs::write(&path, text).map_err(FormalError::io(path.display()))
+fn run_in(command: &mut Command, folder: &Path) -> Result<Said, FormalError> {
+    let what = command.get_program().to_owned();
+    let said = call(command.current_dir(folder)).map_err(FileError::at(what))?;
+    Ok(said)
 }
 
-fn output(command: &mut Command, folder: &Path) -> Result<Output, FormalError> {
-    let what = command.get_program().to_string_lossy().into_owned();
-    command
-        .current_dir(folder)
-        .output()
-        .map_err(FormalError::io(what))
-}
-
-fn failed(job: &str, tool: &str, output: &Output) -> FormalError {
-    let text = said(output);
-    let lines: Vec<&str> = text
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
+fn failed(job: &str, tool: &str, said: &Said) -> FormalError {
     FormalError::Tool {
         job: job.to_owned(),
         tool: tool.to_owned(),
-        message: lines[lines.len().saturating_sub(6)..].join("\n"),
+        message: last_lines(&said.all()),
     }
-}
-
-fn said(output: &Output) -> String {
-    let all = [output.stdout.as_slice(), &output.stderr].concat();
-    String::from_utf8_lossy(&all).into_owned()
 }
 
 /// The assertion that fails: the line of the text that the tool names.
@@ -100,8 +96,8 @@ fn sby(
         "[options]\nmode {mode}\ndepth {depth}\ntimeout {TIME_LIMIT}\n[engines]\nsmtbmc z3\n[script]\n{}[files]\njob.sv\n",
         script(job.top)
     );
-    write(folder, "job.sv", text)?;
-    write(folder, "job.sby", &file)?;
+    write(&folder.join("job.sv"), text)?;
+    write(&folder.join("job.sby"), &file)?;
     let mut command = match tools.driver {
         Driver::Packaged => {
             let mut command = tools.command("yowasp-sby");
@@ -112,10 +108,10 @@ fn sby(
         }
         _ => tools.command("sby"),
     };
-    let output = output(command.args(["-f", "job.sby"]), folder)?;
-    let log = said(&output);
+    let said = run_in(command.args(["-f", "job.sby"]), folder)?;
+    let log = said.all();
     // The exit codes of SymbiYosys.
-    match output.status.code() {
+    match said.code {
         Some(0) => Ok((Verdict::Proved, None)),
         Some(2) => Ok((Verdict::Refuted, failing_assertion(&log, text))),
         Some(4) => {
@@ -123,7 +119,7 @@ fn sby(
             Ok((Verdict::Open, Some(format!("not inductive: {line}"))))
         }
         Some(8) => Ok((Verdict::Open, Some(timeout()))),
-        _ => Err(failed(&job.name, "sby", &output)),
+        _ => Err(failed(&job.name, "sby", &said)),
     }
 }
 
@@ -146,11 +142,11 @@ fn smtbmc(
     folder: &Path,
     tools: &Toolchain,
 ) -> Result<Outcome, FormalError> {
-    write(folder, "job.sv", text)?;
+    write(&folder.join("job.sv"), text)?;
     let script = script(job.top) + "dffunmap\nwrite_smt2 -wires job.smt2\n";
-    write(folder, "job.ys", &script)?;
-    let read = output(tools.command("yosys").args(["-q", "job.ys"]), folder)?;
-    if !read.status.success() {
+    write(&folder.join("job.ys"), &script)?;
+    let read = run_in(tools.command("yosys").args(["-q", "job.ys"]), folder)?;
+    if !read.succeeded() {
         return Err(failed(&job.name, "yosys", &read));
     }
     let run = |depth: usize, induction: bool| -> Result<Outcome, FormalError> {
@@ -158,14 +154,14 @@ fn smtbmc(
         command.args(["-s", "z3", "-t", &depth.to_string()]);
         command.args(["--dump-vcd", "trace.vcd"]);
         command.args(induction.then_some("-i")).arg("job.smt2");
-        let output = output(&mut command, folder)?;
-        let log = said(&output);
-        if output.status.success() {
+        let said = run_in(&mut command, folder)?;
+        let log = said.all();
+        if said.succeeded() {
             Ok((Verdict::Proved, None))
-        } else if output.status.code() == Some(124) {
+        } else if said.code == Some(124) {
             Ok((Verdict::Open, Some(timeout())))
         } else if !log.contains("Status: FAILED") && !log.contains("Status: failed") {
-            Err(failed(&job.name, "yosys-smtbmc", &output))
+            Err(failed(&job.name, "yosys-smtbmc", &said))
         } else if induction {
             let line = failing_assertion(&log, text).unwrap_or_default();
             Ok((Verdict::Open, Some(format!("not inductive: {line}"))))
@@ -190,9 +186,9 @@ fn integers(
     folder: &Path,
     tools: &Toolchain,
 ) -> Result<Outcome, FormalError> {
-    write(folder, "job.smt2", text)?;
-    let output = output(limited(tools, "z3").arg("job.smt2"), folder)?;
-    let log = said(&output);
+    write(&folder.join("job.smt2"), text)?;
+    let said = run_in(limited(tools, "z3").arg("job.smt2"), folder)?;
+    let log = said.all();
     let answers: Vec<&str> = log.lines().map(str::trim).collect();
     let asked = text.matches("(check-sat)").count();
     if let Some(at) = answers.iter().position(|answer| *answer == "sat") {
@@ -202,8 +198,8 @@ fn integers(
     if answers.len() == asked && asked > 0 && answers.iter().all(|answer| *answer == "unsat") {
         return Ok((Verdict::Proved, None));
     }
-    if answers.contains(&"unknown") || output.status.code() == Some(124) {
+    if answers.contains(&"unknown") || said.code == Some(124) {
         return Ok((Verdict::Open, Some("z3 does not know".into())));
     }
-    Err(failed(job, "z3", &output))
+    Err(failed(job, "z3", &said))
 }

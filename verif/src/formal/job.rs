@@ -1,7 +1,8 @@
 //! A proof: what it states, of which design, and how it is proved.
 
+use super::bind;
+use super::error::FormalError;
 use super::mutants::Mutant;
-use super::{FormalError, bind, network};
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;
 use std::fmt::{self, Write};
@@ -120,7 +121,7 @@ impl Job {
         match (self.words, &self.design) {
             (Words::Network, Design::Emitted(request)) => {
                 let [bits, rows] = [request.depth_word, request.rows_per_stage].map(|n| n as usize);
-                network::stage_words(bits, rows)
+                stage_words(bits, rows)
             }
             (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects as usize),
             _ => Vec::new(),
@@ -148,4 +149,25 @@ fn decider_inputs(inputs: usize) -> Vec<(String, String)> {
     words
         .map(|(name, fields)| (name.to_owned(), all(fields)))
         .into()
+}
+
+/// Definitions for the properties of a root network of `bits` bits: `K`, `STAGES`, `ROWS` and the words of all stages side
+/// by side, the last stage first. Element 0 of an array is what the first stage takes.
+fn stage_words(bits: usize, rows_per_stage: usize) -> Vec<(String, String)> {
+    let stages = bits.div_ceil(rows_per_stage);
+    let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows_per_stage)];
+    let numbers = numbers.map(|(name, value)| (name.to_owned(), value.to_string()));
+    let words = [
+        ("PAIRS", "pairs"),
+        ("ROOTS", "root"),
+        ("REMAINDERS", "remainder"),
+    ];
+    let words = words.map(|(name, port)| {
+        let stages = (1..=stages).rev();
+        let list: Vec<String> = stages
+            .map(|stage| format!("stages_{port}[{stage}]"))
+            .collect();
+        (name.to_owned(), format!("{{{}}}", list.join(", ")))
+    });
+    numbers.into_iter().chain(words).collect()
 }

@@ -1,6 +1,6 @@
 //! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not notice it proves nothing.
 
-use super::FormalError;
+use super::error::FormalError;
 
 /// A search and replace on the text of a design.
 #[derive(Clone, Copy, Debug)]

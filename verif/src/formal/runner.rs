@@ -1,10 +1,13 @@
 //! Runs proofs, each in a temporary folder of its own, two at a time.
 
+use super::catalogue;
 use super::driver;
+pub use super::driver::Verdict;
+use super::error::FormalError;
 use super::job::{Job, Method};
 use super::mutants::Mutant;
 use super::toolchain::Toolchain;
-use super::{FormalError, catalogue};
+use imogene_tools::FileError;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -12,18 +15,6 @@ use std::time::Instant;
 
 /// Jobs at the same time; each may run two solvers.
 const JOBS_AT_ONCE: usize = 2;
-
-/// What a job found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Verdict {
-    /// The property holds, to the extent that the method covers.
-    Proved,
-    /// There is a counterexample.
-    Refuted,
-    /// Neither, in the time there was or by induction of this depth.
-    Open,
-}
 
 /// Outcome of a job; the keys are stable.
 #[derive(Clone, Debug, Serialize)]
@@ -79,7 +70,8 @@ pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
     let family: Vec<Job> = jobs.into_iter().filter(of_family).collect();
     if family.is_empty() {
         let name = name.to_owned();
-        return Err(FormalError::Unknown { name });
+        let names = catalogue::names().join(", ");
+        return Err(FormalError::Unknown { name, names });
     }
     let short: Vec<Job> = family.iter().filter(|job| !job.full).cloned().collect();
     if full || short.is_empty() {
@@ -101,7 +93,7 @@ pub fn prove_all(
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(JOBS_AT_ONCE)
         .build()
-        .map_err(|error| FormalError::io("threads")(std::io::Error::other(error)))?;
+        .map_err(|error| FileError::at("threads")(std::io::Error::other(error)))?;
     let run = |task: &Task| {
         let report = prove(task, tools)?;
         done(&report);
@@ -116,7 +108,7 @@ fn kept(folder: tempfile::TempDir) -> Result<PathBuf, FormalError> {
     let name = folder.path().file_name().unwrap_or_default();
     let lasting = std::env::temp_dir().join(name);
     let folder = folder.keep();
-    std::fs::rename(&folder, &lasting).map_err(FormalError::io(lasting.display()))?;
+    std::fs::rename(&folder, &lasting).map_err(FileError::at(&lasting))?;
     Ok(lasting)
 }
 
@@ -138,7 +130,7 @@ pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError>
     let folder = tempfile::Builder::new()
         .prefix("imogene-prove-")
         .tempdir()
-        .map_err(FormalError::io("temporary folder"))?;
+        .map_err(FileError::at("temporary folder"))?;
     let begun = Instant::now();
     let (result, detail) = driver::run(job, method, &text, folder.path(), tools)?;
     let seconds = begun.elapsed().as_secs_f64();

@@ -1,7 +1,7 @@
 //! The killing: every mutant on the unit's stimulus against the golden model.
 
-use super::list::Mutant;
-use super::{MutationError, Options, netlist, selector};
+use super::netlist;
+use super::score::{Mutant, MutationError, Options, selector};
 use crate::engine::design::Source;
 use crate::engine::verilator::{Model, VerilatedUnit};
 use crate::subject::Subject;

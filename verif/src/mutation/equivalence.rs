@@ -3,13 +3,11 @@
 //! First with the registers cut: for every state that the facts allow, next state and outputs of unit and mutant are equal. Where that
 //! fails, over time: by induction from the initial state. The base case of the induction also tells when a mutant *does* differ.
 
+use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, assume};
-use super::list::Mutant;
-use super::{Design, Fate, MutationError, Options, Outcome};
+use super::score::{Design, Fate, Mutant, MutationError, Options, Outcome};
 use crate::subject::Subject;
-use crate::tool::{ToolError, write};
-use crate::yosys::cut::{cut, cut_command};
-use crate::yosys::yosys;
+use imogene_tools::{ToolError, read, write, yosys};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -38,9 +36,8 @@ impl Judge {
         options: &Options,
     ) -> Result<Judge, MutationError> {
         assume(folder, design.top, &subject.name)?;
-        let path = folder.join(ASSUMED);
-        let netlist = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
-        write(&folder.join(CUT), &cut(&netlist, |place| place))?;
+        let netlist = read(&folder.join(ASSUMED))?;
+        write(&folder.join(CUT), &cut(&netlist))?;
         let mut initial = netlist
             .lines()
             .filter(|line| line.contains("attribute \\init "));

@@ -6,8 +6,7 @@
 //! result before.
 
 use super::netlist::NETLIST;
-use crate::tool::{ToolError, write};
-use crate::yosys::yosys;
+use imogene_tools::{ToolError, read, write, yosys};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -101,7 +100,7 @@ impl Facts {
         write(&folder.join("facts.v"), &verilog)?;
         let end = netlist.trim_end().strip_suffix("end").unwrap_or(netlist);
         let text = format!("{end}  cell \\facts \\facts_of_unit\n{connections}  end\nend\n");
-        write(&folder.join("stated.il"), &text)
+        Ok(write(&folder.join("stated.il"), &text)?)
     }
 }
 
@@ -134,12 +133,11 @@ pub(super) fn wires(netlist: &str) -> BTreeMap<String, usize> {
 
 /// Writes [`ASSUMED`]: the netlist with the facts that hold.
 pub(super) fn assume(folder: &Path, top: &str, unit: &str) -> Result<(), ToolError> {
-    let path = folder.join(NETLIST);
-    let netlist = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    let netlist = read(&folder.join(NETLIST))?;
     let wires = wires(&netlist);
     let mut facts = Facts::of(unit, &wires);
     if facts == Facts::default() {
-        return write(&folder.join(ASSUMED), &netlist);
+        return Ok(write(&folder.join(ASSUMED), &netlist)?);
     }
     let build = format!(
         "read_rtlil stated.il\nread_verilog -formal facts.v\nproc facts\nflatten {top}\ndelete facts\nselect -clear\n"

@@ -1,9 +1,8 @@
 //! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
 
-use super::list::{Mutant, parse};
-use super::{Design, MutationError, Options, selector};
-use crate::tool::ToolError;
-use crate::yosys::yosys;
+use super::list::parse;
+use super::score::{Design, Mutant, MutationError, Options, selector};
+use imogene_tools::{read, yosys};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -31,8 +30,7 @@ pub(super) fn elaborate(
         .find_map(|line| line.strip_prefix("Raw database size: "))
         .and_then(|count| count.trim().parse().ok())
         .ok_or_else(|| MutationError::List("no size of the database".into()))?;
-    let path = folder.join("mutants.txt");
-    let list = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    let list = read(&folder.join("mutants.txt"))?;
     Ok((parse(&list, text)?, candidates))
 }
 
@@ -53,6 +51,5 @@ pub(super) fn all_mutants(
     }
     script += "write_verilog -noattr mutants.v\n";
     yosys(folder, "mutants.ys", &script)?;
-    let path = folder.join("mutants.v");
-    Ok(std::fs::read_to_string(&path).map_err(ToolError::file(&path))?)
+    Ok(read(&folder.join("mutants.v"))?)
 }

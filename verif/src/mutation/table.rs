@@ -1,6 +1,6 @@
 //! The scores as a page of the documentation.
 
-use super::{Fate, MutationReport};
+use super::score::{Fate, MutationReport};
 use imogene_studies::text::wrapped;
 use std::fmt::Write as _;
 

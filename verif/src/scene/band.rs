@@ -1,9 +1,9 @@
 //! One band of the screen: load, scan, compare.
 
 use super::golden::{GoldenMachine, probe_values};
-use super::{Fault, TraceRequest};
+use super::request::{Fault, TraceRequest, middle_line};
 use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal};
-use crate::report::{Mismatch, Report};
+use crate::report::Report;
 use crate::signal::{Delay, Signal};
 use crate::trace::{Group, Sample, Trace};
 use imogene_golden::machine::decider::Visible;
@@ -200,14 +200,7 @@ impl Band<'_> {
         let golden = output_values(stated);
         for ((signal, hardware), golden) in self.outputs.iter().zip(outputs.values).zip(golden) {
             let Some(golden) = golden else { continue };
-            let mismatch = || Mismatch {
-                cycle,
-                pixel,
-                signal: signal.name.clone(),
-                hardware,
-                golden,
-            };
-            report.compare(mismatch, hardware == Some(golden));
+            report.compare(cycle, pixel, &signal.name, hardware, golden);
         }
         report.pixels += u64::from(stated.is_some());
     }
@@ -224,14 +217,13 @@ impl Band<'_> {
         let cycle = report.cycles;
         for ((probe, &hardware), golden) in recorder.signals.iter().zip(inside).zip(golden) {
             let Some(golden) = *golden else { continue };
-            let mismatch = || Mismatch {
+            report.compare(
                 cycle,
-                pixel: Some(self.pixel(clock - probe.offset)),
-                signal: format!("processor_{}.{}", recorder.object, probe.signal.name),
-                hardware: Some(hardware),
+                Some(self.pixel(clock - probe.offset)),
+                format_args!("processor_{}.{}", recorder.object, probe.signal.name),
+                Some(hardware),
                 golden,
-            };
-            report.compare(mismatch, hardware == golden);
+            );
         }
     }
 }
@@ -272,7 +264,7 @@ struct Recorder {
 impl Recorder {
     fn new(request: &TraceRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
         // The middle line of the traced object.
-        let line = super::middle_line(&band.objects[request.object]) as u64;
+        let line = middle_line(&band.objects[request.object]) as u64;
         let from = line * u64::from(band.scene.width);
         let last = (band.clocks() as u64).saturating_sub(request.clocks);
         let from = from.min(last);

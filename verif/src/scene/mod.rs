@@ -6,6 +6,7 @@
 mod band;
 pub mod fitted;
 mod golden;
+mod request;
 pub mod slots;
 pub mod volumes;
 pub mod zone;
@@ -13,106 +14,15 @@ pub mod zone;
 use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
+pub use request::{CosimError, Fault, MAX_OBJECTS, Options, TraceRequest};
+
 use band::{Band, Part};
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
+use request::middle_line;
 use std::time::Instant;
-use thiserror::Error;
-
-/// Most objects of a beam machine.
-pub const MAX_OBJECTS: usize = 256;
-
-/// Waveforms wanted of a run.
-#[derive(Clone, Debug)]
-pub struct TraceRequest {
-    /// Slot whose inside is traced.
-    pub object: usize,
-    /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always recorded.
-    pub clocks: u64,
-}
-
-/// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// Slot.
-    pub object: u8,
-    /// Load address.
-    pub address: u8,
-    /// Bit of the word.
-    pub bit: u8,
-}
-
-/// How to run.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// Rows of the root network per register stage.
-    pub rows_per_stage: usize,
-    /// Threads, each with an engine of its own.
-    pub threads: usize,
-    /// Waveforms of the band that holds the middle of the traced object.
-    pub trace: Option<TraceRequest>,
-    /// Fault put into the hardware.
-    pub fault: Option<Fault>,
-}
-
-/// Why a scene cannot be co-simulated.
-#[derive(Debug, Error)]
-pub enum CosimError {
-    /// More objects than slots.
-    #[error("the scene has {count} objects; a beam machine takes 1 to {MAX_OBJECTS}")]
-    Objects {
-        /// Objects of the scene.
-        count: usize,
-    },
-    /// More planes than a processor can have.
-    #[error("an object has {count} cut planes; a quadric processor takes at most {MAX_PLANES}")]
-    Planes {
-        /// Planes of the object.
-        count: usize,
-    },
-    /// An object of a processor that the machine does not have.
-    #[error(
-        "object '{object}' is not drawn by a quadric processor, and a beam machine has no other; each of its processors runs by itself"
-    )]
-    Processor {
-        /// Name of the object.
-        object: String,
-    },
-    /// Rows per stage out of range.
-    #[error("rows-per-stage is {value}; accepted: 1 to {limit}")]
-    Rows {
-        /// Given value.
-        value: usize,
-        /// Rows of the network.
-        limit: u32,
-    },
-    /// A slot, address or bit that does not exist.
-    #[error(
-        "fault {object}:{address}:{bit} names no coefficient bit of this machine; accepted: OBJECT below {objects}, ADDRESS below {addresses}, BIT below the width of that word"
-    )]
-    Fault {
-        /// Slot.
-        object: u8,
-        /// Address.
-        address: u8,
-        /// Bit.
-        bit: u8,
-        /// Slots of the machine.
-        objects: usize,
-        /// Words of a slot.
-        addresses: usize,
-    },
-    /// A slot to trace that does not exist.
-    #[error("there is no object {object} to trace; accepted: 0 to {}", objects - 1)]
-    TracedObject {
-        /// Given slot.
-        object: usize,
-        /// Slots of the machine.
-        objects: usize,
-    },
-}
 
 /// The machine that a scene needs.
 pub fn shape_of(scene: &PreparedScene, rows_per_stage: usize) -> Result<MachineShape, CosimError> {
@@ -295,12 +205,6 @@ fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimEr
         }
     }
     Ok(())
-}
-
-/// The middle line of an object on the screen.
-fn middle_line(words: &QuadricWords) -> usize {
-    let b = &words.screen_box;
-    ((b.y0 + b.y1) / 2).max(0) as usize
 }
 
 /// First line and number of lines of each band.

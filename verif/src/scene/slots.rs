@@ -5,7 +5,7 @@
 //! the words that the preparation made; what all of them draw together is compared with the frame of the golden machine.
 
 use super::zone::{Engine, SlotError, Subjects, Zone};
-use crate::report::{Mismatch, Report};
+use crate::report::Report;
 use crate::subject::{Inputs, Subject};
 use crate::trace::Sample;
 use crate::unit::words::{Loaded, processor};
@@ -165,14 +165,13 @@ fn compare_frames(hardware: &Frame, golden: &Frame, report: &mut Report) {
         };
         let names = ["depth", "id", "number", "nx", "ny", "nz"];
         for ((name, found), wanted) in names.into_iter().zip(of(hardware)).zip(of(golden)) {
-            let mismatch = || Mismatch {
-                cycle: 0,
-                pixel: Some(((at % golden.width) as i64, (at / golden.width) as i64)),
-                signal: format!("frame.{name}"),
-                hardware: Some(found),
-                golden: wanted,
-            };
-            report.compare(mismatch, found == wanted);
+            report.compare(
+                0,
+                Some(((at % golden.width) as i64, (at / golden.width) as i64)),
+                format_args!("frame.{name}"),
+                Some(found),
+                wanted,
+            );
         }
     }
 }

@@ -2,7 +2,7 @@
 //! into the flags of the light sources.
 
 use super::zone::{Engine, SlotError, Subjects, Zone};
-use crate::report::{Mismatch, Report};
+use crate::report::Report;
 use crate::subject::{Inputs, Subject};
 use crate::trace::Sample;
 use crate::unit::words::{Loaded, volume};
@@ -140,13 +140,12 @@ impl Job<'_> {
 /// Counts where hardware and golden machine do not agree on which sources reach a point.
 fn compare_flags(hardware: &[u16], golden: &Lighting, frame: &Frame, report: &mut Report) {
     for (at, (&found, &wanted)) in hardware.iter().zip(&golden.flags).enumerate() {
-        let mismatch = || Mismatch {
-            cycle: 0,
-            pixel: Some(((at % frame.width) as i64, (at / frame.width) as i64)),
-            signal: "source flags".into(),
-            hardware: Some(found.into()),
-            golden: wanted.into(),
-        };
-        report.compare(mismatch, found == wanted);
+        report.compare(
+            0,
+            Some(((at % frame.width) as i64, (at / frame.width) as i64)),
+            "source flags",
+            Some(found.into()),
+            wanted.into(),
+        );
     }
 }

@@ -1,9 +1,8 @@
 //! The visibility node and the deciders.
 
-use super::Description;
-use super::Late;
+use super::description::{Description, Late, stated};
 use crate::stimulus::depth;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::decider::{Visible, decide, latency};
 use imogene_golden::machine::skew::Skewed;
 use imogene_golden::machine::{card_decider as cards, visibility_chain as chain};
@@ -21,11 +20,9 @@ fn visible_of(i: &[i64]) -> Visible {
     }
 }
 
-fn flat(v: &Visible) -> Vec<Option<i64>> {
+pub(super) fn flat(v: Visible) -> [i64; FIELDS] {
     let [nx, ny, nz] = v.normal.map(i64::from);
     [v.depth, v.id.into(), v.number.into(), nx, ny, nz]
-        .map(Some)
-        .to_vec()
 }
 
 /// Inputs with ids in random order, scattered, neighbours or all the same, and depths that often tie.
@@ -55,50 +52,38 @@ fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn visibility_node() -> Description {
-    Description {
-        golden: Box::new(|| {
-            Box::new(GoldenFn(|i: &[i64]| {
-                flat(&decide(&[visible_of(i), visible_of(&i[FIELDS..])]))
-            }))
-        }),
-        stimulus: objects,
-    }
+    Description::new(objects, || {
+        |i: &[i64]| {
+            stated(Some(flat(decide(&[
+                visible_of(i),
+                visible_of(&i[FIELDS..]),
+            ]))))
+        }
+    })
 }
 
 pub(super) fn decider(inputs: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            // With one input the decider is a wire: the result belongs to the same clock.
-            let mut late = Late::new(latency(inputs).max(1) as usize);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let list: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
-                match late.push(decide(&list)) {
-                    Some(v) => flat(&v),
-                    None => vec![None; FIELDS],
-                }
-            }))
-        }),
-        stimulus: objects,
-    }
+    Description::new(objects, move || {
+        // With one input the decider is a wire: the result belongs to the same clock.
+        let mut late = Late::new(latency(inputs).max(1) as usize);
+        move |i: &[i64]| {
+            let list: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
+            stated(late.push(decide(&list)).map(flat))
+        }
+    })
 }
 
 /// A decider whose inputs are taken at their own clocks, `starts`, and that answers `latency` clocks after the first.
 fn skewed(starts: Vec<usize>, latency: u32) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut pixels = Skewed::new(starts.clone());
-            let mut late = Late::new(latency as usize - pixels.span());
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let row: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
-                let winner = pixels.push(row).map(|pixel| decide(&pixel));
-                match late.push(winner).flatten() {
-                    Some(v) => flat(&v),
-                    None => vec![None; FIELDS],
-                }
-            }))
-        }),
-        stimulus: objects,
-    }
+    Description::new(objects, move || {
+        let mut pixels = Skewed::new(starts.clone());
+        let mut late = Late::new(latency as usize - pixels.span());
+        move |i: &[i64]| {
+            let row: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
+            let winner = pixels.push(row).map(|pixel| decide(&pixel));
+            stated(late.push(winner).flatten().map(flat))
+        }
+    })
 }
 
 pub(super) fn visibility_chain(inputs: usize) -> Description {

@@ -1,14 +1,14 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
-use super::Description;
-use super::{Late, any_raster, bit};
+use super::description::{Description, Late, any_raster, bit, last_pixel};
+use super::zone::{Reader, plane_kind};
 use crate::stimulus::{depth, interval};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::unit::cut_plane::{PlaneKind, cut};
+use imogene_golden::unit::cut_plane::cut;
 use imogene_golden::unit::interval::{Class, Interval, halves};
 use imogene_golden::unit::merge::merge;
-use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
 use proptest::prelude::*;
 
@@ -26,28 +26,19 @@ fn interval_of(i: &[i64]) -> Interval {
 }
 
 const CLASSES: [Class; 4] = [Class::Side, Class::Front, Class::Patch, Class::Prism];
-const KINDS: [PlaneKind; 4] = [
-    PlaneKind::None,
-    PlaneKind::Front,
-    PlaneKind::Back,
-    PlaneKind::Perpendicular,
-];
 
 pub(super) fn depth_interval(format: Format) -> Description {
-    Description {
-        golden: Box::new(move || {
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let absent = (Interval::absent(&format), Interval::absent(&format));
-                let (a, b) = if bit(i[3]) {
-                    halves(CLASSES[i[4] as usize], i[0], i[1], !bit(i[2]), &format)
-                } else {
-                    absent
-                };
-                [flat(&a), flat(&b)].concat()
-            }))
-        }),
-        stimulus: sums,
-    }
+    Description::new(sums, move || {
+        move |i: &[i64]| {
+            let absent = (Interval::absent(&format), Interval::absent(&format));
+            let (a, b) = if bit(i[3]) {
+                halves(CLASSES[i[4] as usize], i[0], i[1], !bit(i[2]), &format)
+            } else {
+                absent
+            };
+            [flat(&a), flat(&b)].concat()
+        }
+    })
 }
 
 /// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.
@@ -83,41 +74,23 @@ fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn plane_depth(format: Format) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut pe: Option<Pe1> = None;
-            let mut value = None;
-            let mut late = Late::new(2);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                if bit(i[0]) {
-                    if bit(i[1]) {
-                        let words = Linear::new(i[3].into(), i[4].into(), i[5].into());
-                        pe = Some(Pe1::object_start(&words, format.plane));
-                    } else if bit(i[2])
-                        && let Some(pe) = &mut pe
-                    {
-                        pe.line_step();
-                    }
-                    value = pe.as_mut().map(|pe| saturate(pe.pixel() as i64, &format));
-                }
-                vec![late.push(value).flatten()]
-            }))
-        }),
-        stimulus: any_raster,
-    }
+    Description::new(any_raster, move || {
+        let start = move |i: &[i64]| Pe1::object_start(&Reader::of(&i[3..]).linear(), format.plane);
+        let depth = move |pe: &mut Pe1| saturate(pe.pixel() as i64, &format);
+        let mut last = last_pixel(start, Pe1::line_step, depth);
+        let mut late = Late::new(2);
+        move |i: &[i64]| vec![late.push(last(i)).flatten()]
+    })
 }
 
 pub(super) fn cut_plane(format: Format) -> Description {
-    Description {
-        golden: Box::new(move || {
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let kind = KINDS[i[0] as usize];
-                let start = interval_of(&i[4..]);
-                flat(&cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format)).to_vec()
-            }))
-        }),
-        stimulus: cuts,
-    }
+    Description::new(cuts, move || {
+        move |i: &[i64]| {
+            let kind = plane_kind(i[0]);
+            let start = interval_of(&i[4..]);
+            flat(&cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format)).to_vec()
+        }
+    })
 }
 
 /// A plane's depth: any, or that of an end of the interval but for one bit at most.
@@ -140,13 +113,8 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn two_volume_merge() -> Description {
-    Description {
-        golden: Box::new(|| {
-            Box::new(GoldenFn(|i: &[i64]| {
-                flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()
-            }))
-        }),
-        stimulus: |subject, clocks| {
+    Description::new(
+        |subject, clocks| {
             let width = subject.inputs[0].width;
             let half = move || (interval(width), 0i64..16, 0i64..16);
             let one = (half(), half()).prop_map(|(a, b)| {
@@ -156,5 +124,6 @@ pub(super) fn two_volume_merge() -> Description {
             });
             proptest::collection::vec(one, clocks).boxed()
         },
-    }
+        || |i: &[i64]| flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec(),
+    )
 }

@@ -1,8 +1,8 @@
 //! The flags of the light sources.
 
-use super::{Description, Late, bit};
+use super::description::{Description, Late, bit};
 use crate::stimulus::word;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::shadow::{ShadowWords, flags, latency};
 use imogene_golden::object::volume::VolumeKind;
 use proptest::prelude::*;
@@ -23,18 +23,14 @@ fn words_of(i: &[i64]) -> ShadowWords {
 }
 
 pub(super) fn shadow_stage(volumes: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut late = Late::new(latency(volumes) as usize);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let list = i[1..].chunks(FIELDS);
-                let (words, inside): (Vec<_>, Vec<_>) =
-                    list.map(|i| (words_of(i), bit(i[0]))).unzip();
-                vec![late.push(flags(i[0] as u16, &words, &inside).into())]
-            }))
-        }),
-        stimulus: answers,
-    }
+    Description::new(answers, move || {
+        let mut late = Late::new(latency(volumes) as usize);
+        move |i: &[i64]| {
+            let list = i[1..].chunks(FIELDS);
+            let (words, inside): (Vec<_>, Vec<_>) = list.map(|i| (words_of(i), bit(i[0]))).unzip();
+            vec![late.push(flags(i[0] as u16, &words, &inside).into())]
+        }
+    })
 }
 
 /// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays, since one volume among many

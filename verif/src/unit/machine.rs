@@ -1,10 +1,12 @@
 //! The coefficient store and the beam machine, fed over the load bus.
 
-use super::processor::{even_differences, plausible, port, words_of};
-use super::{Description, Late, bit, inputs};
+use super::decision::flat;
+use super::description::{Description, Late, bit, inputs, stated};
+use super::object::plausible;
+use super::zone::{Reader, WORDS};
 use crate::signal::Signal;
 use crate::stimulus::word;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider::{Visible, decide, latency as tree_latency};
@@ -36,7 +38,7 @@ fn coefficients(depth_word: u32, planes: usize) -> Vec<Signal> {
         planes: planes as u32,
         ..Request::of(Unit::QuadricProcessor, depth_word)
     };
-    inputs(&processor).split_off(port::F1)
+    inputs(&processor).split_off(WORDS)
 }
 
 /// The words of one slot.
@@ -77,20 +79,17 @@ fn bus_words(ports: &[Signal], planes: usize, values: &[i64]) -> Vec<u64> {
 
 pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
     let stated = coefficients(format.depth, planes);
-    Description {
-        golden: Box::new(move || {
-            let mut slot = Slot::new(planes);
-            let (ports, places) = (stated.clone(), places(planes));
-            Box::new(GoldenFn(move |i: &[i64]| {
-                if bit(i[0]) {
-                    slot.write(i[1], i[2]);
-                }
-                let values = slot.values(&ports, &places);
-                values.into_iter().map(Some).collect()
-            }))
-        }),
-        stimulus: writes,
-    }
+    Description::new(writes, move || {
+        let mut slot = Slot::new(planes);
+        let (ports, places) = (stated.clone(), places(planes));
+        move |i: &[i64]| {
+            if bit(i[0]) {
+                slot.write(i[1], i[2]);
+            }
+            let values = slot.values(&ports, &places);
+            values.into_iter().map(Some).collect()
+        }
+    })
 }
 
 /// Writes to every address and just beyond, now and then none.
@@ -111,27 +110,18 @@ pub(super) fn beam(
     planes: usize,
     rows_per_stage: usize,
 ) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut machine = Machine::new(format, objects, planes);
-            let clocks =
-                1 + latency(&format, planes, rows_per_stage as u32) + tree_latency(objects);
-            let mut late = Late::new(clocks as usize);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                // Before the first pixel can come out, valid is low as ever without one.
-                match late.push(machine.clock(i)).flatten() {
-                    Some(v) => {
-                        let [nx, ny, nz] = v.normal.map(i64::from);
-                        [1, v.depth, v.id.into(), v.number.into(), nx, ny, nz]
-                            .map(Some)
-                            .to_vec()
-                    }
-                    None => [vec![Some(0)], vec![None; 6]].concat(),
-                }
-            }))
-        }),
-        stimulus: pictures,
-    }
+    Description::new(pictures, move || {
+        let mut machine = Machine::new(format, objects, planes);
+        let clocks = 1 + latency(&format, planes, rows_per_stage as u32) + tree_latency(objects);
+        let mut late = Late::new(clocks as usize);
+        move |i: &[i64]| {
+            // Before the first pixel can come out, valid is low as ever without one.
+            match late.push(machine.clock(i)).flatten() {
+                Some(v) => [vec![Some(1)], stated(Some(flat(v)))].concat(),
+                None => [vec![Some(0)], vec![None; 6]].concat(),
+            }
+        }
+    })
 }
 
 /// The golden machine: slots, raster and processors. Words do not change while a zone is drawn.
@@ -182,9 +172,9 @@ impl Machine {
     }
 
     fn processor(&self, slot: &Slot) -> QuadricProcessor {
-        let mut values = vec![0; port::F1];
-        values.extend(slot.values(&self.ports, &self.places));
-        QuadricProcessor::zone_start(&words_of(&values, self.planes), &self.format)
+        let values = slot.values(&self.ports, &self.places);
+        let words = Reader::of(&values).quadric_processor(self.planes);
+        QuadricProcessor::zone_start(&words, &self.format)
     }
 }
 
@@ -203,7 +193,7 @@ fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let [planes, objects] = OPTIONS.map(|name| option(subject, name));
     let data = subject.inputs[6].clone();
     let ports = coefficients(subject.outputs[1].width, planes);
-    let words = proptest::collection::vec(plausible(&ports).prop_map(even_differences), objects);
+    let words = proptest::collection::vec(plausible(&ports), objects);
     (words, 1i64..24, any::<bool>())
         .prop_map(move |(words, width, skip_last)| {
             let mut list: Vec<Inputs> = Vec::new();

@@ -1,8 +1,8 @@
 //! The elementary processor with a coefficient memory.
 
-use super::{Description, bit};
+use super::description::{Description, bit};
 use crate::stimulus::word;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::interlaced::MemoryPe2;
 use imogene_golden::unit::pe2::Quadratic;
@@ -26,18 +26,15 @@ const WORDS: usize = 6;
 
 pub(super) fn memory_pe2(format: Format) -> Description {
     let width = format.quadratic;
-    Description {
-        golden: Box::new(move || {
-            let mut golden = Clocked {
-                width,
-                words: [0; WORDS],
-                pe: None,
-                busy: 0,
-            };
-            Box::new(GoldenFn(move |i: &[i64]| golden.clock(i)))
-        }),
-        stimulus: pictures,
-    }
+    Description::new(pictures, move || {
+        let mut golden = Clocked {
+            width,
+            words: [0; WORDS],
+            pe: None,
+            busy: 0,
+        };
+        move |i: &[i64]| golden.clock(i)
+    })
 }
 
 /// The golden processor, whose commands take their clocks one by one.

@@ -2,21 +2,18 @@
 
 mod decision;
 mod depth;
+mod description;
 mod elementary;
-mod facet;
-mod first_generation;
 mod lighting;
 mod machine;
 mod memory;
 mod normal;
+mod object;
 mod patch;
-mod polyhedron;
-mod processor;
 mod programmable;
 mod raster;
 mod root;
 mod root_family;
-mod round;
 mod shading;
 mod solid;
 mod transparency;
@@ -29,11 +26,12 @@ mod zone;
 
 use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
-use crate::signal::Signal;
-use crate::subject::{Golden, Inputs, Stimulus, Subject};
+use crate::subject::Subject;
+use description::{Description, signals};
 use imogene_contract::{Request, RequestError, Unit};
 use imogene_golden::format::Format;
-use imogene_hdl::{Direction, Module, PortRecord};
+use imogene_golden::unit::root::Method;
+use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
 
 /// Units that the tests of all units run over: those that are not loaded over a bus, for which random stimulus would
@@ -68,31 +66,6 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     })
 }
 
-fn signals(top: &Module, direction: Direction) -> Vec<Signal> {
-    let ports = top.ports_of(direction);
-    let signal = |port: &PortRecord| Signal {
-        name: port.name.clone(),
-        width: port.width,
-        signed: port.signed,
-    };
-    ports.map(signal).collect()
-}
-
-/// The inputs of a unit.
-fn inputs(request: &Request) -> Vec<Signal> {
-    signals(
-        &design(request).expect("a legal request").top,
-        Direction::In,
-    )
-}
-
-/// What a file of this module states of a unit; ports and hardware are those of its circuit.
-struct Description {
-    /// Takes the inputs and gives the outputs in the order of the ports.
-    golden: Box<dyn Fn() -> Box<dyn Golden> + Sync>,
-    stimulus: Stimulus,
-}
-
 /// Joins each unit to its golden model and stimulus.
 fn describe(p: &Request) -> Description {
     let format = Format::new(p.depth_word).expect("a checked request");
@@ -101,12 +74,32 @@ fn describe(p: &Request) -> Description {
         Unit::Pe1 => elementary::pe1(format.sum),
         Unit::Pe2 => elementary::pe2(format.quadratic),
         Unit::SquareRoot => root::square_root(format, n(p.rows_per_stage)),
-        Unit::SquareRootNonRestoring => root_family::non_restoring(format, n(p.rows_per_stage)),
+        Unit::SquareRootNonRestoring => {
+            root_family::network(format, Method::NonRestoring, n(p.rows_per_stage))
+        }
         Unit::SquareRootIterative => root_family::iterative(format),
-        Unit::SquareRootRows => root_family::rows(format, p.digits, n(p.rows_per_stage)),
-        Unit::SquareRootLeading => root_family::leading(format, p.digits, n(p.rows_per_stage)),
-        Unit::SquareRootLinear => root_family::linear(format, p.corrections),
-        Unit::SquareRootQuadratic => root_family::quadratic(format, p.corrections),
+        Unit::SquareRootRows => {
+            root_family::network(format, Method::Rows { kept: p.digits }, n(p.rows_per_stage))
+        }
+        Unit::SquareRootLeading => root_family::network(
+            format,
+            Method::Leading { kept: p.digits },
+            n(p.rows_per_stage),
+        ),
+        Unit::SquareRootLinear => root_family::network(
+            format,
+            Method::Linear {
+                corrections: p.corrections,
+            },
+            1,
+        ),
+        Unit::SquareRootQuadratic => root_family::network(
+            format,
+            Method::Quadratic {
+                corrections: p.corrections,
+            },
+            1,
+        ),
         Unit::QuadricPe => root::quadric_pe(format, n(p.rows_per_stage)),
         Unit::DepthInterval => depth::depth_interval(format),
         Unit::PlaneDepth => depth::plane_depth(format),
@@ -114,20 +107,20 @@ fn describe(p: &Request) -> Description {
         Unit::TwoVolumeMerge => depth::two_volume_merge(),
         Unit::NormalUnit => normal::normal_unit(n(p.planes)),
         Unit::QuadricProcessor => {
-            processor::quadric_processor(format, n(p.planes), n(p.rows_per_stage))
+            object::quadric_processor(format, n(p.planes), n(p.rows_per_stage))
         }
         Unit::ProgrammablePe => programmable::programmable_pe(format),
         Unit::MemoryPe2 => memory::memory_pe2(format),
         Unit::PatchDecider => patch::patch_decider(format),
-        Unit::PatchProcessor => patch::patch_processor(format, n(p.planes), n(p.rows_per_stage)),
+        Unit::PatchProcessor => object::patch_processor(format, n(p.planes), n(p.rows_per_stage)),
         Unit::FirstGenerationProcessor => {
-            first_generation::first_generation_processor(format, n(p.rows_per_stage))
+            object::first_generation_processor(format, n(p.rows_per_stage))
         }
-        Unit::PolyhedronProcessor => polyhedron::polyhedron_processor(format, n(p.planes)),
-        Unit::FacetProcessor => facet::facet_processor(format, n(p.sides)),
-        Unit::CurvedFacetProcessor => facet::curved_facet_processor(format, n(p.sides)),
-        Unit::SphereProcessor => round::sphere_processor(format),
-        Unit::CylinderProcessor => round::cylinder_processor(format),
+        Unit::PolyhedronProcessor => object::polyhedron_processor(format, n(p.planes)),
+        Unit::FacetProcessor => object::facet_processor(format, n(p.sides)),
+        Unit::CurvedFacetProcessor => object::curved_facet_processor(format, n(p.sides)),
+        Unit::SphereProcessor => object::sphere_processor(format),
+        Unit::CylinderProcessor => object::cylinder_processor(format),
         Unit::QuadricVolume => volume::quadric_volume(format, n(p.planes), n(p.rows_per_stage)),
         Unit::PolyhedralVolume => volume::polyhedral_volume(format, n(p.planes)),
         Unit::RasterControl => raster::raster_control(),
@@ -151,31 +144,4 @@ fn describe(p: &Request) -> Description {
         }
         Unit::Decider => decision::decider(n(p.objects)),
     }
-}
-
-/// A port value as a bit.
-fn bit(value: i64) -> bool {
-    value != 0
-}
-
-/// What a golden model with a fixed latency states: results come out `latency` edges after their inputs went in.
-struct Late<T> {
-    delay: crate::signal::Delay<T>,
-}
-
-impl<T> Late<T> {
-    fn new(latency: usize) -> Late<T> {
-        Late {
-            delay: crate::signal::Delay::new(latency - 1),
-        }
-    }
-
-    fn push(&mut self, result: T) -> Option<T> {
-        self.delay.push(result)
-    }
-}
-
-/// A stimulus of raster flags on the first three ports and words on the others.
-fn any_raster(subject: &Subject, clocks: usize) -> proptest::strategy::BoxedStrategy<Vec<Inputs>> {
-    crate::stimulus::raster(&subject.inputs, clocks)
 }

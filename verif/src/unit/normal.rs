@@ -1,12 +1,12 @@
 //! The normal unit.
 
-use super::Description;
-use super::{Late, bit};
+use super::description::{Description, Late, Scanned, bit, stated};
+use super::zone::Reader;
 use crate::stimulus::{flags, word};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
-use imogene_golden::unit::normal::{NormalWords, select};
-use imogene_golden::unit::pe1::{Linear, Pe1};
+use imogene_golden::unit::normal::select;
+use imogene_golden::unit::pe1::Pe1;
 use proptest::prelude::*;
 
 /// Where the ports begin, in their order.
@@ -20,56 +20,34 @@ mod port {
 }
 
 pub(super) fn normal_unit(planes: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut g: Option<[Pe1; 3]> = None;
-            let mut late = Late::new(3);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let result = golden_clock(&mut g, i, planes);
-                match late.push(result).flatten() {
-                    Some(normal) => normal.map(|v| Some(i64::from(v))).to_vec(),
-                    None => vec![None; 3],
-                }
-            }))
-        }),
-        stimulus: words_held,
-    }
+    Description::new(words_held, move || {
+        let mut g = Scanned::default();
+        let mut late = Late::new(3);
+        move |i: &[i64]| stated(late.push(normal(&mut g, i, planes)).flatten())
+    })
 }
 
 /// The normal of a clock with a pixel.
-fn golden_clock(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i16; 3]> {
-    if !bit(i[0]) {
-        return None;
-    }
-    let words = normal_words(&i[port::WORDS..], i[port::SHIFT]);
-    if bit(i[1]) {
-        *g = Some(words.g.map(|g| Pe1::object_start(&g, 24)));
-    } else if bit(i[2]) {
-        g.as_mut()?.iter_mut().for_each(Pe1::line_step);
-    }
-    let linear = g.as_mut()?.each_mut().map(|pe| pe.pixel() as i64);
-    let constants: Vec<[i16; 3]> = (0..planes)
-        .map(|p| std::array::from_fn(|k| i[port::PLANES + 3 * p + k] as i16))
-        .collect();
-    Some(select(
-        i[port::NUMBER] as u8,
-        !bit(i[port::ABSENT]),
+fn normal(g: &mut Scanned<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]> {
+    let mut words = Reader::of(&i[port::WORDS..]).normal();
+    words.shift = i[port::SHIFT] as u8;
+    let start = || words.g.map(|g| Pe1::object_start(&g, 24));
+    let g = g.at(i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
+    let linear = g.each_mut().map(|pe| pe.pixel() as i64);
+    let mut constants = Reader::of(&i[port::PLANES..]);
+    let constants: Vec<[i16; 3]> = (0..planes).map(|_| constants.vector()).collect();
+    let (number, present) = (i[port::NUMBER] as u8, !bit(i[port::ABSENT]));
+    let root = i[port::ROOT];
+    let found = select(
+        number,
+        present,
         linear,
-        i[port::ROOT],
+        root,
         &words,
         &constants,
         &Format::BASE,
-    ))
-}
-
-/// The words of twelve consecutive ports.
-pub(super) fn normal_words(i: &[i64], shift: i64) -> NormalWords {
-    let linear = |k: usize| Linear::new(i[3 * k].into(), i[3 * k + 1].into(), i[3 * k + 2].into());
-    NormalWords {
-        g: [linear(0), linear(1), linear(2)],
-        k: [9, 10, 11].map(|k| i[k] as i16),
-        shift: shift as u8,
-    }
+    );
+    Some(found.map(i64::from))
 }
 
 /// Coefficients are read over several clocks, so they are held; numbers and roots change every clock.

@@ -1,32 +1,29 @@
 //! The raster control.
 
-use super::Description;
-use super::bit;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use super::description::Description;
+use super::description::bit;
+use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::raster::RasterControl;
 use proptest::prelude::*;
 
 pub(super) fn raster_control() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut raster = RasterControl::default();
-            Box::new(GoldenFn(move |i: &[i64]| {
-                match raster.clock(bit(i[0]), i[1] as u16, i[2] as u16) {
-                    Some(p) => vec![
-                        Some(1),
-                        Some(p.start.into()),
-                        Some(p.line.into()),
-                        Some(p.x.into()),
-                        Some(p.y.into()),
-                        Some(p.last.into()),
-                    ],
-                    // Without a pixel only the flags are stated.
-                    None => vec![Some(0), Some(0), Some(0), None, None, Some(0)],
-                }
-            }))
-        }),
-        stimulus: zones,
-    }
+    Description::new(zones, || {
+        let mut raster = RasterControl::default();
+        move |i: &[i64]| {
+            match raster.clock(bit(i[0]), i[1] as u16, i[2] as u16) {
+                Some(p) => vec![
+                    Some(1),
+                    Some(p.start.into()),
+                    Some(p.line.into()),
+                    Some(p.x.into()),
+                    Some(p.y.into()),
+                    Some(p.last.into()),
+                ],
+                // Without a pixel only the flags are stated.
+                None => vec![Some(0), Some(0), Some(0), None, None, Some(0)],
+            }
+        }
+    })
 }
 
 /// Requests at random times, small zones so that many end, now and then a long line.

@@ -1,29 +1,28 @@
 //! The square root network and the quadric elementary processor around it.
 
-use super::Description;
-use super::{Late, bit};
+use super::description::{Description, Late, Scanned, stated};
+use super::zone::Reader;
 use crate::stimulus::{radicand, raster};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
-use imogene_golden::unit::pe1::{Linear, Pe1};
-use imogene_golden::unit::pe2::{Pe2, Quadratic};
+use imogene_golden::unit::pe1::Pe1;
+use imogene_golden::unit::pe2::Pe2;
 use imogene_golden::unit::root::restoring_root;
 use proptest::strategy::{BoxedStrategy, Strategy};
 
 pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage));
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let radicand = u128::from(i[0] as u64) & (u128::MAX >> (128 - format.quadratic));
-                match late.push(restoring_root(radicand, format.root)) {
-                    Some(r) => vec![Some(r.root as i64), Some(r.remainder as i64)],
-                    None => vec![None, None],
-                }
-            }))
-        }),
-        stimulus: radicands,
-    }
+    Description::new(radicands, move || {
+        let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage));
+        move |i: &[i64]| {
+            let found = restoring_root(unsigned(i[0].into(), format.quadratic), format.root);
+            stated(late.push([found.root as i64, found.remainder as i64]))
+        }
+    })
+}
+
+/// The low bits of a word as a number without sign.
+pub(super) fn unsigned(value: i128, width: u32) -> u128 {
+    value as u128 & (u128::MAX >> (128 - width))
 }
 
 pub(super) fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
@@ -32,10 +31,22 @@ pub(super) fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<I
 }
 
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
-    Description {
-        golden: Box::new(move || Box::new(GoldenFn(golden_quadric_pe(format, rows_per_stage)))),
-        stimulus: coefficients_held,
-    }
+    let root_latency = (format.root as usize).div_ceil(rows_per_stage);
+    Description::new(coefficients_held, move || {
+        let mut zone = Scanned::default();
+        let mut late = Late::new(root_latency + 2);
+        let mut late_flags = Late::new(root_latency);
+        move |i: &[i64]| {
+            let flags = late_flags.push([i[0], i[1], i[2]]);
+            let line_step = |(f1, f2): &mut (Pe1, Pe2)| {
+                f1.line_step();
+                f2.line_step();
+            };
+            let pixel = zone.at(i, || start(i, &format), line_step);
+            let found = pixel.map(|(f1, f2)| depths(f1.pixel() as i64, f2.pixel(), &format));
+            [stated(late.push(found).flatten()), stated(flags)].concat()
+        }
+    })
 }
 
 /// Sets of coefficients in a stimulus.
@@ -63,61 +74,16 @@ fn coefficients_held(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inpu
         .boxed()
 }
 
-fn golden_quadric_pe(
-    format: Format,
-    rows_per_stage: usize,
-) -> impl FnMut(&[i64]) -> Vec<Option<i64>> {
-    let mut processors: Option<(Pe1, Pe2)> = None;
-    let root_latency = (format.root as usize).div_ceil(rows_per_stage);
-    let mut late = Late::new(root_latency + 2);
-    let mut late_flags = Late::new(root_latency);
-    move |i: &[i64]| {
-        let flags = late_flags.push([i[0], i[1], i[2]]);
-        let mut result = None;
-        if bit(i[0]) {
-            if bit(i[1]) {
-                processors = Some(start(i, &format));
-            } else if bit(i[2])
-                && let Some((f1, f2)) = &mut processors
-            {
-                f1.line_step();
-                f2.line_step();
-            }
-            result = processors
-                .as_mut()
-                .map(|(f1, f2)| depths(f1.pixel() as i64, f2.pixel(), &format));
-        }
-        let depths = match late.push(result).flatten() {
-            Some(values) => values.map(Some).to_vec(),
-            None => vec![None; 4],
-        };
-        let flags = match flags {
-            Some(flags) => flags.map(Some).to_vec(),
-            None => vec![None; 3],
-        };
-        [depths, flags].concat()
-    }
-}
-
 fn start(i: &[i64], format: &Format) -> (Pe1, Pe2) {
-    let w = |k: usize| i128::from(i[k]);
-    let (a, b) = (w(6) / 2, w(7) / 2);
-    let f2 = Quadratic {
-        a,
-        b,
-        c: w(8),
-        d: w(10) - a,
-        e: w(9) - b,
-        f: w(11),
-    };
+    let mut reader = Reader::of(&i[3..]);
     (
-        Pe1::object_start(&Linear::new(w(3), w(4), w(5)), format.sum),
-        Pe2::object_start(&f2, format.quadratic),
+        Pe1::object_start(&reader.linear(), format.sum),
+        Pe2::object_start(&reader.quadratic(), format.quadratic),
     )
 }
 
 fn depths(f1: i64, f2: i128, format: &Format) -> [i64; 4] {
-    let radicand = f2 as u128 & (u128::MAX >> (128 - format.quadratic));
+    let radicand = unsigned(f2, format.quadratic);
     let root = restoring_root(radicand, format.root).root as i64;
     [
         wrap64(f1 - root, format.sum),

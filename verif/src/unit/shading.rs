@@ -1,7 +1,7 @@
 //! The shading processor.
 
-use super::{Description, Late, bit};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use super::description::{Description, Late, bit};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
 use imogene_studies::shading_trial::sequence;
@@ -19,30 +19,27 @@ mod port {
 }
 
 pub(super) fn shading_processor(format: Format, lights: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut words = ShaderWords::unloaded(format.depth, lights);
-            let mut shader = Shader::new(&words);
-            let mut late = Late::new(LATENCY as usize);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                if bit(i[port::LOAD_VALID]) {
-                    words.load(i[port::LOAD_ADDRESS] as u16, i[port::LOAD_DATA] as u32);
-                    shader = shader.reloaded(&words);
-                }
-                let colour = bit(i[port::VALID]).then(|| shader.pixel(&pixel(i)));
-                match late.push(colour) {
-                    None => vec![None; 4],
-                    Some(None) => vec![Some(0), None, None, None],
-                    Some(Some(colour)) => [1]
-                        .into_iter()
-                        .chain(colour)
-                        .map(|v| Some(v.into()))
-                        .collect(),
-                }
-            }))
-        }),
-        stimulus: words_then_pixels,
-    }
+    Description::new(words_then_pixels, move || {
+        let mut words = ShaderWords::unloaded(format.depth, lights);
+        let mut shader = Shader::new(&words);
+        let mut late = Late::new(LATENCY as usize);
+        move |i: &[i64]| {
+            if bit(i[port::LOAD_VALID]) {
+                words.load(i[port::LOAD_ADDRESS] as u16, i[port::LOAD_DATA] as u32);
+                shader = shader.reloaded(&words);
+            }
+            let colour = bit(i[port::VALID]).then(|| shader.pixel(&pixel(i)));
+            match late.push(colour) {
+                None => vec![None; 4],
+                Some(None) => vec![Some(0), None, None, None],
+                Some(Some(colour)) => [1]
+                    .into_iter()
+                    .chain(colour)
+                    .map(|v| Some(v.into()))
+                    .collect(),
+            }
+        }
+    })
 }
 
 fn pixel(i: &[i64]) -> Pixel {

@@ -1,8 +1,8 @@
 //! The decider of solids.
 
-use super::{Description, Late};
+use super::description::{Description, Late, stated};
 use crate::stimulus::depth;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::machine::csg::{Primitive, Product, Shown, decide, latency, skew};
 use imogene_golden::machine::skew::Skewed;
@@ -21,17 +21,7 @@ fn primitive_of(i: &[i64]) -> Primitive {
 }
 
 fn flat(shown: Option<Shown>) -> Vec<Option<i64>> {
-    let Some(shown) = shown else {
-        return vec![None; 4];
-    };
-    [
-        shown.depth,
-        shown.id.into(),
-        shown.number.into(),
-        shown.is_back.into(),
-    ]
-    .map(Some)
-    .to_vec()
+    stated(shown.map(|s| [s.depth, s.id.into(), s.number.into(), s.is_back.into()]))
 }
 
 pub(super) fn csg_decider(
@@ -41,32 +31,29 @@ pub(super) fn csg_decider(
     subtracted: usize,
 ) -> Description {
     let (all_intersected, all_subtracted) = (products * intersected, products * subtracted);
-    Description {
-        golden: Box::new(move || {
-            let starts = [
-                vec![0; all_intersected],
-                vec![skew(intersected); all_subtracted],
-            ]
-            .concat();
-            let mut pixels = Skewed::new(starts);
-            let clocks = latency(products, intersected, subtracted) as usize;
-            let mut late = Late::new(clocks - pixels.span());
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let row: Vec<Primitive> = i.chunks(FIELDS).map(primitive_of).collect();
-                let shown = pixels.push(row).map(|objects| {
-                    let (kept, taken) = objects.split_at(all_intersected);
-                    let product = |g: usize| Product {
-                        intersected: kept[g * intersected..][..intersected].to_vec(),
-                        subtracted: taken[g * subtracted..][..subtracted].to_vec(),
-                    };
-                    let list: Vec<Product> = (0..products).map(product).collect();
-                    decide(&list, format.z_max())
-                });
-                flat(late.push(shown).flatten())
-            }))
-        }),
-        stimulus: solids,
-    }
+    Description::new(solids, move || {
+        let starts = [
+            vec![0; all_intersected],
+            vec![skew(intersected); all_subtracted],
+        ]
+        .concat();
+        let mut pixels = Skewed::new(starts);
+        let clocks = latency(products, intersected, subtracted) as usize;
+        let mut late = Late::new(clocks - pixels.span());
+        move |i: &[i64]| {
+            let row: Vec<Primitive> = i.chunks(FIELDS).map(primitive_of).collect();
+            let shown = pixels.push(row).map(|objects| {
+                let (kept, taken) = objects.split_at(all_intersected);
+                let product = |g: usize| Product {
+                    intersected: kept[g * intersected..][..intersected].to_vec(),
+                    subtracted: taken[g * subtracted..][..subtracted].to_vec(),
+                };
+                let list: Vec<Product> = (0..products).map(product).collect();
+                decide(&list, format.z_max())
+            });
+            flat(late.push(shown).flatten())
+        }
+    })
 }
 
 /// Intervals on few levels, so that ends meet; wide ones for the objects that are intersected, narrow ones for those taken away; some absent, some of

@@ -1,8 +1,8 @@
 //! The blends of transparent objects.
 
-use super::{Description, Late};
+use super::description::{Description, Late, stated};
 use crate::stimulus::{depth, word};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::skew::Skewed;
 use imogene_golden::machine::transparency::{
     Layer, STAGE_LATENCY, Seen, latency, pipeline, stage, starts,
@@ -30,45 +30,36 @@ fn layer_of(i: &[i64]) -> Layer {
 }
 
 fn flat(seen: Option<Seen>) -> Vec<Option<i64>> {
-    let Some(seen) = seen else {
-        return vec![None; PIXEL];
-    };
-    let [red, green, blue] = seen.colour.map(i64::from);
-    [seen.depth, red, green, blue].map(Some).to_vec()
+    stated(seen.map(|seen| {
+        let [red, green, blue] = seen.colour.map(i64::from);
+        [seen.depth, red, green, blue]
+    }))
 }
 
 pub(super) fn transparency_stage() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut late = Late::new(STAGE_LATENCY as usize);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                flat(late.push(stage(seen_of(i), layer_of(&i[PIXEL..]))))
-            }))
-        }),
-        stimulus: blends,
-    }
+    Description::new(blends, || {
+        let mut late = Late::new(STAGE_LATENCY as usize);
+        move |i: &[i64]| flat(late.push(stage(seen_of(i), layer_of(&i[PIXEL..]))))
+    })
 }
 
 pub(super) fn transparency_pipeline(layers: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            // The pixel, and behind it the layers.
-            let starts = [vec![0], starts(layers)].concat();
-            let mut pixels = Skewed::new(starts);
-            let mut late = Late::new(latency(layers) as usize - pixels.span());
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let (pixel, list) = i.split_at(PIXEL);
-                let row = std::iter::once(pixel).chain(list.chunks(LAYER));
-                let whole = pixels.push(row.map(<[i64]>::to_vec).collect());
-                let seen = whole.map(|parts| {
-                    let layers: Vec<Layer> = parts[1..].iter().map(|i| layer_of(i)).collect();
-                    pipeline(seen_of(&parts[0]), &layers)
-                });
-                flat(late.push(seen).flatten())
-            }))
-        }),
-        stimulus: blends,
-    }
+    Description::new(blends, move || {
+        // The pixel, and behind it the layers.
+        let starts = [vec![0], starts(layers)].concat();
+        let mut pixels = Skewed::new(starts);
+        let mut late = Late::new(latency(layers) as usize - pixels.span());
+        move |i: &[i64]| {
+            let (pixel, list) = i.split_at(PIXEL);
+            let row = std::iter::once(pixel).chain(list.chunks(LAYER));
+            let whole = pixels.push(row.map(<[i64]>::to_vec).collect());
+            let seen = whole.map(|parts| {
+                let layers: Vec<Layer> = parts[1..].iter().map(|i| layer_of(i)).collect();
+                pipeline(seen_of(&parts[0]), &layers)
+            });
+            flat(late.push(seen).flatten())
+        }
+    })
 }
 
 /// Depths that often tie, layers mostly before the surface, components and weights with their ends.

@@ -1,25 +1,22 @@
 //! The raster of a screen.
 
-use super::{Description, bit};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use super::description::{Description, bit};
+use crate::subject::{Inputs, Subject};
 use imogene_contract::video::{LEAD, VideoMode};
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use proptest::prelude::*;
 
 pub(super) fn video_timing(mode: usize) -> Description {
-    Description {
-        golden: Box::new(move || {
-            let mut timing = VideoTiming::new(VideoMode::ALL[mode], LEAD as u64);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let at = timing.clock(bit(i[0]));
-                let mut values = shown(&at.now);
-                values.extend([at.hsync, at.vsync, at.frame_start].map(i64::from));
-                values.extend(shown(&at.ahead));
-                values.into_iter().map(Some).collect()
-            }))
-        }),
-        stimulus: mostly_enabled,
-    }
+    Description::new(mostly_enabled, move || {
+        let mut timing = VideoTiming::new(VideoMode::ALL[mode], LEAD as u64);
+        move |i: &[i64]| {
+            let at = timing.clock(bit(i[0]));
+            let mut values = shown(&at.now);
+            values.extend([at.hsync, at.vsync, at.frame_start].map(i64::from));
+            values.extend(shown(&at.ahead));
+            values.into_iter().map(Some).collect()
+        }
+    })
 }
 
 fn shown(pixel: &Shown) -> Vec<i64> {

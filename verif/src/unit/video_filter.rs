@@ -1,7 +1,7 @@
 //! What changes the pixels of a picture: filter, overlay, accumulator.
 
-use super::{Description, Late, bit};
-use crate::subject::{GoldenFn, Inputs, Subject};
+use super::description::{Description, Late, bit};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::accumulator;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
 use imogene_golden::machine::overlay::{Covered, Overlay};
@@ -26,33 +26,30 @@ fn level() -> BoxedStrategy<i64> {
 }
 
 pub(super) fn post_filter() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut filter = PostFilter::default();
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let pixel = bit(i[1]).then(|| FilterPixel {
-                    x: i[2] as u16,
-                    y: i[3] as u16,
-                    line_end: bit(i[4]),
-                    last: bit(i[5]),
-                    colour: colour(&i[6..]),
-                });
-                let out = filter.clock(Kernel::from_word(i[0]), pixel);
-                let [valid, r, g, b] = coloured(out.map(|p| p.colour));
-                vec![
-                    valid,
-                    out.map(|p| p.x.into()),
-                    out.map(|p| p.y.into()),
-                    out.map(|p| p.line_end.into()),
-                    out.map(|p| p.last.into()),
-                    r,
-                    g,
-                    b,
-                ]
-            }))
-        }),
-        stimulus: pictures,
-    }
+    Description::new(pictures, || {
+        let mut filter = PostFilter::default();
+        move |i: &[i64]| {
+            let pixel = bit(i[1]).then(|| FilterPixel {
+                x: i[2] as u16,
+                y: i[3] as u16,
+                line_end: bit(i[4]),
+                last: bit(i[5]),
+                colour: colour(&i[6..]),
+            });
+            let out = filter.clock(Kernel::from_word(i[0]), pixel);
+            let [valid, r, g, b] = coloured(out.map(|p| p.colour));
+            vec![
+                valid,
+                out.map(|p| p.x.into()),
+                out.map(|p| p.y.into()),
+                out.map(|p| p.line_end.into()),
+                out.map(|p| p.last.into()),
+                r,
+                g,
+                b,
+            ]
+        }
+    })
 }
 
 /// A picture of random colours with a random kernel and random pauses.
@@ -143,22 +140,19 @@ fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 const PLANE_WORDS: usize = 1 << 10;
 
 pub(super) fn overlay() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut overlay = Overlay::new(PLANE_WORDS);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let write = bit(i[0]).then_some((i[1] as usize, i[2] as u32));
-                let over = [i[4] >> 16, i[4] >> 8, i[4]];
-                let pixel = bit(i[6]).then(|| Covered {
-                    place: (i[8] * i[5] + i[7]) as usize,
-                    colour: colour(&i[9..]),
-                });
-                let shown = bit(i[3]).then(|| colour(&over));
-                coloured(overlay.clock(write, shown, pixel)).to_vec()
-            }))
-        }),
-        stimulus: planes,
-    }
+    Description::new(planes, || {
+        let mut overlay = Overlay::new(PLANE_WORDS);
+        move |i: &[i64]| {
+            let write = bit(i[0]).then_some((i[1] as usize, i[2] as u32));
+            let over = [i[4] >> 16, i[4] >> 8, i[4]];
+            let pixel = bit(i[6]).then(|| Covered {
+                place: (i[8] * i[5] + i[7]) as usize,
+                colour: colour(&i[9..]),
+            });
+            let shown = bit(i[3]).then(|| colour(&over));
+            coloured(overlay.clock(write, shown, pixel)).to_vec()
+        }
+    })
 }
 
 /// Words written and pixels read at a few places near the ends of the plane and of the coordinates, so that they meet.
@@ -187,26 +181,23 @@ fn planes(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 const SUMS: usize = 1 << 12;
 
 pub(super) fn accumulator() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut sums = Accumulator::new(SUMS);
-            let mut late = Late::new(accumulator::LATENCY);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let pixel = PassPixel {
-                    address: i[2] as usize,
-                    first: bit(i[3]),
-                    last: bit(i[4]),
-                    colour: colour(&i[5..]),
-                };
-                let passes = if bit(i[0]) { 16 } else { 4 };
-                let mean = bit(i[1]).then(|| sums.add(&pixel, passes)).flatten();
-                let found = late.push((mean, i[2])).unwrap_or((None, 0));
-                let [valid, r, g, b] = coloured(found.0);
-                vec![valid, found.0.map(|_| found.1), r, g, b]
-            }))
-        }),
-        stimulus: passes,
-    }
+    Description::new(passes, || {
+        let mut sums = Accumulator::new(SUMS);
+        let mut late = Late::new(accumulator::LATENCY);
+        move |i: &[i64]| {
+            let pixel = PassPixel {
+                address: i[2] as usize,
+                first: bit(i[3]),
+                last: bit(i[4]),
+                colour: colour(&i[5..]),
+            };
+            let passes = if bit(i[0]) { 16 } else { 4 };
+            let mean = bit(i[1]).then(|| sums.add(&pixel, passes)).flatten();
+            let found = late.push((mean, i[2])).unwrap_or((None, 0));
+            let [valid, r, g, b] = coloured(found.0);
+            vec![valid, found.0.map(|_| found.1), r, g, b]
+        }
+    })
 }
 
 /// Passes over a few pixels in any order, each pixel at its own pass; the last pass as often as it can be.

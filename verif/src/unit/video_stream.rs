@@ -1,8 +1,8 @@
 //! What stands between a pipeline and a stream, and between a stream and a screen.
 
-use super::{Description, bit};
+use super::description::{Description, bit};
 use crate::signal::Delay;
-use crate::subject::{GoldenFn, Inputs, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_contract::video::LEAD;
 use imogene_golden::machine::frame_store::{Arriving, FrameStore};
 use imogene_golden::machine::pixel_fifo::PixelFifo;
@@ -12,22 +12,19 @@ use proptest::prelude::*;
 pub const FIFO_PLACES: usize = 64;
 
 pub(super) fn pixel_fifo() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut fifo = PixelFifo::new(FIFO_PLACES);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let push = bit(i[1]).then_some((i[2] as u32, bit(i[3])));
-                let out = fifo.clock(bit(i[0]), push, bit(i[4]));
-                vec![
-                    Some(out.room.into()),
-                    Some(out.word.is_some().into()),
-                    out.word.map(|(data, _)| data.into()),
-                    out.word.map(|(_, last)| last.into()),
-                ]
-            }))
-        }),
-        stimulus: pipelines,
-    }
+    Description::new(pipelines, || {
+        let mut fifo = PixelFifo::new(FIFO_PLACES);
+        move |i: &[i64]| {
+            let push = bit(i[1]).then_some((i[2] as u32, bit(i[3])));
+            let out = fifo.clock(bit(i[0]), push, bit(i[4]));
+            vec![
+                Some(out.room.into()),
+                Some(out.word.is_some().into()),
+                out.word.map(|(data, _)| data.into()),
+                out.word.map(|(_, last)| last.into()),
+            ]
+        }
+    })
 }
 
 /// A flag that stays for a while: most often for a few clocks, now and then until the queue is full or empty.
@@ -75,31 +72,28 @@ pub fn pipeline(
 const FRAME_PIXELS: usize = 1 << 12;
 
 pub(super) fn frame_store() -> Description {
-    Description {
-        golden: Box::new(|| {
-            let mut store = FrameStore::new(FRAME_PIXELS);
-            Box::new(GoldenFn(move |i: &[i64]| {
-                let place = |x: i64, y: i64| (y * i[4] + x) as usize;
-                let arriving = bit(i[0]).then(|| Arriving {
-                    place: place(i[2] & 0xfff, i[2] >> 12),
-                    colour: i[1] as u32,
-                    last: bit(i[3]),
-                });
-                let asked = bit(i[6]).then(|| place(i[7], i[8]));
-                let out = store.clock(arriving, bit(i[5]), asked);
-                let part = |shift: u32| out.colour.map(|c| i64::from(c >> shift & 0xff));
-                vec![
-                    Some(out.ready.into()),
-                    Some(out.colour.is_some().into()),
-                    part(16),
-                    part(8),
-                    part(0),
-                    Some(out.swapped.into()),
-                ]
-            }))
-        }),
-        stimulus: frames,
-    }
+    Description::new(frames, || {
+        let mut store = FrameStore::new(FRAME_PIXELS);
+        move |i: &[i64]| {
+            let place = |x: i64, y: i64| (y * i[4] + x) as usize;
+            let arriving = bit(i[0]).then(|| Arriving {
+                place: place(i[2] & 0xfff, i[2] >> 12),
+                colour: i[1] as u32,
+                last: bit(i[3]),
+            });
+            let asked = bit(i[6]).then(|| place(i[7], i[8]));
+            let out = store.clock(arriving, bit(i[5]), asked);
+            let part = |shift: u32| out.colour.map(|c| i64::from(c >> shift & 0xff));
+            vec![
+                Some(out.ready.into()),
+                Some(out.colour.is_some().into()),
+                part(16),
+                part(8),
+                part(0),
+                Some(out.swapped.into()),
+            ]
+        }
+    })
 }
 
 /// Frames of a few pixels in any order, in pictures of any shape, while pixels are read and retraces come at any time.

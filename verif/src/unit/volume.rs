@@ -1,8 +1,7 @@
 //! The shadow and light volumes.
 
-use super::Description;
-use super::patch::{plane_kind, planes_any_kind};
-use super::zone::{Likely, Processor, Reader, Timing, WORDS, golden, held, words};
+use super::description::Description;
+use super::zone::{Likely, Reader, Timing, WORDS, held, planes_any_kind, words, zone};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -10,23 +9,10 @@ use imogene_golden::object::volume::{
     VolumeKind, VolumePlane, VolumeProcessor, VolumeQuadric, VolumeWords, polyhedral_latency,
     quadric_latency,
 };
-use imogene_golden::unit::interval::Class;
 use proptest::prelude::*;
 
 /// The visible depth comes in before the words.
 const DEPTH: usize = WORDS;
-
-struct Volume(VolumeProcessor);
-
-impl Processor for Volume {
-    fn line_step(&mut self) {
-        self.0.line_step();
-    }
-
-    fn pixel(&mut self, inputs: &[i64]) -> Vec<i64> {
-        vec![i64::from(self.0.pixel(inputs[DEPTH]))]
-    }
-}
 
 /// The words behind the visible depth, of a volume with a quadric or without.
 fn words_of(i: &[i64], planes: usize, has_quadric: bool) -> VolumeWords {
@@ -35,14 +21,14 @@ fn words_of(i: &[i64], planes: usize, has_quadric: bool) -> VolumeWords {
     let f = has_quadric.then(|| (reader.linear(), reader.quadratic()));
     let screen_box = reader.screen_box();
     let plane = |_| VolumePlane {
-        kind: plane_kind(reader.word()),
+        kind: reader.kind(),
         depth: reader.linear(),
     };
     let planes = (0..planes).map(plane).collect();
     let quadric = f.map(|(f1, f2)| VolumeQuadric {
         f1,
         f2,
-        class: [Class::Side, Class::Front, Class::Patch, Class::Prism][reader.word() as usize],
+        class: reader.class(),
         shift: reader.word() as u8,
     });
     // Shadow or light, and whose: the flags behind the processor are told, not the processor.
@@ -56,31 +42,22 @@ fn words_of(i: &[i64], planes: usize, has_quadric: bool) -> VolumeWords {
     }
 }
 
+/// Whether the visible point is inside.
+fn volume(format: Format, planes: usize, timing: Timing, has_quadric: bool) -> Description {
+    let start =
+        move |i: &[i64]| VolumeProcessor::zone_start(&words_of(i, planes, has_quadric), &format);
+    let pixel = |processor: &mut VolumeProcessor, i: &[i64]| vec![processor.pixel(i[DEPTH]).into()];
+    zone(points, timing, 1, start, VolumeProcessor::line_step, pixel)
+}
+
 pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
     let latency = quadric_latency(&format, rows_per_stage as u32) as usize;
-    let timing = Timing {
-        entry: latency - 3,
-        latency,
-    };
-    Description {
-        golden: golden(timing, 1, move |i| {
-            let words = words_of(i, planes, true);
-            let processor = VolumeProcessor::zone_start(&words, &format);
-            Box::new(Volume(processor))
-        }),
-        stimulus: points,
-    }
+    let entry = latency - 3;
+    volume(format, planes, Timing { entry, latency }, true)
 }
 
 pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
-    Description {
-        golden: golden(Timing::of(polyhedral_latency()), 1, move |i| {
-            let words = words_of(i, planes, false);
-            let processor = VolumeProcessor::zone_start(&words, &format);
-            Box::new(Volume(processor))
-        }),
-        stimulus: points,
-    }
+    volume(format, planes, Timing::of(polyhedral_latency()), false)
 }
 
 /// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or anything.

@@ -1,35 +1,20 @@
 //! What all object processors have in common: words held over a zone, a golden processor that runs over it, results a fixed time later.
 
-use super::{Late, bit};
+use super::description::{Description, Late, Scanned};
 use crate::signal::{Delay, Signal};
 use crate::stimulus::word;
-use crate::subject::{Golden, GoldenFn, Inputs};
+use crate::subject::{Inputs, Stimulus, Subject};
+use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
 use imogene_golden::object::screen_box::ScreenBox;
-use imogene_golden::object::words::{Object, ObjectPixel, Running};
+use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use proptest::prelude::*;
 
 /// Ports before the first word: the flags, then the column and the line.
 pub(super) const WORDS: usize = 5;
-
-/// A golden processor at work.
-pub(super) trait Processor: Send {
-    /// Next line.
-    fn line_step(&mut self);
-    /// Outputs of the next pixel, from what the ports show when its depth comes in.
-    fn pixel(&mut self, inputs: &[i64]) -> Vec<i64>;
-}
-
-impl<W: Object + Send> Processor for Running<W> {
-    fn line_step(&mut self) {
-        Running::line_step(self);
-    }
-
-    fn pixel(&mut self, _inputs: &[i64]) -> Vec<i64> {
-        object_values(&self.step(W::at))
-    }
-}
 
 /// Clocks of a processor.
 #[derive(Clone, Copy)]
@@ -50,43 +35,33 @@ impl Timing {
     }
 }
 
-/// The golden side of a processor with `outputs` outputs behind `out_valid`; `start` makes the processor of a zone from the ports.
-pub(super) fn golden(
+/// A processor with `outputs` outputs behind `out_valid`. `start` makes the golden one of a zone from the ports; `pixel` gives the outputs of
+/// its next pixel, from what the ports show when its depth comes in.
+pub(super) fn zone<P: Send + 'static>(
+    stimulus: Stimulus,
     timing: Timing,
     outputs: usize,
-    start: impl Fn(&[i64]) -> Box<dyn Processor> + Clone + Send + Sync + 'static,
-) -> Box<dyn Fn() -> Box<dyn Golden> + Sync> {
-    Box::new(move || {
+    start: impl Fn(&[i64]) -> P + Clone + Send + Sync + 'static,
+    line_step: fn(&mut P),
+    pixel: fn(&mut P, &[i64]) -> Vec<i64>,
+) -> Description {
+    Description::new(stimulus, move || {
         let start = start.clone();
         let mut entered = Delay::new(timing.entry);
         let mut late = Late::new(timing.latency - timing.entry);
-        let mut processor: Option<Box<dyn Processor>> = None;
-        Box::new(GoldenFn(move |i: &[i64]| {
-            let Some([valid, first, line]) = entered.push([i[0], i[1], i[2]].map(bit)) else {
+        let mut zone = Scanned::default();
+        move |i: &[i64]| {
+            let Some(flags) = entered.push([i[0], i[1], i[2]]) else {
                 return vec![None; 1 + outputs];
             };
-            if valid && first {
-                processor = Some(start(i));
-            } else if valid && line {
-                processor.iter_mut().for_each(|p| p.line_step());
-            }
-            let pixel = match &mut processor {
-                Some(processor) if valid => Some(processor.pixel(i)),
-                _ => None,
-            };
-            match late.push(pixel) {
+            let seen = zone.at(&flags, || start(i), line_step);
+            match late.push(seen.map(|processor| pixel(processor, i))) {
                 Some(Some(values)) => [1].into_iter().chain(values).map(Some).collect(),
                 Some(None) => [vec![Some(0)], vec![None; outputs]].concat(),
                 None => vec![None; 1 + outputs],
             }
-        }))
+        }
     })
-}
-
-/// Depths, face and normal of an object, behind `out_valid`.
-pub(super) fn object_values(p: &ObjectPixel) -> Vec<i64> {
-    let [nx, ny, nz] = p.normal.map(i64::from);
-    vec![p.zf, p.zb, p.number.into(), nx, ny, nz]
 }
 
 /// Reads the ports of a processor one after the other.
@@ -95,11 +70,14 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// From the first word on.
+    /// From the first of these on.
+    pub fn of(words: &'a [i64]) -> Reader<'a> {
+        Reader { words }
+    }
+
+    /// From the first word behind the raster's ports on.
     pub fn new(inputs: &'a [i64]) -> Reader<'a> {
-        Reader {
-            words: &inputs[WORDS..],
-        }
+        Reader::of(&inputs[WORDS..])
     }
 
     pub fn word(&mut self) -> i64 {
@@ -113,17 +91,13 @@ impl<'a> Reader<'a> {
         Linear::new(a, b, c)
     }
 
+    /// The coefficients whose preconditioned words these are, modulo the width. `a2 = 2a` and `b2 = 2b` have no unique
+    /// half modulo 2^n, but the halves may be taken in one bit more.
     pub fn quadratic(&mut self) -> Quadratic {
         let [a2, b2, c, i0, p0, f] = [(); 6].map(|()| i128::from(self.word()));
         let (a, b) = (a2 / 2, b2 / 2);
-        Quadratic {
-            a,
-            b,
-            c,
-            d: p0 - a,
-            e: i0 - b,
-            f,
-        }
+        let (d, e) = (p0 - a, i0 - b);
+        Quadratic { a, b, c, d, e, f }
     }
 
     pub fn screen_box(&mut self) -> ScreenBox {
@@ -134,6 +108,64 @@ impl<'a> Reader<'a> {
     pub fn vector(&mut self) -> [i16; 3] {
         [(); 3].map(|()| self.word() as i16)
     }
+
+    pub fn kind(&mut self) -> PlaneKind {
+        plane_kind(self.word())
+    }
+
+    pub fn class(&mut self) -> Class {
+        [Class::Side, Class::Front, Class::Patch, Class::Prism][self.word() as usize]
+    }
+
+    /// Planes, with their normals or without.
+    pub fn planes(&mut self, count: usize, with_normals: bool) -> Vec<PlaneWords> {
+        let plane = |_| PlaneWords {
+            kind: self.kind(),
+            depth: self.linear(),
+            normal: match with_normals {
+                true => self.vector(),
+                false => [0; 3],
+            },
+        };
+        (0..count).map(plane).collect()
+    }
+
+    /// The words of the normal unit but for its shift.
+    pub fn normal(&mut self) -> NormalWords {
+        NormalWords {
+            g: [(); 3].map(|()| self.linear()),
+            k: self.vector(),
+            shift: 0,
+        }
+    }
+
+    /// f1, f2, the normal, the screen box and the shift, in this order, without class and planes.
+    pub fn quadric(&mut self) -> QuadricWords {
+        let mut words = QuadricWords {
+            class: Class::Side,
+            f1: self.linear(),
+            f2: self.quadratic(),
+            normal: self.normal(),
+            screen_box: self.screen_box(),
+            planes: vec![],
+        };
+        words.normal.shift = self.word() as u8;
+        words
+    }
+
+    /// All words of a quadric processor.
+    pub fn quadric_processor(&mut self, planes: usize) -> QuadricWords {
+        let mut words = self.quadric();
+        words.class = self.class();
+        words.planes = self.planes(planes, true);
+        words
+    }
+}
+
+/// How a plane lies, by its word.
+pub(super) fn plane_kind(word: i64) -> PlaneKind {
+    use PlaneKind::{Back, Front, None, Perpendicular};
+    [None, Front, Back, Perpendicular][word as usize]
 }
 
 /// One zone of random width with one set of words on the ports from [`WORDS`] on; every eleventh clock is a gap, in which the raster stands still.
@@ -161,8 +193,8 @@ pub(super) fn held(words: BoxedStrategy<Inputs>, clocks: usize) -> BoxedStrategy
 pub(super) enum Likely {
     /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word.
     Depth(u32),
-    /// The same of second degree.
-    Bulge(u32),
+    /// The same of second degree, in units of `2^-(W - 2)`.
+    Bulge,
     /// A polynomial of first degree of which the sign counts.
     Line,
     /// The same of second degree.
@@ -191,15 +223,58 @@ pub(super) fn words(
             one(port, likely, depth_word)
         })
         .collect();
-    let names: Vec<String> = ports.iter().map(|port| port.name.clone()).collect();
-    prop_oneof![1 => any_word, 4 => likely]
+    let words = prop_oneof![1 => any_word, 4 => likely];
+    even_differences(ports, words.boxed())
+}
+
+/// The same words, second differences even: they are twice a coefficient.
+pub(super) fn even_differences(
+    ports: &[Signal],
+    words: BoxedStrategy<Inputs>,
+) -> BoxedStrategy<Inputs> {
+    let is_second = |port: &Signal| port.name.ends_with("_a2") || port.name.ends_with("_b2");
+    let masks: Vec<i64> = ports
+        .iter()
+        .map(|port| if is_second(port) { !1 } else { !0 })
+        .collect();
+    words
         .prop_map(move |mut words| {
-            // Second differences are even: they are twice a coefficient.
-            for (word, name) in words.iter_mut().zip(&names) {
-                if name.ends_with("_a2") || name.ends_with("_b2") {
-                    *word &= !1;
-                }
-            }
+            words
+                .iter_mut()
+                .zip(&masks)
+                .for_each(|(word, mask)| *word &= mask);
+            words
+        })
+        .boxed()
+}
+
+/// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn evenly.
+pub(super) fn planned(
+    subject: &Subject,
+    clocks: usize,
+    plan: &[(&str, Likely)],
+) -> BoxedStrategy<Vec<Inputs>> {
+    let words = words(&subject.inputs, subject.outputs[1].width, plan);
+    held(planes_any_kind(words, subject), clocks)
+}
+
+/// The same words, the kinds of all planes drawn evenly.
+pub(super) fn planes_any_kind(
+    words: BoxedStrategy<Inputs>,
+    subject: &Subject,
+) -> BoxedStrategy<Inputs> {
+    let ports = subject.inputs[WORDS..].iter().enumerate();
+    let kinds = ports.filter(|(_, port)| port.name.ends_with("_kind"));
+    let kinds: Vec<usize> = kinds.map(|(place, _)| place).collect();
+    if kinds.is_empty() {
+        return words;
+    }
+    (words, proptest::collection::vec(0i64..4, kinds.len()))
+        .prop_map(move |(mut words, drawn)| {
+            kinds
+                .iter()
+                .zip(drawn)
+                .for_each(|(&k, kind)| words[k] = kind);
             words
         })
         .boxed()
@@ -218,10 +293,10 @@ fn one(port: &Signal, likely: Likely, depth_word: u32) -> BoxedStrategy<i64> {
             "a" | "b" => spread(300, guard),
             _ => near_an_end(6_000, far, guard),
         },
-        (_, Likely::Bulge(guard)) => match part {
-            "a2" | "b2" | "c" => spread(20, guard),
-            "i0" | "p0" => spread(300, guard),
-            _ => near_an_end(6_000, far, guard),
+        (_, Likely::Bulge) => match part {
+            "a2" | "b2" | "c" => spread(20, depth_word - 2),
+            "i0" | "p0" => spread(300, depth_word - 2),
+            _ => near_an_end(6_000, far, depth_word - 2),
         },
         (_, Likely::Line) => match part {
             "a" | "b" => spread(2_000, 0),

@@ -8,7 +8,7 @@ use imogene_golden::machine::video_timing as golden;
 use imogene_hdl::{Bits, Value};
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::random;
-use imogene_verif::subject::{Hardware, Subject};
+use imogene_verif::subject::{Clocked, Subject};
 use imogene_verif::unit::subject;
 
 /// A reproducible source of numbers.
@@ -33,7 +33,7 @@ fn unit(name: &str) -> Subject {
 }
 
 /// The values after a clock, by port; all are defined in the built-in engine.
-fn clock(hardware: &mut dyn Hardware, inputs: &[i64]) -> Vec<i64> {
+fn clock(hardware: &mut dyn Clocked, inputs: &[i64]) -> Vec<i64> {
     let values = hardware.clock(inputs);
     values.into_iter().map(|v| v.expect("a value")).collect()
 }

@@ -1,9 +1,7 @@
 //! From sources to a library: Verilator, the C++ compiler, and the cache.
 
 use super::shim::{CLASS, Sources, WRAPPER};
-use crate::tool::{COMPILER, ToolError, VERILATOR, write};
-use imogene_files::Scratch;
-use sha2::{Digest, Sha256};
+use imogene_tools::{COMPILER, FileError, ToolError, VERILATOR, digest, made, write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
@@ -79,42 +77,21 @@ fn build_folder() -> Option<PathBuf> {
         .map(Path::to_path_buf)
 }
 
-fn digest(parts: &[&str]) -> String {
-    let mut hasher = Sha256::new();
-    for part in parts {
-        // The length keeps two parts from standing for two others with the same characters.
-        hasher.update((part.len() as u64).to_le_bytes());
-        hasher.update(part.as_bytes());
-    }
-    let bytes = hasher.finalize();
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// The library of these sources, compiled unless it is kept.
 pub(super) fn library(sources: &Sources) -> Result<PathBuf, ToolError> {
     let tools = tools()?;
     let options = [VERILATOR_OPTIONS.join(" "), COMPILER_OPTIONS.join(" ")].join("\n");
-    let name = digest(&[&sources.verilog, &sources.shim, &tools.versions, &options]);
+    let name = digest([&*sources.verilog, &sources.shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
-    if path.is_file() {
-        return Ok(path);
-    }
-    std::fs::create_dir_all(&cache).map_err(ToolError::file(&cache))?;
-    let run_time = run_time(&cache, tools, &options)?;
-    let scratch = scratch(&cache)?;
-    let folder = scratch.path();
-    write(&folder.join("design.v"), &sources.verilog)?;
-    write(&folder.join("shim.cpp"), &sources.shim)?;
-    verilate(folder)?;
-    link(folder, tools, &run_time)?;
-    // Renamed within one file system, so that the library is there whole or not at all.
-    std::fs::rename(folder.join("design.so"), &path).map_err(ToolError::file(&path))?;
+    made(&path, |folder| {
+        let run_time = run_time(&cache, tools, &options)?;
+        write(&folder.join("design.v"), &sources.verilog)?;
+        write(&folder.join("shim.cpp"), &sources.shim)?;
+        verilate(folder)?;
+        link(folder, tools, &run_time)
+    })?;
     Ok(path)
-}
-
-fn scratch(cache: &Path) -> Result<Scratch, ToolError> {
-    Scratch::new_in(cache, "build-").map_err(ToolError::file(cache))
 }
 
 fn verilate(folder: &Path) -> Result<(), ToolError> {
@@ -131,37 +108,33 @@ fn verilate(folder: &Path) -> Result<(), ToolError> {
     Ok(())
 }
 
-fn include(folder: &Path) -> [String; 4] {
-    let path = |path: PathBuf| path.display().to_string();
-    [
-        "-I".into(),
-        path(folder.join("include")),
-        "-I".into(),
-        path(folder.join("include/vltstd")),
-    ]
+/// The compiler's options, with the folders of Verilator's run time.
+fn compiler_options(tools: &Tools) -> Vec<String> {
+    let mut options = COMPILER_OPTIONS.map(String::from).to_vec();
+    for folder in ["include", "include/vltstd"] {
+        options.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
+    }
+    options
 }
 
-/// Compiles what Verilator wrote as one file, and links it.
-fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<(), ToolError> {
+/// Compiles what Verilator wrote as one file, and links it; the name of the library.
+fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<&'static str, ToolError> {
     let generated = folder.join("cpp");
-    let entries = std::fs::read_dir(&generated).map_err(ToolError::file(&generated))?;
+    let entries = std::fs::read_dir(&generated).map_err(FileError::at(&generated))?;
     let mut files: Vec<String> = entries
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .filter(|name| name.ends_with(".cpp"))
+        .map(|name| format!("#include \"cpp/{name}\"\n"))
         .collect();
     files.sort();
-    let mut unit = String::from("#include \"shim.cpp\"\n");
-    for file in files {
-        unit += &format!("#include \"cpp/{file}\"\n");
-    }
+    let unit = format!("#include \"shim.cpp\"\n{}", files.concat());
     write(&folder.join("all.cpp"), &unit)?;
-    let mut arguments: Vec<String> = COMPILER_OPTIONS.map(String::from).to_vec();
-    arguments.extend(include(&tools.root));
+    let mut arguments = compiler_options(tools);
     arguments.extend(["-I", "cpp", "-shared", "-o", "design.so", "all.cpp"].map(String::from));
     arguments.extend(run_time.iter().map(|path| path.display().to_string()));
     arguments.push("-pthread".into());
     COMPILER.run(arguments, folder)?;
-    Ok(())
+    Ok("design.so")
 }
 
 /// Objects of Verilator's run time, compiled unless they are kept.
@@ -169,31 +142,18 @@ fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, 
     // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with equal files.
     static ONE: Mutex<()> = Mutex::new(());
     let _guard = ONE.lock().unwrap_or_else(|broken| broken.into_inner());
-    let name = digest(&[&tools.versions, options]);
-    let objects = RUN_TIME.map(|part| cache.join(format!("{part}-{}.o", &name[..16])));
-    for (part, object) in RUN_TIME.iter().zip(&objects) {
-        if object.is_file() {
-            continue;
-        }
-        let scratch = scratch(cache)?;
-        let source = tools.root.join(format!("include/{part}.cpp"));
-        let mut arguments: Vec<String> = COMPILER_OPTIONS.map(String::from).to_vec();
-        arguments.extend(include(&tools.root));
-        arguments.extend(["-c", "-o", "part.o"].map(String::from));
-        arguments.push(source.display().to_string());
-        COMPILER.run(arguments, scratch.path())?;
-        std::fs::rename(scratch.path().join("part.o"), object).map_err(ToolError::file(object))?;
-    }
-    Ok(objects.to_vec())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_digest_tells_parts_apart() {
-        assert_ne!(digest(&["ab", "c"]), digest(&["a", "bc"]));
-        assert_eq!(digest(&["ab", "c"]), digest(&["ab", "c"]));
-    }
+    let name = digest([&*tools.versions, options]);
+    let object = |part: &str| {
+        let path = cache.join(format!("{part}-{}.o", &name[..16]));
+        made(&path, |folder| -> Result<_, ToolError> {
+            let source = tools.root.join(format!("include/{part}.cpp"));
+            let mut arguments = compiler_options(tools);
+            arguments.extend(["-c", "-o", "part.o"].map(String::from));
+            arguments.push(source.display().to_string());
+            COMPILER.run(arguments, folder)?;
+            Ok("part.o")
+        })?;
+        Ok(path)
+    };
+    RUN_TIME.into_iter().map(object).collect()
 }

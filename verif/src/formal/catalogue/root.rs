@@ -1,6 +1,7 @@
 //! The proofs of the root networks.
 
-use super::{BASE, Design, Job, Method, Words, at_format, integers, job};
+use super::base::{BASE, at_format, integers, job};
+use crate::formal::job::{Design, Job, Method, Words};
 use imogene_contract::{Request, Unit};
 
 const REFERENCE_ROWS: &str = concat!(
@@ -33,27 +34,28 @@ pub(super) fn jobs() -> Vec<Job> {
         jobs.push(stages);
     }
     jobs.push(non_restoring());
-    let statement = "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right";
-    for k in [8, 16, 24, 32, 64] {
-        let lemma = property!("root_lemma.sv");
-        let mut lemma = job(
-            format!("root_lemma-{k}"),
-            statement,
-            lemma,
-            Unit::SquareRoot,
-        );
-        lemma = at_format(lemma, BASE, &[("K", k)]);
-        lemma.design = Design::Text(property!("root_reference.sv"));
-        lemma.method = Method::Bounded { clocks: 1 };
-        lemma.top = "root_lemma";
-        jobs.push(lemma);
-    }
+    jobs.extend([8, 16, 24, 32, 64].map(lemma));
     jobs.push(integers(
         "root-integers",
         "the ghost square is root^2, and root^2 <= x < (root + 1)^2 follows",
         property!("root.smt2"),
     ));
     jobs
+}
+
+fn lemma(k: usize) -> Job {
+    let lemma = job(
+        format!("root_lemma-{k}"),
+        "reference row: remainder + square = prefix and remainder <= 2 root pass through, and the digit is right",
+        property!("root_lemma.sv"),
+        Unit::SquareRoot,
+    );
+    Job {
+        design: Design::Text(property!("root_reference.sv")),
+        method: Method::Bounded { clocks: 1 },
+        top: "root_lemma",
+        ..at_format(lemma, BASE, &[("K", k)])
+    }
 }
 
 fn network(
@@ -63,26 +65,27 @@ fn network(
     depth_word: usize,
     rows_per_stage: usize,
 ) -> Job {
-    let mut job = job(name, statement, properties, Unit::SquareRoot);
-    job.design = Design::Emitted(Request {
-        rows_per_stage: rows_per_stage as u32,
-        ..Request::of(Unit::SquareRoot, depth_word as u32)
-    });
-    job.words = Words::Network;
-    job.widths = format!(
-        "K = {depth_word}, F = {}, R = {rows_per_stage}",
-        2 * depth_word
-    );
-    job
+    Job {
+        design: Design::Emitted(Request {
+            rows_per_stage: rows_per_stage as u32,
+            ..Request::of(Unit::SquareRoot, depth_word as u32)
+        }),
+        words: Words::Network,
+        widths: format!(
+            "K = {depth_word}, F = {}, R = {rows_per_stage}",
+            2 * depth_word
+        ),
+        ..job(name, statement, properties, Unit::SquareRoot)
+    }
 }
 
 fn non_restoring() -> Job {
     let statement = "square_root_non_restoring: every register stage, restored, is its rows of the reference; latency";
     let name = format!("non_restoring_rows-{BASE}-r1");
-    let mut job = network(name, statement, NON_RESTORING_ROWS, BASE, 1);
-    job.design = Design::Emitted(Request::new(Unit::SquareRootNonRestoring));
-    job.words = Words::Network;
-    job.top = Unit::SquareRootNonRestoring.name();
-    job.full = true;
-    job
+    Job {
+        design: Design::Emitted(Request::new(Unit::SquareRootNonRestoring)),
+        top: Unit::SquareRootNonRestoring.name(),
+        full: true,
+        ..network(name, statement, NON_RESTORING_ROWS, BASE, 1)
+    }
 }

@@ -37,9 +37,9 @@ fn register<'a>(line: &'a str, rest: &mut impl Iterator<Item = &'a str>) -> Opti
     })
 }
 
-/// The text of a netlist without registers. Register n of the netlist has the ports `cut_q_m`, `cut_d_m` and `cut_c_m` with m its number. Its
+/// The text of a netlist without registers. Register n of the netlist has the ports `cut_q_n`, `cut_d_n` and `cut_c_n`. Its
 /// cell `NAME` leaves two buffers, `NAME$q` behind its value and `NAME$d` before its next value, where mutants of its ports can be made.
-pub(crate) fn cut(netlist: &str, number: impl Fn(usize) -> usize) -> String {
+pub(super) fn cut(netlist: &str) -> String {
     let mut text = String::new();
     let mut lines = netlist.lines();
     let mut count = 0;
@@ -49,7 +49,7 @@ pub(crate) fn cut(netlist: &str, number: impl Fn(usize) -> usize) -> String {
             continue;
         }
         if let Some(register) = register(line, &mut lines) {
-            register.write(number(count), &mut text);
+            register.write(count, &mut text);
             count += 1;
         } else {
             text += line;
@@ -87,7 +87,7 @@ impl Register<'_> {
 }
 
 /// The options of a mutant, for the netlist with cut registers.
-pub(crate) fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
+pub(super) fn cut_command(command: &str, cell: &str, netlist: &str) -> String {
     let is_register = netlist.lines().any(|line| {
         let cell_of_line = line.trim_start().strip_prefix("cell $dff ");
         cell_of_line == Some(cell)
@@ -120,15 +120,15 @@ end
 
     #[test]
     fn a_register_becomes_three_ports() {
-        let text = cut(NETLIST, |place| place + 4);
+        let text = cut(NETLIST);
         assert!(!text.contains("$dff") && !text.contains("init"), "{text}");
         for part in [
-            "wire width 3 input 10012 \\cut_q_4",
-            "wire width 3 output 10013 \\cut_d_4",
-            "wire output 10014 \\cut_c_4",
-            "connect \\cut_c_4 \\clock",
-            "connect \\A \\cut_q_4\n    connect \\Y \\value",
-            "connect \\A $next\n    connect \\Y \\cut_d_4",
+            "wire width 3 input 10000 \\cut_q_0",
+            "wire width 3 output 10001 \\cut_d_0",
+            "wire output 10002 \\cut_c_0",
+            "connect \\cut_c_0 \\clock",
+            "connect \\A \\cut_q_0\n    connect \\Y \\value",
+            "connect \\A $next\n    connect \\Y \\cut_d_0",
         ] {
             assert!(text.contains(part), "no '{part}' in {text}");
         }

@@ -1,0 +1,200 @@
+//! A design of another project: what must hold of it before any tool runs.
+
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// A design of another project, from files of the user.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Peer {
+    /// Verilog files in the order they are read, `.v`, or `.sv` for SystemVerilog.
+    pub files: Vec<PathBuf>,
+    /// Top module.
+    pub top: String,
+    /// Clock port; `clk` or `clock` if not given.
+    pub clock: Option<String>,
+    /// Folders of included files.
+    pub include: Vec<PathBuf>,
+    /// Parameters of the top module and their values.
+    pub parameters: Vec<(String, String)>,
+}
+
+/// Why a peer cannot be measured.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum PeerError {
+    /// A file is not there.
+    #[error("{path}: there is no such {kind}")]
+    Missing {
+        /// The path.
+        path: String,
+        /// File or folder.
+        kind: &'static str,
+    },
+    /// A file is no Verilog by its name.
+    #[error("{path}: a file of Verilog ends in .v, one of SystemVerilog in .sv")]
+    Ending {
+        /// The path.
+        path: String,
+    },
+    /// A name or value cannot stand in a command of Yosys.
+    #[error("`{text}` is no {what}: {accepted}")]
+    Word {
+        /// The text.
+        text: String,
+        /// What it should be.
+        what: &'static str,
+        /// What is accepted.
+        accepted: &'static str,
+    },
+    /// No module has the name of the top.
+    #[error("there is no module `{top}`; the files hold {}", list(modules))]
+    Top {
+        /// The name.
+        top: String,
+        /// The modules that there are.
+        modules: Vec<String>,
+    },
+    /// No port is the clock.
+    #[error(
+        "`{top}` has no clock port {wanted} of one bit; `--clock PORT` names it; the ports are {}",
+        list(ports)
+    )]
+    Clock {
+        /// The top module.
+        top: String,
+        /// The names looked for.
+        wanted: String,
+        /// The ports that there are.
+        ports: Vec<String>,
+    },
+    /// A port that no register can stand at.
+    #[error("port `{port}` of `{top}` is an inout; a register harness needs inputs and outputs")]
+    Inout {
+        /// The top module.
+        top: String,
+        /// The port.
+        port: String,
+    },
+    /// A design without data.
+    #[error("`{top}` has no {direction} beside its clock: there is nothing to measure")]
+    NoData {
+        /// The top module.
+        top: String,
+        /// Input or output.
+        direction: &'static str,
+    },
+    /// Yosys does not take the files.
+    #[error("Yosys refuses the peer: {message}")]
+    Refused {
+        /// Its error.
+        message: String,
+    },
+}
+
+fn list(names: &[String]) -> String {
+    if names.is_empty() {
+        "none".to_owned()
+    } else {
+        names.join(", ")
+    }
+}
+
+impl Peer {
+    /// Checks everything that needs no tool.
+    pub(crate) fn check(&self) -> Result<(), PeerError> {
+        for file in &self.files {
+            let path = file.display().to_string();
+            if !file.is_file() {
+                return Err(PeerError::Missing { path, kind: "file" });
+            }
+            is_system_verilog(file)?;
+            check_file_name(file)?;
+        }
+        if let Some(folder) = self.include.iter().find(|folder| !folder.is_dir()) {
+            let (path, kind) = (folder.display().to_string(), "folder");
+            return Err(PeerError::Missing { path, kind });
+        }
+        check_word(&self.top, "module", is_name)?;
+        for (name, value) in &self.parameters {
+            check_word(name, "parameter", is_name)?;
+            check_word(value, "value", is_value)?;
+        }
+        Ok(())
+    }
+}
+
+pub(super) fn is_system_verilog(file: &Path) -> Result<bool, PeerError> {
+    match file.extension().and_then(|ending| ending.to_str()) {
+        Some("v") => Ok(false),
+        Some("sv") => Ok(true),
+        _ => Err(PeerError::Ending {
+            path: file.display().to_string(),
+        }),
+    }
+}
+
+/// The name without its folder: it goes into a command of Yosys.
+fn check_file_name(file: &Path) -> Result<(), PeerError> {
+    let name = file.file_name().and_then(|name| name.to_str());
+    check_word(name.unwrap_or_default(), "file name", is_value)
+}
+
+fn is_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_' || c == '$'
+}
+
+fn is_value(c: char) -> bool {
+    is_name(c) || "'.+-".contains(c)
+}
+
+fn check_word(text: &str, what: &'static str, is_legal: fn(char) -> bool) -> Result<(), PeerError> {
+    if !text.is_empty() && !text.starts_with('-') && text.chars().all(is_legal) {
+        return Ok(());
+    }
+    let accepted = if is_legal('.') {
+        "letters, digits, _ $ ' . + -, not - first"
+    } else {
+        "letters, digits, _ $"
+    };
+    Err(PeerError::Word {
+        text: text.to_owned(),
+        what,
+        accepted,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_there_or_no_verilog_is_refused_before_any_tool_runs() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let file = |name: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, "").expect("a file");
+            path
+        };
+        let with = |path: PathBuf| Peer {
+            files: vec![path],
+            top: "top".into(),
+            clock: None,
+            include: Vec::new(),
+            parameters: Vec::new(),
+        };
+        let refusal = |peer: Peer| peer.check().expect_err("refused").to_string();
+        assert!(refusal(with(folder.path().join("no.v"))).contains("no such file"));
+        assert!(refusal(with(file("a.vhd"))).contains(".sv"));
+        assert!(refusal(with(file("a b.v"))).contains("`a b.v`"));
+        let legal = with(file("a.sv"));
+        legal.check().expect("a legal peer");
+        let mut bad = legal.clone();
+        bad.include = vec![folder.path().join("headers")];
+        assert!(refusal(bad).contains("no such folder"));
+        let mut bad = legal.clone();
+        bad.top = "a; shell".into();
+        assert!(refusal(bad).contains("`a; shell`"));
+        let mut bad = legal;
+        bad.parameters = vec![("W".into(), "8; exec".into())];
+        assert!(refusal(bad).contains("`8; exec`"));
+    }
+}

@@ -1,0 +1,203 @@
+//! The rows of the resource table and its figures.
+
+use crate::bench::Options;
+use crate::report::SynthReport;
+use crate::target::Target;
+use imogene_contract::{Request, Unit};
+use serde::{Deserialize, Serialize};
+
+/// Section of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Section {
+    /// Every unit of the machine at the base format.
+    Units,
+    /// The object processors over the number of their cut planes or sides.
+    Planes,
+    /// Both pipelined root networks over their rows per stage.
+    Rows,
+    /// Transistors beside those of the source.
+    Transistors,
+}
+
+/// One synthesis of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Where it is shown.
+    pub section: Section,
+    /// Unit.
+    pub request: Request,
+    /// Target.
+    pub target: Target,
+    /// Options.
+    pub options: Options,
+}
+
+/// The table with its figures.
+#[derive(Clone, Debug)]
+pub struct Table {
+    pub(super) rows: Vec<(Row, SynthReport)>,
+    pub(super) digest: String,
+}
+
+/// Seeds of a clock in the table.
+pub(super) const SEEDS: usize = 3;
+
+/// Devices of the table.
+pub(super) const DEVICES: [Target; 2] = [Target::Ecp5With45k, Target::Ice40Hx8k];
+
+/// Cut planes of the object processors.
+pub(super) const PLANES: [usize; 7] = [0, 1, 2, 3, 4, 8, 12];
+
+/// The object processors whose planes are counted.
+const CUT: [Unit; 2] = [Unit::QuadricProcessor, Unit::PatchProcessor];
+
+/// The object processors beside the quadric processor.
+const OTHER_PROCESSORS: [Unit; 9] = [
+    Unit::PatchProcessor,
+    Unit::FirstGenerationProcessor,
+    Unit::PolyhedronProcessor,
+    Unit::FacetProcessor,
+    Unit::CurvedFacetProcessor,
+    Unit::SphereProcessor,
+    Unit::CylinderProcessor,
+    Unit::QuadricVolume,
+    Unit::PolyhedralVolume,
+];
+
+/// Rows per stage of the root networks; the last is the whole network of the base format.
+pub(super) const ROWS_PER_STAGE: [usize; 4] = [1, 2, 4, 24];
+
+/// The root networks that can be cut into stages of any number of rows.
+pub(super) const ROOTS: [Unit; 2] = [Unit::SquareRoot, Unit::SquareRootNonRestoring];
+
+/// Units that have transistors of their own in the source, or are made of such.
+pub(super) const GATES: [Unit; 5] = [
+    Unit::Pe1,
+    Unit::Pe2,
+    Unit::SquareRoot,
+    Unit::QuadricPe,
+    Unit::NormalUnit,
+];
+
+/// The units the machine is made of; the other forms of the root have a page of their own.
+pub(super) fn units() -> impl Iterator<Item = Unit> {
+    let is_root_form = |unit: &Unit| unit.name().starts_with("square_root_");
+    Unit::ALL
+        .into_iter()
+        .filter(move |unit| !is_root_form(unit))
+}
+
+/// All rows, in their order.
+pub fn rows() -> Vec<Row> {
+    let units = DEVICES
+        .into_iter()
+        .flat_map(|target| units().map(move |unit| unit_row(unit, target)));
+    let over_planes = |unit| PLANES.map(move |planes| planes_row(unit, planes as u32));
+    let sides = [3, 4].map(sides_row);
+    let planes = CUT.into_iter().flat_map(over_planes).chain(sides);
+
+    let roots = DEVICES.into_iter().flat_map(|target| {
+        let rows = move |unit| ROWS_PER_STAGE.map(|rows| root_row(unit, rows as u32, target));
+        ROOTS.into_iter().flat_map(rows)
+    });
+    let transistors = GATES.map(|unit| Row {
+        section: Section::Transistors,
+        request: Request::new(unit),
+        target: Target::Transistors,
+        options: Options { seeds: 0 },
+    });
+    units
+        .chain(planes)
+        .chain(roots)
+        .chain(transistors)
+        .collect()
+}
+
+fn planes_row(unit: Unit, planes: u32) -> Row {
+    Row {
+        section: Section::Planes,
+        request: Request {
+            planes,
+            ..Request::new(unit)
+        },
+        target: Target::Ecp5With45k,
+        // A plane adds a stage of its own beside the others: it costs cells, and the clock is that of the units table.
+        options: Options { seeds: 0 },
+    }
+}
+
+fn sides_row(sides: u32) -> Row {
+    Row {
+        section: Section::Planes,
+        request: Request {
+            sides,
+            ..Request::new(Unit::FacetProcessor)
+        },
+        target: Target::Ecp5With45k,
+        options: Options { seeds: 0 },
+    }
+}
+
+fn unit_row(unit: Unit, target: Target) -> Row {
+    // The machine is its units side by side; placing it takes longer than everything else together. So does placing the object processors
+    // beside the quadric processor on the small device, of which they fill most.
+    let is_too_long =
+        unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
+    let seeds = if is_too_long { 0 } else { SEEDS };
+    Row {
+        section: Section::Units,
+        request: Request::new(unit),
+        target,
+        options: Options { seeds },
+    }
+}
+
+fn root_row(unit: Unit, rows_per_stage: u32, target: Target) -> Row {
+    Row {
+        section: Section::Rows,
+        request: Request {
+            rows_per_stage,
+            ..Request::new(unit)
+        },
+        target,
+        options: Options { seeds: SEEDS },
+    }
+}
+
+/// The rows of a unit and of a target, or of all of them.
+pub fn select(unit: Option<Unit>, target: Option<Target>) -> Vec<Row> {
+    let mut rows = rows();
+    rows.retain(|row| {
+        unit.is_none_or(|unit| row.request.unit == unit)
+            && target.is_none_or(|target| row.target == target)
+    });
+    rows
+}
+
+impl Table {
+    /// The reports behind the table.
+    pub fn reports(&self) -> Vec<&SynthReport> {
+        self.rows.iter().map(|(_, report)| report).collect()
+    }
+
+    /// The rows and their reports.
+    pub fn rows(&self) -> &[(Row, SynthReport)] {
+        &self.rows
+    }
+
+    /// Digest of the Verilog of all rows.
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    pub(super) fn section(
+        &self,
+        section: Section,
+        target: Target,
+    ) -> impl Iterator<Item = &SynthReport> {
+        let rows = self.rows.iter();
+        rows.filter(move |(row, _)| row.section == section && row.target == target)
+            .map(|(_, report)| report)
+    }
+}

@@ -1,0 +1,108 @@
+//! Results kept by what they depend on, so that work is done again only where something changed.
+
+use crate::file::{FileError, write};
+use imogene_files::Scratch;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// Digest of texts, each with a line break behind it.
+pub fn digest<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
+    let mut hasher = Sha256::new();
+    for part in parts {
+        hasher.update(part.as_bytes());
+        hasher.update(b"\n");
+    }
+    let bytes = hasher.finalize();
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Makes a file unless it is there: whole or not at all. `make` works in a folder beside it, and names its result there.
+///
+/// # Errors
+///
+/// When it cannot be made.
+pub fn made<E: From<FileError>>(
+    path: &Path,
+    make: impl FnOnce(&Path) -> Result<&'static str, E>,
+) -> Result<(), E> {
+    if path.is_file() {
+        return Ok(());
+    }
+    renewed(path, make)
+}
+
+fn renewed<E: From<FileError>>(
+    path: &Path,
+    make: impl FnOnce(&Path) -> Result<&'static str, E>,
+) -> Result<(), E> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    std::fs::create_dir_all(folder).map_err(FileError::at(folder))?;
+    let scratch = Scratch::new_in(folder, "build-").map_err(FileError::at(folder))?;
+    let name = make(scratch.path())?;
+    // Renamed within one file system, so that another process never reads half a file.
+    std::fs::rename(scratch.path().join(name), path).map_err(FileError::at(path))?;
+    Ok(())
+}
+
+/// Where one result is kept.
+pub struct Kept(Option<PathBuf>);
+
+impl Kept {
+    /// The place of a result in a folder that depends on these texts alone. Without a folder nothing is kept.
+    pub fn new(folder: Option<PathBuf>, parts: &[&str]) -> Kept {
+        let name = format!("{}.json", digest(parts.iter().copied()));
+        Kept(folder.map(|folder| folder.join(name)))
+    }
+
+    /// The result, if it is kept and of this form.
+    pub fn load<T: DeserializeOwned>(&self) -> Option<T> {
+        let text = std::fs::read_to_string(self.0.as_ref()?).ok()?;
+        serde_json::from_str(&text).ok()
+    }
+
+    /// Keeps a result.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be written.
+    ///
+    /// # Panics
+    ///
+    /// If its keys are no texts.
+    pub fn store(&self, result: &impl Serialize) -> Result<(), FileError> {
+        let Some(path) = &self.0 else {
+            return Ok(());
+        };
+        let text =
+            serde_json::to_string_pretty(result).expect("results have no unserialisable keys");
+        renewed(path, |folder| {
+            write(&folder.join("result.json"), &text)?;
+            Ok("result.json")
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_digest_tells_parts_apart() {
+        assert_ne!(digest(["ab", "c"]), digest(["a", "bc"]));
+        assert_eq!(digest(["ab", "c"]), digest(["ab", "c"]));
+    }
+
+    #[test]
+    fn what_is_kept_is_found_by_all_that_it_depends_on() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let place = |text: &str| Kept::new(Some(folder.path().join("cache")), &["1", text]);
+        assert_eq!(place("a").load::<u64>(), None);
+        for value in [5u64, 6] {
+            place("a").store(&value).expect("a file");
+            assert_eq!(place("a").load(), Some(value));
+        }
+        assert_eq!(place("b").load::<u64>(), None);
+    }
+}

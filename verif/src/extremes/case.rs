@@ -1,0 +1,84 @@
+//! A named case: what is run, and what must come of it.
+
+use super::pictures::Pictures;
+use crate::subject::{Inputs, Subject};
+use imogene_contract::Unit;
+
+/// What a picture must show.
+pub type Claim = fn(&Pictures) -> Result<(), String>;
+
+/// What is run, and what must come of it.
+pub(super) enum Case {
+    /// A scene that is drawn, and what its picture must show.
+    Drawn(&'static str, Claim),
+    /// A scene that the golden machine draws by a processor without hardware, and what its picture must show.
+    Modelled(&'static str, Claim),
+    /// A scene that is drawn, but of which the check says that its silhouette has no bound.
+    Flagged(&'static str),
+    /// A stimulus of a unit.
+    Unit(Unit, fn(&Subject) -> Vec<Inputs>),
+}
+
+/// A named case.
+pub struct Extreme {
+    /// Name, without `extremes/`.
+    pub name: &'static str,
+    /// Item of the list of extremes: of section 17, or 13.8.
+    pub item: &'static str,
+    /// What happens, and why that is right.
+    pub outcome: &'static str,
+    pub(super) case: Case,
+}
+
+/// Name and text of a scene.
+type Scene = (&'static str, &'static str);
+
+pub(super) const fn drawn(
+    item: &'static str,
+    (name, text): Scene,
+    claim: Claim,
+    outcome: &'static str,
+) -> Extreme {
+    extreme(name, item, outcome, Case::Drawn(text, claim))
+}
+
+pub(super) const fn modelled(
+    item: &'static str,
+    (name, text): Scene,
+    claim: Claim,
+    outcome: &'static str,
+) -> Extreme {
+    extreme(name, item, outcome, Case::Modelled(text, claim))
+}
+
+pub(super) const fn flagged(
+    item: &'static str,
+    (name, text): Scene,
+    outcome: &'static str,
+) -> Extreme {
+    extreme(name, item, outcome, Case::Flagged(text))
+}
+
+pub(super) const fn driven(
+    item: &'static str,
+    name: &'static str,
+    unit: Unit,
+    stimulus: fn(&Subject) -> Vec<Inputs>,
+    outcome: &'static str,
+) -> Extreme {
+    extreme(name, item, outcome, Case::Unit(unit, stimulus))
+}
+
+const fn extreme(
+    name: &'static str,
+    item: &'static str,
+    outcome: &'static str,
+    case: Case,
+) -> Extreme {
+    Extreme {
+        name,
+        item,
+        outcome,
+        case,
+    }
+}
