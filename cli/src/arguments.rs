@@ -11,6 +11,7 @@ mod import;
 mod look;
 mod machine;
 mod oracle;
+mod parse;
 mod proof;
 mod scene;
 mod split;
@@ -184,8 +185,7 @@ pub enum Command {
 
 /// A depth word as written on the command line.
 fn depth_word(text: &str) -> Result<u32, String> {
-    text.parse()
-        .map_err(|_| "expected a number of bits, 8 to 32".into())
+    parse::value(text, |_| true, "expected a number of bits, 8 to 32")
 }
 
 #[cfg(test)]

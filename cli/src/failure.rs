@@ -1,6 +1,7 @@
 //! How a command fails: the message and the exit code.
 
 use imogene_files::WriteError;
+use std::error::Error;
 use std::fmt;
 use std::io::ErrorKind;
 
@@ -45,10 +46,12 @@ impl Failure {
     }
 }
 
-impl From<WriteError> for Failure {
-    fn from(error: WriteError) -> Failure {
-        match error.source.kind() {
-            ErrorKind::BrokenPipe => Failure::ClosedPipe,
+/// Bad input, unless it is an output that nobody reads any more.
+impl<E: Error + 'static> From<E> for Failure {
+    fn from(error: E) -> Failure {
+        let write = (&error as &dyn Error).downcast_ref::<WriteError>();
+        match write.map(|error| error.source.kind()) {
+            Some(ErrorKind::BrokenPipe) => Failure::ClosedPipe,
             _ => Failure::input(error),
         }
     }

@@ -90,7 +90,7 @@ pub fn reduced(
     if !file.images.is_empty() {
         return Ok(file);
     }
-    let framed = file.frame(width, height).map_err(Failure::input)?;
+    let framed = file.frame(width, height)?;
     let list = refused(&framed, format, options);
     let Some((_, first)) = list.first() else {
         return Ok(file);

@@ -39,7 +39,7 @@ pub fn check_memory(bytes: &[u8], path: &Path) -> Result<(), Failure> {
 
 /// Reads a scene, and the molecules that it names from their files.
 pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
-    let mut scene = SceneFile::read(path).map_err(Failure::input)?;
+    let mut scene = SceneFile::read(path)?;
     missing::incomplete(path, scene.incomplete.as_deref())?;
     let molecules = std::mem::take(&mut scene.molecules);
     if molecules.is_empty() {
@@ -58,7 +58,7 @@ pub fn read_scene(path: &Path) -> Result<SceneFile, Failure> {
                 path.display()
             ))
         })?;
-        pdb::add(&mut scene, molecule, &bytes, format, &name).map_err(Failure::input)?;
+        pdb::add(&mut scene, molecule, &bytes, format, &name)?;
     }
     let named = |error| Failure::input(format!("{}: {error}", path.display()));
     scene.validate().map_err(named)?;

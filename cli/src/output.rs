@@ -7,7 +7,7 @@ use imogene_files::{Identity, Outputs, end_process};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, WeakProgressBar};
 use serde::Serialize;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
@@ -40,6 +40,21 @@ static INPUTS: OnceLock<Vec<Identity>> = OnceLock::new();
 pub fn json(value: &impl Serialize) {
     REPORTED.store(true, Ordering::Relaxed);
     text(json_text(value));
+}
+
+/// Prints a report: as one JSON document, or as `tell` does for a person.
+pub fn report<T: Serialize>(json: bool, report: &T, tell: impl FnOnce(&T)) {
+    match json {
+        true => self::json(report),
+        false => tell(report),
+    }
+}
+
+/// Says which files were written.
+pub fn wrote(files: &[PathBuf]) {
+    for file in files {
+        text(format!("wrote {}", file.display()));
+    }
 }
 
 /// A value as a JSON document.
@@ -145,6 +160,14 @@ pub fn progress(length: u64, what: &'static str) -> ProgressBar {
     ProgressBar::new(length)
         .with_style(style)
         .with_message(what)
+}
+
+/// What a work gives that shows its progress of `length` steps.
+pub fn during<T>(length: u64, what: &'static str, work: impl FnOnce(&ProgressBar) -> T) -> T {
+    let bar = progress(length, what);
+    let result = work(&bar);
+    bar.finish_and_clear();
+    result
 }
 
 /// Says how far it is until the work has ended.

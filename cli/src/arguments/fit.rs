@@ -1,6 +1,6 @@
 //! Arguments of `fit`.
 
-use super::Size;
+use super::{Size, parse};
 use clap::{Args, ValueEnum};
 use imogene_studies::fit::budget::{Budget, CountLimit, DepthLimit};
 use std::path::PathBuf;
@@ -94,8 +94,5 @@ impl Fit {
 }
 
 fn at_least_zero(text: &str) -> Result<f64, String> {
-    let value: Option<f64> = text.parse().ok();
-    value
-        .filter(|value| value.is_finite() && *value >= 0.0)
-        .ok_or_else(|| "expected a number, 0 or more, such as 0.5".to_owned())
+    parse::at_least_zero(text, "expected a number, 0 or more, such as 0.5")
 }

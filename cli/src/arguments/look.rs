@@ -1,5 +1,6 @@
 //! Another look at a scene, without editing it.
 
+use super::parse;
 use clap::{Args, ValueEnum};
 use imogene_scene::{Look, Side};
 
@@ -84,7 +85,6 @@ fn angles(text: &str) -> Result<[f64; 3], String> {
 }
 
 fn factor(text: &str) -> Result<f64, String> {
-    let accepted = 1e-3..=1e3;
-    let value = text.parse().ok().filter(|value| accepted.contains(value));
-    value.ok_or_else(|| "a factor from 0.001 to 1000 is expected".to_owned())
+    let expected = "a factor from 0.001 to 1000 is expected";
+    parse::value(text, |value| (1e-3..=1e3).contains(value), expected)
 }

@@ -1,6 +1,6 @@
 //! Arguments of `raytrace`, `cracks` and `repair`.
 
-use super::{Scene, Size, View, depth_word};
+use super::{Scene, Size, View, depth_word, parse};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -80,8 +80,6 @@ pub struct Repair {
 }
 
 fn positive(text: &str) -> Result<f64, String> {
-    let value: Option<f64> = text.parse().ok();
-    value
-        .filter(|v| v.is_finite() && *v > 0.0)
-        .ok_or_else(|| "expected a distance above 0 in scene units, such as 0.01".to_owned())
+    let expected = "expected a distance above 0 in scene units, such as 0.01";
+    parse::value(text, |v: &f64| v.is_finite() && *v > 0.0, expected)
 }

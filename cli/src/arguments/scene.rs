@@ -1,6 +1,6 @@
 //! A scene as an argument, and the commands that draw, prepare and check one.
 
-use super::{FrameRange, LookOptions, Split, depth_word};
+use super::{FrameRange, LookOptions, Split, depth_word, parse};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};
@@ -190,8 +190,8 @@ impl Render {
 }
 
 fn samples(text: &str) -> Result<u32, String> {
-    let count = text.parse().ok().filter(|count| [4, 16].contains(count));
-    count.ok_or_else(|| "4 or 16 samples of each pixel are possible".to_owned())
+    let expected = "4 or 16 samples of each pixel are possible";
+    parse::value(text, |count| [4, 16].contains(count), expected)
 }
 
 /// Arguments of `prepare`.
@@ -238,11 +238,8 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Size, String> {
-        let parse = |part: &str| part.parse::<u32>().ok();
-        text.split_once('x')
-            .and_then(|(w, h)| Some((parse(w)?, parse(h)?)))
-            .map(|(width, height)| Size { width, height })
-            .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
+        let size = parse::pair(text, 'x').map(|(width, height)| Size { width, height });
+        size.ok_or_else(|| "expected WIDTHxHEIGHT in pixels, such as 320x240".to_string())
     }
 }
 
@@ -259,10 +256,7 @@ impl FromStr for Guards {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Guards, String> {
-        let parse = |part: &str| part.parse::<u32>().ok();
-        text.split_once(':')
-            .and_then(|(linear, quadratic)| Some((parse(linear)?, parse(quadratic)?)))
-            .map(|(linear, quadratic)| Guards { linear, quadratic })
-            .ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
+        let guards = parse::pair(text, ':').map(|(linear, quadratic)| Guards { linear, quadratic });
+        guards.ok_or_else(|| "expected G1:G2, two numbers of bits, such as 2:4".to_string())
     }
 }

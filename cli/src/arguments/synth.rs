@@ -1,7 +1,8 @@
 //! Arguments of the commands that synthesise.
 
-use super::{Fitted, Shape};
+use super::{Fitted, Shape, parse};
 use clap::Args;
+use imogene_synth::Cache;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -62,11 +63,18 @@ pub struct Synth {
     pub no_clock: bool,
 }
 
+impl Synth {
+    /// Whether kept results count.
+    pub fn cache(&self) -> Cache {
+        match self.fresh {
+            true => Cache::Renew,
+            false => Cache::Use,
+        }
+    }
+}
+
 fn percent(text: &str) -> Result<f64, String> {
-    let value = text.parse::<f64>().ok();
-    value
-        .filter(|value| value.is_finite() && *value >= 0.0)
-        .ok_or_else(|| "expected a percentage, 0 or more, such as 2.5".to_string())
+    parse::at_least_zero(text, "expected a percentage, 0 or more, such as 2.5")
 }
 
 /// Arguments of `peers`.

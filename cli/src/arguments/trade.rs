@@ -1,6 +1,6 @@
 //! Arguments of `trade`.
 
-use super::Size;
+use super::{Size, parse};
 use clap::{Args, ValueEnum};
 use imogene_studies::trade::run::Shard;
 use std::path::PathBuf;
@@ -69,9 +69,7 @@ impl FromStr for ShardArgument {
     type Err = String;
 
     fn from_str(text: &str) -> Result<ShardArgument, String> {
-        let parse = |part: &str| part.parse::<usize>().ok();
-        text.split_once('/')
-            .and_then(|(number, of)| Some((parse(number)?, parse(of)?)))
+        parse::pair::<usize>(text, '/')
             .filter(|(number, of)| (1..=*of).contains(number))
             .map(|(number, of)| ShardArgument(Shard { number, of }))
             .ok_or_else(|| "expected K/N with K from 1 to N, such as 2/8".to_string())

@@ -47,7 +47,7 @@ fn try_bounds(options: &Bounds, json: bool) -> Result<(), Failure> {
         output::text(trial_head());
     }
     for widths in FORMATS {
-        let format = Format::fitted(&widths).map_err(Failure::input)?;
+        let format = Format::fitted(&widths)?;
         let report = trial::run(&format, options.cases, options.seed, false, |n| bar.inc(n));
         if !json {
             bar.suspend(|| output::text(trial_line(&report)));

@@ -36,9 +36,7 @@ pub fn run(options: &Check, json: bool) -> Result<(), Failure> {
         });
     } else {
         describe(&report);
-        for file in &files {
-            output::text(format!("wrote {}", file.display()));
-        }
+        output::wrote(&files);
     }
     verdict(&report)
 }

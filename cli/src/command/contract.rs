@@ -7,11 +7,8 @@ use imogene_package::contract::contract;
 
 /// Prints the contract of a unit, or writes it to a file.
 pub fn run(options: &Contract, json: bool) -> Result<(), Failure> {
-    let request = options
-        .shape
-        .request(&options.unit)
-        .map_err(Failure::input)?;
-    let contract = contract(&request).map_err(Failure::input)?;
+    let request = options.shape.request(&options.unit)?;
+    let contract = contract(&request)?;
     let text = if json {
         contract.json()
     } else {

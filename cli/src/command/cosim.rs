@@ -1,7 +1,7 @@
 //! `imogene cosim`.
 
 use super::render::golden_frame;
-use super::{describe, extremes, frame_in, read_scene, threads, verdict};
+use super::{beam, describe, extremes, frame_in, read_scene, threads, verdict};
 use crate::arguments::Cosim;
 use crate::failure::Failure;
 use crate::output;
@@ -10,8 +10,6 @@ use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
 use imogene_verif::engine::BUILT_IN;
-use imogene_verif::engine::beam::BeamDesign;
-use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::report::Report;
@@ -38,20 +36,13 @@ pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
         trace.add_to(&mut files, path)?;
         report.files = files.finish()?;
     }
-    if json {
-        output::json(&report);
-    } else {
-        output::text(describe(&report));
-    }
+    output::report(json, &report, |_| output::text(describe(&report)));
     verdict(&report)
 }
 
 fn run_unit(options: &Cosim) -> Result<Report, Failure> {
-    let request = options
-        .shape
-        .request(&options.subject)
-        .map_err(Failure::input)?;
-    let subject = unit::subject(&request).map_err(Failure::input)?;
+    let request = options.shape.request(&options.subject)?;
+    let subject = unit::subject(&request)?;
     if options.inject_fault.is_some() {
         return Err(Failure::Input(
             "--inject-fault flips a coefficient bit of a scene's object; give a scene file".into(),
@@ -77,7 +68,7 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
         None => subject,
         Some(simulator) => {
             let (top, text) = verilog(options, &request)?;
-            with_verilog(subject, simulator, &top, &text).map_err(Failure::input)?
+            with_verilog(subject, simulator, &top, &text)?
         }
     };
     let wants_trace = options.vcd.is_some();
@@ -98,11 +89,11 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
 /// Name of the top module and text of the unit's Verilog, or of its netlist.
 fn verilog(options: &Cosim, request: &Request) -> Result<(String, String), Failure> {
     if let Some(target) = &options.netlist {
-        let target = Target::from_name(target).map_err(Failure::input)?;
-        let netlist = netlist(request, target).map_err(Failure::input)?;
+        let target = Target::from_name(target)?;
+        let netlist = netlist(request, target)?;
         return Ok((netlist.top, netlist.text));
     }
-    let emitted = emit(request).map_err(Failure::input)?;
+    let emitted = emit(request)?;
     let text = emitted.bundle();
     Ok((emitted.top, text))
 }
@@ -123,7 +114,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
     }
     let file = read_scene(path, &options.view)?;
     let format = options.words.format(options.shape.format);
-    let (_, prepared) = frame_in(&file, options.size, format.map_err(Failure::input)?)?;
+    let (_, prepared) = frame_in(&file, options.size, format?)?;
     let mut report = if slots::is_for_beam(&prepared) {
         run_beam(options, &prepared)?
     } else {
@@ -163,23 +154,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
         }),
         fault: options.inject_fault.map(|f| f.0),
     };
-    let pixels = u64::from(prepared.width) * u64::from(prepared.height);
-    let bar = output::progress(pixels, "hardware in simulation");
-    let pixel_done = || bar.inc(1);
-    let outcome = match options.engine.simulator() {
-        Some(simulator) => {
-            let shape =
-                scene::shape_of(prepared, run_options.rows_per_stage).map_err(Failure::input)?;
-            let design = BeamDesign::compile(simulator, &shape).map_err(Failure::input)?;
-            scene::run(prepared, &run_options, |_| design.machine(), pixel_done)
-        }
-        None => {
-            let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
-            scene::run(prepared, &run_options, engine, pixel_done)
-        }
-    };
-    bar.finish_and_clear();
-    outcome.map(|(report, _)| report).map_err(Failure::input)
+    Ok(beam::run(prepared, &run_options, options.engine.simulator())?.0)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
@@ -195,11 +170,11 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
         }
     }
     let rows = options.shape.rows_per_stage();
-    let bar = output::progress(slots::pixels(prepared), "processors in simulation");
-    let outcome = slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {
-        bar.inc(n)
+    let outcome = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
+        slots::run(prepared, rows, &|s, r| engine(options, s, r), |n| {
+            bar.inc(n)
+        })
     });
-    bar.finish_and_clear();
     outcome.map(|(report, _)| report).map_err(Failure::input)
 }
 
@@ -218,7 +193,7 @@ fn run_volumes(
     let asked = |n| bar.inc(n);
     let part = volumes::run(prepared, &frame, rows, &|s, r| engine(options, s, r), asked);
     bar.finish_and_clear();
-    let part = part.map_err(Failure::input)?;
+    let part = part?;
     let seconds = report.seconds + part.seconds;
     report.absorb(part);
     report.timed(seconds);

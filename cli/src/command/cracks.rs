@@ -44,11 +44,7 @@ struct ScoreRow {
 /// Searches the golden picture for cracks.
 pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
-    let (framed, prepared) = frame_in(
-        &file,
-        options.scene.size,
-        options.scene.format().map_err(Failure::input)?,
-    )?;
+    let (framed, prepared) = frame_in(&file, options.scene.size, options.scene.format()?)?;
     let least = options.min_distance;
     let rule = Rule {
         min_distance: least.unwrap_or_else(|| two_pixels(file.active(), prepared.height as usize)),
@@ -74,7 +70,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
     });
     if let Some(path) = &options.plot {
         let scores: Vec<Score> = scores.iter().map(|row| row.score).collect();
-        let text = plot(&scores).map_err(Failure::input)?;
+        let text = plot(&scores)?;
         files.add_text(path, &text)?;
     }
     let report = CrackReport {
@@ -86,11 +82,7 @@ pub fn run(options: &Cracks, json: bool) -> Result<(), Failure> {
         scores,
         files: files.finish()?,
     };
-    if json {
-        output::json(&report);
-    } else {
-        tell(&report);
-    }
+    output::report(json, &report, tell);
     match closed(&report) {
         _ if options.inject.is_some() => missed(&report),
         0 => Ok(()),
@@ -196,7 +188,5 @@ fn tell(report: &CrackReport) {
             100.0 * row.precision
         ));
     }
-    for file in &report.files {
-        output::text(format!("wrote {}", file.display()));
-    }
+    output::wrote(&report.files);
 }

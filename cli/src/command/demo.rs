@@ -2,7 +2,7 @@
 
 use super::emit::{add_verilog, emitted};
 use super::render::{golden_frame, golden_lighting};
-use super::{describe, frame_scene, threads, verdict};
+use super::{beam, describe, frame_scene, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
@@ -10,7 +10,6 @@ use imogene_analysis::phong;
 use imogene_contract::{Request, Unit};
 use imogene_scene::SceneFile;
 use imogene_studies::picture;
-use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, TraceRequest};
 use serde::Serialize;
@@ -42,18 +41,16 @@ struct Summary {
 
 /// Runs the demo.
 pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
-    let file = SceneFile::parse(TEAPOT, "teapot.toml").map_err(Failure::input)?;
+    let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
     let (framed, prepared) = frame_scene(&file, Some(SIZE), 24)?;
     let run_options = scene::Options {
-        rows_per_stage: 1,
-        threads: threads(),
         trace: Some(TraceRequest {
             object: TRACED,
             clocks: TRACE_CLOCKS,
         }),
-        fault: None,
+        ..scene::Options::plain(1, threads())
     };
-    let shape = scene::shape_of(&prepared, run_options.rows_per_stage).map_err(Failure::input)?;
+    let shape = scene::shape_of(&prepared, run_options.rows_per_stage)?;
     let request = Request {
         objects: shape.objects as u32,
         planes: shape.planes as u32,
@@ -65,15 +62,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let mut files = output::files();
     add_verilog(&mut files, &emitted, &options.out, false)?;
 
-    let bar = output::progress(
-        u64::from(SIZE.width * SIZE.height),
-        "hardware in simulation",
-    );
-    let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
-    let (mut report, frame) =
-        scene::run(&prepared, &run_options, engine, || bar.inc(1)).map_err(Failure::input)?;
-    bar.finish_and_clear();
-
+    let (mut report, frame) = beam::run(&prepared, &run_options, None)?;
     let golden = golden_frame(&prepared);
     for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
         let path = options.out.join(name);

@@ -50,9 +50,9 @@ struct Row<'a> {
 /// Shows what a scene requires.
 pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
     let (framed, prepared) = load_scene(&options.scene)?;
-    let bar = output::progress(1, "what the scene requires");
-    let report = Report::of(&framed, &prepared, options.zone, options.pixels);
-    bar.finish_and_clear();
+    let report = output::during(1, "what the scene requires", |_| {
+        Report::of(&framed, &prepared, options.zone, options.pixels)
+    });
     let files = match &options.out {
         Some(out) => write_maps(&report, &prepared, out)?,
         None => vec![],
@@ -76,11 +76,7 @@ pub fn run(options: &Detail, json: bool) -> Result<(), Failure> {
         zone_refusal: refusal,
         files,
     };
-    if json {
-        output::json(&summary);
-    } else {
-        tell(&summary);
-    }
+    output::report(json, &summary, tell);
     match options.pixels == 0 && report.changed != Changed::default() {
         true => Err(Failure::Check(format!(
             "{}: {} other than before, and none may be",
@@ -220,9 +216,7 @@ fn tell(summary: &DetailReport) {
         changed.colour,
         changed.greatest_colour
     ));
-    for file in &summary.files {
-        output::text(format!("wrote {}", file.display()));
-    }
+    output::wrote(&summary.files);
 }
 
 fn arrow([before, after]: [u64; 2]) -> String {

@@ -32,10 +32,7 @@ struct PortEntry {
 
 /// Writes the Verilog of a unit.
 pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
-    let request = options
-        .shape
-        .request(&options.unit)
-        .map_err(Failure::input)?;
+    let request = options.shape.request(&options.unit)?;
     let prefix = options.prefix.as_deref();
     let emitted = match fitted::asked(&options.fitted, &request)? {
         Some(machine) => fitted::emit(&machine, prefix)?,
@@ -55,9 +52,7 @@ pub fn run(options: &Emit, json: bool) -> Result<(), Failure> {
     if json {
         output::json(&report);
     } else {
-        for file in &report.files {
-            output::text(format!("wrote {}", file.display()));
-        }
+        output::wrote(&report.files);
         output::text(format!(
             "top {}, {}, {}, latency {}",
             report.top,

@@ -36,15 +36,13 @@ pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     output::text(markdown(&evaluation).trim_end());
-    for file in &files {
-        output::text(format!("wrote {}", file.display()));
-    }
+    output::wrote(&files);
     Ok(())
 }
 
 /// Parts of the processors as they are emitted, and the clocks of the zone machine.
 fn hardware() -> Result<Hardware, Failure> {
-    let list = processors().map_err(Failure::input)?;
+    let list = processors()?;
     let parts = list.into_iter().map(|p| Parts {
         unit: p.unit.into(),
         parameters: p.parameters,
@@ -65,7 +63,7 @@ fn hardware() -> Result<Hardware, Failure> {
     let request = core_request(&machine, &Format::BASE, 1);
     Ok(Hardware {
         processors: parts.collect(),
-        zone_timing: zone_timing(&request).map_err(Failure::input)?,
+        zone_timing: zone_timing(&request)?,
     })
 }
 

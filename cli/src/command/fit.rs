@@ -7,8 +7,7 @@ use crate::arguments::{Fit, FitEngine};
 use crate::failure::Failure;
 use crate::molecules;
 use crate::{missing, output};
-use imogene_analysis::metrics::Metrics;
-use imogene_contract::MachineWords;
+use contract::{FitReport, Saving};
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_golden::{slots, widths};
@@ -16,10 +15,9 @@ use imogene_prepare::Options;
 use imogene_rtl::emit::Emitted;
 use imogene_scene::SceneFile;
 use imogene_scene::animation::Playback;
-use imogene_studies::fit::budget::{Budget, Item};
+use imogene_studies::fit::budget::Item;
 use imogene_studies::fit::frames::{Drawn, Frames};
 use imogene_studies::fit::proof;
-use imogene_studies::fit::proof::{Bounds, Proven};
 use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::picture;
 use imogene_studies::text::counted;
@@ -30,50 +28,12 @@ use imogene_verif::engine::design::Simulator;
 use imogene_verif::engine::{BUILT_IN, Engine};
 use imogene_verif::report::Report;
 use imogene_verif::scene;
-use serde::Serialize;
-use std::path::PathBuf;
 use std::time::Instant;
 
 /// Machines of different depth words whose costs are compared.
 const SYNTHESISED: usize = 3;
 /// Rows of the root network between registers that are tried when a clock is asked for.
 const ROWS: [u32; 4] = [1, 2, 3, 4];
-
-/// What was fitted; the keys are stable.
-#[derive(Serialize)]
-struct FitReport {
-    scenes: Vec<String>,
-    width: usize,
-    height: usize,
-    budget: Budget,
-    unit: &'static str,
-    format: MachineWords,
-    widths: String,
-    slots: String,
-    rows_per_stage: u32,
-    latency: u32,
-    clocks_per_frame: u64,
-    limits: Vec<Proven>,
-    bounds: Bounds,
-    measured: Vec<Metrics>,
-    target: &'static str,
-    cost: MachineCost,
-    base_cost: MachineCost,
-    /// Of the base machine, in percent.
-    saving_percent: Saving,
-    cosim: Vec<Report>,
-    command: String,
-    reproduce: String,
-    files: Vec<PathBuf>,
-    seconds: f64,
-}
-
-#[derive(Clone, Copy, Serialize)]
-struct Saving {
-    cells: f64,
-    lut: f64,
-    ff: f64,
-}
 
 /// A machine that meets the budget, with what it costs.
 struct Choice<'a> {
@@ -85,13 +45,13 @@ struct Choice<'a> {
 /// Finds, proves, emits and co-simulates the smallest machine.
 pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let started = Instant::now();
-    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let target = Target::from_name(&options.target)?;
     let budget = options.budget();
     let frames = frames(options)?;
-    let bar = output::progress(0, "machines drawn");
-    let outcome = search(&frames, &budget, || bar.inc(1));
-    bar.finish_and_clear();
-    let found = match outcome.map_err(Failure::input)? {
+    let outcome = output::during(0, "machines drawn", |bar| {
+        search(&frames, &budget, || bar.inc(1))
+    });
+    let found = match outcome? {
         Outcome::Fits(found) => found,
         Outcome::Unreachable { items, nearest } => return Err(unreachable(&items, &nearest)),
     };
@@ -105,7 +65,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     let cosim = cosimulate(&choice, &emitted, options.engine)?;
     let bounds = proof::bounds(&frames, choice.drawn);
     let limits = proof::proofs(&frames, &budget, choice.drawn, &bounds);
-    let format = choice.machine.format().map_err(Failure::input)?;
+    let format = choice.machine.format()?;
     let (width, height) = (frames.all()[0].truth.width, frames.all()[0].truth.height);
     let mut report = FitReport {
         scenes: frames.all().iter().map(|f| f.name.clone()).collect(),
@@ -136,11 +96,7 @@ pub fn run(options: &Fit, json: bool) -> Result<(), Failure> {
     };
     report.seconds = started.elapsed().as_secs_f64();
     write(&mut report, &frames, choice.drawn, &emitted, options)?;
-    if json {
-        output::json(&report);
-    } else {
-        output::text(contract::summary(&report));
-    }
+    output::report(json, &report, |_| output::text(contract::summary(&report)));
     verdict(&report)
 }
 
@@ -156,14 +112,14 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
                 missing::reduced(file, size, Format::BASE, Options::ROOTS)?,
             ));
         } else {
-            let playback = Playback::new(&file).map_err(Failure::input)?;
-            files.extend(playback.scenes(&name).map_err(Failure::input)?);
+            let playback = Playback::new(&file)?;
+            files.extend(playback.scenes(&name)?);
         }
     }
     let size = options.size.map(|size| (size.width, size.height));
-    let bar = output::progress(0, "lines of the truth");
-    let frames = Frames::new(&files, size, || bar.inc(1));
-    bar.finish_and_clear();
+    let frames = output::during(0, "lines of the truth", |bar| {
+        Frames::new(&files, size, || bar.inc(1))
+    });
     frames.map_err(Failure::input)
 }
 
@@ -251,7 +207,7 @@ fn cosimulate(
         FitEngine::Verilator => Simulator::Verilator,
         FitEngine::Icarus => Simulator::Icarus,
     };
-    let design = scene::fitted::compile(simulator, machine, emitted).map_err(Failure::input)?;
+    let design = scene::fitted::compile(simulator, machine, emitted)?;
     run_frames(choice, simulator.name(), || design.machine())
 }
 
@@ -261,12 +217,7 @@ fn run_frames<E: Engine>(
     engine: impl Fn() -> E + Sync,
 ) -> Result<Vec<Report>, Failure> {
     let machine = &choice.machine;
-    let options = scene::Options {
-        rows_per_stage: machine.rows_per_stage as usize,
-        threads: threads(),
-        trace: None,
-        fault: None,
-    };
+    let options = scene::Options::plain(machine.rows_per_stage as usize, threads());
     let frames = &choice.drawn.prepared;
     let pixels: u64 = frames
         .iter()
@@ -275,7 +226,7 @@ fn run_frames<E: Engine>(
     let bar = output::progress(pixels, "hardware in simulation");
     let one = |prepared| {
         let outcome = scene::fitted::run(prepared, machine, &options, &engine, || bar.inc(1));
-        let (mut report, _) = outcome.map_err(Failure::input)?;
+        let (mut report, _) = outcome?;
         report.engine = name.into();
         Ok(report)
     };

@@ -7,14 +7,12 @@ use super::{frame_in, read_scene, verdict};
 use crate::arguments::{Machine, Refine, View};
 use crate::failure::Failure;
 use crate::output;
-use files::{add_bench, add_verilog, grow, write_pictures, zone_timing_of};
+use files::{Scene, add_bench, add_verilog, grow, write_pictures, zone_timing_of};
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
 use imogene_plan::display::{DisplayError, Image, refined_image};
 use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
-use imogene_prepare::PreparedScene;
-use imogene_scene::FramedScene;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
 use imogene_verif::display::DisplayEngine;
@@ -26,7 +24,7 @@ use std::path::Path;
 
 /// Shows scenes on the pins of a machine.
 pub fn run(options: &Machine, json: bool) -> Result<(), Failure> {
-    let machine = MachineDescription::read(&options.machine).map_err(Failure::input)?;
+    let machine = MachineDescription::read(&options.machine)?;
     let overlay = overlay_of(&machine, options)?;
     let views = views(options)?;
     let scenes = views
@@ -139,27 +137,13 @@ fn views(options: &Machine) -> Result<Vec<(&Path, View)>, Failure> {
     Ok(views)
 }
 
-/// A scene, ready for the machine.
-struct Scene {
-    /// Path and options of the view.
-    name: String,
-    framed: FramedScene,
-    prepared: PreparedScene,
-}
-
-impl Scene {
-    fn parts(&self) -> (&FramedScene, &PreparedScene) {
-        (&self.framed, &self.prepared)
-    }
-}
-
 fn prepared(path: &Path, view: &View, machine: &MachineDescription) -> Result<Scene, Failure> {
     let file = read_scene(path, view)?;
     let (width, height) = machine
         .drawn_size()
         .ok_or_else(|| Failure::Input("no video mode".into()))?;
     let size = crate::arguments::Size { width, height };
-    let format = machine.format().map_err(Failure::input)?;
+    let format = machine.format()?;
     let (framed, prepared) = frame_in(&file, Some(size), format)?;
     Ok(Scene {
         name: format!("{}{}", path.display(), view.options()),
@@ -210,7 +194,7 @@ fn overlay_of(
             options.machine.display()
         )));
     }
-    let (width, height, pixels) = read_mask(path).map_err(Failure::input)?;
+    let (width, height, pixels) = read_mask(path)?;
     let screen = machine
         .video_mode()
         .map(|mode| (mode.line.active as usize, mode.frame.active as usize));
@@ -267,11 +251,10 @@ fn show(
         late: options.late,
         frames: options.frames as usize,
     };
-    let bar = output::progress(
+    let outcome = output::during(
         images.len() as u64 + u64::from(options.frames),
         "frames on the pins",
+        |bar| run_pins(machine, images, &run, || bar.inc(1)),
     );
-    let outcome = run_pins(machine, images, &run, || bar.inc(1));
-    bar.finish_and_clear();
     outcome.map_err(Failure::input)
 }

@@ -1,5 +1,6 @@
 //! The commands, one per file.
 
+mod beam;
 pub mod bounds;
 pub mod check;
 pub mod contract;
@@ -52,20 +53,17 @@ fn load_scene(scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
     frame_in(
         &read_scene(&scene.scene, &scene.view)?,
         scene.size,
-        scene.format().map_err(Failure::input)?,
+        scene.format()?,
     )
 }
 
 /// A scene of which only the picture counts, framed and prepared: without the objects that nobody sees.
 fn load_seen(file: SceneFile, scene: &Scene) -> Result<(FramedScene, PreparedScene), Failure> {
-    let ((width, height), format) = (
-        size_of(&file, scene.size),
-        scene.format().map_err(Failure::input)?,
-    );
+    let ((width, height), format) = (size_of(&file, scene.size), scene.format()?);
     let bar = output::progress(file.frame_steps(), "framing");
-    let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1)).map_err(Failure::input)?;
+    let seen = Seen::of(&file, (width, height), &format, &|| bar.inc(1))?;
     has_room(seen.memory(), file.objects.len())?;
-    let framed = seen.frame(&|| bar.inc(1)).map_err(Failure::input)?;
+    let framed = seen.frame(&|| bar.inc(1))?;
     bar.finish_and_clear();
     // A file of a million objects takes more memory than what is kept of them.
     drop(file);
@@ -100,9 +98,7 @@ fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<Sce
     let Some(look) = look else {
         return Ok(file);
     };
-    let (file, endless) = look
-        .applied(&file, size_of(&file, size))
-        .map_err(Failure::input)?;
+    let (file, endless) = look.applied(&file, size_of(&file, size))?;
     for name in &endless {
         output::warning(format!(
             "object '{name}' has no end that --fit could count with"
@@ -116,7 +112,7 @@ fn frame_scene(
     size: Option<Size>,
     format: u32,
 ) -> Result<(FramedScene, PreparedScene), Failure> {
-    frame_in(file, size, Format::new(format).map_err(Failure::input)?)
+    frame_in(file, size, Format::new(format)?)
 }
 
 /// Size of a picture: the one asked for, or the scene's own.
@@ -134,10 +130,10 @@ fn frame_in(
 ) -> Result<(FramedScene, PreparedScene), Failure> {
     let (width, height) = size_of(file, size);
     has_room(memory::of_scene(file), file.objects.len())?;
-    let bar = output::progress(file.frame_steps(), "framing");
-    let framed = file.frame_reporting(width, height, &|| bar.inc(1));
-    bar.finish_and_clear();
-    prepared(framed.map_err(Failure::input)?, format)
+    let framed = output::during(file.frame_steps(), "framing", |bar| {
+        file.frame_reporting(width, height, &|| bar.inc(1))
+    });
+    prepared(framed?, format)
 }
 
 /// Refuses a preparation that would not fit into memory.
@@ -161,10 +157,10 @@ fn has_room(needed: u64, objects: usize) -> Result<(), Failure> {
 
 /// A framed scene and its words.
 fn prepared(framed: FramedScene, format: Format) -> Result<(FramedScene, PreparedScene), Failure> {
-    let bar = output::progress(steps(&framed), "preparation");
-    let prepared = prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1));
-    bar.finish_and_clear();
-    let prepared = prepared.map_err(Failure::input)?;
+    let prepared = output::during(steps(&framed), "preparation", |bar| {
+        prepare_reporting(&framed, format, missing::options(), &|| bar.inc(1))
+    });
+    let prepared = prepared?;
     missing::tell("", &framed, &prepared)?;
     Ok((framed, prepared))
 }

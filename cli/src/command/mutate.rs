@@ -44,9 +44,9 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
 }
 
 fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
-    let request = Request::given(unit, options.format, &[]).map_err(Failure::input)?;
-    let subject = subject(&request).map_err(Failure::input)?;
-    let emitted = emit(&request).map_err(Failure::input)?;
+    let request = Request::given(unit, options.format, &[])?;
+    let subject = subject(&request)?;
+    let emitted = emit(&request)?;
     let text = emitted.bundle();
     let design = Design {
         top: &emitted.top,

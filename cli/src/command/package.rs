@@ -28,7 +28,7 @@ pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
         [] => Unit::ALL.to_vec(),
         named => named.to_vec(),
     };
-    let texts = package(&units, options.clocks).map_err(Failure::input)?;
+    let texts = package(&units, options.clocks)?;
     let mut report = PackageReport {
         cores: units.len(),
         bytes: texts.iter().map(|(_, text)| text.len()).sum(),
@@ -39,16 +39,14 @@ pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
         files.add_text(&options.out.join(name), text)?;
     }
     report.files = files.finish()?;
-    if json {
-        output::json(&report);
-    } else {
+    output::report(json, &report, |_| {
         output::text(format!(
             "wrote {}, {}, {} below {}",
             counted(report.cores, "core"),
             counted(report.files.len(), "file"),
             counted(report.bytes, "byte"),
             options.out.display()
-        ));
-    }
+        ))
+    });
     Ok(())
 }

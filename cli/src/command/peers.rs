@@ -9,12 +9,9 @@ use imogene_synth::{Options, Target};
 
 /// Measures a design of another project beside a unit.
 pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
-    let request = options
-        .shape
-        .request(&options.against)
-        .map_err(Failure::input)?;
-    request.check().map_err(Failure::input)?;
-    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let request = options.shape.request(&options.against)?;
+    request.check()?;
+    let target = Target::from_name(&options.target)?;
     let parameters = options.parameter.iter();
     let peer = Peer {
         files: options.rtl.clone(),
@@ -26,13 +23,8 @@ pub fn run(options: &Peers, json: bool) -> Result<(), Failure> {
             .collect(),
     };
     let seeds = options.seeds;
-    let comparison =
-        compare(&peer, &request, target, &Options { seeds }).map_err(Failure::input)?;
-    if json {
-        output::json(&comparison);
-    } else {
-        output::text(describe(&comparison));
-    }
+    let comparison = compare(&peer, &request, target, &Options { seeds })?;
+    output::report(json, &comparison, |_| output::text(describe(&comparison)));
     Ok(())
 }
 

@@ -6,16 +6,15 @@ mod page;
 use crate::arguments::{Primitives, Size};
 use crate::failure::Failure;
 use crate::output;
-use hardware::Hardware;
 use imogene_analysis::metrics::PixelError;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
-use imogene_studies::compare::errors::{Bulge, Errors, bulge, errors, pixel_errors};
+use imogene_studies::compare::errors::{bulge, errors, pixel_errors};
 use imogene_studies::compare::sheet::sheet;
-use imogene_studies::compare::speed::{FacetWork, Speed, facets, measure, work};
+use imogene_studies::compare::speed::{Speed, facets, measure, work};
 use imogene_studies::compare::{Drawn, Subject, Variant};
 use imogene_studies::picture;
-use serde::Serialize;
+use page::{Comparison, Row};
 use std::path::Path;
 use std::time::Duration;
 
@@ -26,45 +25,16 @@ const TIMED: Variant = Variant::Facets(20);
 /// For each of the two programs that are timed.
 const TIME: Duration = Duration::from_millis(400);
 
-/// All that is measured; the keys are stable.
-#[derive(Serialize)]
-struct Comparison {
-    scene: String,
-    width: u32,
-    height: u32,
-    depth_word: u32,
-    words_per_pixel: f64,
-    radii_px: Vec<f64>,
-    variants: Vec<Row>,
-    speed: Speed,
-}
-
-/// One variant; the keys are stable.
-#[derive(Serialize)]
-struct Row {
-    variant: String,
-    /// Sides around of each object that is a mesh.
-    sides: Vec<Option<usize>>,
-    /// Faces of the meshes, those turned away as well.
-    faces: usize,
-    errors: Errors,
-    /// Of each sphere.
-    bulges: Vec<Bulge>,
-    hardware: Hardware,
-    /// Of the facets, if there are some.
-    facet_work: Option<FacetWork>,
-}
-
 /// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for them.
 pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     let Size { width, height } = options.size;
-    let file = SceneFile::parse(SCENE, "three-solids.toml").map_err(Failure::input)?;
+    let file = SceneFile::parse(SCENE, "three-solids.toml")?;
     let format = Format::BASE;
-    let subject = Subject::new(&file, (width, height), format).map_err(Failure::input)?;
+    let subject = Subject::new(&file, (width, height), format)?;
     let bar = output::progress(Variant::ALL.len() as u64, "variants");
     let mut drawn: Vec<(Drawn, Vec<PixelError>)> = vec![];
     for variant in Variant::ALL {
-        let one = subject.draw(variant).map_err(Failure::input)?;
+        let one = subject.draw(variant)?;
         let pixels = pixel_errors(&subject, &one.frame);
         drawn.push((one, pixels));
         bar.inc(1);

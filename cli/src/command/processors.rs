@@ -8,7 +8,7 @@ use imogene_studies::text::counted;
 
 /// Lists the object processors with their parts, or writes the list to a file.
 pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {
-    let list = processors().map_err(Failure::input)?;
+    let list = processors()?;
     if let Some(path) = &options.out {
         output::write_text(path, &markdown(&list))?;
     }

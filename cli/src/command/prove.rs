@@ -9,7 +9,7 @@ use imogene_verif::formal::toolchain::Toolchain;
 
 /// Runs proofs, or their mutants.
 pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
-    let jobs = select(&options.name, options.full).map_err(Failure::input)?;
+    let jobs = select(&options.name, options.full)?;
     let tasks: Vec<Task> = if options.mutants {
         let of_job = |job| {
             let task = move |mutant| Task {
@@ -31,7 +31,7 @@ pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
         );
         return Err(Failure::Input(message));
     }
-    let tools = Toolchain::find().map_err(Failure::input)?;
+    let tools = Toolchain::find()?;
     let bar = output::progress(tasks.len() as u64, "proofs");
     // Proofs take minutes: a person sees each when it is done.
     let done = |report: &ProofReport| {
@@ -40,13 +40,11 @@ pub fn run(options: &Prove, json: bool) -> Result<(), Failure> {
             bar.suspend(|| output::text(describe(report)));
         }
     };
-    let reports = prove_all(&tasks, &tools, done).map_err(Failure::input)?;
+    let reports = prove_all(&tasks, &tools, done)?;
     bar.finish_and_clear();
-    if json {
-        output::json(&reports);
-    } else {
-        output::text(format!("tools: {}", tools.versions.join(", ")));
-    }
+    output::report(json, &reports, |_| {
+        output::text(format!("tools: {}", tools.versions.join(", ")))
+    });
     verdict(&reports)
 }
 

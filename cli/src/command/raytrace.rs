@@ -34,7 +34,7 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
             "one picture for several scenes; give --out DIR for one of each, or one scene".into(),
         ));
     }
-    let format = Format::new(options.format).map_err(Failure::input)?;
+    let format = Format::new(options.format)?;
     if let Some(scenes) = options.random {
         return random(scenes, options, format, json);
     }
@@ -67,9 +67,7 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
             files,
         });
     } else {
-        for file in &files {
-            output::text(format!("wrote {}", file.display()));
-        }
+        output::wrote(&files);
     }
     match failed {
         0 => Ok(()),
@@ -82,9 +80,9 @@ pub fn run(options: &Raytrace, json: bool) -> Result<(), Failure> {
 
 /// Looks at scenes made at random.
 fn random(scenes: u64, options: &Raytrace, format: Format, json: bool) -> Result<(), Failure> {
-    let bar = output::progress(scenes, "random scenes");
-    let found = survey(options.seed, scenes, format, || bar.inc(1));
-    bar.finish_and_clear();
+    let found = output::during(scenes, "random scenes", |bar| {
+        survey(options.seed, scenes, format, || bar.inc(1))
+    });
     let lists = [
         ("refused", &found.refused),
         ("fails its check", &found.check_fails),
@@ -141,8 +139,7 @@ fn one(path: &Path, options: &Raytrace, format: &Format) -> Result<(Row, Drawn),
     let outcome = trace(&scene, width, height, *format, &|steps| {
         bar.set_length(steps);
         bar.inc(1);
-    })
-    .map_err(Failure::input)?;
+    })?;
     bar.finish_and_clear();
     Ok(match outcome {
         Outcome::Refused(reason) if options.scenes.len() == 1 => {

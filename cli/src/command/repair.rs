@@ -43,9 +43,9 @@ struct Exact {
 /// Draws in short words and repairs exactly what they leave open.
 pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
     let (framed, prepared) = load_scene(&options.scene)?;
-    let bar = output::progress(u64::from(prepared.height), "exact repair");
-    let repaired = repair(&framed, &prepared, || bar.inc(1));
-    bar.finish_and_clear();
+    let repaired = output::during(u64::from(prepared.height), "exact repair", |bar| {
+        repair(&framed, &prepared, || bar.inc(1))
+    });
     let exact = (!options.unchecked).then(|| compare(&framed, &prepared, &repaired));
     let report = Report {
         width: prepared.width,
@@ -56,11 +56,7 @@ pub fn run(options: &Repair, json: bool) -> Result<(), Failure> {
         exact,
         files: write(options, &framed, &prepared, &repaired)?,
     };
-    if json {
-        output::json(&report);
-    } else {
-        tell(&report);
-    }
+    output::report(json, &report, tell);
     let differing = report.exact.as_ref().map_or(0, |e| e.differing_after);
     if differing > 0 || !report.leaves_the_rest {
         return Err(Failure::Check(format!(
@@ -134,7 +130,5 @@ fn tell(report: &Report) {
             exact.differing_after
         ));
     }
-    for file in &report.files {
-        output::text(format!("wrote {}", file.display()));
-    }
+    output::wrote(&report.files);
 }

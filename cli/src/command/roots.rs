@@ -12,7 +12,7 @@ const HEAD: &str = "\
 
 /// Prints the measured table of the family of square root networks, as Markdown or JSON.
 pub fn run(options: &Roots, json: bool) -> Result<(), Failure> {
-    let format = Format::new(options.format).map_err(Failure::input)?;
+    let format = Format::new(options.format)?;
     let rows = table(&format);
     if json {
         output::json(&rows);

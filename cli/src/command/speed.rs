@@ -23,25 +23,20 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
     } else {
         Drive::Frame
     };
-    let speeds = measure(&engines, drive, seconds).map_err(Failure::input)?;
-    if json {
-        output::json(&speeds);
-    } else {
-        output::text(table(&options.unit, &engines[0].options, &speeds));
-    }
+    let speeds = measure(&engines, drive, seconds)?;
+    output::report(json, &speeds, |_| {
+        output::text(table(&options.unit, &engines[0].options, &speeds))
+    });
     Ok(())
 }
 
 fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
-    let request = options
-        .shape
-        .request(&options.unit)
-        .map_err(Failure::input)?;
-    let subject = unit::subject(&request).map_err(Failure::input)?;
+    let request = options.shape.request(&options.unit)?;
+    let subject = unit::subject(&request)?;
     let Some(simulator) = engine.simulator() else {
         return Ok(subject);
     };
-    let emitted = emit(&request).map_err(Failure::input)?;
+    let emitted = emit(&request)?;
     with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::input)
 }
 

@@ -19,7 +19,7 @@ struct Report {
 /// Runs the sweeps, prints their tables, and writes plots and figures if there is a folder for them.
 pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
     let chosen = chosen(&options.names)?;
-    let format = Format::new(options.format).map_err(Failure::input)?;
+    let format = Format::new(options.format)?;
     let steps: usize = chosen.iter().map(|sweep| sweep.scenes(format).len()).sum();
     let bar = output::progress(steps as u64, "steps");
     let sweeps = chosen.iter().map(|sweep| sweep.run(format, || bar.inc(1)));
@@ -34,9 +34,7 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
         output::json(&report);
     } else {
         output::text(page(&report.sweeps).trim_end());
-        for file in &report.files {
-            output::text(format!("wrote {}", file.display()));
-        }
+        output::wrote(&report.files);
     }
     verdict(&report.sweeps)
 }
@@ -44,7 +42,7 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result<(), Failure> {
 /// The sweeps named, each once, in the order of the documentation; all if none is named.
 fn chosen(names: &[String]) -> Result<Vec<&'static Sweep>, Failure> {
     let named: Result<Vec<&Sweep>, _> = names.iter().map(|name| sweep::find(name)).collect();
-    let named = named.map_err(Failure::input)?;
+    let named = named?;
     let wanted = |sweep: &&Sweep| named.is_empty() || named.iter().any(|n| n.name == sweep.name);
     Ok(sweep::all().iter().filter(wanted).collect())
 }

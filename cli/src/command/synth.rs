@@ -9,7 +9,7 @@ use crate::output;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_studies::text::counted;
 use imogene_synth::baseline::Baseline;
-use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with, table};
+use imogene_synth::{Options, SynthReport, Target, synthesise_with, table};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -24,28 +24,15 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
     }
 }
 
-fn cache(options: &Synth) -> Cache {
-    if options.fresh {
-        Cache::Renew
-    } else {
-        Cache::Use
-    }
-}
-
 fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result<(), Failure> {
-    let request = options.shape.request(unit).map_err(Failure::input)?;
-    let target = Target::from_name(target).map_err(Failure::input)?;
+    let request = options.shape.request(unit)?;
+    let target = Target::from_name(target)?;
     let seeds = options.seeds;
     if let Some(machine) = fitted::asked(&options.fitted, &request)? {
         return run_machine(machine, target, json);
     }
-    let report = synthesise_with(&request, target, &Options { seeds }, cache(options))
-        .map_err(Failure::input)?;
-    if json {
-        output::json(&report);
-    } else {
-        output::text(describe(&report));
-    }
+    let report = synthesise_with(&request, target, &Options { seeds }, options.cache())?;
+    output::report(json, &report, |_| output::text(describe(&report)));
     Ok(())
 }
 
@@ -82,12 +69,12 @@ fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
     }
     let rows = table::rows();
     let bar = output::progress(rows.len() as u64, "synthesis");
-    let table = table::make(&rows, |_| bar.inc(1)).map_err(Failure::input)?;
+    let table = table::make(&rows, |_| bar.inc(1))?;
     bar.finish_and_clear();
     let mut files = output::files();
     files.add_text(&options.out, &table.markdown())?;
     files.add_text(&figures, &Baseline::of(&table).json())?;
-    if let Some(picture) = table.picture().map_err(Failure::input)? {
+    if let Some(picture) = table.picture()? {
         files.add_text(&beside(&options.out, table::PICTURE), &picture)?;
     }
     let files = files.finish()?;

@@ -33,7 +33,7 @@ pub fn run(options: &Terrain, json: bool) -> Result<(), Failure> {
         relief: options.relief,
         seed: options.seed,
     };
-    let made = field(&asked).map_err(Failure::input)?;
+    let made = field(&asked)?;
     let text = heights_text(&made, &asked, distance);
     output::write_text(&options.output, &text)?;
     let heights = || made.heights.iter().copied();

@@ -31,7 +31,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
     let file = molecules::read_scene(&options.scene)?;
     let size = size_of(&file, options.size);
     let file = missing::reduced(file, size, Format::BASE, Options::ROOTS)?;
-    let target = Target::from_name(&options.target).map_err(Failure::input)?;
+    let target = Target::from_name(&options.target)?;
     let (space, points) = match options.points {
         Points::Quick => (Space::Quick, "quick"),
         Points::Full => (Space::Full, "full"),
@@ -53,7 +53,7 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         done: &|points| bar.inc(points),
     };
     if let Some(shard) = options.shard {
-        let points = run::run_shard(&request, shard.0).map_err(Failure::input)?;
+        let points = run::run_shard(&request, shard.0)?;
         bar.finish_and_clear();
         say(json, &json!({ "points": points, "files": [] }), || {
             let measured = counted(points, "point");
@@ -62,10 +62,10 @@ pub fn run(options: &Trade, json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     if options.engine == TradeEngine::Hq {
-        run::check(&request).map_err(Failure::input)?;
+        run::check(&request)?;
         parts::run(options, points)?;
     }
-    let trade = run::run(&request).map_err(Failure::input)?;
+    let trade = run::run(&request)?;
     bar.finish_and_clear();
     let files = write(&trade, &options.out)?;
     let seconds = started.elapsed().as_secs_f64();
@@ -133,10 +133,10 @@ fn write(trade: &report::Trade, folder: &Path) -> Result<Vec<PathBuf>, Failure> 
     put("trade.json", output::json_text(trade) + "\n")?;
     put("trade.csv", trade.csv())?;
     for front in &FRONTS {
-        let picture = plot::draw(trade, front).map_err(Failure::input)?;
+        let picture = plot::draw(trade, front)?;
         put(&format!("plots/{}.svg", front.name), picture)?;
     }
-    put("index.html", page(trade, folder).map_err(Failure::input)?)?;
+    put("index.html", page(trade, folder)?)?;
     Ok(files.finish()?)
 }
 

@@ -1,11 +1,52 @@
 //! What is told of a fitted machine: a summary for the terminal, and the contract beside the Verilog.
 
-use super::FitReport;
+use imogene_analysis::metrics::Metrics;
+use imogene_contract::MachineWords;
 use imogene_rtl::emit::{Direction, Emitted};
-use imogene_studies::fit::proof::{Proof, Proven};
+use imogene_studies::fit::budget::Budget;
+use imogene_studies::fit::proof::{Bounds, Proof, Proven};
 use imogene_studies::text::counted;
 use imogene_synth::fitted::MachineCost;
+use imogene_verif::report::Report;
+use serde::Serialize;
 use std::fmt::Write;
+use std::path::PathBuf;
+
+/// What was fitted; the keys are stable.
+#[derive(Serialize)]
+pub struct FitReport {
+    pub scenes: Vec<String>,
+    pub width: usize,
+    pub height: usize,
+    pub budget: Budget,
+    pub unit: &'static str,
+    pub format: MachineWords,
+    pub widths: String,
+    pub slots: String,
+    pub rows_per_stage: u32,
+    pub latency: u32,
+    pub clocks_per_frame: u64,
+    pub limits: Vec<Proven>,
+    pub bounds: Bounds,
+    pub measured: Vec<Metrics>,
+    pub target: &'static str,
+    pub cost: MachineCost,
+    pub base_cost: MachineCost,
+    /// Of the base machine, in percent.
+    pub saving_percent: Saving,
+    pub cosim: Vec<Report>,
+    pub command: String,
+    pub reproduce: String,
+    pub files: Vec<PathBuf>,
+    pub seconds: f64,
+}
+
+#[derive(Clone, Copy, Serialize)]
+pub struct Saving {
+    pub cells: f64,
+    pub lut: f64,
+    pub ff: f64,
+}
 
 /// Frames are many: the first and the last stand for those between.
 fn named(scenes: &[String]) -> String {

@@ -47,11 +47,9 @@ fn within(
     let mut scene = read(None)?.scene;
     let (width, height) = (scene.image.width, scene.image.height);
     if let Some(look) = options.look.look(true) {
-        (scene, _) = look
-            .applied(&scene, (width, height))
-            .map_err(Failure::input)?;
+        (scene, _) = look.applied(&scene, (width, height))?;
     }
-    let pixel = scene.nearest_pixel(height).map_err(Failure::input)?;
+    let pixel = scene.nearest_pixel(height)?;
     if !(pixel.is_finite() && pixel > 0.0) {
         return Err(Failure::input(format!(
             "--max-deviation {pixels}px: a pixel has no size where the nearest face is, because the camera is within the \

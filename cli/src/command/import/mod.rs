@@ -45,7 +45,7 @@ pub fn run(options: &Import, json: bool) -> Result<(), Failure> {
     let objects = imported.scene.objects.len();
     let imported = molecule::referred(imported, kind, options)?;
     missing::incomplete(&options.file, imported.scene.incomplete.as_deref())?;
-    let text = imported.scene.to_toml().map_err(Failure::input)?;
+    let text = imported.scene.to_toml()?;
     output::write_text(&options.output, &text)?;
     print(options, kind.name(), objects, imported, json);
     Ok(())

@@ -1,6 +1,5 @@
 //! The files of a run.
 
-use super::Scene;
 use crate::failure::Failure;
 use imogene_files::Outputs;
 use imogene_golden::machine::overlay::OverlayPlane;
@@ -10,6 +9,7 @@ use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_plan::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
+use imogene_scene::FramedScene;
 use imogene_studies::growth_plot::plot;
 use imogene_studies::picture;
 use imogene_verif::display::bench::{Bench, BenchFrame};
@@ -17,13 +17,27 @@ use imogene_verif::display::pins::PinsOutcome;
 use imogene_verif::display::request::zone_timing;
 use std::path::Path;
 
+/// A scene, ready for the machine.
+pub(super) struct Scene {
+    /// Path and options of the view.
+    pub(super) name: String,
+    pub(super) framed: FramedScene,
+    pub(super) prepared: PreparedScene,
+}
+
+impl Scene {
+    pub(super) fn parts(&self) -> (&FramedScene, &PreparedScene) {
+        (&self.framed, &self.prepared)
+    }
+}
+
 /// Adds the Verilog to the files; returns the name of the top module.
 pub(super) fn add_verilog(
     request: &MachineRequest,
     out: &Path,
     files: &mut Outputs,
 ) -> Result<String, Failure> {
-    let emitted = emit_machine(request).map_err(Failure::input)?;
+    let emitted = emit_machine(request)?;
     let path = out.join(format!("{}.v", emitted.top));
     files.add_text(&path, &emitted.bundle())?;
     Ok(emitted.top)
@@ -49,7 +63,7 @@ pub(super) fn add_bench(
         frames: &frames,
         overlay,
     };
-    for (name, text) in bench.files().map_err(Failure::input)? {
+    for (name, text) in bench.files()? {
         files.add_text(&out.join(name), &text)?;
     }
     Ok(())
@@ -77,13 +91,13 @@ pub(super) fn grow(
     })?;
     let shape = machine.zone_machine();
     let rows = growth(scene, &shape, &timing, &ZONE_SIDES, &OBJECT_PROCESSORS);
-    let rows = rows.map_err(Failure::input)?;
+    let rows = rows?;
     let title = format!(
         "clocks of a frame of {} x {} pixels",
         scene.width / machine.supersampling,
         scene.height / machine.supersampling
     );
-    let text = plot(&title, &rows).map_err(Failure::input)?;
+    let text = plot(&title, &rows)?;
     files.add_text(&out.join("growth.svg"), &text)?;
     Ok(rows)
 }

@@ -94,7 +94,7 @@ impl Kind {
 
 /// The processors of these slots, on a screen of so many pixels.
 pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
-    let table: Baseline = serde_json::from_str(RESOURCES).map_err(Failure::input)?;
+    let table: Baseline = serde_json::from_str(RESOURCES)?;
     let mut kinds: BTreeMap<Kind, (Unit, usize)> = BTreeMap::new();
     for slot in slots {
         let (unit, kind) = Kind::of(&slot.words);
@@ -121,7 +121,7 @@ pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
             Some((_, sides)) => request.sides = sides as u32,
             None => (),
         }
-        let parts = census(&request).map_err(Failure::input)?;
+        let parts = census(&request)?;
         sum.census.pe1 += number * parts.pe1;
         sum.census.pe2 += number * parts.pe2;
         sum.census.roots += number * parts.roots;

@@ -1,10 +1,40 @@
 //! The comparison as tables of Markdown. Nothing here depends on the machine it runs on.
 
-use super::hardware::TARGET;
-use super::{Comparison, Row};
-use imogene_studies::compare::speed::Speed;
+use super::hardware::{Hardware, TARGET};
+use imogene_studies::compare::errors::{Bulge, Errors};
+use imogene_studies::compare::speed::{FacetWork, Speed};
 use imogene_studies::text::wrapped;
+use serde::Serialize;
 use std::fmt::Write;
+
+/// All that is measured; the keys are stable.
+#[derive(Serialize)]
+pub struct Comparison {
+    pub scene: String,
+    pub width: u32,
+    pub height: u32,
+    pub depth_word: u32,
+    pub words_per_pixel: f64,
+    pub radii_px: Vec<f64>,
+    pub variants: Vec<Row>,
+    pub speed: Speed,
+}
+
+/// One variant; the keys are stable.
+#[derive(Serialize)]
+pub struct Row {
+    pub variant: String,
+    /// Sides around of each object that is a mesh.
+    pub sides: Vec<Option<usize>>,
+    /// Faces of the meshes, those turned away as well.
+    pub faces: usize,
+    pub errors: Errors,
+    /// Of each sphere.
+    pub bulges: Vec<Bulge>,
+    pub hardware: Hardware,
+    /// Of the facets, if there are some.
+    pub facet_work: Option<FacetWork>,
+}
 
 /// What the source states of a sphere by a paraboloid: percent of the radius, then degrees.
 const STATED: [f64; 5] = [29.45, -4.50, 5.08, 1.6, 16.4];

@@ -1,6 +1,6 @@
 //! `imogene render --frames`.
 
-use super::{exact_frame, exact_lighting};
+use super::models::{exact_frame, exact_lighting};
 use crate::arguments::{FrameRange, Model, Render};
 use crate::command::{read_scene, size_of};
 use crate::failure::Failure;
@@ -64,7 +64,7 @@ pub fn run(options: &Render, range: FrameRange, json: bool) -> Result<(), Failur
     let named = |error: String| Failure::Input(format!("{path}: {error}"));
     let file = read_scene(&options.scene.scene, &options.scene.view)?;
     let size = size_of(&file, options.scene.size);
-    let format = options.scene.format().map_err(Failure::input)?;
+    let format = options.scene.format()?;
     let animator = Animator::new(&file, size, format).map_err(|e| named(e.to_string()))?;
     let animator = animator.with_options(missing::options());
     let range = range

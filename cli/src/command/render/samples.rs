@@ -1,7 +1,7 @@
 //! `imogene render --samples`: the machine's own supersampling. It draws the scene once for each place in a pixel and
 //! takes the mean.
 
-use super::draw;
+use super::models::draw;
 use crate::arguments::Render;
 use crate::command::load_seen;
 use crate::failure::Failure;

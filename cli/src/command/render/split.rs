@@ -38,9 +38,9 @@ pub fn draw(
     }
     let workers = options.split.workers.map_or_else(threads, usize::from);
     let pieces = division.pieces(prepared.width, prepared.height).len();
-    let bar = output::progress(pieces as u64, "pieces of the screen");
-    let divided = Divided::draw(prepared, division, workers, || bar.inc(1));
-    bar.finish_and_clear();
+    let divided = output::during(pieces as u64, "pieces of the screen", |bar| {
+        Divided::draw(prepared, division, workers, || bar.inc(1))
+    });
     let report = SplitReport::of(&divided, division);
     Ok((divided, report))
 }

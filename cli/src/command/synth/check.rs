@@ -12,7 +12,7 @@ use imogene_synth::table::{self, Row};
 
 /// Synthesises rows of the table and compares them with the baseline.
 pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
-    let baseline = Baseline::read(&options.baseline).map_err(Failure::input)?;
+    let baseline = Baseline::read(&options.baseline)?;
     let rows = select(options, &baseline)?;
     let check_options = CheckOptions {
         tolerance: Tolerance {
@@ -20,10 +20,10 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
             clock: options.clock_tolerance,
         },
         clock: !options.no_clock,
-        cache: super::cache(options),
+        cache: options.cache(),
     };
     let bar = output::progress(rows.len() as u64, "synthesis");
-    let checks = check(&rows, &baseline, &check_options, || bar.inc(1)).map_err(Failure::input)?;
+    let checks = check(&rows, &baseline, &check_options, || bar.inc(1))?;
     bar.finish_and_clear();
     if json {
         output::json(&checks);
@@ -39,9 +39,9 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 /// The rows asked for; what has no baseline is refused if it is named, and told if it is not.
 fn select(options: &Synth, baseline: &Baseline) -> Result<Vec<Row>, Failure> {
     let unit = options.unit.as_deref().map(Unit::from_name).transpose();
-    let unit = unit.map_err(Failure::input)?;
+    let unit = unit?;
     let target = options.target.as_deref().map(Target::from_name).transpose();
-    let target = target.map_err(Failure::input)?;
+    let target = target?;
     let file = options.baseline.display();
     let missing = |unit: &Unit| !baseline.has(*unit);
     if let Some(unit) = unit.filter(missing) {

@@ -2,9 +2,10 @@
 
 use crate::arguments::Trade;
 use crate::failure::Failure;
+use imogene_tools::{call, find, own_folders};
 use serde_json::json;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 /// What submits the jobs: HyperQueue's own Python interface.
 const DRIVER: &str = include_str!("hyperqueue.py");
@@ -13,7 +14,7 @@ const PARTS: usize = 4;
 
 /// Runs all parts of the points, each by this program.
 pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
-    let program = std::env::current_exe().map_err(Failure::input)?;
+    let program = std::env::current_exe()?;
     let mut command = vec![
         program.display().to_string(),
         "trade".into(),
@@ -34,15 +35,12 @@ pub fn run(options: &Trade, points: &str) -> Result<(), Failure> {
         "workers": options.workers,
         "server": options.server,
     });
-    let output = Command::new(python())
-        .args(["-c", DRIVER, &request.to_string()])
-        .stdin(Stdio::null())
-        .output()
+    let said = call(Command::new(python()).args(["-c", DRIVER, &request.to_string()]))
         .map_err(|error| Failure::Input(format!("cannot run Python: {error}; {HOW}")))?;
-    if output.status.success() {
+    if said.succeeded() {
         return Ok(());
     }
-    let said = String::from_utf8_lossy(&output.stderr);
+    let said = said.errors;
     if said.contains("No module named 'hyperqueue'") {
         return Err(Failure::Input(format!(
             "HyperQueue is not installed; {HOW}"
@@ -58,14 +56,5 @@ const HOW: &str = "scripts/setup --parts installs it in target/tools";
 
 /// The Python of the folder of tools, which `IMOGENE_TOOLS` may name, or the system's.
 fn python() -> PathBuf {
-    let named = std::env::var_os("IMOGENE_TOOLS").map(PathBuf::from);
-    let current = std::env::current_dir().unwrap_or_default();
-    let above = current.ancestors().map(|f| f.join("target/tools/bin"));
-    let folders: Vec<PathBuf> = match named {
-        Some(folder) => vec![folder],
-        None => above.collect(),
-    };
-    let candidates = folders.into_iter().map(|folder| folder.join("python"));
-    let mut candidates = candidates.filter(|python| python.is_file());
-    candidates.next().unwrap_or_else(|| "python3".into())
+    find(&own_folders(), &["python"]).unwrap_or_else(|| "python3".into())
 }

@@ -1,0 +1,107 @@
+//! Frames by each of the models, and what lights them.
+
+use crate::arguments::{Model, Render, Scene};
+use crate::command::{beam, threads, verdict};
+use crate::failure::Failure;
+use crate::output;
+use imogene_analysis::exact;
+use imogene_golden::machine::beam::render;
+use imogene_golden::machine::frame::Frame;
+use imogene_golden::machine::lighting::Lighting;
+use imogene_prepare::PreparedScene;
+use imogene_scene::{FramedScene, FramedSource};
+use imogene_verif::report::Report;
+use imogene_verif::scene::{self, slots};
+
+/// The frame by the model that is asked for, and what lights it.
+pub fn draw(
+    options: &Render,
+    framed: &FramedScene,
+    prepared: &PreparedScene,
+) -> Result<(Frame, Lighting), Failure> {
+    let frame = match options.model {
+        Model::Exact => exact_frame(framed, prepared),
+        Model::Golden => golden_frame(prepared),
+        Model::Rtl => hardware_frame(options, prepared)?,
+    };
+    let lighting = match options.model {
+        Model::Exact => exact_lighting(framed, &frame),
+        // What is simulated are the object processors; the volumes are those of the golden model.
+        Model::Golden | Model::Rtl => golden_lighting(&frame, prepared),
+    };
+    Ok((frame, lighting))
+}
+
+pub fn exact_frame(framed: &FramedScene, prepared: &PreparedScene) -> Frame {
+    let pixels = output::during(u64::from(prepared.height), "exact reference", |bar| {
+        exact::render::render(framed, &prepared.format, || bar.inc(1))
+    });
+    exact::render::to_frame(&pixels, framed, &prepared.format)
+}
+
+/// The golden model's frame.
+pub fn golden_frame(prepared: &PreparedScene) -> Frame {
+    let bar = output::progress(u64::from(prepared.height), "golden model");
+    let (width, height) = (prepared.width as usize, prepared.height as usize);
+    let frame = render(&prepared.slots(), &prepared.format, width, height, || {
+        bar.inc(1)
+    });
+    bar.finish_and_clear();
+    frame
+}
+
+pub fn exact_lighting(framed: &FramedScene, frame: &Frame) -> Lighting {
+    let casts = |s: &FramedSource| s.shadows || s.cone.is_some();
+    if !framed.sources.iter().any(casts) {
+        return Lighting::full(frame);
+    }
+    output::during(u64::from(framed.height), "exact shadows", |bar| {
+        exact::shadow::lighting(framed, || bar.inc(1))
+    })
+}
+
+/// What the golden volumes leave of the sources of a frame.
+pub fn golden_lighting(frame: &Frame, prepared: &PreparedScene) -> Lighting {
+    output::during(
+        u64::from(prepared.height),
+        "shadow and light volumes",
+        |bar| prepared.light(frame, || bar.inc(1)),
+    )
+}
+
+fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, Failure> {
+    let (mut report, frame) = match slots::is_for_beam(prepared) {
+        true => {
+            let run = scene::Options::plain(options.rows_per_stage, threads());
+            beam::run(prepared, &run, None)?
+        }
+        false => slots_frame(options, prepared)?,
+    };
+    report.subject = options.scene.scene.display().to_string();
+    report.reproduce = reproduce(options);
+    verdict(&report)?;
+    Ok(frame)
+}
+
+/// The command that shows the difference again.
+fn reproduce(options: &Render) -> String {
+    let Scene {
+        scene, view, words, ..
+    } = &options.scene;
+    let words = words.options(options.scene.format);
+    let (scene, view) = (scene.display(), view.options());
+    match options.look.look(false) {
+        None => format!("imogene cosim {scene}{words}{view}"),
+        Some(_) => format!("imogene render {scene}{words}{view} --model rtl, with the same look"),
+    }
+}
+
+/// The frame of processors that run by themselves.
+fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Frame), Failure> {
+    let drawn = output::during(slots::pixels(prepared), "processors in simulation", |bar| {
+        slots::run(prepared, options.rows_per_stage, &|s, _| Ok(s), |n| {
+            bar.inc(n)
+        })
+    });
+    drawn.map_err(Failure::input)
+}
