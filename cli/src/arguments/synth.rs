@@ -105,7 +105,7 @@ pub struct Peers {
     #[arg(long, value_name = "T")]
     pub target: String,
     /// Seeds of place and route; 0 measures no clock.
-    #[arg(long, default_value_t = 3, value_name = "N", conflicts_with = "widths")]
+    #[arg(long, default_value_t = 3, value_name = "N")]
     pub seeds: usize,
 }
 
