@@ -32,14 +32,7 @@ fn object(
         vec![p.zf, p.zb, p.number.into(), nx, ny, nz]
     };
     let timing = Timing::of(latency);
-    zone(
-        stimulus,
-        timing,
-        6,
-        start,
-        Running::line_step,
-        pixel,
-    )
+    zone(stimulus, timing, 6, start, Running::line_step, pixel)
 }
 
 pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
