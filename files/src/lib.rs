@@ -3,12 +3,14 @@
 //! [`Outputs`] is the one way by which commands write. Every file is filled beside its destination, and all of them
 //! are renamed together when the last one is complete. Links are followed, modes are kept, devices and pipes are
 //! written to and stay what they are. [`end_process`] clears away what an interrupted process has begun.
+//! [`text`] makes the sentences and lines that are written.
 
 mod litter;
 mod memory;
 mod outputs;
 mod read;
 mod target;
+pub mod text;
 
 pub use litter::{Scratch, end_process, end_process_at_once};
 pub use memory::{free_memory, limit_memory, memory_limit};

@@ -1,6 +1,6 @@
 //! A range of frames as written on the command line.
 
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;

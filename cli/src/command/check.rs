@@ -18,7 +18,7 @@ struct Output<'a> {
     report: &'a CheckReport,
     files: &'a [PathBuf],
 }
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 
 /// Shows what a scene needs and how exact its picture is.
 pub fn run(options: &Check, json: bool) -> Result<(), Failure> {

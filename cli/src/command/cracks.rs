@@ -4,6 +4,7 @@ use super::{frame_in, read_scene, render::golden_frame};
 use crate::arguments::Cracks;
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::text::counted;
 use imogene_oracle::crack::{Buffers, Crack, Rule, cracks, mark_openings, two_pixels};
 use imogene_oracle::inject::{Breakable, Score, Sort};
 use imogene_oracle::paint;
@@ -12,7 +13,6 @@ use imogene_oracle::trace::Tracer;
 use imogene_prepare::PreparedScene;
 use imogene_scene::DepthRange;
 use imogene_studies::picture;
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::PathBuf;
 

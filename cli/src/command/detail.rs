@@ -4,13 +4,13 @@ use super::load_scene;
 use crate::arguments::Detail;
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::text::counted;
 use imogene_plan::culling::precision::guard_bits;
 use imogene_plan::culling::reduce::{Fate, ReducedObject};
 use imogene_plan::culling::zones::{Touches, beside, map};
 use imogene_prepare::PreparedScene;
 use imogene_studies::detail::{Changed, Report, WorkSaved, ZoneStream};
 use imogene_studies::picture;
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Request;
 use imogene_files::Outputs;
+use imogene_files::text::counted;
 use imogene_rtl::emit::{Emitted, emit, emit_with_prefix};
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

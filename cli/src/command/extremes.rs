@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use imogene_verif::extremes::{self, Extreme, Finding};
 
 /// What the subject of `cosim` must begin with.

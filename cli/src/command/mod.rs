@@ -38,13 +38,13 @@ pub mod units;
 use crate::arguments::{Scene, Size, View};
 use crate::failure::Failure;
 use crate::{missing, molecules, output};
+use imogene_files::text::counted;
 use imogene_files::{free_memory, memory_limit};
 use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, Seen, memory, prepare_reporting, steps};
 use imogene_scene::animation::Playback;
 use imogene_scene::{FramedScene, Look, SceneFile};
-use imogene_studies::text::counted;
 use imogene_verif::report::Report;
 use std::path::Path;
 

@@ -4,8 +4,8 @@ use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Request;
+use imogene_files::text::counted;
 use imogene_rtl::emit::emit;
-use imogene_studies::text::counted;
 use imogene_verif::mutation::{self, Design, MutationReport, table};
 use imogene_verif::unit::subject;
 

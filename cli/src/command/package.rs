@@ -4,8 +4,8 @@ use crate::arguments::Package;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Unit;
+use imogene_files::text::counted;
 use imogene_package::core::package;
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -3,7 +3,7 @@
 use crate::arguments::{Parameter, Peers};
 use crate::failure::Failure;
 use crate::output;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use imogene_synth::peer::{Comparison, Measured, Peer, compare};
 use imogene_synth::{Options, Target};
 

@@ -3,8 +3,8 @@
 use crate::arguments::Processors;
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::text::counted;
 use imogene_package::processors::{markdown, processors};
-use imogene_studies::text::counted;
 
 /// Lists the object processors with their parts, or writes the list to a file.
 pub fn run(options: &Processors, json: bool) -> Result<(), Failure> {

@@ -4,6 +4,7 @@ use super::{read_scene, size_of};
 use crate::arguments::Raytrace;
 use crate::failure::Failure;
 use crate::{missing, output};
+use imogene_files::text::counted;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_oracle::compare::{Comparison, Mark};
@@ -14,7 +15,6 @@ use imogene_oracle::survey::{Finding, survey};
 use imogene_oracle::table::{Row, table};
 use imogene_prepare::Options;
 use imogene_studies::picture;
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -48,7 +48,7 @@ use crate::error::unusable;
 use crate::{ImportError, Imported, Place};
 use compile::{Task, quadric_face};
 use courses::Courses;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use model::Model;
 use source::Source;
 use step21::with_article;

@@ -4,7 +4,7 @@ use super::cell::{Compilation, Verdict};
 use super::courses::Courses;
 use super::curve::Curve;
 use super::model::Model;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -6,7 +6,7 @@ use super::options::Options;
 use super::scene::Drawn;
 use super::structure::{Remark, Structure};
 use super::words::listed;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};

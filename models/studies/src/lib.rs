@@ -12,4 +12,4 @@ pub mod sweep;
 pub mod trade;
 pub mod trial;
 
-pub use kit::{picture, preview, text};
+pub use kit::{picture, preview};

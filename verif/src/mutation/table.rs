@@ -1,7 +1,7 @@
 //! The scores as a page of the documentation.
 
 use super::score::{Fate, MutationReport};
-use imogene_studies::text::wrapped;
+use imogene_files::text::wrapped;
 use std::fmt::Write as _;
 
 /// Units whose score is published, smallest first.

@@ -2,10 +2,10 @@
 
 use imogene_analysis::metrics::Metrics;
 use imogene_contract::MachineWords;
+use imogene_files::text::counted;
 use imogene_rtl::emit::{Direction, Emitted};
 use imogene_studies::fit::budget::Budget;
 use imogene_studies::fit::proof::{Bounds, Proof, Proven};
-use imogene_studies::text::counted;
 use imogene_synth::fitted::MachineCost;
 use imogene_verif::report::Report;
 use serde::Serialize;

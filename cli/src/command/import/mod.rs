@@ -9,9 +9,9 @@ use crate::arguments::Import;
 use crate::failure::Failure;
 use crate::molecules::load;
 use crate::{missing, output};
+use imogene_files::text::counted;
 use imogene_import::pdb::Format;
 use imogene_import::{Imported, Kind, Kinds, is_scene};
-use imogene_studies::text::counted;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -2,10 +2,10 @@
 
 use crate::command::describe;
 use crate::output;
+use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::zone::clocks::FrameClocks;
 use imogene_plan::zone::growth::Growth;
-use imogene_studies::text::counted;
 use imogene_verif::report::Report;
 use serde::Serialize;
 use std::path::PathBuf;

@@ -1,9 +1,9 @@
 //! The comparison as tables of Markdown. Nothing here depends on the machine it runs on.
 
 use super::hardware::{Hardware, TARGET};
+use imogene_files::text::wrapped;
 use imogene_studies::compare::errors::{Bulge, Errors};
 use imogene_studies::compare::speed::{FacetWork, Speed};
-use imogene_studies::text::wrapped;
 use serde::Serialize;
 use std::fmt::Write;
 

@@ -4,9 +4,9 @@ use super::super::threads;
 use crate::arguments::{Model, Render};
 use crate::failure::Failure;
 use crate::output;
+use imogene_files::text::counted;
 use imogene_plan::split::{Divided, Division, Duplication, Work, Worker};
 use imogene_prepare::PreparedScene;
-use imogene_studies::text::counted;
 use serde::Serialize;
 
 /// How the work was divided; the keys are stable.

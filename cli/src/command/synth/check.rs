@@ -4,7 +4,7 @@ use crate::arguments::Synth;
 use crate::failure::Failure;
 use crate::output;
 use imogene_contract::Unit;
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use imogene_synth::Target;
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
 use imogene_synth::compare::{Change, Tolerance, Verdict};

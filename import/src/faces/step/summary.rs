@@ -1,6 +1,6 @@
 //! What the reader says of a STEP file besides its model.
 
-use imogene_studies::text::counted;
+use imogene_files::text::counted;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -4,7 +4,7 @@ use super::error::EvaluateError;
 use super::plot::{duplication_plot, operations_plot};
 use super::row::{Evaluation, Row, number};
 use crate::kit::page::{line, rendered};
-use crate::kit::text::wrapped;
+use imogene_files::text::wrapped;
 use minijinja::context;
 use minijinja::value::Serde;
 use serde_json::{Value, json};

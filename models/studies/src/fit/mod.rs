@@ -10,7 +10,7 @@ pub mod frames;
 pub mod proof;
 pub mod search;
 
-use crate::kit::text::counted;
+use imogene_files::text::counted;
 use imogene_prepare::error::PrepareError;
 use imogene_scene::SceneError;
 use thiserror::Error;

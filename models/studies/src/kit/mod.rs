@@ -5,7 +5,6 @@ pub mod page;
 pub mod picture;
 pub mod plot;
 pub mod preview;
-pub mod text;
 pub mod vector;
 pub mod words;
 

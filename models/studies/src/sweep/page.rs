@@ -3,7 +3,7 @@
 use super::naive::FloatError;
 use super::record::{GivesOut, Notice, Record, SweepResult, runs};
 use crate::kit::page::line;
-use crate::kit::text::wrapped;
+use imogene_files::text::wrapped;
 
 const HEAD: [&str; 15] = [
     "depth bound, words",
