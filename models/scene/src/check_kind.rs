@@ -11,7 +11,7 @@ use super::shape::{Mesh, Processor, Shape, Surface};
 use super::transform::Transform;
 use imogene_algebra::rational::from_decimal;
 use imogene_algebra::vector::{cross, dot};
-use imogene_golden::object::curved_facet::MAX_SIDES;
+use imogene_contract::words::MOST_SIDES;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::collections::HashSet;
@@ -292,8 +292,8 @@ fn check_curved_facet(place: &str, object: &Object) -> Checked {
         return require_round(place, round, "sphere is no longer a sphere");
     }
     let count = object.cuts.len();
-    unless(count <= MAX_SIDES, || {
-        let accepted = format!("the processor \"curved_facet\" has at most {MAX_SIDES} sides");
+    unless(count <= MOST_SIDES as usize, || {
+        let accepted = format!("the processor \"curved_facet\" has at most {MOST_SIDES} sides");
         (format!("{place}, cuts"), format!("{count} cuts"), accepted)
     })
 }

@@ -6,7 +6,7 @@ use imogene_algebra::matrix::{cofactors3, image, transposed};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{cross, dot, minus, normalised};
 use imogene_algebra::whole::greatest;
-use imogene_golden::object::paraboloid::NORMAL_LENGTH;
+use imogene_contract::words::NORMAL_LENGTH;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 

@@ -23,6 +23,8 @@ pub const LEAST_NORMAL: u32 = 10;
 pub const MOST_GUARD: u32 = 16;
 /// Most last digits of the root that are not computed.
 pub const MOST_DROPPED: u32 = 8;
+/// Length of an exact normal in a 16-bit component; that of a paraboloid is up to 21 pi / 64 longer, which still fits.
+pub const NORMAL_LENGTH: i64 = 31_000;
 /// Most cut planes of one object.
 pub const MOST_PLANES: u32 = 12;
 /// Most sides of a facet.

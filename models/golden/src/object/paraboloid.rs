@@ -7,13 +7,11 @@ use crate::unit::interval::{Class, Interval, halves};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::round_half_up;
+pub use imogene_contract::words::NORMAL_LENGTH;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
-
-/// Length of an exact normal in a 16-bit component; the paraboloid's is up to 21 pi / 64 longer, which still fits.
-pub const NORMAL_LENGTH: i64 = 31_000;
 
 /// The two factors a and b, pi to 30 digits.
 pub fn bulge() -> (BigRational, BigRational) {
