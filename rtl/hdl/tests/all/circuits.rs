@@ -29,7 +29,7 @@ fn what_is_no_circuit_is_refused_with_names_and_lines() {
         "`narrow` (word of 4 bits",
         "is added to",
         "`wide` (word of 5 bits",
-        "tests/circuits.rs:",
+        "tests/all/circuits.rs:",
         "`part`",
     ] {
         assert!(sum.contains(part), "{part}: {sum}");
