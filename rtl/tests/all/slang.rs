@@ -15,7 +15,7 @@ use std::process::Command;
 fn found(files: &[PathBuf]) -> Vec<String> {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let output = Command::new(own.join("../target/tools/bin/python"))
-        .arg(own.join("tests/support/slang.py"))
+        .arg(own.join("tests/all/support/slang.py"))
         .args(files)
         .output();
     const HOW: &str = "`scripts/setup --lint` installs pyslang in target/tools";
