@@ -30,8 +30,7 @@ pub enum FramedObject {
     /// A surface with one depth of second degree at each pixel, as one non-planar facet; its planes are perpendicular
     /// to the screen.
     CurvedFacet(Box<FramedQuadric>),
-    /// Left out because it is proven to be nowhere in the picture; see
-    /// [`SceneFile::frame_seen`](super::SceneFile::frame_seen).
+    /// Left out by the preparation because it is proven to be nowhere in the picture.
     Unseen(Arc<Unseen>),
 }
 
