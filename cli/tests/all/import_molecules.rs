@@ -1,37 +1,12 @@
 //! `imogene import` of molecules: formats, options, messages, and scenes that name their structure file.
 
-use crate::common::imogene;
-use serde_json::Value;
+use crate::common::{json_in, refusal_in};
 use std::path::{Path, PathBuf};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../import/tests/data")
         .join(name)
-}
-
-fn json(arguments: &[&str], folder: &Path) -> Value {
-    let mut command = imogene();
-    let output = command
-        .args(arguments)
-        .arg("--json")
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn refusal(arguments: &[&str], folder: &Path) -> String {
-    let output = imogene()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-    assert!(!folder.join("never.toml").exists());
-    String::from_utf8(output.stderr).unwrap()
 }
 
 /// Whatever its name, a file is read as what it holds; `--as` is obeyed.
@@ -47,11 +22,11 @@ fn files_are_known_by_what_they_hold() {
     ];
     for (file, kind) in cases {
         std::fs::copy(data(file), folder.join("molecule.step")).unwrap();
-        let report = json(&["import", "molecule.step", "-o", "a.toml"], folder);
+        let report = json_in(&["import", "molecule.step", "-o", "a.toml"], folder);
         assert_eq!(report["kind"], kind, "{file}");
         assert_eq!(report["report"]["atoms_drawn"], report["objects"]);
     }
-    let message = refusal(
+    let message = refusal_in(
         &[
             "import",
             "molecule.step",
@@ -64,7 +39,7 @@ fn files_are_known_by_what_they_hold() {
     );
     assert!(message.contains("ISO-10303-21"), "{message}");
     std::fs::write(folder.join("a.txt"), "hello\n").unwrap();
-    let message = refusal(&["import", "a.txt", "-o", "never.toml"], folder);
+    let message = refusal_in(&["import", "a.txt", "-o", "never.toml"], folder);
     for kind in [
         "PDB",
         "mmCIF",
@@ -77,11 +52,11 @@ fn files_are_known_by_what_they_hold() {
     ] {
         assert!(message.contains(kind), "{message}");
     }
-    let message = refusal(&["import", "a.toml", "-o", "never.toml"], folder);
+    let message = refusal_in(&["import", "a.toml", "-o", "never.toml"], folder);
     assert!(message.contains("this is a scene already"), "{message}");
     let packed = std::fs::read(data("2BEG.pdb.gz")).unwrap();
     std::fs::write(folder.join("cut.gz"), &packed[..9_000]).unwrap();
-    let message = refusal(&["import", "cut.gz", "-o", "never.toml"], folder);
+    let message = refusal_in(&["import", "cut.gz", "-o", "never.toml"], folder);
     assert!(message.contains("cannot be unpacked"), "{message}");
 }
 
@@ -123,7 +98,7 @@ fn scenes_that_name_their_file_are_prepared_to_the_same_words() {
     for options in sets {
         let import = |output: &str, form: &str| {
             let arguments = [&["import", "molecule", "-o", output, form], options].concat();
-            json(&arguments, folder)
+            json_in(&arguments, folder)
         };
         let (lines, named) = (
             import("a.toml", "--inline"),
@@ -136,7 +111,7 @@ fn scenes_that_name_their_file_are_prepared_to_the_same_words() {
             "{text}"
         );
         let words = |scene: &str| {
-            let prepared = json(&["prepare", scene, "--size", "64x48"], folder);
+            let prepared = json_in(&["prepare", scene, "--size", "64x48"], folder);
             let draw = [
                 "render",
                 scene,
@@ -147,7 +122,7 @@ fn scenes_that_name_their_file_are_prepared_to_the_same_words() {
                 "-o",
                 "a.png",
             ];
-            assert!(json(&draw, folder)["covered_pixels"].as_u64().unwrap() > 20);
+            assert!(json_in(&draw, folder)["covered_pixels"].as_u64().unwrap() > 20);
             (prepared, std::fs::read(folder.join("depth.npy")).unwrap())
         };
         // The words are too many to be shown.
@@ -160,7 +135,7 @@ fn scenes_that_name_wrong_files_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     std::fs::copy(data("1A8O.cif"), folder.join("a.cif")).unwrap();
-    json(&["import", "a.cif", "--reference", "-o", "a.toml"], folder);
+    json_in(&["import", "a.cif", "--reference", "-o", "a.toml"], folder);
     let text = std::fs::read_to_string(folder.join("a.toml")).unwrap();
     let cases = [
         (
@@ -207,7 +182,7 @@ fn scenes_that_name_wrong_files_are_refused() {
     for (good, wrong, problem) in cases {
         assert!(text.contains(good));
         std::fs::write(folder.join("bad.toml"), text.replace(good, wrong)).unwrap();
-        let message = refusal(&["render", "bad.toml", "-o", "never.toml"], folder);
+        let message = refusal_in(&["render", "bad.toml", "-o", "never.toml"], folder);
         assert!(message.contains(problem), "{message}");
     }
 }
@@ -238,7 +213,7 @@ fn nothing_that_is_left_is_told_with_what_would_be() {
     ];
     for (options, problem) in cases {
         let arguments = [&["import", file, "-o", "never.toml"], options].concat();
-        let message = refusal(&arguments, folder.path());
+        let message = refusal_in(&arguments, folder.path());
         assert!(message.contains(problem), "{message}");
     }
 }

@@ -1,43 +1,19 @@
 //! `imogene terrain` and `imogene import` of heights: files, reports, messages.
 
-use crate::common::imogene;
-use serde_json::Value;
-use std::path::Path;
-
-fn json(arguments: &[&str], folder: &Path) -> Value {
-    let output = imogene()
-        .args(arguments)
-        .arg("--json")
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{message}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn refusal(arguments: &[&str], folder: &Path) -> String {
-    let output = imogene()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    String::from_utf8(output.stderr).unwrap()
-}
+use crate::common::{json_in, refusal_in};
 
 #[test]
 fn heights_become_a_scene_and_a_picture() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let made = ["terrain", "--levels", "3", "--seed", "5", "-o", "a.heights"];
-    assert_eq!(json(&made, folder)["side"], 9);
+    assert_eq!(json_in(&made, folder)["side"], 9);
     let text = std::fs::read(folder.join("a.heights")).unwrap();
-    json(&made, folder);
+    json_in(&made, folder);
     assert_eq!(std::fs::read(folder.join("a.heights")).unwrap(), text);
     for cells in ["bilinear", "ruled", "auto"] {
         let import = ["import", "a.heights", "--cells", cells, "-o", "a.toml"];
-        let report = json(&import, folder);
+        let report = json_in(&import, folder);
         assert_eq!(
             (&report["kind"], &report["report"]["cells"]),
             (&"heights".into(), &64.into())
@@ -47,19 +23,19 @@ fn heights_become_a_scene_and_a_picture() {
             "render", "a.toml", "--model", "golden", "--size", "80x60", "-o", "a.png",
         ];
         assert!(
-            json(&draw, folder)["covered_pixels"].as_u64().unwrap() > 400,
+            json_in(&draw, folder)["covered_pixels"].as_u64().unwrap() > 400,
             "{cells}"
         );
     }
     // No hardware for what the eye lies on.
-    json(
+    json_in(
         &["import", "a.heights", "--cells", "ruled", "-o", "a.toml"],
         folder,
     );
     let draw = [
         "render", "a.toml", "--model", "rtl", "--size", "16x12", "-o", "b.png",
     ];
-    let message = refusal(&draw, folder);
+    let message = refusal_in(&draw, folder);
     assert!(
         message.contains("cell-") && message.contains("quotient processor"),
         "{message}"
@@ -77,7 +53,7 @@ fn bad_files_and_options_are_refused() {
     )
     .unwrap();
     std::fs::write(folder.join("good.heights"), "1 2\n3 5\n").unwrap();
-    let message = refusal(&["import", "bad.asc", "-o", "x.toml"], folder);
+    let message = refusal_in(&["import", "bad.asc", "-o", "x.toml"], folder);
     assert!(message.contains("bad.asc:4:7: `high`"), "{message}");
     let cases: [(&[&str], &str); 5] = [
         (
@@ -113,7 +89,7 @@ fn bad_files_and_options_are_refused() {
         ),
     ];
     for (arguments, says) in cases {
-        let message = refusal(arguments, folder);
+        let message = refusal_in(arguments, folder);
         assert!(message.contains(says), "{message}");
         assert!(!folder.join("x.toml").exists());
     }

@@ -1,32 +1,9 @@
 //! Texts in the PDBx/mmCIF format: their forms, what each item means, what is refused and where, and that no words
 //! make the reader panic.
 
-use imogene_import::Imported;
-use imogene_import::pdb::{self, Format, ModelChoice, Options, Style};
-use imogene_scene::{Shape, Step};
+use crate::common::structure::{cif, names, places};
+use imogene_import::pdb::{ModelChoice, Options, Style};
 use proptest::prelude::*;
-
-fn cif(text: &str, options: &Options) -> Result<Imported, String> {
-    pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
-}
-
-fn names(imported: &Imported) -> Vec<&str> {
-    let objects = imported.scene.objects.iter();
-    objects.map(|object| object.name.as_str()).collect()
-}
-
-fn places(imported: &Imported) -> Vec<[f64; 3]> {
-    let spheres = imported
-        .scene
-        .objects
-        .iter()
-        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
-    let place = |step: &Step| match step {
-        Step::Translate(place) => *place,
-        other => panic!("{other:?}"),
-    };
-    spheres.map(|object| place(&object.place[0])).collect()
-}
 
 /// Two cysteines, which only the file bonds: too far for the distance rule.
 const FAR: &str = "data_far

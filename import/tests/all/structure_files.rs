@@ -1,10 +1,11 @@
 //! Structure files in all their formats: published ones against what another program counts, and what each format may
 //! hold.
 
+use crate::common::structure::{cif, names, places};
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
 use imogene_import::{Imported, Kind, is_compressed, unpack};
 use imogene_prepare::Framing;
-use imogene_scene::{SceneFile, Shape, Step};
+use imogene_scene::SceneFile;
 use std::path::Path;
 
 /// A file of the tests, unpacked.
@@ -31,28 +32,6 @@ fn all_of(style: Style) -> Options {
         alternates: Alternates::All,
         ..Options::default()
     }
-}
-
-fn cif(text: &str, options: &Options) -> Result<Imported, String> {
-    pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
-}
-
-fn names(imported: &Imported) -> Vec<&str> {
-    let objects = imported.scene.objects.iter();
-    objects.map(|object| object.name.as_str()).collect()
-}
-
-fn places(imported: &Imported) -> Vec<[f64; 3]> {
-    let spheres = imported
-        .scene
-        .objects
-        .iter()
-        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
-    let place = |step: &Step| match step {
-        Step::Translate(place) => *place,
-        other => panic!("{other:?}"),
-    };
-    spheres.map(|object| place(&object.place[0])).collect()
 }
 
 #[test]

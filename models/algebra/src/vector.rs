@@ -50,6 +50,14 @@ pub fn cross<T: Ring>(u: impl Borrow<[T; 3]>, v: impl Borrow<[T; 3]>) -> [T; 3] 
     ]
 }
 
+/// A vector in floating point.
+pub type Vector = [f64; 3];
+
+/// The length.
+pub fn length(v: Vector) -> f64 {
+    square(v).sqrt()
+}
+
 /// The difference of two vectors.
 pub fn minus<T: Ring, const N: usize>(u: impl Borrow<[T; N]>, v: impl Borrow<[T; N]>) -> [T; N] {
     let (u, v) = (u.borrow(), v.borrow());

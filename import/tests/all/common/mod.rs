@@ -2,4 +2,5 @@
 
 pub mod bar;
 pub mod points;
+pub mod structure;
 pub mod winding;

@@ -5,7 +5,6 @@ pub mod page;
 pub mod picture;
 pub mod plot;
 pub mod preview;
-pub mod vector;
 pub mod words;
 
 pub use error::DrawError;

@@ -1,8 +1,8 @@
 //! Random words and pixels, biased to where shading is hard: grazing light, lobes at their steepest, short and
 //! axis-parallel vectors, near and far points.
 
-use crate::kit::vector::{Vector, dot};
 use crate::trial::random::Random;
+use imogene_algebra::vector::{Vector, dot};
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
 
 /// Loaded words and one pixel.

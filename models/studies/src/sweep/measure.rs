@@ -2,8 +2,8 @@
 
 use super::contour::displaced;
 use super::truth::{DEPTH_BITS, TruePixel, Truth};
-use crate::kit::vector::{Vector, cross, dot, length};
 use imogene_algebra::rational::to_f64;
+use imogene_algebra::vector::{Vector, cross, dot, length};
 use imogene_analysis::bounds::{check, depth_bound, normal_bound, undecided_pixels};
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;

@@ -2,8 +2,8 @@
 
 use super::case::Case;
 use super::tally::{Tally, Term};
-use crate::kit::vector::{cross, dot, length};
 use imogene_algebra::rational::from_f64_exact;
+use imogene_algebra::vector::{cross, dot, length};
 use imogene_analysis::bounds::quadric_sine;
 use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::select;

@@ -1,0 +1,27 @@
+//! What was read of a structure file.
+
+use imogene_import::Imported;
+use imogene_import::pdb::{self, Format, Options};
+use imogene_scene::{Shape, Step};
+
+pub fn cif(text: &str, options: &Options) -> Result<Imported, String> {
+    pdb::read(text.as_bytes(), Format::Mmcif, "f.cif", options).map_err(|e| e.to_string())
+}
+
+pub fn names(imported: &Imported) -> Vec<&str> {
+    let objects = imported.scene.objects.iter();
+    objects.map(|object| object.name.as_str()).collect()
+}
+
+pub fn places(imported: &Imported) -> Vec<[f64; 3]> {
+    let spheres = imported
+        .scene
+        .objects
+        .iter()
+        .filter(|o| matches!(o.shape, Shape::Sphere { .. }));
+    let place = |step: &Step| match step {
+        Step::Translate(place) => *place,
+        other => panic!("{other:?}"),
+    };
+    spheres.map(|object| place(&object.place[0])).collect()
+}
