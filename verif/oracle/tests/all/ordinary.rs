@@ -47,7 +47,7 @@ fn flown(scene: &SceneFile, from: [f64; 3], to: [f64; 3], part: f64) -> SceneFil
 /// ahead, and none differs from the traced picture where that was not announced.
 #[test]
 fn a_flight_through_a_surface_is_drawn_from_beginning_to_end() {
-    let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
+    let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/teapot.toml");
     let teapot = SceneFile::read(&teapot).expect("the teapot");
     let flights = [
         (

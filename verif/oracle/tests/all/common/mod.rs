@@ -21,7 +21,7 @@ pub fn scene(camera: &str, objects: &[&str]) -> SceneFile {
 
 /// The scene files of the repository.
 pub fn files() -> Vec<PathBuf> {
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")];
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")];
     let mut files = vec![];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("the scenes folder") {
