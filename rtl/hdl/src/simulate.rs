@@ -7,34 +7,10 @@ use crate::build::Design;
 use crate::tree::{Direction, PortRecord};
 use crate::value::mask;
 use code::{Code, Run, in_runs, run};
-use flat::Flat;
+pub use flat::Port;
+use flat::{Flat, Flop, Store};
 use std::array::from_fn;
 use std::collections::HashMap;
-
-/// A port of the design's top module, or a point inside, by its place in a simulator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Port {
-    place: u32,
-    width: u32,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Flop {
-    output: u32,
-    next: u32,
-    /// A word that is 1 where there is none.
-    enable: u32,
-}
-
-/// A memory.
-#[derive(Clone, Copy, Debug)]
-struct Store {
-    words: usize,
-    /// Enable, address and word of a write.
-    write: [u32; 3],
-    address: u32,
-    output: u32,
-}
 
 /// A design that runs, clock by clock: as many instances as there are lanes, each with words of its own, in lock-step.
 ///
@@ -56,9 +32,6 @@ pub struct Simulator<const LANES: usize = 1> {
     is_quiet: bool,
     points: HashMap<String, Port>,
 }
-
-/// The word that is always 1.
-const ONE: u32 = 0;
 
 /// The first word of a flop; those of the others and of the stores lie behind it.
 const STATE: usize = 1;

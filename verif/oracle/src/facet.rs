@@ -2,11 +2,10 @@
 //! sign.
 
 use crate::camera::Sight;
-use crate::decide::{Cell, Verdict};
 use crate::frame::{Matrix, Vector, apply};
 use crate::interval::Interval;
 use crate::root::Real;
-use crate::solve::Solved;
+use crate::verdict::{Cell, Solved, Verdict};
 use imogene_algebra::rational::from_decimal;
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_scene::Mesh;

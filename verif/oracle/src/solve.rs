@@ -2,23 +2,13 @@
 
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
+use crate::verdict::Solved;
 use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_scene::Surface;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
-
-/// The first point of an object.
-#[derive(Clone, Debug)]
-pub struct Solved {
-    /// Its parameter.
-    pub t: Real,
-    /// Number of the face.
-    pub number: u8,
-    /// Facet of a mesh; 0 else.
-    pub part: u32,
-}
 
 impl Body {
     /// The first point at a pixel, in half pixels from the middle of the picture; `first` and `last` as in [`crate::camera::Sight`].

@@ -6,9 +6,8 @@
 
 use crate::body::Body;
 use crate::camera::Sight;
-use crate::decide::{Cell, Verdict};
 use crate::interval::Interval;
-use crate::solve::Solved;
+use crate::verdict::{Cell, Solved, Verdict};
 use imogene_scene::{DepthRange, SceneFile};
 use num_rational::BigRational;
 use rayon::prelude::*;

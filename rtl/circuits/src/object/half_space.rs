@@ -1,6 +1,7 @@
 //! A half-space: what lies on the kept side of a plane.
 
-use super::{Widths, plane_depth};
+use super::plane_depth::plane_depth;
+use super::widths::Widths;
 use crate::raster::{Flags, Linear};
 use imogene_contract::words::{BACK_PLANE, FRONT_PLANE, PERPENDICULAR};
 use imogene_hdl::{Bits, Int, Value, bundle, bundles, module, net};

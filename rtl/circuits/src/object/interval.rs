@@ -1,6 +1,7 @@
 //! Where an object is on a line of sight.
 
-use super::{Seen, absent};
+use super::ends::absent;
+use super::visible::Seen;
 use imogene_contract::words::{FAR_ROOT, NEAR_ROOT};
 use imogene_hdl::{Bits, Int, Value, bundle};
 

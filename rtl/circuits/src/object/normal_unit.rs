@@ -1,19 +1,13 @@
 //! Normal of the visible face.
 
-use super::{Gradients, Widths};
+use super::normal::Normal;
+use super::widths::Widths;
+use super::words::Gradients;
 use crate::raster::{Flags, Linear, pe1};
-use crate::rows::alike;
 use imogene_contract::words::{CAP, FAR_ROOT, FIRST_PLANE, NEAR_ROOT};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module, net};
 
 bundle! {
-    /// A normal.
-    Normal(width) {
-        nx: Int(width), "normal x";
-        ny: Int(width), "normal y";
-        nz: Int(width), "normal z";
-    }
-
     /// The visible face of a pixel.
     Face(root) {
         number: Bits(4),
@@ -30,10 +24,6 @@ bundle! {
         is_quadric: Bits(1), "the face is the quadric's, one clock later";
         fixed: Int(width), "the component of any other face, one clock later";
     }
-}
-
-alike! {
-    Normal: [Int; 3] { nx ny nz }
 }
 
 bundles! {

@@ -1,6 +1,6 @@
 //! Depth of a cut plane.
 
-use super::{absent, end};
+use super::ends::{absent, end};
 use crate::raster::{Flags, Linear, pe1};
 use imogene_contract::words::{far_end, saturated_near};
 use imogene_hdl::{Int, Value, module, net};

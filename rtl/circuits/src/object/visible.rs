@@ -1,6 +1,9 @@
 //! What object processors answer.
 
-use super::{Face, Interval, Normal, NormalWords, Quadric, absent, normal_unit};
+use super::ends::absent;
+use super::normal::Normal;
+use super::normal_unit::{Face, NormalWords, normal_unit};
+use super::words::Quadric;
 use crate::raster::{Flags, Scan};
 use imogene_hdl::{Bits, Bundle, Int, Ports, Value, bundle, bundles, module};
 
@@ -33,7 +36,7 @@ bundles! {
 impl Seen {
     /// Nothing is there.
     pub(super) fn absent(depth: u32) -> Seen {
-        Interval::absent(depth).seen()
+        Seen::face(absent(depth), Bits::new(0, 4))
     }
 
     /// A face without anything behind it.

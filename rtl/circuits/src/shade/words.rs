@@ -1,9 +1,8 @@
 //! Words of the view and of the lights.
 
-use super::LEVEL;
 use crate::arith::Vector;
 use crate::machine::LoadBus;
-use crate::video::Colour;
+use crate::video::{Colour, LEVEL};
 use imogene_contract::shading::{ATTENUATION, BACKGROUND, DISTANCE, SIZE, VIEW};
 use imogene_hdl::{Bits, bundle, bundles, module};
 

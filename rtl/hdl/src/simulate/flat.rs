@@ -1,11 +1,38 @@
 //! All modules of a design as one list of operations.
 
 use super::code::{Code, Kind};
-use super::{Flop, ONE, Port, Store};
 use crate::build::{described, refuse};
 use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, in_order};
 use crate::value::mask;
 use std::rc::Rc;
+
+/// A port of the design's top module, or a point inside, by its place in a simulator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Port {
+    pub(super) place: u32,
+    pub(super) width: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flop {
+    pub(super) output: u32,
+    pub(super) next: u32,
+    /// A word that is 1 where there is none.
+    pub(super) enable: u32,
+}
+
+/// A memory.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Store {
+    pub(super) words: usize,
+    /// Enable, address and word of a write.
+    pub(super) write: [u32; 3],
+    pub(super) address: u32,
+    pub(super) output: u32,
+}
+
+/// The word that is always 1.
+pub(super) const ONE: u32 = 0;
 
 /// All modules of a design, one behind the other.
 #[derive(Default)]

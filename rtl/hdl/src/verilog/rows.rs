@@ -1,14 +1,11 @@
-//! Rows of equal instances as generate loops over arrays.
+//! Rows of equal instances, which are written as loops over arrays.
 //!
 //! Instances `rows_0`, `rows_1`, .. of one module are a row if each of their inputs is an output of the one before, or
 //! the same for all, or an output of the instance beside it in another row, or a value of its own for each. Where most
 //! are of the last kind, as in a tree, a loop says less than its instances one by one.
 
-use super::Writer;
-use super::names::Name;
-use super::text::{filled, instance};
+use super::name::Name;
 use crate::tree::{Direction, Instance, Module, Net, Op};
-use std::fmt::Write;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -16,7 +13,7 @@ use std::rc::Rc;
 const LEAST: usize = 2;
 
 /// Where an input comes from.
-enum Source {
+pub(super) enum Source {
     /// The same for all.
     Common(Net),
     /// This output of the one before; of the first this net.
@@ -31,7 +28,7 @@ enum Source {
 pub(super) struct Row {
     pub base: String,
     pub instances: Range<usize>,
-    sources: Vec<Source>,
+    pub sources: Vec<Source>,
 }
 
 /// The rows of a module.
@@ -104,7 +101,7 @@ fn sources(module: &Module, row: &[Instance], first: usize, rows: &[Row]) -> Vec
 }
 
 impl Row {
-    fn module<'a>(&self, module: &'a Module) -> &'a Module {
+    pub fn module<'a>(&self, module: &'a Module) -> &'a Module {
         &module.instances[self.instances.start].module
     }
 
@@ -156,48 +153,8 @@ impl Row {
         inputs.chain(outputs).collect()
     }
 
-    /// The loop, and what its first element takes.
-    pub fn written(&self, writer: &Writer) -> String {
-        let (module, own) = (writer.module, self.module(writer.module));
-        let value = |net: &Net| writer.value(*net, false);
-        let mut text = String::new();
-        let mut values = vec![];
-        for (source, port) in self.sources.iter().zip(own.ports_of(Direction::In)) {
-            let name = format!("{}_{}", self.base, port.name);
-            values.push(match source {
-                Source::Common(net) => value(net),
-                Source::Beside(base, output) => {
-                    let mut rows = writer.names.rows.iter();
-                    let other = rows.find(|row| row.instances.start == *base);
-                    other.expect("a row").element(module, *output)
-                }
-                Source::Before(_, first) => {
-                    writeln!(text, "    assign {name}[0] = {};", value(first)).unwrap();
-                    format!("{name}[k]")
-                }
-                Source::Each(nets) => {
-                    let values: Vec<String> = nets.iter().rev().map(value).collect();
-                    let values = filled(&format!("    assign {name} = {{"), &values, 8);
-                    writeln!(text, "{values}}};").unwrap();
-                    match port.width {
-                        1 => format!("{name}[k]"),
-                        width => format!("{name}[{width} * k +: {width}]"),
-                    }
-                }
-            });
-        }
-        let outputs = own.ports_of(Direction::Out).enumerate();
-        values.extend(outputs.map(|(output, _)| self.element(module, output)));
-        let one = self.base.strip_suffix('s').unwrap_or("one");
-        let (base, count) = (&self.base, self.instances.len());
-        let names = (writer.prefix, one);
-        text + &format!("    for (k = 0; k < {count}; k = k + 1) begin : {base}\n")
-            + &instance(own, names, values.into_iter(), 8)
-            + "    end\n"
-    }
-
     /// What the instance of a number gives at this output.
-    fn element(&self, module: &Module, output: usize) -> String {
+    pub fn element(&self, module: &Module, output: usize) -> String {
         match self.array_of(module, output) {
             (name, 0) => format!("{name}[k]"),
             (name, _) => format!("{name}[k + 1]"),

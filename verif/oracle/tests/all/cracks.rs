@@ -119,7 +119,10 @@ fn every_deep_crack_of_the_teapot_is_found() {
 fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
     let mut found_apart = 0;
     for part in ["ball-joint", "bracket", "fillet"] {
-        let file = format!("{}/../../scenes/cad/{part}.toml", env!("CARGO_MANIFEST_DIR"));
+        let file = format!(
+            "{}/../../scenes/cad/{part}.toml",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let scene = SceneFile::read(file.as_ref()).expect("valid");
         let (width, height) = (scene.image.width, scene.image.height);
         let framed = scene.frame(width, height).expect("framed");

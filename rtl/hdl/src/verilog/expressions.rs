@@ -1,0 +1,84 @@
+//! Values and operations as Verilog expressions.
+
+use super::names::Names;
+use super::text::literal;
+use crate::tree::{Binary, Module, Net, Op};
+
+/// A module with the names of its nets.
+pub(super) struct Writer<'a> {
+    pub(super) module: &'a Module,
+    pub(super) prefix: &'a str,
+    pub(super) names: Names,
+}
+
+impl Writer<'_> {
+    /// What stands where a net is read; in parentheses if it is part of an expression and has an operator.
+    pub(super) fn value(&self, net: Net, inner: bool) -> String {
+        match self.names.get(net) {
+            Some(name) => name.all(self.module.node(net).width),
+            None => self.expression(net, inner),
+        }
+    }
+
+    /// What drives a net.
+    pub(super) fn expression(&self, net: Net, inner: bool) -> String {
+        let node = self.module.node(net);
+        let value = |net: &Net| self.value(*net, true);
+        let closed = |text: String| if inner { format!("({text})") } else { text };
+        match &node.op {
+            Op::Literal(bits) => literal(*bits, node.width, node.signed),
+            Op::Not(a) => match (self.names.get(*a), &self.module.node(*a).op) {
+                (None, Op::Binary(Binary::Equal, a, b)) => {
+                    closed(format!("{} != {}", value(a), value(b)))
+                }
+                (None, Op::Binary(Binary::Less, a, b)) => {
+                    closed(format!("{} >= {}", value(a), value(b)))
+                }
+                _ => format!("~{}", value(a)),
+            },
+            Op::Binary(binary, a, b) => {
+                let sign = match binary {
+                    Binary::Add => "+",
+                    Binary::Sub => "-",
+                    Binary::Mul => "*",
+                    Binary::And => "&",
+                    Binary::Or => "|",
+                    Binary::Xor => "^",
+                    Binary::Left => "<<",
+                    Binary::Right if node.signed => ">>>",
+                    Binary::Right => ">>",
+                    Binary::Equal => "==",
+                    Binary::Less => "<",
+                };
+                closed(format!("{} {sign} {}", value(a), value(b)))
+            }
+            Op::Select(which, a, b) => {
+                // Choices behind choices read from the first to the last.
+                let last = self.value(*b, !matches!(self.module.node(*b).op, Op::Select(..)));
+                closed(format!("{} ? {} : {last}", value(which), value(a)))
+            }
+            Op::Slice(a, low) => {
+                let name = self.names.get(*a).expect("what is sliced has a name");
+                name.part(low + node.width - 1, *low, self.module.node(*a).width)
+            }
+            Op::Join(parts) => {
+                let parts: Vec<String> = parts.iter().map(|net| self.value(*net, false)).collect();
+                format!("{{{}}}", parts.join(", "))
+            }
+            Op::Extend(a) => {
+                let own = self.module.node(*a);
+                let more = node.width - own.width;
+                match own.signed {
+                    true => {
+                        let name = self.names.get(*a).expect("what is extended has a name");
+                        let sign = name.part(own.width - 1, own.width - 1, own.width);
+                        format!("{{{{{more}{{{sign}}}}}, {}}}", name.all(own.width))
+                    }
+                    false => format!("{{{more}'d0, {}}}", self.value(*a, false)),
+                }
+            }
+            Op::Same(a) | Op::Forward(Some(a)) => self.value(*a, inner),
+            op => unreachable!("{op:?} is declared"),
+        }
+    }
+}
