@@ -192,7 +192,8 @@ impl BaselineRow {
 ///
 /// # Errors
 ///
-/// When the baseline lacks a row or was made with other tools, which is found before anything runs, or a synthesis fails.
+/// When the baseline lacks a row or was made with other tools, which is found before anything runs, or a synthesis
+/// fails.
 pub fn check(
     rows: &[Row],
     baseline: &Baseline,

@@ -1,8 +1,9 @@
 //! The cost of a whole machine from the costs of its modules.
 //!
-//! Machines that differ in one word share most of their units. Each distinct unit is synthesised once, and what holds units with these as black boxes; the
-//! cells are kept by the digest of the text, and a machine costs the sum over its instances. Nothing is optimised across modules, so the sum
-//! is somewhat more than a synthesis of the flat machine; `docs/fit.md` compares the two.
+//! Machines that differ in one word share most of their units. Each distinct unit is synthesised once, and what holds
+//! units with these as black boxes; the cells are kept by the digest of the text, and a machine costs the sum over its
+//! instances. Nothing is optimised across modules, so the sum is somewhat more than a synthesis of the flat machine;
+//! `docs/fit.md` compares the two.
 
 mod modules;
 
@@ -213,7 +214,8 @@ fn synthesise_alone(
     batch.iter().map(read).collect()
 }
 
-/// The units of a machine that can be the slowest, as designs of their own: of variants that differ in their planes, the largest.
+/// The units of a machine that can be the slowest, as designs of their own: of variants that differ in their planes,
+/// the largest.
 fn critical(machine: &Emitted) -> Vec<Emitted> {
     let largest = |kind: &&str| {
         let modules = machine.modules.iter();

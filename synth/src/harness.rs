@@ -1,8 +1,8 @@
 //! A register harness around a unit, so that timing is about registers and needs four pins.
 //!
-//! Every input of the unit comes from a register and every output goes to one, as in a pipeline; the registers are shifted in and
-//! out serially. The input registers shift only while `shift` is high: registers without that enable would be equal to the first
-//! delay registers of the unit, and synthesis would merge the two.
+//! Every input of the unit comes from a register and every output goes to one, as in a pipeline; the registers are
+//! shifted in and out serially. The input registers shift only while `shift` is high: registers without that enable
+//! would be equal to the first delay registers of the unit, and synthesis would merge the two.
 
 use imogene_rtl::emit::{Direction, Emitted, Port};
 use std::fmt::Write;
@@ -19,7 +19,8 @@ pub fn verilog(unit: &Emitted) -> String {
     around(&unit.top, &unit.ports, has_clock.then_some(CLOCK))
 }
 
-/// Verilog of the harness of any module, whose clock port may have any name; at least one bit goes in and one comes out.
+/// Verilog of the harness of any module, whose clock port may have any name; at least one bit goes in and one comes
+/// out.
 pub fn around(top: &str, ports: &[Port], clock: Option<&str>) -> String {
     let data: Vec<&Port> = ports
         .iter()

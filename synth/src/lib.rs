@@ -3,8 +3,9 @@
 //! Two runs make a report, because one cannot be honest about both questions:
 //!
 //! * **resources** come from the unit alone, without anything around it;
-//! * **Fmax** comes from the unit inside a [`harness`] that registers every input and output. A unit alone meets ports on both
-//!   sides, and paths from or to a port do not count as register-to-register paths: it would look faster than it is.
+//! * **Fmax** comes from the unit inside a [`harness`] that registers every input and output. A unit alone meets ports
+//!   on both sides, and paths from or to a port do not count as register-to-register paths: it would look faster than
+//!   it is.
 //!
 //! Place and route depends on its seed, so Fmax is the median of several.
 #![warn(missing_docs)]

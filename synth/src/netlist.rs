@@ -1,4 +1,5 @@
-//! The netlist that synthesis makes of a unit, as Verilog that a simulator runs: what is on the device, not what was meant.
+//! The netlist that synthesis makes of a unit, as Verilog that a simulator runs: what is on the device, not what was
+//! meant.
 
 use crate::error::SynthError;
 use crate::target::{Family, Target};

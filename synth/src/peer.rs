@@ -58,7 +58,8 @@ pub struct Measured {
 ///
 /// # Errors
 ///
-/// When a file of the peer is missing, Yosys refuses it, it has no such top or clock, the request is not legal or a tool fails.
+/// When a file of the peer is missing, Yosys refuses it, it has no such top or clock, the request is not legal or a
+/// tool fails.
 pub fn compare(
     peer: &Peer,
     request: &Request,

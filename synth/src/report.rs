@@ -87,8 +87,8 @@ pub(crate) fn median(seeds: &[SeedResult]) -> Option<f64> {
     clocks.get(clocks.len().checked_sub(1)? / 2).copied()
 }
 
-/// Rounds a measure. The tools work in single precision, so the digits behind are none of theirs; and a short number is the same
-/// after it was written and read.
+/// Rounds a measure. The tools work in single precision, so the digits behind are none of theirs; and a short number is
+/// the same after it was written and read.
 pub(crate) fn thousandths(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }

@@ -113,8 +113,9 @@ impl Target {
         }
     }
 
-    /// The same for a part of a machine, alone: in look-up tables of four inputs alone. Where nothing is around a module, all of its paths are critical, and Yosys
-    /// would build them of wide look-up tables that it does not take within a machine.
+    /// The same for a part of a machine, alone: in look-up tables of four inputs alone. Where nothing is around a
+    /// module, all of its paths are critical, and Yosys would build them of wide look-up tables that it does not take
+    /// within a machine.
     pub(crate) fn synthesis_of_part(self, top: &str) -> String {
         match self {
             Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -nowidelut -top {top}"),

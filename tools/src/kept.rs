@@ -18,7 +18,8 @@ pub fn digest<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Makes a file unless it is there: whole or not at all. `make` works in a folder beside it, and names its result there.
+/// Makes a file unless it is there: whole or not at all. `make` works in a folder beside it, and names its result
+/// there.
 ///
 /// # Errors
 ///

@@ -1,7 +1,7 @@
 //! Self-checking test benches with golden vectors, for users who run a unit in a simulator of their own.
 //!
-//! A bench reads stimulus, expected outputs and a mask of the bits that the golden model states, and compares with `!==`, so an undefined
-//! bit is a mismatch too.
+//! A bench reads stimulus, expected outputs and a mask of the bits that the golden model states, and compares with
+//! `!==`, so an undefined bit is a mismatch too.
 
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
@@ -38,10 +38,12 @@ fn hex(signals: &[Signal], bits: impl Fn(usize, &Signal) -> u64) -> String {
         .collect()
 }
 
-/// The self-checking bench for a stimulus and its vectors, as names and texts of files that lie in one folder: `bench.v` (module `bench`) and
-/// what it reads, `stimulus.hex`, `expected.hex` (from the golden model) and `mask.hex` (which bits the golden model states).
+/// The self-checking bench for a stimulus and its vectors, as names and texts of files that lie in one folder:
+/// `bench.v` (module `bench`) and what it reads, `stimulus.hex`, `expected.hex` (from the golden model) and `mask.hex`
+/// (which bits the golden model states).
 ///
-/// The bench prints `DONE` and the number of clocks that differ. If there are any it ends Icarus Verilog with exit code 1.
+/// The bench prints `DONE` and the number of clocks that differ. If there are any it ends Icarus Verilog with exit code
+/// 1.
 pub fn files(subject: &Subject, top: &str, stimulus: &[Inputs]) -> Vec<(&'static str, String)> {
     let expected = golden_outputs(subject, stimulus);
     let (mut given, mut wanted, mut mask) = (String::new(), String::new(), String::new());

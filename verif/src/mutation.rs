@@ -1,9 +1,10 @@
 //! Mutation score: does the stimulus of a unit notice every small change of its netlist?
 //!
-//! Yosys elaborates the emitted Verilog and lists mutants: one bit of one cell port inverted, stuck, or disturbed by another bit. All of
-//! them go into one design that an input selects from, which is compiled once; each mutant is then run on the unit's own stimulus against
-//! the golden model until the first difference, which *kills* it. A mutant that nothing kills is either proven *equivalent* to the unit, so
-//! that no test could kill it, or it *survives* and shows a weakness of the stimulus.
+//! Yosys elaborates the emitted Verilog and lists mutants: one bit of one cell port inverted, stuck, or disturbed by
+//! another bit. All of them go into one design that an input selects from, which is compiled once; each mutant is then
+//! run on the unit's own stimulus against the golden model until the first difference, which *kills* it. A mutant that
+//! nothing kills is either proven *equivalent* to the unit, so that no test could kill it, or it *survives* and shows a
+//! weakness of the stimulus.
 
 mod campaign;
 mod cut;

@@ -16,8 +16,8 @@ pub fn stimuli(subject: &Subject, clocks: usize, seed: u64) -> Vec<Vec<Inputs>> 
         .collect()
 }
 
-/// Runs the unit in the engine of the subject; each stimulus begins from reset. The waveforms, if wanted, are those of the first stimulus that
-/// differs, or of the first.
+/// Runs the unit in the engine of the subject; each stimulus begins from reset. The waveforms, if wanted, are those of
+/// the first stimulus that differs, or of the first.
 pub fn run(subject: &Subject, clocks: usize, seed: u64, record: bool) -> (Report, Option<Trace>) {
     let mut total = Report {
         subject: subject.name.clone(),

@@ -30,7 +30,8 @@ pub fn words(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     proptest::collection::vec(one, clocks).boxed()
 }
 
-/// Raster flags `valid`, `start`, `line`: gaps, lines of any length down to one pixel, restarts in the middle. The first clock starts a zone.
+/// Raster flags `valid`, `start`, `line`: gaps, lines of any length down to one pixel, restarts in the middle. The
+/// first clock starts a zone.
 pub fn flags() -> BoxedStrategy<[i64; 3]> {
     prop_oneof![
         12 => Just([1, 0, 0]),

@@ -1,4 +1,5 @@
-//! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard over them.
+//! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard
+//! over them.
 
 use crate::report::Report;
 use crate::signal::Signal;
@@ -10,8 +11,8 @@ use std::time::Instant;
 /// One clock's values of the input ports, in their order.
 pub type Inputs = Vec<i64>;
 
-/// A clocked design or its golden model: inputs before the edge, outputs after it. An output is `None` where the engine shows an undefined
-/// bit, or where the golden model states nothing (before the first start, in an invalid clock).
+/// A clocked design or its golden model: inputs before the edge, outputs after it. An output is `None` where the engine
+/// shows an undefined bit, or where the golden model states nothing (before the first start, in an invalid clock).
 pub trait Clocked: Send {
     /// One clock.
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>>;

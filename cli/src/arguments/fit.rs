@@ -8,7 +8,8 @@ use std::path::PathBuf;
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
 pub struct Fit {
-    /// Scene files (TOML); several are the frames of an animation, with the same objects. A scene with images stands for all of its frames.
+    /// Scene files (TOML); several are the frames of an animation, with the same objects. A scene with images stands
+    /// for all of its frames.
     #[arg(required = true)]
     pub scenes: Vec<PathBuf>,
     /// Folder of the Verilog, the contract and the pictures.

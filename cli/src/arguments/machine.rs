@@ -23,7 +23,8 @@ pub struct Machine {
     /// Look through the camera of this name instead of the active one.
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
-    /// Show the frames of the scene's animation one after the other, all or those from FIRST to LAST, counted from 1, instead of the scene as it is written.
+    /// Show the frames of the scene's animation one after the other, all or those from FIRST to LAST, counted from 1,
+    /// instead of the scene as it is written.
     #[arg(long, value_name = "FIRST..LAST", num_args = 0..=1, default_missing_value = "")]
     pub animation: Option<FrameRange>,
     /// Whole frames to see of the last scene, at least 1.
@@ -35,7 +36,8 @@ pub struct Machine {
     /// The host stalls at random, one clock in three, from this seed.
     #[arg(long, value_name = "SEED")]
     pub stalls: Option<u64>,
-    /// Picture of the size of the screen whose pixels that are not black the host puts over every frame, in white; the machine has `overlay = true`.
+    /// Picture of the size of the screen whose pixels that are not black the host puts over every frame, in white; the
+    /// machine has `overlay = true`.
     #[arg(long, value_name = "MASK.png")]
     pub overlay: Option<PathBuf>,
     /// How the host of a zone machine decides what goes to a zone; the picture is the same.
@@ -44,7 +46,8 @@ pub struct Machine {
     /// Write the Verilog, the clocks and the files of a bench of your own (docs/machines.md), and run nothing.
     #[arg(long)]
     pub emit_only: bool,
-    /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object processors as well, with a plot.
+    /// Count the clocks of a frame of a zone machine for zones of 8 x 8 to 128 x 128 pixels and 1 to 16 object
+    /// processors as well, with a plot.
     #[arg(long)]
     pub growth: bool,
 }

@@ -51,7 +51,8 @@ pub struct Cracks {
     /// Picture (PNG) with the flagged pixels in red.
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
-    /// Make about N cracks of each sort instead and show how many are found, from the minimum distance down and up in powers of two.
+    /// Make about N cracks of each sort instead and show how many are found, from the minimum distance down and up in
+    /// powers of two.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub inject: Option<u32>,
     /// Plot (SVG) of recall and precision over the minimum distance.

@@ -27,7 +27,8 @@ pub struct Synth {
     /// Synthesise even what is kept of the same Verilog and tools.
     #[arg(long, conflicts_with_all = ["table", "widths"])]
     pub fresh: bool,
-    /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units, targets and seeds.
+    /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units,
+    /// targets and seeds.
     #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths"])]
     pub table: bool,
     /// File of the table; its figures go beside it as .json, its picture into images/.
@@ -38,7 +39,8 @@ pub struct Synth {
         default_value = "docs/resources.md"
     )]
     pub out: PathBuf,
-    /// Synthesise the rows of the table again, or those of UNIT or --target; exit code 1 if one got worse than the baseline.
+    /// Synthesise the rows of the table again, or those of UNIT or --target; exit code 1 if one got worse than the
+    /// baseline.
     #[arg(
         long,
         conflicts_with_all = ["table", "seeds", "format", "planes", "rows-per-stage", "objects", "digits", "corrections", "widths"]

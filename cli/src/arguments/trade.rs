@@ -20,7 +20,8 @@ pub struct Trade {
     /// Device of the costs: ice40-hx8k, ice40-up5k, ecp5-45k or ecp5-85k.
     #[arg(long, value_name = "T", default_value = "ecp5-45k")]
     pub target: String,
-    /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the first time.
+    /// Place and route the slowest units of the machines as well, for clock and pixels per second: minutes more, the
+    /// first time.
     #[arg(long)]
     pub clock: bool,
     /// Synthesise nothing: errors, clocks and toggles alone. A later run without it adds the costs.
@@ -38,7 +39,8 @@ pub struct Trade {
     /// Server folder of a running HyperQueue server; one with workers of its own is started if not given (engine hq).
     #[arg(long, value_name = "DIR")]
     pub server: Option<PathBuf>,
-    /// Workers of that server, of one core each, and a quarter of the parts that the points are divided into (engine hq).
+    /// Workers of that server, of one core each, and a quarter of the parts that the points are divided into (engine
+    /// hq).
     #[arg(long, default_value_t = 2, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub workers: u16,
 }

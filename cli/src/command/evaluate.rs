@@ -23,7 +23,8 @@ struct Report {
     files: Vec<PathBuf>,
 }
 
-/// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder for them.
+/// Counts the cost tables of the sources again, prints them, and writes page, figures and pictures if there is a folder
+/// for them.
 pub fn run(options: &Evaluate, json: bool) -> Result<(), Failure> {
     let defect = |error: &dyn std::fmt::Display| Failure::Check(error.to_string());
     let evaluation = evaluate(&hardware()?).map_err(|error| defect(&error))?;

@@ -25,7 +25,8 @@ const TIMED: Variant = Variant::Facets(20);
 /// For each of the two programs that are timed.
 const TIME: Duration = Duration::from_millis(400);
 
-/// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for them.
+/// Draws the scene in every way, measures, and writes the page, the picture and the figures if there is a folder for
+/// them.
 pub fn run(options: &Primitives, json: bool) -> Result<(), Failure> {
     let Size { width, height } = options.size;
     let file = SceneFile::parse(SCENE, "three-solids.toml")?;

@@ -279,7 +279,8 @@ fn usage_and_parameters_out_of_range() {
     assert_eq!(files_below(folder.path()), Vec::<std::path::PathBuf>::new());
 }
 
-/// Only the words of the quadric and the patch processor have bounds; waveforms and faults are those of the beam machine.
+/// Only the words of the quadric and the patch processor have bounds; waveforms and faults are those of the beam
+/// machine.
 #[test]
 fn scenes_of_other_processors_are_refused_where_the_quadric_processor_is_meant() {
     let folder = tempfile::tempdir().unwrap();

@@ -64,7 +64,8 @@ fn scenes_are_documented_as_they_are() {
     assert_documented(&scenes);
 }
 
-/// A million cases at each format in the full run, as documented; otherwise the documented table must at least be about these formats.
+/// A million cases at each format in the full run, as documented; otherwise the documented table must at least be about
+/// these formats.
 #[test]
 fn the_trial_is_documented_as_it_is() {
     let cases = if full() { "1000000" } else { "100" };

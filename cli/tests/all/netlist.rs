@@ -1,5 +1,6 @@
-//! The netlist that synthesis makes of a unit, run in the engines against the golden model. Needs the packages 'yosys' and 'iverilog', and
-//! under `IMOGENE_FULL=1` 'verilator', 'g++' and the tools of `scripts/setup --synth`; fails without them.
+//! The netlist that synthesis makes of a unit, run in the engines against the golden model. Needs the packages 'yosys'
+//! and 'iverilog', and under `IMOGENE_FULL=1` 'verilator', 'g++' and the tools of `scripts/setup --synth`; fails
+//! without them.
 
 use crate::common::imogene;
 use serde_json::Value;

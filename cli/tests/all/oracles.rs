@@ -80,7 +80,8 @@ fn scenes_are_traced_and_refusals_are_listed() {
     assert!(rows.contains("teapot.toml | 80 x 60 |") && rows.contains("| refused |"));
 }
 
-/// The words of this scene are too short for it: its check fails, and announces every pixel that differs beyond the band.
+/// The words of this scene are too short for it: its check fails, and announces every pixel that differs beyond the
+/// band.
 #[test]
 fn what_the_check_announces_is_no_surprise() {
     let leaf = scene("extremes/flat-as-a-leaf.toml");
@@ -170,7 +171,8 @@ fn cracks_are_searched_for_and_made() {
     assert!(sum("deep") > 300 && sum("made") > sum("deep"));
 }
 
-/// Flagged are gaps between parts at most: what cells of a divided face, faces of a part and cells of terrain have in common has the same words in each.
+/// Flagged are gaps between parts at most: what cells of a divided face, faces of a part and cells of terrain have in
+/// common has the same words in each.
 #[test]
 fn the_teapot_parts_and_terrain_have_no_cracks() {
     let mut files = vec![scene("teapot.toml")];

@@ -1,8 +1,9 @@
-//! The pieces into which separators divide a surface: one point of each, its side of every separator, and whether the face has it.
+//! The pieces into which separators divide a surface: one point of each, its side of every separator, and whether the
+//! face has it.
 //!
-//! The lines u = constant through all places where separators meet, turn or end divide the surface into slabs; within a slab the
-//! separators keep their order, so that each piece of a slab is one strip between two of them. Every connected region of the surface is open and
-//! thus has a strip in some slab: no region is without a sample, whatever its shape.
+//! The lines u = constant through all places where separators meet, turn or end divide the surface into slabs; within a
+//! slab the separators keep their order, so that each piece of a slab is one strip between two of them. Every connected
+//! region of the surface is open and thus has a strip in some slab: no region is without a sample, whatever its shape.
 
 use super::chart::{Chart, nearest_turn};
 use super::curve::Curve;

@@ -95,7 +95,8 @@ fn middle(implicit: &Implicit, origin: Vector, normal: Vector) -> Option<Vector>
 
 /// Planes upright on the face, so that no region between them needs both conics.
 ///
-/// Side by side: one line between them. Crossing circles: the line through both points. One in the other: a polygon around the inner one, inside the outer one.
+/// Side by side: one line between them. Crossing circles: the line through both points. One in the other: a polygon
+/// around the inner one, inside the outer one.
 pub fn between(one: &Conic, other: &Conic, normal: Vector) -> Vec<PlaneOf> {
     let swapped = one.radii[1] > other.radii[1];
     let (small, large) = if swapped { (other, one) } else { (one, other) };
@@ -115,7 +116,8 @@ pub fn between(one: &Conic, other: &Conic, normal: Vector) -> Vec<PlaneOf> {
     line((d * d + r * r - s * s) / (2.0 * d))
 }
 
-/// Sides of a regular polygon around a conic within a circle of a radius about its centre; too many sides end at the most there may be.
+/// Sides of a regular polygon around a conic within a circle of a radius about its centre; too many sides end at the
+/// most there may be.
 fn polygon(small: &Conic, within: f64, normal: Vector) -> Vec<PlaneOf> {
     let inner = small.radii[1];
     let fits = |n: &usize| (PI / *n as f64).cos() * within > inner * 1.000_001;

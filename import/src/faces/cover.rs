@@ -1,7 +1,8 @@
 //! Terms: sets of sides that together say exactly which pieces a face has.
 //!
-//! A machine that draws a quadric with cut planes knows AND alone; a face is therefore a union of terms, each the AND of some sides. A
-//! term is shortened as long as it takes no piece that the face lacks, so that it has no side it does not need.
+//! A machine that draws a quadric with cut planes knows AND alone; a face is therefore a union of terms, each the AND
+//! of some sides. A term is shortened as long as it takes no piece that the face lacks, so that it has no side it does
+//! not need.
 
 use super::arrangement::Sample;
 use std::collections::BTreeSet;
@@ -51,9 +52,11 @@ const MAX_SEEDS: usize = 400;
 /// Whether a term is one object.
 pub type Fits<'a> = &'a dyn Fn(&Term) -> bool;
 
-/// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower rank are dropped first.
+/// Terms that take every piece of the face and no other. `ranks` has one number for each separator: those of the lower
+/// rank are dropped first.
 ///
-/// With `fits` a term that does not fit is not taken where others do: those others keep planes of a low rank and drop edges, and so are parts of the term.
+/// With `fits` a term that does not fit is not taken where others do: those others keep planes of a low rank and drop
+/// edges, and so are parts of the term.
 pub fn cover(
     samples: &[Sample],
     ranks: &[u8],
@@ -98,7 +101,8 @@ pub fn cover(
     Ok(terms)
 }
 
-/// Ranks for parts of a term: its conics go first as before, then its edges, so that the planes that take it apart stay.
+/// Ranks for parts of a term: its conics go first as before, then its edges, so that the planes that take it apart
+/// stay.
 fn parts_rank(rank: u8) -> u8 {
     match rank {
         0 => 0,

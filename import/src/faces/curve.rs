@@ -253,7 +253,8 @@ impl Curve {
         }
     }
 
-    /// Points along the curve from its start to its end, `count` steps for an arc; a closed curve comes back to its start.
+    /// Points along the curve from its start to its end, `count` steps for an arc; a closed curve comes back to its
+    /// start.
     pub fn sampled(&self, count: usize) -> Vec<Vector> {
         let steps = (0..=count).map(|k| k as f64);
         let all = count as f64;
@@ -270,7 +271,8 @@ impl Curve {
         }
     }
 
-    /// If `p`, a point of the curve's endless continuation, is between its ends: the direction in which the curve passes it.
+    /// If `p`, a point of the curve's endless continuation, is between its ends: the direction in which the curve
+    /// passes it.
     pub fn direction_at(&self, p: Vector, tolerance: f64) -> Option<Vector> {
         match self {
             Self::Line { from, to } => {

@@ -50,7 +50,8 @@ fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// Real roots of a polynomial, lowest power first, between `from` and `to`, and the places where it touches zero without passing.
+/// Real roots of a polynomial, lowest power first, between `from` and `to`, and the places where it touches zero
+/// without passing.
 pub fn roots_between(coefficients: &[f64], from: f64, to: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return vec![];

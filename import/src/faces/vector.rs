@@ -65,7 +65,8 @@ pub fn across(v: Vector, axis: Vector) -> Vector {
     along(v, -dot(v, axis), axis)
 }
 
-/// Two unit vectors that make a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector `axis`.
+/// Two unit vectors that make a right-handed frame (e1, e2, axis), turned by `turn` radians about the unit vector
+/// `axis`.
 pub fn frame(axis: Vector, turn: f64) -> [Vector; 2] {
     let smallest = (0..3)
         .min_by(|i, j| axis[*i].abs().total_cmp(&axis[*j].abs()))

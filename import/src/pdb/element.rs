@@ -1,7 +1,8 @@
 //! Elements: radii and colours, and which element an atom is.
 //!
-//! Covalent radii: B. Cordero et al., "Covalent radii revisited", Dalton Trans. 2008, 2832. Van der Waals radii: A. Bondi, J. Phys. Chem. 68 (1964) 441,
-//! and for the elements that he has not, S. Alvarez, "A cartography of the van der Waals territories", Dalton Trans. 2013, 42, 8617. Colours: those of the program Jmol.
+//! Covalent radii: B. Cordero et al., "Covalent radii revisited", Dalton Trans. 2008, 2832. Van der Waals radii: A.
+//! Bondi, J. Phys. Chem. 68 (1964) 441, and for the elements that he has not, S. Alvarez, "A cartography of the van der
+//! Waals territories", Dalton Trans. 2013, 42, 8617. Colours: those of the program Jmol.
 
 /// What is known of an element; radii in picometres, 0 where the sources have none.
 #[derive(Debug, PartialEq, Eq)]
@@ -14,7 +15,8 @@ pub struct Element {
     colour: u32,
 }
 
-/// What stands in for an element that the tables do not have: about the middle of the metals, and a pink that no other element has.
+/// What stands in for an element that the tables do not have: about the middle of the metals, and a pink that no other
+/// element has.
 pub const UNKNOWN: Element = element("?", 150, 0, 200, 0xff1493);
 
 const fn element(
@@ -193,10 +195,11 @@ const STANDARD: [&str; 44] = [
     "CYX", "ACE",
 ];
 
-/// The element of an atom whose element columns say nothing, from its name as it stands in columns 13 to 16: the symbol is right-justified in the
-/// first two, so that ` CA ` is carbon and `CA  ` calcium. A name of four characters has no room for that, and is hydrogen if it begins with H or D
-/// (`HG11`). In the residues of proteins and nucleic acids the first letter decides, because programs shift names to the left; an ion has the name of its
-/// residue, wherever that stands.
+/// The element of an atom whose element columns say nothing, from its name as it stands in columns 13 to 16: the symbol
+/// is right-justified in the first two, so that ` CA ` is carbon and `CA  ` calcium. A name of four characters has no
+/// room for that, and is hydrogen if it begins with H or D (`HG11`). In the residues of proteins and nucleic acids the
+/// first letter decides, because programs shift names to the left; an ion has the name of its residue, wherever that
+/// stands.
 pub fn of_name(name: [u8; 4], residue: &str) -> Option<&'static Element> {
     let standard = STANDARD.iter().any(|r| r.eq_ignore_ascii_case(residue));
     let text = std::str::from_utf8(&name).ok()?.trim();
@@ -227,8 +230,8 @@ mod tests {
             .map_or("none", |e| e.symbol)
     }
 
-    /// Columns 13 and 14 of the format's description: "alignment of one-letter atom name such as C starts at column 14, while two-letter atom name
-    /// such as FE starts at column 13".
+    /// Columns 13 and 14 of the format's description: "alignment of one-letter atom name such as C starts at column 14,
+    /// while two-letter atom name such as FE starts at column 13".
     #[test]
     fn names_are_read_by_their_alignment() {
         let cases = [

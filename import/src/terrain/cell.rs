@@ -11,8 +11,8 @@ use num_rational::BigRational;
 pub enum Cells {
     /// The bilinear patch of its corners, whatever the eye sees of it.
     Bilinear,
-    /// The surface swept by the lines that rest on two opposite edges and on the vertical through the eye, and planes where a line of sight passes adjacent
-    /// edges (thesis of Coquillart, section 2.5).
+    /// The surface swept by the lines that rest on two opposite edges and on the vertical through the eye, and planes
+    /// where a line of sight passes adjacent edges (thesis of Coquillart, section 2.5).
     Ruled,
     /// Facets where the patch is flat to half a pixel, else the bilinear patch.
     Auto,
@@ -56,7 +56,8 @@ impl Edge {
     }
 }
 
-/// `height - z00 - a u - c v - e u v = 0`, e zero where the cell is a plane; nothing if the numbers have too many digits for a scene file.
+/// `height - z00 - a u - c v - e u v = 0`, e zero where the cell is a plane; nothing if the numbers have too many
+/// digits for a scene file.
 pub fn bilinear(z: &Corners) -> Option<[f64; 10]> {
     let (a, c) = (&z[0][1] - &z[0][0], &z[1][0] - &z[0][0]);
     let constant = integer(-2) * &z[0][0];
@@ -78,7 +79,8 @@ pub fn bilinear_piece(z: &Corners, outwards: [f64; 4]) -> Option<Piece> {
     })
 }
 
-/// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner. The heights are decimals.
+/// The cell as flat facets: one if it is a plane, else two that meet in the diagonal from its north-western corner. The
+/// heights are decimals.
 pub fn facets(z: &[[f64; 2]; 2], plane: bool) -> Mesh {
     let faces = if plane {
         vec![vec![0, 1, 2, 3]]

@@ -11,14 +11,16 @@ use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{Object, Scale, Shape, Step, Surface};
 
-/// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a sixteenth of a pixel.
+/// Part of a cell by which a patch reaches beyond an edge that it shares with facets, whose corners are rounded to a
+/// sixteenth of a pixel.
 const OVERLAP: f64 = 1.0 / 16.0;
 
-/// Part of a cell by which a surface reaches beyond an edge that it shares with another surface. Both pass through the edge, but their depths are rounded, each by itself, and a
-/// pixel on the edge could fall to neither.
+/// Part of a cell by which a surface reaches beyond an edge that it shares with another surface. Both pass through the
+/// edge, but their depths are rounded, each by itself, and a pixel on the edge could fall to neither.
 pub(super) const SEAM: f64 = 1.0 / 256.0;
 
-/// By how much of a cell its surfaces reach beyond its edges in the west, east, north and south; `cells` are in rows from the north, each from the west.
+/// By how much of a cell its surfaces reach beyond its edges in the west, east, north and south; `cells` are in rows
+/// from the north, each from the west.
 fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
     let (c, r) = (cell.column, cell.row);
     let neighbours = [

@@ -22,7 +22,8 @@ pub struct TerrainOptions {
     pub region: Option<Region>,
     /// Every how many-th node is taken, from 1.
     pub every: usize,
-    /// The eye, in scene units: x east and z south of the middle of the terrain, y the height. Chosen to see all of it if none is given.
+    /// The eye, in scene units: x east and z south of the middle of the terrain, y the height. Chosen to see all of it
+    /// if none is given.
     pub eye: Option<[f64; 3]>,
     /// What the eye looks at; the middle of the terrain if none is given.
     pub target: Option<[f64; 3]>,

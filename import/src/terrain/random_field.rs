@@ -1,8 +1,8 @@
 //! Heights made at random by dividing regions at their middles (thesis of Coquillart, section 4.2, Algs 4-1 to 4-5).
 //!
-//! A region is four edges, an edge two vertices or, once divided, two edges; neighbours share them, so there are no cracks and nothing is computed twice.
-//! Regions are visited south-west, south-east, north-west, north-east, and what no later region needs is freed at once: the storage grows with the
-//! side of the grid, not with its area.
+//! A region is four edges, an edge two vertices or, once divided, two edges; neighbours share them, so there are no
+//! cracks and nothing is computed twice. Regions are visited south-west, south-east, north-west, north-east, and what
+//! no later region needs is freed at once: the storage grows with the side of the grid, not with its area.
 
 use super::store::Store;
 use rand_chacha::ChaCha8Rng;
@@ -18,7 +18,8 @@ pub const MAX_LEVELS: u32 = 10;
 pub struct FieldOptions {
     /// Levels n of recursion, 1 to [`MAX_LEVELS`]: `2^n + 1` nodes a side.
     pub levels: u32,
-    /// The h of the source, 0 (each level as rough as the one before) to 1 (smooth): the displacements of a level have `2^-h` times the deviation of the level before.
+    /// The h of the source, 0 (each level as rough as the one before) to 1 (smooth): the displacements of a level have
+    /// `2^-h` times the deviation of the level before.
     pub smoothness: f64,
     /// Standard deviation of the corners of the grid, and of a displacement at level 0, in units of height.
     pub relief: f64,
@@ -184,7 +185,8 @@ impl Maker {
         }
     }
 
-    /// The new inner edges: the vertical one with its halves, the horizontal one with its halves. Their common middle is the mean of two estimates.
+    /// The new inner edges: the vertical one with its halves, the horizontal one with its halves. Their common middle
+    /// is the mean of two estimates.
     fn inner(&mut self, halves: &[[usize; 2]; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
         let [w, s, n, e] = halves.map(|[first, _]| self.end_of(first));
         let estimates = [[s, n], [w, e]].map(|ends| {
@@ -303,7 +305,8 @@ mod tests {
         assert!(made.heights.iter().all(|h| h.is_finite() && *h != 0.0));
     }
 
-    /// Deviations of the displacements of the middles of edges and of centres at a level, from the finished field alone.
+    /// Deviations of the displacements of the middles of edges and of centres at a level, from the finished field
+    /// alone.
     fn deviations(made: &Field, level: u32) -> [f64; 2] {
         let width = (made.side - 1) >> level;
         let half = width / 2;
@@ -332,7 +335,8 @@ mod tests {
         })
     }
 
-    /// From 2^12 edges on the deviation of a level is known to about 1 %, so the ratio of two levels to better than 5 %.
+    /// From 2^12 edges on the deviation of a level is known to about 1 %, so the ratio of two levels to better than 5
+    /// %.
     #[test]
     fn levels_are_smoother_by_their_factor() {
         for smoothness in [0.0, 0.3, 0.6, 1.0] {

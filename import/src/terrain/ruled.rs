@@ -1,8 +1,10 @@
-//! The ruled form of a cell, which depends on the eye: C8 of the source's systems (thesis of Coquillart, section 2.5, its implicit form derived).
+//! The ruled form of a cell, which depends on the eye: C8 of the source's systems (thesis of Coquillart, section 2.5,
+//! its implicit form derived).
 //!
-//! Seen from above, the lines of sight through the corners divide the cell into up to three sectors. In the middle one they pass opposite edges, and the
-//! surface is swept by the lines that rest on both edges and on the vertical through the eye: that vertical is one of its lines, so the eye lies on it. In the outer
-//! ones they pass adjacent edges, and the surface is the plane of the two.
+//! Seen from above, the lines of sight through the corners divide the cell into up to three sectors. In the middle one
+//! they pass opposite edges, and the surface is swept by the lines that rest on both edges and on the vertical through
+//! the eye: that vertical is one of its lines, so the eye lies on it. In the outer ones they pass adjacent edges, and
+//! the surface is the plane of the two.
 
 use super::cell::{Edge, Piece, bilinear_piece, surface};
 use super::exact::proportional;
@@ -20,7 +22,8 @@ struct Sector {
     edges: [Edge; 2],
 }
 
-/// The pieces of a cell that is no plane, for an eye beside it, each edge moved outwards by a part of the cell; nothing if the numbers have too many digits for a scene file.
+/// The pieces of a cell that is no plane, for an eye beside it, each edge moved outwards by a part of the cell; nothing
+/// if the numbers have too many digits for a scene file.
 pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
     let order = corners_in_order(eye);
     let sectors = order.windows(2).filter_map(|pair| {
@@ -103,7 +106,8 @@ fn piece(z: &Corners, eye: &Point, sector: &Sector, outwards: [f64; 4]) -> Optio
     Some(Piece { coefficients, cuts })
 }
 
-/// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is behind it.
+/// The vertical plane through the eye and a corner; what is before it in the order of corners is removed, or what is
+/// behind it.
 fn sector_cut(eye: &Point, corner: (usize, usize), before: bool) -> Option<Cut> {
     let [u, v] = at(corner);
     let (du, dv) = (u - &eye[0], v - &eye[1]);
@@ -175,7 +179,8 @@ fn ruled_between_sides(z: &Corners, [xe, ye]: &Point) -> Option<[f64; 10]> {
     Some([c, b, a, f, e, d, i, h, g, j])
 }
 
-/// The factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the other forms.
+/// The factor of the height over the cell is `ye - y`; its sign is made positive, so that the ground is below as in the
+/// other forms.
 fn oriented(factors: [BigRational; 7], z: &Corners) -> [BigRational; 7] {
     debug_assert!(!twist(z).is_zero());
     if factors[5].is_positive() {
@@ -205,7 +210,8 @@ mod tests {
         })
     }
 
-    /// The height over a point of the cell where the line of sight to it enters and leaves the cell, interpolated along it: the source's definition.
+    /// The height over a point of the cell where the line of sight to it enters and leaves the cell, interpolated along
+    /// it: the source's definition.
     fn height(z: &Corners, eye: &Point, point: &Point) -> Option<BigRational> {
         let mut crossed: Vec<(BigRational, BigRational)> = vec![];
         for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
@@ -234,8 +240,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Every point of the cell belongs to a piece, whose surface has there the height of the straight line between the two edges, and the
-        /// pieces agree where they meet. The ruled one holds every point of the vertical through the eye.
+        /// Every point of the cell belongs to a piece, whose surface has there the height of the straight line between
+        /// the two edges, and the pieces agree where they meet. The ruled one holds every point of the vertical through
+        /// the eye.
         #[test]
         fn pieces_are_the_surface_of_the_source(
             heights in [-50i64..50, -50..50, -50..50, -50..50], eye in [-30i64..30, -30..30], places in proptest::collection::vec([-9i64..=21, -9..=21], 24)

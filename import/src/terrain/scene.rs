@@ -157,7 +157,8 @@ mod tests {
         }
     }
 
-    /// Neighbours pass through the same edge and reach a little beyond it; where there is no neighbour a cell ends at its edge.
+    /// Neighbours pass through the same edge and reach a little beyond it; where there is no neighbour a cell ends at
+    /// its edge.
     #[test]
     fn neighbours_meet_in_their_edge_and_overlap() {
         let made = imported(&TerrainOptions::default()).unwrap();

@@ -3,7 +3,8 @@
 use super::random_field::{Field, FieldOptions};
 use std::fmt::Write;
 
-/// The text: a comment that says how it was made, the distance of nodes and the rows. Heights are rounded to a thousandth.
+/// The text: a comment that says how it was made, the distance of nodes and the rows. Heights are rounded to a
+/// thousandth.
 pub fn heights_text(field: &Field, options: &FieldOptions, step: f64) -> String {
     let FieldOptions {
         levels,

@@ -1,5 +1,6 @@
-//! Pictures of closed parts have no cracks: the screen-space detector of the source (thesis section IV.2.2), whose false alarms (a hole of which one pixel
-//! looks out behind an edge) a ray through the faces themselves takes back. One crack is injected to see that it is found.
+//! Pictures of closed parts have no cracks: the screen-space detector of the source (thesis section IV.2.2), whose
+//! false alarms (a hole of which one pixel looks out behind an edge) a ray through the faces themselves takes back. One
+//! crack is injected to see that it is found.
 
 use crate::common::winding::Oracle;
 use imogene_golden::format::Format;
@@ -122,7 +123,8 @@ fn cracks(drawn: &Drawn, d_min: i64) -> Vec<(usize, usize)> {
     found.into_iter().filter(wrong).collect()
 }
 
-/// Pixels between two opposite neighbours that are both nearer by more than `d_min` words and neither of the pixel's own face.
+/// Pixels between two opposite neighbours that are both nearer by more than `d_min` words and neither of the pixel's
+/// own face.
 fn flagged(drawn: &Drawn, d_min: i64) -> Vec<(usize, usize)> {
     let frame = &drawn.frame;
     let owner = |k: usize| drawn.owner(k);

@@ -1,4 +1,5 @@
-//! Compiled cells against a second opinion: winding numbers of the loops in the parameters of the surface, and random sectors whose inside is known.
+//! Compiled cells against a second opinion: winding numbers of the loops in the parameters of the surface, and random
+//! sectors whose inside is known.
 
 use crate::common::points::{Even, kept, point_of};
 use crate::common::winding::Oracle;
@@ -35,7 +36,8 @@ fn cells(part: &Part, name: &str) -> (Verdict, Vec<Cell>) {
     panic!("no face {name}")
 }
 
-/// All drawn faces of a part against the winding of their loops, at points farther than the verdict's deviation from every edge; adds up the points by kind of surface.
+/// All drawn faces of a part against the winding of their loops, at points farther than the verdict's deviation from
+/// every edge; adds up the points by kind of surface.
 fn compare(part: &Part, points: usize, kinds: &mut BTreeMap<String, usize>) {
     for face in &part.model.faces {
         let (verdict, cells) = cells(part, &face.name);
@@ -191,7 +193,8 @@ fn angles() -> impl Strategy<Value = [f64; 3]> {
     [0.0..TAU, -2.0..2.0, 0.0..TAU]
 }
 
-/// Convex polygons of more corners than an object has cut planes, with and without a round hole: halved until they have not.
+/// Convex polygons of more corners than an object has cut planes, with and without a round hole: halved until they have
+/// not.
 #[test]
 fn convex_polygons_of_many_corners() {
     for (count, hole) in [(11, false), (24, false), (24, true), (60, false)] {
@@ -271,7 +274,8 @@ proptest! {
         }
     }
 
-    /// A plane through the apex and two generators flips its side on the other nappe: a plane between the nappes keeps that off.
+    /// A plane through the apex and two generators flips its side on the other nappe: a plane between the nappes keeps
+    /// that off.
     #[test]
     fn sectors_of_cones(angles in angles(), from in 0.0..TAU, sweep in 0.2..6.0_f64, low in 0.1..1.0_f64, length in 0.5..4.0_f64, degrees in 5.0..80.0_f64) {
         let frame = turned(angles);
@@ -299,7 +303,8 @@ proptest! {
         }
     }
 
-    /// A zone between two latitudes and a lune between two meridians, together: AND up to 180 degrees, two patches above.
+    /// A zone between two latitudes and a lune between two meridians, together: AND up to 180 degrees, two patches
+    /// above.
     #[test]
     fn spherical_quadrangles(angles in angles(), from in 0.0..TAU, sweep in 0.3..6.0_f64, low in -1.2..0.0, high in 0.2..1.3_f64) {
         let [e, f, axis] = turned(angles);

@@ -127,7 +127,8 @@ impl Format {
         i16::MAX >> (16 - self.normal)
     }
 
-    /// Binary places of the product `K r` of a normal below the last bit of its linear part: 6 for components of 16 bits.
+    /// Binary places of the product `K r` of a normal below the last bit of its linear part: 6 for components of 16
+    /// bits.
     pub const fn product_fraction(&self) -> u32 {
         self.normal - 10
     }
@@ -194,7 +195,8 @@ impl Format {
         value >> self.guard_linear
     }
 
-    /// f2 as the rest of the machine sees it: the guard bits of its processor's value dropped, downwards, which keeps the sign.
+    /// f2 as the rest of the machine sees it: the guard bits of its processor's value dropped, downwards, which keeps
+    /// the sign.
     #[inline]
     pub const fn drop_quadratic(&self, value: i64) -> i64 {
         value >> self.guard_quadratic

@@ -83,12 +83,14 @@ impl Divided {
         sum
     }
 
-    /// Mean load of a worker over the greatest: 1 if all have the same number of pixels to visit, 1/N if one has them all.
+    /// Mean load of a worker over the greatest: 1 if all have the same number of pixels to visit, 1/N if one has them
+    /// all.
     pub fn balance(&self) -> f64 {
         balance(self.workers.iter().map(|worker| worker.work.pixels()))
     }
 
-    /// The same if the next piece always went to the worker that is done first, at one pixel a step: what a common queue gives instead of fixed links.
+    /// The same if the next piece always went to the worker that is done first, at one pixel a step: what a common
+    /// queue gives instead of fixed links.
     pub fn balance_of_queue(&self) -> f64 {
         let mut loads = vec![0; self.workers.len()];
         for piece in &self.pieces {

@@ -33,8 +33,8 @@ pub struct PreparedScene {
     pub objects: Vec<PreparedObject>,
     /// Shadow volumes and the light volumes of spots, in the order of sources and objects.
     pub volumes: Vec<PreparedVolume>,
-    /// What is left out of a picture that is drawn without what cannot be prepared ([`Options::without_refused`](crate::Options::without_refused)),
-    /// objects first.
+    /// What is left out of a picture that is drawn without what cannot be prepared
+    /// ([`Options::without_refused`](crate::Options::without_refused)), objects first.
     pub missing: Vec<Missing>,
 }
 
@@ -97,7 +97,8 @@ impl PreparedScene {
 pub struct PreparedQuadric {
     /// Name in the scene.
     pub name: String,
-    /// Coefficient words for the whole screen; [`for_zone`](imogene_golden::object::words::Words::for_zone) gives those of a zone.
+    /// Coefficient words for the whole screen; [`for_zone`](imogene_golden::object::words::Words::for_zone) gives those
+    /// of a zone.
     pub words: QuadricWords,
     /// The unrounded expressions.
     pub exact: ExactForms,

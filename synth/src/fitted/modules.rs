@@ -4,15 +4,16 @@ use crate::cache::digest;
 use imogene_rtl::emit::{Direction, Emitted, Port};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Modules that hold units; what they hold is synthesised apart. Every other module is synthesised with all that is below it, since constants that pass from
-/// one to the next take much of it away, as in the triangle of a root network.
+/// Modules that hold units; what they hold is synthesised apart. Every other module is synthesised with all that is
+/// below it, since constants that pass from one to the next take much of it away, as in the triangle of a root network.
 const COMPOSITES: [&str; 4] = ["beam", "decider", "quadric_processor", "quadric_pe"];
 
 /// A module of a machine that is synthesised apart.
 #[derive(Clone, Debug)]
 pub(super) struct Module {
     pub name: String,
-    /// Of its text, in which the names and widths of its ports and of those below it stand; of a unit, of all texts below it too.
+    /// Of its text, in which the names and widths of its ports and of those below it stand; of a unit, of all texts
+    /// below it too.
     pub digest: String,
     /// Instances in the whole machine.
     pub instances: u64,
@@ -20,7 +21,8 @@ pub(super) struct Module {
     pub children: BTreeMap<String, u64>,
 }
 
-/// True if a module is one of this kind: variants have their widths or a number behind the name, as in `normal_unit_w12_v2`.
+/// True if a module is one of this kind: variants have their widths or a number behind the name, as in
+/// `normal_unit_w12_v2`.
 pub(super) fn is_of(name: &str, kind: &str) -> bool {
     let is_mark = |part: &str| {
         let digits = part.trim_start_matches(['w', 'v', 'x']);

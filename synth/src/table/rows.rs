@@ -140,8 +140,8 @@ fn sides_row(sides: u32) -> Row {
 }
 
 fn unit_row(unit: Unit, target: Target) -> Row {
-    // The machine is its units side by side; placing it takes longer than everything else together. So does placing the object processors
-    // beside the quadric processor on the small device, of which they fill most.
+    // The machine is its units side by side; placing it takes longer than everything else together. So does placing the
+    // object processors beside the quadric processor on the small device, of which they fill most.
     let is_too_long =
         unit == Unit::Beam || target == Target::Ice40Hx8k && OTHER_PROCESSORS.contains(&unit);
     let seeds = if is_too_long { 0 } else { SEEDS };

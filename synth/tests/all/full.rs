@@ -1,4 +1,5 @@
-//! Synthesis with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool fails.
+//! Synthesis with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool
+//! fails.
 
 use imogene_contract::{Request, Unit};
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};

@@ -1,4 +1,5 @@
-//! Peers beside units, with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a missing tool fails.
+//! Peers beside units, with the real tools: only with `IMOGENE_FULL=1`, as `scripts/test --full` sets it, and then a
+//! missing tool fails.
 
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::emit;
@@ -83,7 +84,8 @@ fn parameters_of_a_verilog_peer_change_its_figures() {
     let narrow = flip_flops(&root());
     let mut wide = root();
     wide.parameters = vec![("WIDTH".into(), "16".into())];
-    // Every row keeps the pairs that are left, the root so far and the remainder: three triangles, so four times as many.
+    // Every row keeps the pairs that are left, the root so far and the remainder: three triangles, so four times as
+    // many.
     let wide = flip_flops(&wide);
     assert!(wide > 3 * narrow && wide < 5 * narrow, "{narrow} {wide}");
 }

@@ -1,7 +1,9 @@
-//! Objects as a line of sight meets them: in a frame of their own, in which their quadric is a canonical one with small whole coefficients.
+//! Objects as a line of sight meets them: in a frame of their own, in which their quadric is a canonical one with small
+//! whole coefficients.
 //!
-//! The parameter of a line is the same in every frame, so hits of different objects compare. A tetrahedral patch has the barycentric coordinates of its
-//! corners for a frame: its weights are its matrix, and its faces are where a coordinate is zero.
+//! The parameter of a line is the same in every frame, so hits of different objects compare. A tetrahedral patch has
+//! the barycentric coordinates of its corners for a frame: its weights are its matrix, and its faces are where a
+//! coordinate is zero.
 
 use crate::camera::{Affine, Sight};
 use crate::facet::{Triangle, triangles};
@@ -104,7 +106,8 @@ impl CutBody {
     }
 }
 
-/// Face numbers of planes: 2 for the first. Of the cylinder processor's two discs only the front one is seen, and it has the number 2.
+/// Face numbers of planes: 2 for the first. Of the cylinder processor's two discs only the front one is seen, and it
+/// has the number 2.
 fn numbers(object: &Object, planes: usize) -> Vec<u8> {
     let discs = matches!(object.drawn_by(), Some(Processor::Paraboloid));
     (0..planes as u8)

@@ -1,14 +1,18 @@
 //! Cracks of a picture, from its depths and faces alone; no reference is needed (Claux, section IV.2.2).
 //!
-//! The printed rule: a pixel is flagged if two opposite neighbours of the eight about it are both nearer to the camera by at least a minimum distance, and
-//! neither shows its face. Both sides, because beside an outline one side only is nearer; another face, because a steep face is no crack.
+//! The printed rule: a pixel is flagged if two opposite neighbours of the eight about it are both nearer to the camera
+//! by at least a minimum distance, and neither shows its face. Both sides, because beside an outline one side only is
+//! nearer; another face, because a steep face is no crack.
 //!
-//! *Convex solids are never flagged.* In the space of column, line and depth word, in which a solid that is convex before perspective is convex too, the
-//! point between two points of the front is inside or behind it: the pixel between is covered, and not behind both.
+//! *Convex solids are never flagged.* In the space of column, line and depth word, in which a solid that is convex
+//! before perspective is convex too, the point between two points of the front is inside or behind it: the pixel
+//! between is covered, and not behind both.
 //!
-//! *Beyond the printed rule* (`width` above 1): a crack of w pixels is met by looking past it, at two pixels on a line through the pixel, one on each side, at most
-//! w + 1 apart. The proof for convex solids is the same. Beyond it too, a flagged pixel is told to be a crack or the end of a notch ([`Crack::notch`]): two outlines that meet
-//! at a sharp angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure [`imogene_analysis::metrics`] calls by the same name compares with the true picture.)
+//! *Beyond the printed rule* (`width` above 1): a crack of w pixels is met by looking past it, at two pixels on a line
+//! through the pixel, one on each side, at most w + 1 apart. The proof for convex solids is the same. Beyond it too, a
+//! flagged pixel is told to be a crack or the end of a notch ([`Crack::notch`]): two outlines that meet at a sharp
+//! angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure
+//! [`imogene_analysis::metrics`] calls by the same name compares with the true picture.)
 
 use crate::trace::Tracer;
 use imogene_golden::machine::frame::Frame;
@@ -52,8 +56,8 @@ pub struct Crack {
     pub object: i32,
     /// The objects on both sides.
     pub sides: [i32; 2],
-    /// It is the end of a *notch*: flagged pixels of its face lead to one of its face that is not flagged, as where two outlines meet at a sharp angle. A crack
-    /// within a surface is closed.
+    /// It is the end of a *notch*: flagged pixels of its face lead to one of its face that is not flagged, as where two
+    /// outlines meet at a sharp angle. A crack within a surface is closed.
     pub notch: bool,
     /// It is an *opening* of the scene: the ray tracer sees through it as well ([`mark_openings`]).
     pub opening: bool,
@@ -66,7 +70,8 @@ impl Crack {
     }
 }
 
-/// Asks a tracer of the same scene about what was found: the detector needs no reference, but a narrow gap between two parts looks to it as a crack does.
+/// Asks a tracer of the same scene about what was found: the detector needs no reference, but a narrow gap between two
+/// parts looks to it as a crack does.
 pub fn mark_openings(found: &mut [Crack], tracer: &Tracer) {
     for crack in found.iter_mut().filter(|crack| !crack.notch) {
         let seen = tracer.at(crack.x as u32, crack.y as u32);
@@ -254,7 +259,8 @@ mod tests {
         assert_eq!(found(&buffers, Rule { width: 3, ..RULE }), three);
     }
 
-    /// A wedge of background that narrows to one pixel is flagged where it is narrow, and a crack within the surface is not taken for its end.
+    /// A wedge of background that narrows to one pixel is flagged where it is narrow, and a crack within the surface is
+    /// not taken for its end.
     #[test]
     fn the_end_of_a_notch_is_told_from_a_crack() {
         let wedge = (0..16usize).flat_map(|y| (10 - (16 - y) / 4..=10).map(move |x| (x, y)));

@@ -1,7 +1,8 @@
 //! What a cell of pixels shows of one object, as far as intervals can tell.
 //!
-//! On the line of sight `from + t along` the quadric is `R t^2 + 2 S t + T`. A cell is one pixel, or a rectangle of pixels at once: then what is said holds at
-//! every one of them, which is how objects are found that are nowhere near (there is no other structure of space).
+//! On the line of sight `from + t along` the quadric is `R t^2 + 2 S t + T`. A cell is one pixel, or a rectangle of
+//! pixels at once: then what is said holds at every one of them, which is how objects are found that are nowhere near
+//! (there is no other structure of space).
 
 use crate::body::{Body, CutBody};
 use crate::interval::Interval;
@@ -195,8 +196,8 @@ impl CutBody {
         }
     }
 
-    /// The face through which a line enters the volume: the far one if the other comes before it. In perspective the order is that of the depth, in which
-    /// points behind the eye come after infinity.
+    /// The face through which a line enters the volume: the far one if the other comes before it. In perspective the
+    /// order is that of the depth, in which points behind the eye come after infinity.
     fn solid_number(&self, line: &Line) -> Option<u8> {
         let (r, t) = (line.r, line.t);
         let far = r.hi < 0.0 && (!self.perspective || t.hi < 0.0);

@@ -1,7 +1,7 @@
 //! Changes of frame in exact rationals: where an object stands, and the way back into its own coordinates.
 //!
-//! Rotations follow the rule of scene files: the entries of the matrix are computed once in double precision, and the scene is the exact scene with these
-//! entries. They are computed here by `1 + sin K + (1 - cos) K^2`.
+//! Rotations follow the rule of scene files: the entries of the matrix are computed once in double precision, and the
+//! scene is the exact scene with these entries. They are computed here by `1 + sin K + (1 - cos) K^2`.
 
 use imogene_algebra::rational::{from_decimal, from_f64_exact};
 use imogene_scene::{Axis, Rotation, Scale, Step};

@@ -1,8 +1,9 @@
 //! Cracks made on purpose, and how many of them the detector finds.
 //!
-//! A crack is a pixel that shows what lies behind the object that should be seen: the picture of the scene without it. Three sorts: single pixels within a surface,
-//! lines one pixel wide across surfaces, and single pixels at joints, where two objects are side by side. A pixel on the outline cannot be told from one beside
-//! it and gets none: all eight about a crack show an object.
+//! A crack is a pixel that shows what lies behind the object that should be seen: the picture of the scene without it.
+//! Three sorts: single pixels within a surface, lines one pixel wide across surfaces, and single pixels at joints,
+//! where two objects are side by side. A pixel on the outline cannot be told from one beside it and gets none: all
+//! eight about a crack show an object.
 
 use crate::crack::{Buffers, Rule, cracks};
 use imogene_golden::machine::beam;
@@ -34,7 +35,8 @@ pub struct Score {
     pub min_distance: f64,
     /// Pixels made.
     pub made: usize,
-    /// Of these, pixels whose background or object behind is farther than their whole surrounding by the minimum distance.
+    /// Of these, pixels whose background or object behind is farther than their whole surrounding by the minimum
+    /// distance.
     pub deep: usize,
     /// Pixels made and flagged.
     pub found: usize,

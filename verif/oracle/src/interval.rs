@@ -1,7 +1,8 @@
 //! Numbers known to lie between two `f64`, rounded outwards.
 //!
-//! An operation of `f64` is off by at most half a unit of the last place, so one step down and one step up enclose the true result. Where that is
-//! meaningless, at infinities and in a division by an interval that holds zero, the result is the whole line.
+//! An operation of `f64` is off by at most half a unit of the last place, so one step down and one step up enclose the
+//! true result. Where that is meaningless, at infinities and in a division by an interval that holds zero, the result
+//! is the whole line.
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive, Zero};

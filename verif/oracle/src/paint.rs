@@ -41,7 +41,8 @@ fn grey(frame: &Frame, z_max: i64) -> Vec<Colour> {
     frame.depth.iter().zip(&frame.id).map(tone).collect()
 }
 
-/// A comparison: alike in grey, band in blue, tied in green, allowed and announced differences in orange and others in red, the latter as squares of three pixels.
+/// A comparison: alike in grey, band in blue, tied in green, allowed and announced differences in orange and others in
+/// red, the latter as squares of three pixels.
 pub fn comparison(frame: &Frame, z_max: i64, marks: &[Mark]) -> Vec<u8> {
     let mut picture = grey(frame, z_max);
     for (colour, mark) in picture.iter_mut().zip(marks) {

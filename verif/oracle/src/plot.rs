@@ -1,4 +1,5 @@
-//! Cracks made on purpose as a picture: recall and precision of the detector over its minimum distance (Claux 2014, section IV.2.2).
+//! Cracks made on purpose as a picture: recall and precision of the detector over its minimum distance (Claux 2014,
+//! section IV.2.2).
 
 use crate::inject::{Score, Sort};
 use plotters::coord::Shift;

@@ -1,7 +1,8 @@
 //! Parameters of hits, exactly: fractions, and roots of whole quadratic polynomials.
 //!
-//! A root is its polynomial and its side of the vertex. It is compared with a fraction by the polynomial's sign there; two roots are first tested for being
-//! the same number, which polynomials that are not proportional allow at one fraction only, and then told apart by narrowing both.
+//! A root is its polynomial and its side of the vertex. It is compared with a fraction by the polynomial's sign there;
+//! two roots are first tested for being the same number, which polynomials that are not proportional allow at one
+//! fraction only, and then told apart by narrowing both.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -1,4 +1,5 @@
-//! What a pixel shows of one object, exactly: whole numbers, and roots of quadratic polynomials with whole coefficients.
+//! What a pixel shows of one object, exactly: whole numbers, and roots of quadratic polynomials with whole
+//! coefficients.
 
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
@@ -11,7 +12,8 @@ use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 impl Body {
-    /// The first point at a pixel, in half pixels from the middle of the picture; `first` and `last` as in [`crate::camera::Sight`].
+    /// The first point at a pixel, in half pixels from the middle of the picture; `first` and `last` as in
+    /// [`crate::camera::Sight`].
     pub fn solve(
         &self,
         x: i64,

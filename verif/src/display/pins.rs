@@ -13,8 +13,8 @@ use std::time::Instant;
 
 pub use super::run::{PinsOutcome, PinsRun};
 
-/// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A frame is that of the image that came on
-/// last, or black.
+/// Shows images one after the other and compares every pin on every clock, or every pixel of a machine that streams. A
+/// frame is that of the image that came on last, or black.
 ///
 /// # Errors
 ///
@@ -129,7 +129,8 @@ impl Run<'_> {
 
     /// Compares the pins; true if a frame is complete.
     fn see_pins(&mut self, hardware: &Machine) -> bool {
-        // The frames change places in the blanking of the scan; the pins are some clocks behind it and still show the last pixels.
+        // The frames change places in the blanking of the scan; the pins are some clocks behind it and still show the
+        // last pixels.
         if self.frame.is_empty() {
             self.on = self.next;
         }

@@ -12,8 +12,8 @@ use std::time::Instant;
 /// Clocks without a pixel after which a machine is given up.
 const PATIENCE: u64 = 1 << 22;
 
-/// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has to come exactly once, its word has to
-/// stay while the receiver stalls, and the first and last have to say so.
+/// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has
+/// to come exactly once, its word has to stay while the receiver stalls, and the first and last have to say so.
 ///
 /// # Errors
 ///
@@ -30,7 +30,8 @@ pub fn run(
     let mut receiver = Stalls::new(options.stalls.map(|seed| seed + 1));
     let mut taker = Taker::new(machine, images);
     let is_beam = machine.machine == MachineKind::Beam;
-    // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is there.
+    // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is
+    // there.
     let wanted = if is_beam { options.frames } else { 1 };
     let (mut seen_last, mut idle, mut stalled) = (0, 0, None);
     hardware.set("m_tready", 0);
@@ -119,7 +120,8 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// A swap comes while the last pixels of the old frame may still wait in the queue: it is for the frame after this one.
+    /// A swap comes while the last pixels of the old frame may still wait in the queue: it is for the frame after this
+    /// one.
     fn see_swap(&mut self, hardware: &Machine, is_beam: bool, host: &Host) {
         if !is_beam || !hardware.is_set("swapped") {
             return;

@@ -1,4 +1,5 @@
-//! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel compared.
+//! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel
+//! compared.
 
 use super::request::core_request;
 use super::stalls::Stalls;
@@ -43,7 +44,8 @@ pub enum CoreError {
     Stream(#[from] StreamError),
 }
 
-/// Runs a stream through hardware and golden model. The report's cycles are those from the first beat to the last pixel.
+/// Runs a stream through hardware and golden model. The report's cycles are those from the first beat to the last
+/// pixel.
 ///
 /// # Errors
 ///

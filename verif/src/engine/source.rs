@@ -55,7 +55,8 @@ pub trait Design: Send + Sync {
 
 /// One instance of a design.
 pub trait Instance: Send {
-    /// One clock on raw words, one for each port in the order of the signals: inputs change while the clock is low, outputs are those after
-    /// the rising edge, `None` where a bit is undefined. An unused high bit of an input must be 0.
+    /// One clock on raw words, one for each port in the order of the signals: inputs change while the clock is low,
+    /// outputs are those after the rising edge, `None` where a bit is undefined. An unused high bit of an input must be
+    /// 0.
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
 }

@@ -63,7 +63,8 @@ pub struct Speed {
 /// A measurement: clocks, seconds, bytes written.
 type Sample = (usize, f64, u64);
 
-/// Measures every kind of work in every engine, at most so long each; the first engine is the one that the ratios refer to.
+/// Measures every kind of work in every engine, at most so long each; the first engine is the one that the ratios refer
+/// to.
 ///
 /// # Errors
 ///

@@ -1,8 +1,9 @@
 //! The emitted Verilog in Verilator: compiled to a shared library, loaded, and clocked in process.
 //!
-//! A wrapper module gives the unit's ports the order of the signals, and a small C interface exchanges one `u64` word per port, so that
-//! the host needs to know nothing of the C++ that Verilator writes. Libraries are kept by what they depend on; see [`cache_folder`].
-//! Only ports are visible, and a register without initial value reads 0, where Icarus Verilog shows it undefined.
+//! A wrapper module gives the unit's ports the order of the signals, and a small C interface exchanges one `u64` word
+//! per port, so that the host needs to know nothing of the C++ that Verilator writes. Libraries are kept by what they
+//! depend on; see [`cache_folder`]. Only ports are visible, and a register without initial value reads 0, where Icarus
+//! Verilog shows it undefined.
 
 mod build;
 mod shim;
@@ -43,8 +44,8 @@ impl Model {
             path: path.clone(),
             source,
         };
-        // SAFETY: the library was compiled from the sources above and keeps their C interface; it runs no code when it is loaded but the
-        // constructors of Verilator's run time, which have no precondition.
+        // SAFETY: the library was compiled from the sources above and keeps their C interface; it runs no code when it
+        // is loaded but the constructors of Verilator's run time, which have no precondition.
         unsafe {
             let library = Library::new(&path).map_err(load)?;
             let create = *library.get::<Create>(shim::CREATE).map_err(load)?;
@@ -79,13 +80,13 @@ pub struct VerilatedUnit {
     model: Model,
 }
 
-// SAFETY: an instance has a Verilator context of its own and shares nothing that changes with another; it is used by one thread at a time
-// because `clock_words` takes it exclusively.
+// SAFETY: an instance has a Verilator context of its own and shares nothing that changes with another; it is used by
+// one thread at a time because `clock_words` takes it exclusively.
 unsafe impl Send for VerilatedUnit {}
 
 impl VerilatedUnit {
-    /// One clock on raw words: inputs before the edge, outputs after it, in the order of the signals. An unused high bit of an input must
-    /// be 0.
+    /// One clock on raw words: inputs before the edge, outputs after it, in the order of the signals. An unused high
+    /// bit of an input must be 0.
     ///
     /// # Panics
     ///

@@ -1,8 +1,10 @@
-//! Named cases at the extremes of numbers and geometry, each with a stated result (sections 17 and 13.8 of the restatement of the source).
+//! Named cases at the extremes of numbers and geometry, each with a stated result (sections 17 and 13.8 of the
+//! restatement of the source).
 //!
-//! A scene runs through the hardware, which must equal the golden machine on every clock, and its picture must be the exact one at every
-//! pixel that the words decide, with every depth within its proven bound; then the statement of the case itself is checked. A scene that
-//! cannot be drawn must be refused with a message that says why. A unit runs over a stimulus written for the case.
+//! A scene runs through the hardware, which must equal the golden machine on every clock, and its picture must be the
+//! exact one at every pixel that the words decide, with every depth within its proven bound; then the statement of the
+//! case itself is checked. A scene that cannot be drawn must be refused with a message that says why. A unit runs over
+//! a stimulus written for the case.
 
 mod case;
 mod pictures;

@@ -1,5 +1,5 @@
-//! Extremes of the object processors beside the quadric processor, of the volumes, and of the elementary processors with a mode or a memory:
-//! each configuration is a zone of one pixel, its words held until the result is out.
+//! Extremes of the object processors beside the quadric processor, of the volumes, and of the elementary processors
+//! with a mode or a memory: each configuration is a zone of one pixel, its words held until the result is out.
 
 use super::case::{Extreme, driven};
 use super::units::{ends, inputs};

@@ -2,10 +2,11 @@
 
 use super::error::FormalError;
 
-/// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design followed by the
-/// properties without their `bind` statements.
+/// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design
+/// followed by the properties without their `bind` statements.
 ///
-/// A statement begins at the start of a line and ends with a line `);`, as in `bind pe1 pe1_properties properties (\n    ...\n);`.
+/// A statement begins at the start of a line and ends with a line `);`, as in `bind pe1 pe1_properties properties (\n
+/// ...\n);`.
 ///
 /// # Errors
 ///

@@ -40,8 +40,8 @@ pub(super) fn run(
     }
 }
 
-/// The commands that read the text; the same for both drivers. A net that nothing drives is a free input of every clock: left undefined, it
-/// would be taken for whatever makes the logic smallest.
+/// The commands that read the text; the same for both drivers. A net that nothing drives is a free input of every
+/// clock: left undefined, it would be taken for whatever makes the logic smallest.
 fn script(top: &str) -> String {
     let commands = [
         "read_verilog -sv -formal job.sv".to_owned(),

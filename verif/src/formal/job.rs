@@ -15,7 +15,8 @@ pub enum Method {
         /// `k`, clocks.
         depth: usize,
     },
-    /// Every input sequence of some clocks from the initial state. For a design without registers one clock is complete.
+    /// Every input sequence of some clocks from the initial state. For a design without registers one clock is
+    /// complete.
     Bounded {
         /// Clocks.
         clocks: usize,
@@ -78,7 +79,8 @@ pub struct Job {
 }
 
 impl Job {
-    /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for [`Method::Integers`].
+    /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for
+    /// [`Method::Integers`].
     ///
     /// # Errors
     ///
@@ -151,8 +153,8 @@ fn decider_inputs(inputs: usize) -> Vec<(String, String)> {
         .into()
 }
 
-/// Definitions for the properties of a root network of `bits` bits: `K`, `STAGES`, `ROWS` and the words of all stages side
-/// by side, the last stage first. Element 0 of an array is what the first stage takes.
+/// Definitions for the properties of a root network of `bits` bits: `K`, `STAGES`, `ROWS` and the words of all stages
+/// side by side, the last stage first. Element 0 of an array is what the first stage takes.
 fn stage_words(bits: usize, rows_per_stage: usize) -> Vec<(String, String)> {
     let stages = bits.div_ceil(rows_per_stage);
     let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows_per_stage)];

@@ -1,4 +1,5 @@
-//! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not notice it proves nothing.
+//! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not
+//! notice it proves nothing.
 
 use super::error::FormalError;
 

@@ -52,8 +52,8 @@ pub struct Task {
     pub mutant: Option<Mutant>,
 }
 
-/// The jobs of a name: one job, all jobs whose name begins with it, or `all`. Jobs for `--full` are among them only with `full`, when
-/// named in full, or when there are no others.
+/// The jobs of a name: one job, all jobs whose name begins with it, or `all`. Jobs for `--full` are among them only
+/// with `full`, when named in full, or when there are no others.
 ///
 /// # Errors
 ///

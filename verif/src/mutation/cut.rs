@@ -1,4 +1,5 @@
-//! The netlist with its registers cut: each register becomes an input, its value, and two outputs, its next value and its clock.
+//! The netlist with its registers cut: each register becomes an input, its value, and two outputs, its next value and
+//! its clock.
 
 use std::fmt::Write as _;
 
@@ -37,8 +38,9 @@ fn register<'a>(line: &'a str, rest: &mut impl Iterator<Item = &'a str>) -> Opti
     })
 }
 
-/// The text of a netlist without registers. Register n of the netlist has the ports `cut_q_n`, `cut_d_n` and `cut_c_n`. Its
-/// cell `NAME` leaves two buffers, `NAME$q` behind its value and `NAME$d` before its next value, where mutants of its ports can be made.
+/// The text of a netlist without registers. Register n of the netlist has the ports `cut_q_n`, `cut_d_n` and `cut_c_n`.
+/// Its cell `NAME` leaves two buffers, `NAME$q` behind its value and `NAME$d` before its next value, where mutants of
+/// its ports can be made.
 pub(super) fn cut(netlist: &str) -> String {
     let mut text = String::new();
     let mut lines = netlist.lines();

@@ -1,7 +1,8 @@
 //! Which mutants that nothing killed are no mutants at all: proofs of equivalence by Yosys.
 //!
-//! First with the registers cut: for every state that the facts allow, next state and outputs of unit and mutant are equal. Where that
-//! fails, over time: by induction from the initial state. The base case of the induction also tells when a mutant *does* differ.
+//! First with the registers cut: for every state that the facts allow, next state and outputs of unit and mutant are
+//! equal. Where that fails, over time: by induction from the initial state. The base case of the induction also tells
+//! when a mutant *does* differ.
 
 use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, assume};

@@ -1,9 +1,9 @@
 //! What a unit may rely on, for judging its mutants: legal inputs, and invariants of its registers.
 //!
-//! Inputs come from the contract. The invariants are proven before they are used: from any state where all hold, they hold after a clock. If
-//! that fails they are dropped, so that they can make a proof succeed sooner but never wrongly. They hold where registers begin, at 0, but
-//! for the network that does not restore; there they hold once the pipeline is filled, for it has no feedback, and nothing is stated of a
-//! result before.
+//! Inputs come from the contract. The invariants are proven before they are used: from any state where all hold, they
+//! hold after a clock. If that fails they are dropped, so that they can make a proof succeed sooner but never wrongly.
+//! They hold where registers begin, at 0, but for the network that does not restore; there they hold once the pipeline
+//! is filled, for it has no feedback, and nothing is stated of a result before.
 
 use super::netlist::NETLIST;
 use imogene_tools::{ToolError, read, write, yosys};
@@ -24,8 +24,8 @@ pub(super) struct Facts {
 impl Facts {
     /// The facts of a unit.
     ///
-    /// Root rows: `remainder <= 2 root` after each row; with a row that does not restore, the remainder is less by `2 root + 1` where the last
-    /// digit is 0. Second differences of a PE2 are even.
+    /// Root rows: `remainder <= 2 root` after each row; with a row that does not restore, the remainder is less by `2
+    /// root + 1` where the last digit is 0. Second differences of a PE2 are even.
     fn of(unit: &str, wires: &BTreeMap<String, usize>) -> Facts {
         let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
         let even = |name: &String| format!("!({{{name}}} & 1)");

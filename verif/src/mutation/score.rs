@@ -143,7 +143,8 @@ pub(super) fn selector(mutants: usize) -> Signal {
 pub struct Mutant {
     /// Number, from 1.
     pub number: usize,
-    /// `inv` inverts a bit, `const0` and `const1` hold it, `cnot0` and `cnot1` invert it when another bit of the same port is 0 or 1.
+    /// `inv` inverts a bit, `const0` and `const1` hold it, `cnot0` and `cnot1` invert it when another bit of the same
+    /// port is 0 or 1.
     pub mode: String,
     /// Cell of the netlist.
     pub cell: String,

@@ -250,8 +250,8 @@ fn store(frame: &mut Frame, index: usize, outputs: &MachineOutputs, z_max: i64) 
     }
 }
 
-/// Keeps the waveforms: the machine's outputs and the inside of one processor, golden values delayed to the clock at which the
-/// hardware shows the same pixel.
+/// Keeps the waveforms: the machine's outputs and the inside of one processor, golden values delayed to the clock at
+/// which the hardware shows the same pixel.
 struct Recorder {
     trace: Trace,
     object: usize,

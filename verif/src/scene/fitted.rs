@@ -33,7 +33,8 @@ pub fn compile(
     BeamDesign::of(simulator, emitted, MachineOutputs::signals(&machine.widths))
 }
 
-/// Runs a scene through machines that `engine` makes, and compares with the golden machine; `scene` was prepared in the machine's words.
+/// Runs a scene through machines that `engine` makes, and compares with the golden machine; `scene` was prepared in the
+/// machine's words.
 ///
 /// # Errors
 ///

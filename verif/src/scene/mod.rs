@@ -1,7 +1,7 @@
 //! Co-simulation of a whole scene: a beam machine against the golden machine, every output on every clock.
 //!
-//! The screen is cut into bands, one for each lane of an engine and each thread; each band is a zone of its own with its
-//! own coefficients, as in a machine with several graphics modules (source: 2.4.4).
+//! The screen is cut into bands, one for each lane of an engine and each thread; each band is a zone of its own with
+//! its own coefficients, as in a machine with several graphics modules (source: 2.4.4).
 
 mod band;
 pub mod fitted;
@@ -73,8 +73,8 @@ pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
 
 /// Runs the scene through the hardware of `engine` and compares with the golden machine.
 ///
-/// `engine` makes fresh machines for each thread; `pixel_done` is called once a pixel, from any thread. Returns the report
-/// and the frame that the *hardware* drew.
+/// `engine` makes fresh machines for each thread; `pixel_done` is called once a pixel, from any thread. Returns the
+/// report and the frame that the *hardware* drew.
 pub fn run<E: Engine>(
     scene: &PreparedScene,
     options: &Options,

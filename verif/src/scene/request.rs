@@ -11,7 +11,8 @@ pub const MAX_OBJECTS: usize = 256;
 pub struct TraceRequest {
     /// Slot whose inside is traced.
     pub object: usize,
-    /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always recorded.
+    /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always
+    /// recorded.
     pub clocks: u64,
 }
 

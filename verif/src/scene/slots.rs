@@ -1,8 +1,9 @@
-//! Co-simulation of a scene with processors of every kind: each processor by itself on the zone of its screen box, its results through the
-//! decider's rule into a frame.
+//! Co-simulation of a scene with processors of every kind: each processor by itself on the zone of its screen box, its
+//! results through the decider's rule into a frame.
 //!
-//! The beam machine has quadric processors only. Here every slot's processor runs alone, clock by clock beside its golden model, from
-//! the words that the preparation made; what all of them draw together is compared with the frame of the golden machine.
+//! The beam machine has quadric processors only. Here every slot's processor runs alone, clock by clock beside its
+//! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
+//! the golden machine.
 
 use super::zone::{Engine, SlotError, Subjects, Zone};
 use crate::report::Report;
@@ -33,7 +34,8 @@ struct Drawn {
     normal: [i16; 3],
 }
 
-/// Runs all processors of a scene; `engine` may put another engine under a subject, `pixel_done` is told of pixels, from any thread.
+/// Runs all processors of a scene; `engine` may put another engine under a subject, `pixel_done` is told of pixels,
+/// from any thread.
 ///
 /// # Errors
 ///

@@ -1,5 +1,5 @@
-//! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are seen, its answers
-//! into the flags of the light sources.
+//! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
+//! seen, its answers into the flags of the light sources.
 
 use super::zone::{Engine, SlotError, Subjects, Zone};
 use crate::report::Report;
@@ -24,7 +24,8 @@ struct Job<'a> {
     loaded: Loaded,
 }
 
-/// Runs all volumes of a scene on a frame; `engine` may put another engine under a subject, `pixel_done` is told of pixels, from any thread.
+/// Runs all volumes of a scene on a frame; `engine` may put another engine under a subject, `pixel_done` is told of
+/// pixels, from any thread.
 ///
 /// # Errors
 ///
@@ -101,7 +102,8 @@ impl Job<'_> {
         (report, inside)
     }
 
-    /// One pixel a clock, its depth as many clocks later as the volume takes to its own depths; then until the last answer.
+    /// One pixel a clock, its depth as many clocks later as the volume takes to its own depths; then until the last
+    /// answer.
     fn clocks(&self, latency: usize, frame: &Frame) -> impl Iterator<Item = Inputs> {
         let (zone, pixels) = (self.zone, self.zone.pixels());
         let entry = (latency - FROM_DEPTH) as i64;

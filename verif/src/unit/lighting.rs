@@ -33,8 +33,8 @@ pub(super) fn shadow_stage(volumes: usize) -> Description {
     })
 }
 
-/// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays, since one volume among many
-/// would hide the others.
+/// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays,
+/// since one volume among many would hide the others.
 fn answers(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let count = (subject.inputs.len() - 1) / FIELDS;
     let before = prop_oneof![Just(0xffff), word(&subject.inputs[0])];

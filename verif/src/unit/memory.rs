@@ -114,7 +114,8 @@ fn command(at: usize) -> Inputs {
     inputs
 }
 
-/// A loaded picture: progressive, or its two fields in any order; the raster waits for `ready` and now and then a clock longer.
+/// A loaded picture: progressive, or its two fields in any order; the raster waits for `ready` and now and then a clock
+/// longer.
 fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
     let shape = (

@@ -1,4 +1,5 @@
-//! The object processors: each reads its words from the ports in their order, and is tried on zones that reach every branch.
+//! The object processors: each reads its words from the ports in their order, and is tried on zones that reach every
+//! branch.
 
 use super::description::Description;
 use super::zone::{Likely, Reader, Timing, WORDS, even_differences, held, planned, zone};

@@ -56,8 +56,8 @@ pub(super) fn csg_decider(
     })
 }
 
-/// Intervals on few levels, so that ends meet; wide ones for the objects that are intersected, narrow ones for those taken away; some absent, some of
-/// any words, which the rule covers too.
+/// Intervals on few levels, so that ends meet; wide ones for the objects that are intersected, narrow ones for those
+/// taken away; some absent, some of any words, which the rule covers too.
 fn solids(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let width = subject.inputs[0].width;
     let far = (1i64 << (width - 1)) - 1;

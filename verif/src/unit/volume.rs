@@ -60,7 +60,8 @@ pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
     volume(format, planes, Timing::of(polyhedral_latency()), false)
 }
 
-/// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or anything.
+/// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or
+/// anything.
 fn points(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let width = subject.inputs[DEPTH].width;
     let plan = [

@@ -1,4 +1,5 @@
-//! What all object processors have in common: words held over a zone, a golden processor that runs over it, results a fixed time later.
+//! What all object processors have in common: words held over a zone, a golden processor that runs over it, results a
+//! fixed time later.
 
 use super::description::{Description, Late, Scanned};
 use crate::signal::{Delay, Signal};
@@ -35,8 +36,8 @@ impl Timing {
     }
 }
 
-/// A processor with `outputs` outputs behind `out_valid`. `start` makes the golden one of a zone from the ports; `pixel` gives the outputs of
-/// its next pixel, from what the ports show when its depth comes in.
+/// A processor with `outputs` outputs behind `out_valid`. `start` makes the golden one of a zone from the ports;
+/// `pixel` gives the outputs of its next pixel, from what the ports show when its depth comes in.
 pub(super) fn zone<P: Send + 'static>(
     stimulus: Stimulus,
     timing: Timing,
@@ -168,7 +169,8 @@ pub(super) fn plane_kind(word: i64) -> PlaneKind {
     [None, Front, Back, Perpendicular][word as usize]
 }
 
-/// One zone of random width with one set of words on the ports from [`WORDS`] on; every eleventh clock is a gap, in which the raster stands still.
+/// One zone of random width with one set of words on the ports from [`WORDS`] on; every eleventh clock is a gap, in
+/// which the raster stands still.
 pub(super) fn held(words: BoxedStrategy<Inputs>, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     (words, 1i64..24)
         .prop_map(move |(words, width)| {
@@ -248,7 +250,8 @@ pub(super) fn even_differences(
         .boxed()
 }
 
-/// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn evenly.
+/// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn
+/// evenly.
 pub(super) fn planned(
     subject: &Subject,
     clocks: usize,

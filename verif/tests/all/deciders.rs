@@ -1,4 +1,5 @@
-//! The deciders in hardware: every shape, and the same answer from tree, chain and cards whichever input an object comes to.
+//! The deciders in hardware: every shape, and the same answer from tree, chain and cards whichever input an object
+//! comes to.
 
 use imogene_contract::{Request, RequestError};
 use imogene_golden::machine::card_decider;
@@ -189,7 +190,8 @@ fn solids_of_every_shape() {
     }
 }
 
-/// Every choice of intervals on a few levels, sheets and absent objects included: all ways in which ends can lie to each other.
+/// Every choice of intervals on a few levels, sheets and absent objects included: all ways in which ends can lie to
+/// each other.
 #[test]
 fn every_front_of_small_products() {
     let far = (1 << 23) - 1;

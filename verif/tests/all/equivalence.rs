@@ -1,5 +1,5 @@
-//! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every unit
-//! at the base format and at the shortest under `IMOGENE_FULL=1`; small units otherwise.
+//! The emitted text against rust-hdl's own, by Yosys and ABC. Needs the package 'yosys' and fails without it. Every
+//! unit at the base format and at the shortest under `IMOGENE_FULL=1`; small units otherwise.
 
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::emit;

@@ -18,7 +18,8 @@ const SIZE: (u32, u32) = (64, 48);
 /// A row of the table below.
 type Row = (&'static str, u32, [u32; 2], u32, [u32; 2], u32, u32);
 
-/// Scene, depth word, bits more than the scene needs of root and planes, normal, guard bits, dropped rows, rows per stage.
+/// Scene, depth word, bits more than the scene needs of root and planes, normal, guard bits, dropped rows, rows per
+/// stage.
 const MACHINES: [Row; 6] = [
     ("teapot", 17, [0, 0], 16, [0, 0], 0, 1),
     ("teapot", 23, [1, 2], 13, [4, 7], 2, 3),

@@ -1,5 +1,5 @@
-//! The emitted Verilog of every unit in Icarus Verilog against the golden models, by the scoreboard of every engine. Needs the package
-//! 'iverilog' and fails without it.
+//! The emitted Verilog of every unit in Icarus Verilog against the golden models, by the scoreboard of every engine.
+//! Needs the package 'iverilog' and fails without it.
 
 use imogene_contract::Request;
 use imogene_rtl::emit::emit;

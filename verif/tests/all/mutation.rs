@@ -1,5 +1,6 @@
-//! Mutation scores: every mutant of a unit's netlist is killed by the unit's stimulus or proven equivalent. Needs the packages 'yosys',
-//! 'verilator' and 'g++' and fails without them. All units of the published table under `IMOGENE_FULL=1`, the cut plane otherwise.
+//! Mutation scores: every mutant of a unit's netlist is killed by the unit's stimulus or proven equivalent. Needs the
+//! packages 'yosys', 'verilator' and 'g++' and fails without them. All units of the published table under
+//! `IMOGENE_FULL=1`, the cut plane otherwise.
 
 use imogene_contract::Request;
 use imogene_rtl::emit::{Emitted, emit};
@@ -30,8 +31,8 @@ fn score(subject: &Subject, emitted: &Emitted, text: &str, mutants: usize) -> Mu
     mutation::run(subject, &design, &options, || ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Units on which nothing may survive but a changed clock of a register, which the proofs cannot judge; of the others, survivors are
-/// published with the reason.
+/// Units on which nothing may survive but a changed clock of a register, which the proofs cannot judge; of the others,
+/// survivors are published with the reason.
 const COMPLETE: [&str; 4] = ["pe1", "pe2", "square_root", "cut_plane"];
 
 #[test]

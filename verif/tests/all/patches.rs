@@ -1,4 +1,5 @@
-//! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the planes.
+//! The patch decider in hardware against the sequential algorithm of the source, a chain of cuts, in every order of the
+//! planes.
 
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
@@ -58,7 +59,8 @@ fn chain(
     first
 }
 
-/// Two roots and up to four planes on as many levels and one more each side: every configuration there is, with every tie. One a clock.
+/// Two roots and up to four planes on as many levels and one more each side: every configuration there is, with every
+/// tie. One a clock.
 #[test]
 fn decides_as_the_chain_in_every_order_of_up_to_four_planes() {
     let format = Format::new(16).unwrap();

@@ -1,5 +1,5 @@
-//! The formal proofs of the emitted Verilog. By default a part of them with the Yosys and z3 of the system; under `IMOGENE_FULL=1` all of them and
-//! all mutants, with SymbiYosys.
+//! The formal proofs of the emitted Verilog. By default a part of them with the Yosys and z3 of the system; under
+//! `IMOGENE_FULL=1` all of them and all mutants, with SymbiYosys.
 
 use imogene_verif::formal::mutants;
 use imogene_verif::formal::runner::{ProofReport, Task, prove_all, select};

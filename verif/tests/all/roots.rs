@@ -1,5 +1,5 @@
-//! The parameters of the root networks, beyond the catalogue too: any number of digits kept, any number of corrections, against the golden
-//! model on every radicand of a spread that holds each length and each decision boundary.
+//! The parameters of the root networks, beyond the catalogue too: any number of digits kept, any number of corrections,
+//! against the golden model on every radicand of a spread that holds each length and each decision boundary.
 
 use imogene_circuits::arith::{
     square_root_leading, square_root_linear, square_root_quadratic, square_root_rows,

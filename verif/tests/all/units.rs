@@ -1,5 +1,5 @@
-//! Every unit against its golden model, cycle by cycle, on random stimulus biased to the edges; failures shrink and are replayed from
-//! their seeds.
+//! Every unit against its golden model, cycle by cycle, on random stimulus biased to the edges; failures shrink and are
+//! replayed from their seeds.
 
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;

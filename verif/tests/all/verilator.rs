@@ -1,5 +1,6 @@
-//! The emitted Verilog of the units in Verilator against the golden models. Needs the packages 'verilator' and 'g++' and fails without
-//! them. A first run compiles each unit, some seconds each: all units under `IMOGENE_FULL=1`, one of each group otherwise.
+//! The emitted Verilog of the units in Verilator against the golden models. Needs the packages 'verilator' and 'g++'
+//! and fails without them. A first run compiles each unit, some seconds each: all units under `IMOGENE_FULL=1`, one of
+//! each group otherwise.
 
 use imogene_contract::{Request, Unit};
 use imogene_rtl::emit::emit;

@@ -1,4 +1,5 @@
-//! The units of the graphics module behind the decider, over whole frames: what the clock by clock comparison of `units.rs` does not say by itself.
+//! The units of the graphics module behind the decider, over whole frames: what the clock by clock comparison of
+//! `units.rs` does not say by itself.
 
 use imogene_circuits::video::{Queue, pixel_fifo, video_timing};
 use imogene_contract::video::{Span, VideoMode};
@@ -75,7 +76,8 @@ fn whole_frames_of_video() {
     }
 }
 
-/// A lead of nothing, within a line, of a line and more: the request is what is shown that much later, over all blankings.
+/// A lead of nothing, within a line, of a line and more: the request is what is shown that much later, over all
+/// blankings.
 #[test]
 fn leads_of_any_length() {
     let mode = VideoMode {
@@ -120,7 +122,8 @@ fn a_queue_shorter_than_the_pipeline_is_refused() {
     Circuit::of(|| pixel_fifo("top", Queue::input(8), 6, 61));
 }
 
-/// A pipeline of `flight` clocks before the queue, which starts a pixel on every clock with `room` that `wants` one; gives pushed and taken words.
+/// A pipeline of `flight` clocks before the queue, which starts a pixel on every clock with `room` that `wants` one;
+/// gives pushed and taken words.
 fn stream(
     flight: usize,
     clocks: usize,
@@ -197,7 +200,8 @@ fn a_receiver_that_never_stalls_gets_a_pixel_per_clock() {
     assert!(pushed.len() < 2000 - 62, "too long a pipeline starves");
 }
 
-/// Two pictures by turns from a writer that stalls and is late: every frame on the screen is one of them, whole, and none is skipped.
+/// Two pictures by turns from a writer that stalls and is late: every frame on the screen is one of them, whole, and
+/// none is skipped.
 #[test]
 fn frames_are_shown_whole() {
     const WIDTH: usize = 7;
@@ -323,7 +327,8 @@ fn means_are_exact() {
     let mut hardware = (unit("accumulator").hardware)();
     for (fine, passes) in [(0, 4), (1, 16)] {
         for sum in 0..=passes * 255 {
-            // Levels as even as they can be, in two places by turns and a pause, so that a place comes again after 3 clocks.
+            // Levels as even as they can be, in two places by turns and a pause, so that a place comes again after 3
+            // clocks.
             let level = |pass: i64| (sum + pass) / passes;
             let mut means = Vec::new();
             for pass in 0..passes {

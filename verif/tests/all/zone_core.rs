@@ -76,7 +76,8 @@ fn scenes_with_shadows_in_verilator() {
     }
 }
 
-/// Which processor draws an object, and in which pass, changes nothing: the pixels of the shuffled plan are those of the plan.
+/// Which processor draws an object, and in which pass, changes nothing: the pixels of the shuffled plan are those of
+/// the plan.
 #[test]
 fn the_order_of_arrival_changes_nothing() {
     let engine = DisplayEngine::Verilog(Simulator::Verilator);

@@ -1,8 +1,10 @@
-//! Bits that the accumulators of one object need on this very screen box: the exact least and greatest value of the words as they are loaded.
+//! Bits that the accumulators of one object need on this very screen box: the exact least and greatest value of the
+//! words as they are loaded.
 //!
-//! Only the values that the rest of the machine sees must fit. Increments, and the sums on the way from pixel to pixel, may wrap: a register that wraps
-//! modulo its width still holds the right value modulo its width, so a value that fits comes out right whatever happened before. Their
-//! bits are told all the same, of a scan of the whole picture, because a processor that saturates or stops at overflow would need them.
+//! Only the values that the rest of the machine sees must fit. Increments, and the sums on the way from pixel to pixel,
+//! may wrap: a register that wraps modulo its width still holds the right value modulo its width, so a value that fits
+//! comes out right whatever happened before. Their bits are told all the same, of a scan of the whole picture, because
+//! a processor that saturates or stops at overflow would need them.
 
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
@@ -78,7 +80,8 @@ pub struct QuadraticIncrements {
     pub line_value: u32,
 }
 
-/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; nothing if its screen box is empty.
+/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; nothing if its screen box
+/// is empty.
 pub fn accumulators(
     object: &PreparedQuadric,
     (width, height): (u32, u32),

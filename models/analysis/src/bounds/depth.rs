@@ -1,7 +1,8 @@
 //! How far a computed depth can be from the true one, and between which values the true one lies.
 //!
-//! Let q1 and q2 be the values of the two elementary processors with their guard bits, `|q1 - f1| <= e1` and `|q2 - f2| <= e2` on the screen box by the
-//! rounding of the coefficients, and `f1' = floor(q1)`, `f2' = floor(q2)`, `r = floor(sqrt(f2'))`. The error of a depth is a sum of four terms:
+//! Let q1 and q2 be the values of the two elementary processors with their guard bits, `|q1 - f1| <= e1` and `|q2 - f2|
+//! <= e2` on the screen box by the rounding of the coefficients, and `f1' = floor(q1)`, `f2' = floor(q2)`, `r =
+//! floor(sqrt(f2'))`. The error of a depth is a sum of four terms:
 //!
 //! ```text
 //! (f1' -+ r) - (f1 -+ sqrt(f2)) = (q1 - f1)                   f1 coefficients   within e1
@@ -10,14 +11,16 @@
 //!                               -+ (r - sqrt(q2))             floor of the root in (-1, 0]
 //! ```
 //!
-//! Dropping the guard bits of f2 costs nothing of its own: `floor(sqrt(floor(q))) = floor(sqrt(q))` for every real q that is not negative, because a root
-//! is at least n if and only if its radicand is at least the integer n^2. Nor does it matter that f1 drops its guard bits before r is added:
-//! r is an integer.
+//! Dropping the guard bits of f2 costs nothing of its own: `floor(sqrt(floor(q))) = floor(sqrt(q))` for every real q
+//! that is not negative, because a root is at least n if and only if its radicand is at least the integer n^2. Nor does
+//! it matter that f1 drops its guard bits before r is added: r is an integer.
 //!
-//! A root network without its last d rows gives `r = 2^d floor(floor(sqrt(f2')) / 2^d)`, and the last term lies in `(-2^d, 0]`.
+//! A root network without its last d rows gives `r = 2^d floor(floor(sqrt(f2')) / 2^d)`, and the last term lies in
+//! `(-2^d, 0]`.
 //!
-//! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from f2': `sqrt(f2)` lies between
-//! `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these from r counts.
+//! [`DepthTerms`] bounds each term from f2' alone; [`face_bound`] is sharper than their sum, because r is known from
+//! f2': `sqrt(f2)` lies between `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these
+//! from r counts.
 
 use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::{PreparedQuadric, RoundingBounds};
@@ -43,7 +46,8 @@ impl Range {
         Range::new(value as f64 - error, value as f64 + error)
     }
 
-    /// The values from which a computed integer can come, that is within `error` of a number of which up to `dropped` was dropped downwards.
+    /// The values from which a computed integer can come, that is within `error` of a number of which up to `dropped`
+    /// was dropped downwards.
     pub fn of_dropped(value: i64, error: f64, dropped: f64) -> Range {
         Range::new(value as f64 - error, value as f64 + dropped + error)
     }
@@ -110,7 +114,8 @@ pub(super) fn face_ranges(f1: i64, f2: i64, bounds: &RoundingBounds) -> (Range, 
     )
 }
 
-/// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given value.
+/// Greatest magnitude of each term of a depth error, in depth words, at a pixel where the f2 processor hands on a given
+/// value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct DepthTerms {
     /// Rounding of the coefficients of f1.
@@ -132,8 +137,8 @@ impl DepthTerms {
 
 /// Bounds of the terms where the f2 processor hands on `f2`, not negative.
 ///
-/// With q between f2 and `f2 + (1 - 2^-g2)`: below the root `sqrt(q) - sqrt(q - e2)` falls with q, and is `sqrt(q)` where q < e2; above it
-/// `sqrt(q + e2) - sqrt(q)` falls with q.
+/// With q between f2 and `f2 + (1 - 2^-g2)`: below the root `sqrt(q) - sqrt(q - e2)` falls with q, and is `sqrt(q)`
+/// where q < e2; above it `sqrt(q + e2) - sqrt(q)` falls with q.
 pub fn depth_terms(bounds: &RoundingBounds, f2: i64) -> DepthTerms {
     let (low, high) = (f2 as f64, f2 as f64 + bounds.dropped_f2);
     let error = bounds.f2;
@@ -166,8 +171,8 @@ fn difference_of_roots(high: f64, step: f64) -> f64 {
     step / (high.sqrt() + low.sqrt())
 }
 
-/// Greatest distance, in depth words, of the golden depth of face `number` from the true depth of that face, at a pixel of the object's
-/// screen box where the f2 processor hands on `f2` (of no meaning for a plane or the near end).
+/// Greatest distance, in depth words, of the golden depth of face `number` from the true depth of that face, at a pixel
+/// of the object's screen box where the f2 processor hands on `f2` (of no meaning for a plane or the near end).
 pub fn depth_bound(object: &PreparedQuadric, number: u8, f2: i64) -> f64 {
     face_bound(&object.bounds, number, f2)
 }
@@ -188,8 +193,8 @@ pub fn face_bound(bounds: &RoundingBounds, number: u8, f2: i64) -> f64 {
     (bounds.f1 + rooted) * (1.0 + FLOAT_MARGIN)
 }
 
-/// The terms at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 - e2)` at q2 = e2; both
-/// are then sqrt(e2).
+/// The terms at any pixel, in closed form: `sqrt(q2 + e2) - sqrt(q2)` is greatest at q2 = 0, and `sqrt(q2) - sqrt(q2 -
+/// e2)` at q2 = e2; both are then sqrt(e2).
 pub(super) fn worst_terms(bounds: &RoundingBounds) -> DepthTerms {
     DepthTerms {
         linear: bounds.f1,
@@ -222,7 +227,8 @@ mod tests {
     }
 
     proptest! {
-        /// For a true f2 anywhere within the bound, the integer root is within `root_error`, and the error through the root within its term.
+        /// For a true f2 anywhere within the bound, the integer root is within `root_error`, and the error through the
+        /// root within its term.
         #[test]
         fn root_error_covers_every_true_radicand(
             wide in 0i64..1 << 47, narrow in 0i64..1000, small in any::<bool>(), e2 in 0.0f64..1e6, part in -1.0f64..=1.0, guards in 0u32..8, low in 0.0f64..1.0, rows in 0u32..6

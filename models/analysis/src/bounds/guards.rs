@@ -2,12 +2,13 @@
 //!
 //! Two things are asked of them, at every pixel of every object's screen box, before any coefficient is rounded:
 //!
-//! * rounding adds at most one depth word to what the floor of the root and the dropped guard bits take from a face: half a word by f1, half a word by f2
-//!   through the root;
-//! * no sign of f2 is open. With `|q2 - f2| <= e2` the check calls a sign open unless `f2' - e2 >= 0` or `f2' + 1 + e2 <= 0`, where f2' is the floor of
-//!   q2; so `|f2| >= 2 e2 + 1` closes it.
+//! * rounding adds at most one depth word to what the floor of the root and the dropped guard bits take from a face:
+//!   half a word by f1, half a word by f2 through the root;
+//! * no sign of f2 is open. With `|q2 - f2| <= e2` the check calls a sign open unless `f2' - e2 >= 0` or `f2' + 1 + e2
+//!   <= 0`, where f2' is the floor of q2; so `|f2| >= 2 e2 + 1` closes it.
 //!
-//! Both bounds are those known beforehand, which halve with every bit, so that more bits never hurt. Cut planes have no guard bits and no part in this.
+//! Both bounds are those known beforehand, which halve with every bit, so that more bits never hurt. Cut planes have no
+//! guard bits and no part in this.
 
 use super::depth::depth_terms;
 use super::headroom::least_f2;
@@ -32,8 +33,8 @@ pub struct ExactGuards {
     pub accepted: bool,
 }
 
-/// The least guard bits; nothing if there is no quadric on the screen, or one whose f2 is within a unit of zero at some pixel, which no guard bits of this depth
-/// word tell apart.
+/// The least guard bits; nothing if there is no quadric on the screen, or one whose f2 is within a unit of zero at some
+/// pixel, which no guard bits of this depth word tell apart.
 pub fn exact_guards(prepared: &PreparedScene) -> Option<ExactGuards> {
     let objects = prepared.quadrics().map(|(_, object)| object);
     let each = objects.filter(|o| !o.words.screen_box.is_empty());
@@ -63,7 +64,8 @@ fn needs(object: &PreparedQuadric, format: &Format) -> Option<(u32, u32)> {
     })
 }
 
-/// Whether an error e2 of f2 leaves every sign closed and adds no more than its share to a depth, if no `|f2|` is less than `least`.
+/// Whether an error e2 of f2 leaves every sign closed and adds no more than its share to a depth, if no `|f2|` is less
+/// than `least`.
 fn is_decided(error: f64, least: f64, class: Class, format: &Format) -> bool {
     if least < 2.0 * error + 1.0 {
         return false;

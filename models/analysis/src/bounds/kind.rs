@@ -1,7 +1,7 @@
 //! The type of a quadric, from the signs of its exact coefficients (source: Table 2.1).
 //!
-//! By Sylvester's law the numbers of positive and negative squares of the quadratic part, and of the whole 4 x 4 matrix, do not depend
-//! on the frame; together they name the type.
+//! By Sylvester's law the numbers of positive and negative squares of the quadratic part, and of the whole 4 x 4
+//! matrix, do not depend on the frame; together they name the type.
 
 use imogene_scene::Quadric;
 use num_rational::BigRational;

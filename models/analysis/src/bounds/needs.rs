@@ -11,7 +11,8 @@ use serde::Serialize;
 /// The narrowest machine of the scene at its depth word.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct MachineNeeds {
-    /// Widths as `--widths` takes them: fewest root and plane bits in which the scene prepares to the same integers, so that its picture is the same.
+    /// Widths as `--widths` takes them: fewest root and plane bits in which the scene prepares to the same integers, so
+    /// that its picture is the same.
     pub widths: String,
     /// Slots as `--slots` takes them.
     pub slots: String,
@@ -41,7 +42,8 @@ impl Word {
     }
 }
 
-/// Searches the narrowest machine; nothing if other processors than quadric and patch draw a part of the scene, which have no fitted machine.
+/// Searches the narrowest machine; nothing if other processors than quadric and patch draw a part of the scene, which
+/// have no fitted machine.
 pub fn machine_needs(scene: &FramedScene, prepared: &PreparedScene) -> Option<MachineNeeds> {
     if prepared.objects.iter().any(|o| o.quadric().is_none()) {
         return None;
@@ -64,7 +66,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// What the preparation said that the words need, if the scene prepares to the same integers in that; else the format's own.
+    /// What the preparation said that the words need, if the scene prepares to the same integers in that; else the
+    /// format's own.
     fn guess(&self) -> MachineWords {
         let wide = self.prepared.format.widths();
         let guess = self.prepared.needed().narrowed(&wide);

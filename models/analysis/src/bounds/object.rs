@@ -83,7 +83,8 @@ pub struct ObjectBounds {
     pub depth_terms: DepthTerms,
     /// Greatest displacement of the silhouette, in pixels.
     pub silhouette_px: f64,
-    /// True if the silhouette has a point without direction: the apex of a double cone, or an object that all but vanishes.
+    /// True if the silhouette has a point without direction: the apex of a double cone, or an object that all but
+    /// vanishes.
     pub silhouette_singular: bool,
     /// Greatest angle of a normal whose direction the words determine, in degrees.
     pub normal_deg: f64,

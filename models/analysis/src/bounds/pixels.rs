@@ -15,7 +15,8 @@ pub enum Shows {
     Hidden,
     /// Its screen box has pixels, but none shows it: it falls between them, or its planes leave nothing.
     BetweenPixels,
-    /// Its screen box holds no pixel: off the screen or its depth range, edge-on, cut away, or so small that it lies between the pixels.
+    /// Its screen box holds no pixel: off the screen or its depth range, edge-on, cut away, or so small that it lies
+    /// between the pixels.
     EmptyBox,
 }
 

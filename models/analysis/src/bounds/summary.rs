@@ -15,7 +15,8 @@ use serde::Serialize;
 pub struct Summary {
     /// The narrowest machine; nothing if there are objects of other processors than quadric and patch.
     pub machine: Option<MachineNeeds>,
-    /// Guard bits from which on rounding adds at most a depth word to a quadric's face and leaves no silhouette pixel open; nothing where none do.
+    /// Guard bits from which on rounding adds at most a depth word to a quadric's face and leaves no silhouette pixel
+    /// open; nothing where none do.
     pub guards: Option<ExactGuards>,
     /// Objects that need the front-view path.
     pub front_view: Vec<String>,

@@ -28,8 +28,8 @@ pub(crate) struct RayFacet {
 }
 
 impl RayMesh {
-    /// Sets up the rays of a screen of `width` x `height` pixels. A facet with a corner that is not before the viewer, which the preparation refuses, is left
-    /// out, as is one that is a line on the screen.
+    /// Sets up the rays of a screen of `width` x `height` pixels. A facet with a corner that is not before the viewer,
+    /// which the preparation refuses, is left out, as is one that is a line on the screen.
     pub fn new(mesh: &FramedMesh, projection: &Projection, width: u32, height: u32) -> RayMesh {
         let rays = ray_points(projection, width, height);
         let first = [width, height].map(|n| -integer(i64::from(n)) / integer(2));
@@ -162,7 +162,8 @@ fn plane_through(p: &Point, q: &Point, r: &Point) -> [BigRational; 4] {
     [a, b, c, d]
 }
 
-/// Normals of a mesh in floating point: those of its corners, weighted by the place within the facet, or the facet's own.
+/// Normals of a mesh in floating point: those of its corners, weighted by the place within the facet, or the facet's
+/// own.
 pub(super) struct MeshNormals<'a> {
     mesh: &'a FramedMesh,
     vertices: Vec<[f64; 3]>,

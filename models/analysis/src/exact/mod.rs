@@ -1,8 +1,8 @@
 //! The exact reference: every pixel solved in big integers, by another route than the machine's.
 //!
-//! The machine evaluates a depth as `f1 -+ sqrt(f2)` from coefficients that went through perspective. Here the line of sight is put into the camera-frame
-//! equation, the polynomial along the ray is solved, and numbers `(p + s sqrt(q)) / d` are compared exactly ([`real`]). Only the
-//! scene's camera frame is shared with the preparation.
+//! The machine evaluates a depth as `f1 -+ sqrt(f2)` from coefficients that went through perspective. Here the line of
+//! sight is put into the camera-frame equation, the polynomial along the ray is solved, and numbers `(p + s sqrt(q)) /
+//! d` are compared exactly ([`real`]). Only the scene's camera frame is shared with the preparation.
 
 pub mod back;
 pub mod facet;

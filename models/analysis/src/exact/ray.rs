@@ -1,7 +1,8 @@
 //! One object along one line of sight, in exact integers.
 //!
-//! The ray parameter `w` grows with the depth and is the same in both projections: `z_p = full * (1 + w)`, visible for -2 <= w < 0. In perspective
-//! `w = -1/t` for the point `eye + t (pixel - eye)`; in an orthographic view `z = half_depth (1 + w)`.
+//! The ray parameter `w` grows with the depth and is the same in both projections: `z_p = full * (1 + w)`, visible for
+//! -2 <= w < 0. In perspective `w = -1/t` for the point `eye + t (pixel - eye)`; in an orthographic view `z =
+//! half_depth (1 + w)`.
 
 use super::real::SurdReal;
 use imogene_algebra::rational::integer;
@@ -34,13 +35,15 @@ impl Hit {
 #[derive(Clone, Debug)]
 pub struct RayObject {
     pub(crate) surface: Surface,
-    /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator dropped.
+    /// Factors of w^2, w and 1, each `a x^2 + b y^2 + c xy + d x + e y + f`, with one common positive denominator
+    /// dropped.
     pub(crate) along: [[BigInt; 6]; 3],
     /// Per plane the factors of w and 1, each `a x + b y + c`; kept where their sum is not positive.
     pub(crate) planes: Vec<[[BigInt; 3]; 2]>,
 }
 
-/// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in w.
+/// A point of the ray as a first-degree expression in (x, y): start and direction of homogeneous camera coordinates in
+/// w.
 pub(super) type Affine = [BigRational; 3];
 
 impl RayObject {
@@ -91,7 +94,8 @@ impl RayObject {
         }
     }
 
-    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, such as a non-planar facet, has a near face alone.
+    /// A patch: the first root that all planes keep. A surface that a line of sight meets once, such as a non-planar
+    /// facet, has a near face alone.
     fn patch_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
         if a.is_zero() && !b.is_zero() {
             let w = SurdReal::ratio(-c, b.clone());
@@ -123,8 +127,8 @@ impl RayObject {
         })
     }
 
-    /// A solid: the planes leave an interval of the ray; the solid begins at its start if that is inside the quadric, else where
-    /// the ray next enters the quadric.
+    /// A solid: the planes leave an interval of the ray; the solid begins at its start if that is inside the quadric,
+    /// else where the ray next enters the quadric.
     fn solid_hit(&self, a: &BigInt, b: &BigInt, c: &BigInt, x: i64, y: i64) -> Option<Hit> {
         let (low, high) = self.kept_interval(x, y)?;
         let (start, end) = (&low.w, &high);
@@ -150,7 +154,8 @@ impl RayObject {
             .map(|(w, number)| Hit::new(w, number))
     }
 
-    /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and an end.
+    /// The part of the ray that the planes, the near and the far end leave: a start with the face that bounds it, and
+    /// an end.
     pub(super) fn kept_interval(&self, x: i64, y: i64) -> Option<(Start, Ratio)> {
         let mut low = Start {
             w: (BigInt::from(-2), BigInt::one()),
@@ -221,7 +226,8 @@ pub(super) fn ordered_roots(a: &BigInt, b: &BigInt, c: &BigInt) -> Option<[SurdR
     Some([root(first), root(-first)])
 }
 
-/// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column and line.
+/// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column
+/// and line.
 pub(super) fn ray_points(
     projection: &Projection,
     width: u32,

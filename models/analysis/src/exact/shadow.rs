@@ -1,10 +1,13 @@
-//! Which sources reach what is seen, in exact arithmetic: the segment from each visible point to each source against each solid.
+//! Which sources reach what is seen, in exact arithmetic: the segment from each visible point to each source against
+//! each solid.
 //!
-//! The visible point has coordinates `u + v sqrt(q)` with the discriminant q of its ray, and so has everything that is first or second degree in it; the
-//! signs of such numbers are decided exactly. No volume, no polar plane and nothing of the preparation is used.
+//! The visible point has coordinates `u + v sqrt(q)` with the discriminant q of its ray, and so has everything that is
+//! first or second degree in it; the signs of such numbers are decided exactly. No volume, no polar plane and nothing
+//! of the preparation is used.
 //!
-//! A point of the segment is `a source + b point`, a and b not negative. The planes leave an interval of it, and a quadratic form in (a, b) that is
-//! not positive somewhere in that interval, the visible point itself not counted, is a solid in the way.
+//! A point of the segment is `a source + b point`, a and b not negative. The planes leave an interval of it, and a
+//! quadratic form in (a, b) that is not positive somewhere in that interval, the visible point itself not counted, is a
+//! solid in the way.
 
 use super::ray::ray_points;
 use super::render::{Rays, visible};

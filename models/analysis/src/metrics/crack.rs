@@ -3,10 +3,12 @@
 use super::pixel::{Golden, one_word, word_error};
 use super::truth::Truth;
 
-/// Pixels at which the truth shows a surface, there and at all eight neighbours, and the picture shows the background, or a point of another object or face
-/// that lies behind all nine true points by more than a pixel of depth and more than a word of its format.
+/// Pixels at which the truth shows a surface, there and at all eight neighbours, and the picture shows the background,
+/// or a point of another object or face that lies behind all nine true points by more than a pixel of depth and more
+/// than a word of its format.
 ///
-/// All nine: a pixel on an object's outline that the picture misses shows what is truly seen beside it, which is no crack.
+/// All nine: a pixel on an object's outline that the picture misses shows what is truly seen beside it, which is no
+/// crack.
 pub fn cracks(truth: &Truth, golden: Golden) -> Vec<usize> {
     let lines = 1..truth.height.saturating_sub(1);
     let all = lines.flat_map(|y| (1..truth.width.saturating_sub(1)).map(move |x| (x, y)));

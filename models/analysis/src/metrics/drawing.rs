@@ -43,7 +43,8 @@ impl Drawing {
         Drawing::decided(frame, backs, prepared, scene)
     }
 
-    /// The picture of a scene that was prepared anew for each zone; shadow and light volumes are those of the first zone.
+    /// The picture of a scene that was prepared anew for each zone; shadow and light volumes are those of the first
+    /// zone.
     pub fn in_zones(zones: &[ZoneScene], scene: &FramedScene) -> Drawing {
         let whole = &zones[0].prepared;
         let (width, height) = (scene.width as usize, scene.height as usize);

@@ -49,7 +49,8 @@ fn class_colour(class: i32) -> [u8; 3] {
     shade(f64::from(class - first) / f64::from(last - first))
 }
 
-/// The map of a picture, row-major red, green, blue: as [`colour`], but depth errors in words of the base format, by powers of two, and cracks on top.
+/// The map of a picture, row-major red, green, blue: as [`colour`], but depth errors in words of the base format, by
+/// powers of two, and cracks on top.
 pub fn map(pixels: &[PixelError], cracks: &[usize]) -> Vec<u8> {
     let one = |pixel: &PixelError| match pixel {
         PixelError::Same(same) => class_colour(class(same.depth)),

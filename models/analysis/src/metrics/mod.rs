@@ -1,7 +1,8 @@
 //! How far a golden picture is from the truth, measured at every pixel.
 //!
-//! The [`Truth`] of a scene is solved once in exact integers and given in words of the base format with a fraction; a [`Drawing`] is what the golden
-//! model draws in any format. [`measure`] compares the two. `docs/trade.md` defines every figure.
+//! The [`Truth`] of a scene is solved once in exact integers and given in words of the base format with a fraction; a
+//! [`Drawing`] is what the golden model draws in any format. [`measure`] compares the two. `docs/trade.md` defines
+//! every figure.
 
 mod crack;
 mod drawing;

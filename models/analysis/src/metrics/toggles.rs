@@ -1,8 +1,9 @@
 //! The energy proxy: how many register bits change from clock to clock, counted in the incremental golden models.
 //!
-//! Counted are the registers that a pixel changes: the values of PE1 and the values and pixel increments of PE2 with all guard bits, every register stage of the
-//! root network (digits found, remainder, rest of the radicand), and the depth words: root, both sums, both depths handed on. Registers that change once a
-//! line or once a zone are left out, and so is combinational logic.
+//! Counted are the registers that a pixel changes: the values of PE1 and the values and pixel increments of PE2 with
+//! all guard bits, every register stage of the root network (digits found, remainder, rest of the radicand), and the
+//! depth words: root, both sums, both depths handed on. Registers that change once a line or once a zone are left out,
+//! and so is combinational logic.
 
 use imogene_golden::format::{Format, word_max};
 use imogene_golden::object::quadric::QuadricWords;
@@ -138,8 +139,8 @@ fn second_degree(coefficients: &Quadratic, width: u32, pixels: u32) -> u64 {
         .sum()
 }
 
-/// What the register stages of a root network hold of one pixel: digits found, remainder and the rest of the radicand after each stage but the last, whose
-/// digits are the root.
+/// What the register stages of a root network hold of one pixel: digits found, remainder and the rest of the radicand
+/// after each stage but the last, whose digits are the root.
 fn root_stages(f2: i64, root: i64, format: &Format, rows_per_stage: u32) -> Vec<u128> {
     let rows = format.root_rows();
     let dropped = format.dropped_rows;

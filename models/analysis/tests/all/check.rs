@@ -237,7 +237,8 @@ fn longer_words_are_never_worse() {
     }
 }
 
-/// The preparation proves the exact depth of a plane. In short words rounding is coarse: what the words reach is checked again.
+/// The preparation proves the exact depth of a plane. In short words rounding is coarse: what the words reach is
+/// checked again.
 #[test]
 fn planes_that_wrap_as_loaded_fail_the_check() {
     let cuts = [[0, 0, -1, 250]];

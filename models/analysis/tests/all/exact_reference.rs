@@ -1,4 +1,5 @@
-//! The exact reference is tested itself: against a slow floating-point ray caster, and in rationals against the equation it solves.
+//! The exact reference is tested itself: against a slow floating-point ray caster, and in rationals against the
+//! equation it solves.
 
 use imogene_algebra::rational::{fraction, integer, to_f64};
 use imogene_analysis::exact::ray::RayObject;
@@ -36,8 +37,8 @@ struct Candidate {
     number: u8,
 }
 
-/// What is found by sorting all faces along the ray and testing the middle of every piece between them; nothing is known if two faces
-/// are too close for floating point.
+/// What is found by sorting all faces along the ray and testing the middle of every piece between them; nothing is
+/// known if two faces are too close for floating point.
 enum Found {
     Nothing,
     Hit(Candidate),
@@ -79,8 +80,8 @@ fn plane_value(object: &FramedQuadric, index: usize, p: [f64; 3]) -> f64 {
     (a * p[0] + b * p[1] + c * p[2] + d) / length
 }
 
-/// The value of an expression along a line of sight times a positive power of the distance is a polynomial of the depth fraction; it is
-/// found from its values at -1/2, 0 and 1/2.
+/// The value of an expression along a line of sight times a positive power of the distance is a polynomial of the depth
+/// fraction; it is found from its values at -1/2, 0 and 1/2.
 fn quadratic_along(value: impl Fn(f64) -> f64) -> [f64; 3] {
     let [low, middle, high] = [-0.5, 0.0, 0.5].map(value);
     [2.0 * (low + high) - 4.0 * middle, high - low, middle]

@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (320, 240);
 
-/// Pixels at which golden and exact picture are known to differ: scene, column, line, reason. All lie on a sharp edge where a cut plane
-/// meets the quadric, and the two depths differ by less than their rounding bounds together.
+/// Pixels at which golden and exact picture are known to differ: scene, column, line, reason. All lie on a sharp edge
+/// where a cut plane meets the quadric, and the two depths differ by less than their rounding bounds together.
 const KNOWN_DIFFERENCES: [(&str, usize, usize, &str); 5] = [
     (
         "ellipsoid",

@@ -28,8 +28,8 @@ fn exact_number(scene: &FramedScene, x: i64, y: i64) -> Option<u8> {
     ray.first_hit(x, y).map(|hit| hit.number)
 }
 
-/// Planes through the middle of the screen in random directions: 37 % leave a 24-bit accumulator somewhere on the screen (9.3), but none
-/// leaves the plane word on the box of the object it cuts.
+/// Planes through the middle of the screen in random directions: 37 % leave a 24-bit accumulator somewhere on the
+/// screen (9.3), but none leaves the plane word on the box of the object it cuts.
 #[test]
 fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
     let mut random = Random(0x1234_5678_9abc);
@@ -65,7 +65,8 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
     assert!((35.0..39.5).contains(&percent), "{percent} %");
 }
 
-/// The near root of a ball that comes close to the viewer lies beyond -2^24: three of the four quadrants of the sum word.
+/// The near root of a ball that comes close to the viewer lies beyond -2^24: three of the four quadrants of the sum
+/// word.
 #[test]
 fn depth_sums_need_two_more_bits_than_the_depth() {
     let prepared = prepare(&scene(vec![object(
@@ -147,8 +148,8 @@ fn a_cut_wall_does_not_show_the_ghost_behind_the_viewer() {
     }
 }
 
-/// x^2 + y^2 - z^2 = 1 seen along z and capped at -zc and zc: where f2 < 0 the whole line is inside. The naive rule drills a hole of
-/// 1 / (1 + zc^2) of the cap.
+/// x^2 + y^2 - z^2 = 1 seen along z and capped at -zc and zc: where f2 < 0 the whole line is inside. The naive rule
+/// drills a hole of 1 / (1 + zc^2) of the cap.
 #[test]
 fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
     let unit = 60;
@@ -196,7 +197,8 @@ fn tilted() -> Quadric {
     whole_quadric([3, 2, 5, 1, -1, 2, -40, 17, -900, 21_000])
 }
 
-/// `(z - f1)^2 - f2` is `Q' / c'`, coefficient by coefficient; with f1 twice and f2 four times as large (as printed) it is not.
+/// `(z - f1)^2 - f2` is `Q' / c'`, coefficient by coefficient; with f1 twice and f2 four times as large (as printed) it
+/// is not.
 #[test]
 fn the_depth_solves_the_quadric_and_the_printed_factors_do_not() {
     let screen = ScreenQuadric::new(&tilted(), &fraction(1, 1000));
@@ -259,7 +261,8 @@ fn the_near_root_is_the_one_with_the_minus_sign() {
     }
 }
 
-/// Far from a ball f2 passes -2^47 and the word turns positive: only the screen box keeps the ball from showing there again.
+/// Far from a ball f2 passes -2^47 and the word turns positive: only the screen box keeps the ball from showing there
+/// again.
 #[test]
 fn the_screen_box_hides_the_wrapped_discriminant() {
     let projection = Projection::Perspective {

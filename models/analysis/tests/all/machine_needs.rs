@@ -198,7 +198,8 @@ impl Values {
     }
 }
 
-/// All values at all pixels, one by one in big integers, fit the bits that are stated, and one bit less does not hold them.
+/// All values at all pixels, one by one in big integers, fit the bits that are stated, and one bit less does not hold
+/// them.
 #[test]
 fn accumulators_are_exactly_as_long_as_the_values_at_the_pixels() {
     let formats = ["depth=24", "depth=18,normal=12,g1=2,g2=5,dropped=2"];
@@ -235,7 +236,8 @@ fn assert_exact(object: &PreparedQuadric, format: &Format) {
     assert!(root == 1 || *greatest >= limit(root - 1), "{name}");
 }
 
-/// With the guard bits that are stated, and with more, no sign of f2 is open and no face is farther off than its floors and one word.
+/// With the guard bits that are stated, and with more, no sign of f2 is open and no face is farther off than its floors
+/// and one word.
 #[test]
 fn guard_bits_that_leave_nothing_to_rounding_do() {
     let mut tried = 0;

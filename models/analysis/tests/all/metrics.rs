@@ -175,7 +175,8 @@ fn normals_are_lines_and_colours_are_channels() {
     assert_eq!(metrics.colour.quantile_999, 0.0);
 }
 
-/// Seen through: behind all nine true points by more than a pixel. Beside an outline the far object is truly near by, which is no crack.
+/// Seen through: behind all nine true points by more than a pixel. Beside an outline the far object is truly near by,
+/// which is no crack.
 #[test]
 fn cracks_are_not_outlines() {
     let (_, truth) = &*SCENE;
@@ -238,7 +239,8 @@ fn the_map_marks_what_is_wrong() {
     );
 }
 
-/// The golden picture in shorter and shorter words: the errors of a word of W bits are at least those of the missing bits.
+/// The golden picture in shorter and shorter words: the errors of a word of W bits are at least those of the missing
+/// bits.
 #[test]
 fn errors_of_short_words_are_given_in_words_of_the_base_format() {
     let mut last = 0.0;

@@ -26,7 +26,8 @@ pub fn render(
     render_with_backs(slots, format, width, height, line_done).0
 }
 
-/// The same, and the back depth that the visible object's processor hands on beside the front depth; `z_max` where nothing is seen.
+/// The same, and the back depth that the visible object's processor hands on beside the front depth; `z_max` where
+/// nothing is seen.
 pub fn render_with_backs(
     slots: &[Slot],
     format: &Format,
@@ -73,7 +74,8 @@ fn by_line(slots: &[Slot], height: usize) -> Vec<Vec<&Slot>> {
     lines
 }
 
-/// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller id.
+/// Slots are visited in order, so that a strict comparison leaves ties with the first one, whose object has the smaller
+/// id.
 fn render_line(slots: &[&Slot], format: &Format, y: i64, line: Line) {
     for slot in slots {
         slot.words.for_each_present(format, y, |x, pixel| {

@@ -1,9 +1,11 @@
-//! The decider of a machine of cards: a chain on each card, a tree between the cards (source: Chaillou, IV.3.6, as it was being built).
+//! The decider of a machine of cards: a chain on each card, a tree between the cards (source: Chaillou, IV.3.6, as it
+//! was being built).
 
 use super::decider::{self, Visible, decide};
 use super::visibility_chain::{self, VisibilityChain};
 
-/// Clocks after input 0 at which input `processors * card + place` of the same pixel is taken: the cards start together.
+/// Clocks after input 0 at which input `processors * card + place` of the same pixel is taken: the cards start
+/// together.
 pub fn starts(processors: usize, cards: usize) -> Vec<usize> {
     (0..processors * cards).map(|i| i % processors).collect()
 }

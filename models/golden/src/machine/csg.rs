@@ -1,7 +1,8 @@
 //! Solids made of convex ones by union, intersection and difference (source: Chaillou, III.1.1.4 and IV.3.5).
 //!
-//! The host turns a tree into a union of products: objects intersected, objects taken away. Every product has processors of its own, so that nothing
-//! has to be distributed at the pixel rate; an object that several products name is loaded several times.
+//! The host turns a tree into a union of products: objects intersected, objects taken away. Every product has
+//! processors of its own, so that nothing has to be distributed at the pixel rate; an object that several products name
+//! is loaded several times.
 
 use std::collections::BTreeSet;
 
@@ -63,9 +64,11 @@ impl Literals {
     }
 }
 
-/// The normal form of a tree: products whose union it is. Products without points, and those that lie in another, are left out.
+/// The normal form of a tree: products whose union it is. Products without points, and those that lie in another, are
+/// left out.
 ///
-/// It is what the rules of the source come to, of which each carries a difference or an intersection over a union, with `X - Y` for `X` and not `Y`.
+/// It is what the rules of the source come to, of which each carries a difference or an intersection over a union, with
+/// `X - Y` for `X` and not `Y`.
 pub fn normal_form(tree: &Tree) -> Vec<Literals> {
     pruned(products(tree, false))
 }
@@ -110,8 +113,8 @@ fn pruned(list: Vec<Literals>) -> Vec<Literals> {
         .collect()
 }
 
-/// What a processor hands on of its convex object at a pixel, with the face that can be seen: the front of an intersected object, the back of one taken
-/// away.
+/// What a processor hands on of its convex object at a pixel, with the face that can be seen: the front of an
+/// intersected object, the back of one taken away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Primitive {
     /// Front depth; the far end of the format where the object is absent.
@@ -157,7 +160,8 @@ impl Shown {
     }
 }
 
-/// Places on the line of sight: `2 z` is the point at depth z, `2 z + 1` all that lies between it and the next. Intervals have both ends.
+/// Places on the line of sight: `2 z` is the point at depth z, `2 z + 1` all that lies between it and the next.
+/// Intervals have both ends.
 fn holds(primitive: &Primitive, place: i64, z_max: i64) -> bool {
     primitive.zf < z_max && (2 * primitive.zf..=2 * primitive.zb).contains(&place)
 }
@@ -205,7 +209,8 @@ pub const fn skew(intersected: usize) -> usize {
     levels(intersected)
 }
 
-/// Latency in clocks from the intersected objects: the intersection, one clock for the candidates, the choice among all of them.
+/// Latency in clocks from the intersected objects: the intersection, one clock for the candidates, the choice among all
+/// of them.
 pub const fn latency(products: usize, intersected: usize, subtracted: usize) -> u32 {
     (levels(intersected) + 1 + levels(products * (1 + subtracted))) as u32
 }

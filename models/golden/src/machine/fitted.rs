@@ -1,7 +1,8 @@
 //! A beam machine whose widths, planes and halves are those that a scene requires.
 //!
-//! A slot without half B is for objects that the viewer is not inside of (no class front); it has no merge and is a clock shorter. Slots with
-//! fewer planes are shorter too; the raster flags reach them later, so that all slots hand on the same pixel at the same clock.
+//! A slot without half B is for objects that the viewer is not inside of (no class front); it has no merge and is a
+//! clock shorter. Slots with fewer planes are shorter too; the raster flags reach them later, so that all slots hand on
+//! the same pixel at the same clock.
 
 use crate::format::{FittedError, Format};
 use crate::machine::decider;
@@ -22,7 +23,8 @@ pub struct FittedMachine {
 }
 
 impl FittedMachine {
-    /// The machine of a format of the catalogue: all slots alike, with as many planes as the greatest needs, and with half B.
+    /// The machine of a format of the catalogue: all slots alike, with as many planes as the greatest needs, and with
+    /// half B.
     pub fn uniform(format: &Format, objects: usize, planes: u32, rows_per_stage: u32) -> Self {
         let slot = FittedSlot {
             planes,

@@ -71,7 +71,8 @@ impl Overlay {
         }
     }
 
-    /// One clock; the pixel that is there after the edge. `shown` is the colour of the set pixels, if the plane is shown.
+    /// One clock; the pixel that is there after the edge. `shown` is the colour of the set pixels, if the plane is
+    /// shown.
     pub fn clock(
         &mut self,
         write: Option<(usize, u32)>,

@@ -11,7 +11,8 @@ pub struct FifoOutput {
     pub word: Option<(u32, bool)>,
 }
 
-/// The queue: a pixel is promised its place when it is started, waits from its push on, and can be seen two clocks after it.
+/// The queue: a pixel is promised its place when it is started, waits from its push on, and can be seen two clocks
+/// after it.
 #[derive(Clone, Debug)]
 pub struct PixelFifo {
     places: usize,

@@ -32,7 +32,8 @@ impl Kernel {
         }
     }
 
-    /// A pixel of the smooth picture: the convolution of lines, rounded to the nearest, halves up; beyond an edge the nearest pixel stands.
+    /// A pixel of the smooth picture: the convolution of lines, rounded to the nearest, halves up; beyond an edge the
+    /// nearest pixel stands.
     pub fn at(self, lines: &[Vec<[u8; 3]>], x: usize, y: usize) -> [u8; 3] {
         let weights = self.weights();
         let total: u32 = weights.iter().flatten().sum();

@@ -23,7 +23,8 @@ pub struct RasterControl {
 }
 
 impl RasterControl {
-    /// One clock; the pixel that is there after the edge. `go` is obeyed when no pixel or the last one is there before the edge.
+    /// One clock; the pixel that is there after the edge. `go` is obeyed when no pixel or the last one is there before
+    /// the edge.
     pub fn clock(&mut self, go: bool, width: u16, height: u16) -> Option<RasterPixel> {
         if let Some((w, h)) = self.zone
             && self.next == u32::from(w) * u32::from(h)

@@ -64,7 +64,8 @@ impl Shader {
         }
     }
 
-    /// Levels of a pixel, [`LEVEL_FRACTION`] bits after the point, neither rounded nor clamped; none where nothing is seen.
+    /// Levels of a pixel, [`LEVEL_FRACTION`] bits after the point, neither rounded nor clamped; none where nothing is
+    /// seen.
     pub fn levels(&self, pixel: &Pixel) -> Option<[i64; 3]> {
         if pixel.depth == (1 << (self.words.depth - 1)) - 1 {
             return None;
@@ -100,7 +101,8 @@ impl Shader {
     }
 }
 
-/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major; `materials` are the numbers of the objects' materials.
+/// The picture of a frame: 8-bit red, green, blue of every pixel, row-major; `materials` are the numbers of the
+/// objects' materials.
 pub fn shade_picture(
     frame: &Frame,
     lighting: &Lighting,

@@ -1,4 +1,5 @@
-//! Inputs of one pixel that do not arrive together: where a decider runs past its processors, a later processor starts later.
+//! Inputs of one pixel that do not arrive together: where a decider runs past its processors, a later processor starts
+//! later.
 
 use std::collections::VecDeque;
 
@@ -28,7 +29,8 @@ impl<T: Clone> Skewed<T> {
         self.starts.iter().copied().max().unwrap_or(0)
     }
 
-    /// One clock: what all inputs carry. Gives the inputs of the pixel whose last one this is, if the first ones were seen.
+    /// One clock: what all inputs carry. Gives the inputs of the pixel whose last one this is, if the first ones were
+    /// seen.
     pub fn push(&mut self, row: Vec<T>) -> Option<Vec<T>> {
         assert_eq!(row.len(), self.starts.len(), "an input for each start");
         self.rows.push_back(row);

@@ -1,4 +1,5 @@
-//! Transparent objects before the visible surface (source: Chaillou, IV.3.3): a pipeline of blends, farthest first, in an order that the host makes.
+//! Transparent objects before the visible surface (source: Chaillou, IV.3.3): a pipeline of blends, farthest first, in
+//! an order that the host makes.
 
 /// A colour: red, green, blue.
 pub type Colour = [u8; 3];
@@ -11,7 +12,8 @@ pub const MOST_LAYERS: usize = imogene_contract::words::MOST_LAYERS as usize;
 /// What a stage hands on: the depth of the opaque surface, and the colour seen so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seen {
-    /// Depth of the opaque surface. No transparent object changes it: a later one is nearer than the earlier, and only the surface hides it.
+    /// Depth of the opaque surface. No transparent object changes it: a later one is nearer than the earlier, and only
+    /// the surface hides it.
     pub depth: i64,
     /// Colour.
     pub colour: Colour,
@@ -62,19 +64,19 @@ pub const fn latency(layers: usize) -> u32 {
     layers as u32 * STAGE_LATENCY
 }
 
-/// Objects of a zone that cannot be sorted: each is farther than the next on some pixel, and the last farther than the first. They have to be cut,
-/// or shown in different zones.
+/// Objects of a zone that cannot be sorted: each is farther than the next on some pixel, and the last farther than the
+/// first. They have to be cut, or shown in different zones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoOrder {
     /// Their indices.
     pub circle: Vec<usize>,
 }
 
-/// The order in which the transparent objects of a zone go into the pipeline, farthest first. `depths[i]` are those of object i on the pixels of the
-/// zone, `z_max` where it is absent.
+/// The order in which the transparent objects of a zone go into the pipeline, farthest first. `depths[i]` are those of
+/// object i on the pixels of the zone, `z_max` where it is absent.
 ///
-/// Where two are there the farther one goes first; at equal depth the smaller index counts as nearer, as in the decider. Of several orders the one
-/// whose first differing entry is the smallest index is given.
+/// Where two are there the farther one goes first; at equal depth the smaller index counts as nearer, as in the
+/// decider. Of several orders the one whose first differing entry is the smallest index is given.
 ///
 /// # Errors
 ///

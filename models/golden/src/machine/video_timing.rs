@@ -10,7 +10,8 @@ fn pixel(mode: &VideoMode, clock: u64) -> Option<(u16, u16)> {
     Some((x as u16, y as u16))
 }
 
-/// Levels of `hsync` and `vsync` at a clock. The vertical synchronisation begins and ends where a horizontal one begins.
+/// Levels of `hsync` and `vsync` at a clock. The vertical synchronisation begins and ends where a horizontal one
+/// begins.
 fn sync(mode: &VideoMode, clock: u64) -> (bool, bool) {
     let clock = clock % mode.clocks();
     let line = mode.line.total();
@@ -72,7 +73,8 @@ impl VideoTiming {
         }
     }
 
-    /// One clock; what is there after the edge. Nothing moves without `enable`; before the first clock with it there are no flags and no synchronisation.
+    /// One clock; what is there after the edge. Nothing moves without `enable`; before the first clock with it there
+    /// are no flags and no synchronisation.
     pub fn clock(&mut self, enable: bool) -> Timing {
         self.clocks += u64::from(enable);
         let Some(at) = self.clocks.checked_sub(1) else {

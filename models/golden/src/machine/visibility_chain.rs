@@ -1,4 +1,5 @@
-//! The decider as a chain past the processors (source: Chaillou, IV.3.2): each hands on the nearer of its own object and what comes to it.
+//! The decider as a chain past the processors (source: Chaillou, IV.3.2): each hands on the nearer of its own object
+//! and what comes to it.
 
 use super::decider::{Visible, visibility_node};
 use super::skew::Skewed;

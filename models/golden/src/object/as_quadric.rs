@@ -1,7 +1,9 @@
-//! One type of processor for everything: the words of other object and volume processors as those of a quadric processor, exactly.
+//! One type of processor for everything: the words of other object and volume processors as those of a quadric
+//! processor, exactly.
 //!
-//! A time-shared machine has processors of one type, which must take whatever object comes next. Each conversion gives the same front depth, the same normal and
-//! the same presence at every pixel; back depth and face number too, but for a facet, whose one face (number 2) becomes the faces 0 and 1 of a patch.
+//! A time-shared machine has processors of one type, which must take whatever object comes next. Each conversion gives
+//! the same front depth, the same normal and the same presence at every pixel; back depth and face number too, but for
+//! a facet, whose one face (number 2) becomes the faces 0 and 1 of a patch.
 
 use super::facet::FacetWords;
 use super::paraboloid::plane_guard;
@@ -87,8 +89,8 @@ impl ProcessorWords {
 }
 
 impl VolumeWords {
-    /// The words with which a volume processor that has a quadric and `planes` planes answers for the volume: planes alone are cut out of a quadric that is
-    /// everywhere.
+    /// The words with which a volume processor that has a quadric and `planes` planes answers for the volume: planes
+    /// alone are cut out of a quadric that is everywhere.
     pub fn on_quadric_processor(&self, planes: usize) -> Result<VolumeWords, AsQuadricError> {
         fits(self.planes.len(), planes)?;
         Ok(VolumeWords {
@@ -117,7 +119,8 @@ fn polyhedron(words: &PolyhedronWords) -> QuadricWords {
     }
 }
 
-/// A patch whose root is 0 and whose sides are half-planes of the screen. The root takes no part in the normal, so the linear parts are all of it.
+/// A patch whose root is 0 and whose sides are half-planes of the screen. The root takes no part in the normal, so the
+/// linear parts are all of it.
 fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricError> {
     if !format.follows_depth_word() {
         return Err(AsQuadricError::Fitted);
@@ -140,8 +143,8 @@ fn facet(words: &FacetWords, format: &Format) -> Result<QuadricWords, AsQuadricE
     })
 }
 
-/// A facet's depth in the units of f1. Both drop their places below a depth word downwards, so the last places may be missing from f1 if they are zero in both
-/// increments: then the constant's take no part in any value.
+/// A facet's depth in the units of f1. Both drop their places below a depth word downwards, so the last places may be
+/// missing from f1 if they are zero in both increments: then the constant's take no part in any value.
 fn depth_of_facet(depth: &Linear, format: &Format) -> Result<Linear, AsQuadricError> {
     let (places, available) = (plane_guard(format), format.guard_linear);
     let Linear { a, b, c } = *depth;

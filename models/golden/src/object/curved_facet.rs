@@ -18,7 +18,8 @@ pub fn side(exact: &Exact) -> Quadratic {
     Quadratic::new([a, b, c, d, e, f])
 }
 
-/// The same side for the neighbour: `-q - 1` is not negative exactly where q is negative, so no pixel is in both or in neither.
+/// The same side for the neighbour: `-q - 1` is not negative exactly where q is negative, so no pixel is in both or in
+/// neither.
 pub fn other_side(q: &Quadratic) -> Quadratic {
     Quadratic::new([-q.a, -q.b, -q.c, -q.d, -q.e, -q.f - 1])
 }

@@ -1,4 +1,5 @@
-//! The cylinder processor of the first machine: body and front disc in one exact outline, a parabolic body (source: Chaillou, IV.2.5).
+//! The cylinder processor of the first machine: body and front disc in one exact outline, a parabolic body (source:
+//! Chaillou, IV.2.5).
 
 use super::paraboloid::{
     Exact, NORMAL_LENGTH, bulge, contour, depth_guard, first_degree, normal_guard, one_face,
@@ -17,8 +18,8 @@ use serde::{Deserialize, Serialize};
 
 /// A cylinder of an orthographic view, neither end-on nor side-on.
 ///
-/// Its unit axis, from the front disc to the back, is `(level cos, level sin, deep)` with cos^2 + sin^2 = 1 and level^2 + deep^2 = 1, all rational,
-/// level and deep positive.
+/// Its unit axis, from the front disc to the back, is `(level cos, level sin, deep)` with cos^2 + sin^2 = 1 and level^2
+/// + deep^2 = 1, all rational, level and deep positive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CylinderShape {
     /// Centre of the front disc: column, line, depth in pixels.
@@ -160,7 +161,8 @@ impl CylinderShape {
         ]
     }
 
-    /// Normal of the body, outward, of length [`NORMAL_LENGTH`] where it is exact: t across the axis, and the bulge times (deep cos, deep sin, -level).
+    /// Normal of the body, outward, of length [`NORMAL_LENGTH`] where it is exact: t across the axis, and the bulge
+    /// times (deep cos, deep sin, -level).
     pub fn body_normal(&self) -> [Exact; 3] {
         let [cos, sin] = &self.direction;
         let per_radius = integer(NORMAL_LENGTH) / &self.radius;

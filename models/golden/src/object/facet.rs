@@ -1,4 +1,5 @@
-//! The facet processor: a flat facet of three or four sides with Phong's interpolated normals (source: Chaillou, IV.2.2; Nyiri, 4.1.2).
+//! The facet processor: a flat facet of three or four sides with Phong's interpolated normals (source: Chaillou,
+//! IV.2.2; Nyiri, 4.1.2).
 
 use super::paraboloid::{first_degree, one_face, plane_guard};
 use super::screen_box::ScreenBox;
@@ -67,9 +68,10 @@ pub struct FacetWords {
 
 /// The side from one corner to the next, not negative on its left (clockwise as lines grow downwards), in whole pixels.
 ///
-/// A pixel exactly on a side belongs to the facet that has the side's left at a slightly greater column, or, if the side runs along a line, at a slightly
-/// greater line. The neighbour has the same side the other way round, so exactly one of them has the pixel; and all sides of a corner agree, because the rule
-/// is to look at the pixel moved by an infinitely small step.
+/// A pixel exactly on a side belongs to the facet that has the side's left at a slightly greater column, or, if the
+/// side runs along a line, at a slightly greater line. The neighbour has the same side the other way round, so exactly
+/// one of them has the pixel; and all sides of a corner agree, because the rule is to look at the pixel moved by an
+/// infinitely small step.
 fn edge(from: &Corner, to: &Corner) -> Linear {
     let (a, b) = (i128::from(from.y - to.y), i128::from(to.x - from.x));
     let c = i128::from(from.x) * i128::from(to.y) - i128::from(to.x) * i128::from(from.y);

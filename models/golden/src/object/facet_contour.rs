@@ -1,15 +1,18 @@
-//! The baseline in software: a facet drawn by following its contour from line to line (source: Nyiri, 5.1; Chaillou, IV.2.2, prefers the half-planes).
+//! The baseline in software: a facet drawn by following its contour from line to line (source: Nyiri, 5.1; Chaillou,
+//! IV.2.2, prefers the half-planes).
 //!
-//! As the source has it, the left and the right end of the span move by `-b / a` from line to line, and the increment is switched at a corner. Here in integers: the
-//! quotient and the remainder of `-b / a` are added, with a carry, so that the ends are exact on every line. Depth and normal are carried along the left end by the
-//! same steps, and along the span by one addition each.
+//! As the source has it, the left and the right end of the span move by `-b / a` from line to line, and the increment
+//! is switched at a corner. Here in integers: the quotient and the remainder of `-b / a` are added, with a carry, so
+//! that the ends are exact on every line. Depth and normal are carried along the left end by the same steps, and along
+//! the span by one addition each.
 //!
-//! The program starts from the words of the facet processor and draws the same pixels with the same words, as long as the sides fit their words on the screen box, which the
-//! preparation proves.
+//! The program starts from the words of the facet processor and draws the same pixels with the same words, as long as
+//! the sides fit their words on the screen box, which the preparation proves.
 //!
-//! *Where the increment is switched.* On whole lines the ends of two left sides i and j are the ceilings of `e_i <= e_j`, read from constants that were rounded to whole
-//! pixels without changing a sign. Were the order of the ceilings the other way round, so would be that of the ends; so the greater end always has the greater ceiling, and
-//! the line at which j passes i, one division, is one at which the contour may be switched.
+//! *Where the increment is switched.* On whole lines the ends of two left sides i and j are the ceilings of `e_i <=
+//! e_j`, read from constants that were rounded to whole pixels without changing a sign. Were the order of the ceilings
+//! the other way round, so would be that of the ends; so the greater end always has the greater ceiling, and the line
+//! at which j passes i, one division, is one at which the contour may be switched.
 
 use super::facet::{FACE_FACET, FacetWords};
 use super::paraboloid::plane_guard;
@@ -32,9 +35,11 @@ pub struct Operations {
     pub pixels: u64,
     /// Additions and subtractions at the pixels: depth, three of the normal, column.
     pub pixel_additions: u64,
-    /// Additions and subtractions at the lines: both ends with their remainders and carries, depth and normal of the first pixel.
+    /// Additions and subtractions at the lines: both ends with their remainders and carries, depth and normal of the
+    /// first pixel.
     pub line_additions: u64,
-    /// Comparisons: the end of the span and both ends of the depth word at a pixel; carries, corners and an empty span at a line.
+    /// Comparisons: the end of the span and both ends of the depth word at a pixel; carries, corners and an empty span
+    /// at a line.
     pub tests: u64,
     /// Multiplications, of the set-up and of spans that begin left of the box.
     pub multiplications: u64,
@@ -196,7 +201,8 @@ const LINE_ADDITIONS: u64 = 4 + VALUES as u64;
 /// A carry and a corner for each end, end of the box, empty span, both sides of the box.
 const LINE_TESTS: u64 = 8;
 
-/// One span of the facet, relative to the screen box: columns `first` to `last`, both ends included, and the values at `first`.
+/// One span of the facet, relative to the screen box: columns `first` to `last`, both ends included, and the values at
+/// `first`.
 struct Span {
     y: i64,
     first: i64,

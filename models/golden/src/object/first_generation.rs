@@ -1,7 +1,8 @@
-//! The quadric processor of the first generation: silhouette and plane contours on the screen decide (source: 2.4.1, its algorithm corrected).
+//! The quadric processor of the first generation: silhouette and plane contours on the screen decide (source: 2.4.1,
+//! its algorithm corrected).
 //!
-//! Two parallel planes, the front one before the back one, cut a quadric seen from outside. Nothing compares depths: the signs of two conics and two lines
-//! say which face is seen.
+//! Two parallel planes, the front one before the back one, cut a quadric seen from outside. Nothing compares depths:
+//! the signs of two conics and two lines say which face is seen.
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
@@ -21,9 +22,11 @@ use serde::{Deserialize, Serialize};
 pub struct ContourPlane {
     /// Depth of the plane, P bits.
     pub depth: Linear,
-    /// The conic in which it cuts the quadric, seen on the screen: not negative where the plane is inside the quadric. F bits, of any scale.
+    /// The conic in which it cuts the quadric, seen on the screen: not negative where the plane is inside the quadric.
+    /// F bits, of any scale.
     pub conic: Quadratic,
-    /// The line in which it meets the polar plane: negative where the middle of the quadric is on the removed side. P bits, of any scale.
+    /// The line in which it meets the polar plane: negative where the middle of the quadric is on the removed side. P
+    /// bits, of any scale.
     pub polar: Linear,
     /// Constant normal.
     pub normal: [i16; 3],
@@ -69,7 +72,8 @@ impl ContourPlane {
     }
 }
 
-/// All coefficient words of one object for one zone. f1 and f2 may have guard bits, which the core drops; conics and lines have a scale of their own.
+/// All coefficient words of one object for one zone. f1 and f2 may have guard bits, which the core drops; conics and
+/// lines have a scale of their own.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FirstGenerationWords {
     /// The surface alone, not the solid.

@@ -1,5 +1,5 @@
-//! The quadric processor over whole lines, for pictures: the same values as [`super::quadric`], in 64-bit arithmetic, visiting only the
-//! pixels of the screen box.
+//! The quadric processor over whole lines, for pictures: the same values as [`super::quadric`], in 64-bit arithmetic,
+//! visiting only the pixels of the screen box.
 
 use super::quadric::{MAX_PLANES, ObjectPixel, PlaneWords, QuadricWords};
 use crate::format::{Format, wrap64};

@@ -1,4 +1,5 @@
-//! The load bus of a volume processor with a quadric: a volume's coefficient words as addresses and bits (`docs/zone-machine.md`).
+//! The load bus of a volume processor with a quadric: a volume's coefficient words as addresses and bits
+//! (`docs/zone-machine.md`).
 
 use super::load::{KIND_WIDTH, List, LoadWord};
 use super::volume::{VolumePlane, VolumeQuadric, VolumeWords};
@@ -16,8 +17,8 @@ pub const CONTROL: u8 = volume::CONTROL as u8;
 /// Width of the control word: class, shift, kind, source.
 pub const CONTROL_WIDTH: u32 = 11;
 
-/// All words of a volume for one zone, by ascending address; absent planes up to `planes` are written as kind none. A volume of planes alone gets a quadric that is
-/// everywhere.
+/// All words of a volume for one zone, by ascending address; absent planes up to `planes` are written as kind none. A
+/// volume of planes alone gets a quadric that is everywhere.
 pub fn load_volume(words: &VolumeWords, format: &Format, planes: usize) -> Vec<LoadWord> {
     let quadric = words.quadric.unwrap_or(VolumeQuadric::EVERYWHERE);
     let mut list = List(Vec::new());

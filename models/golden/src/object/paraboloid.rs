@@ -1,6 +1,7 @@
 //! Round surfaces by paraboloids, and the words that carry a second-degree depth (source: Chaillou, IV.2.4).
 //!
-//! `sqrt(1 - r^2)` is replaced by `a - b r^2` with a = 21 pi / 64 and b = 15 pi / 64, the least squares fit of the profile on 0 <= r <= 1.
+//! `sqrt(1 - r^2)` is replaced by `a - b r^2` with a = 21 pi / 64 and b = 15 pi / 64, the least squares fit of the
+//! profile on 0 <= r <= 1.
 
 use crate::format::Format;
 use crate::unit::interval::{Class, Interval, halves};
@@ -47,7 +48,8 @@ fn word(value: &BigRational) -> i128 {
         .expect("a coefficient word has fewer than 128 bits")
 }
 
-/// `exact` in units of `2^-guard`, rounded, half a unit of the result added: the shift at the end then rounds to nearest.
+/// `exact` in units of `2^-guard`, rounded, half a unit of the result added: the shift at the end then rounds to
+/// nearest.
 pub fn second_degree(exact: &Exact, guard: u32) -> Quadratic {
     let one = BigRational::from_integer(BigInt::one() << guard);
     let [a, b, c, d, e, f] = exact.each_ref().map(|v| word(&(v * &one)));
@@ -65,7 +67,8 @@ const fn half(guard: u32) -> i128 {
     if guard == 0 { 0 } else { 1 << (guard - 1) }
 }
 
-/// `exact` times the positive factor that makes all its coefficients integers without a common divisor: its sign is exact.
+/// `exact` times the positive factor that makes all its coefficients integers without a common divisor: its sign is
+/// exact.
 pub fn contour<const N: usize>(exact: &[BigRational; N]) -> [i128; N] {
     let denominator = exact
         .iter()

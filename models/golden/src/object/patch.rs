@@ -1,7 +1,7 @@
 //! The patch processor: a surface, cut by planes that decide in parallel (source: 2.4.3, 5.2.1).
 //!
-//! It hands on what the quadric processor hands on for an object of class patch, from less hardware and `N` clocks earlier: no second half,
-//! no merge, no plane normals, and one selection of a depth in the place of a chain.
+//! It hands on what the quadric processor hands on for an object of class patch, from less hardware and `N` clocks
+//! earlier: no second half, no merge, no plane normals, and one selection of a depth in the place of a chain.
 
 use super::quadric::{ObjectPixel, PlaneWords, QuadricWords};
 use crate::format::Format;

@@ -1,4 +1,5 @@
-//! The polyhedron processor: a convex solid of planes with its front and back depth and both faces (source: annex A; Chaillou: IV.2.3).
+//! The polyhedron processor: a convex solid of planes with its front and back depth and both faces (source: annex A;
+//! Chaillou: IV.2.3).
 
 use super::quadric::PlaneWords;
 use super::screen_box::ScreenBox;
@@ -143,7 +144,8 @@ mod tests {
         }
     }
 
-    /// A half-space that holds the middle of the zone at depth 0 more often than not; `c` is -1, 0 or 1, so its words are exact.
+    /// A half-space that holds the middle of the zone at depth 0 more often than not; `c` is -1, 0 or 1, so its words
+    /// are exact.
     fn half_space() -> impl Strategy<Value = HalfSpace> {
         let slope = -60i64..=60;
         (slope.clone(), slope, -1i64..=1, -500i64..=100)
@@ -202,7 +204,8 @@ mod tests {
                         && face(nf, zf, format.z_low(), pixel.front_normal, NEAR_END_NORMAL)
                         && face(nb, zb, format.z_max(), pixel.back_normal, FAR_END_NORMAL)
                 } else {
-                    // Depths are integers here, so an empty interval has no integer inside: the planes' own depths are enough to try.
+                    // Depths are integers here, so an empty interval has no integer inside: the planes' own depths are
+                    // enough to try.
                     let depths = spaces.iter().filter(|h| h[2] != 0);
                     pixel == PolyhedronPixel {
                         interval: Interval::absent(&format),
@@ -220,7 +223,8 @@ mod tests {
             prop_assert_eq!(failed, None);
         }
 
-        /// Any slopes: the rounding of the words moves a plane by at most (x + y + 1) / 2 counts, and nothing else is lost.
+        /// Any slopes: the rounding of the words moves a plane by at most (x + y + 1) / 2 counts, and nothing else is
+        /// lost.
         #[test]
         fn rounded_planes_are_within_their_bound(
             spaces in prop::collection::vec(half_space(), 2..=6),
@@ -261,7 +265,8 @@ mod tests {
         }
     }
 
-    /// A prism that is the whole line of sight everywhere, cut by the same planes, is the same solid in the quadric processor.
+    /// A prism that is the whole line of sight everywhere, cut by the same planes, is the same solid in the quadric
+    /// processor.
     #[test]
     fn equals_a_quadric_that_is_everywhere() {
         let cube = [

@@ -1,4 +1,5 @@
-//! The sphere processor of the first machine: an exact outline, and a paraboloid for the depth (source: Chaillou, IV.2.4).
+//! The sphere processor of the first machine: an exact outline, and a paraboloid for the depth (source: Chaillou,
+//! IV.2.4).
 
 use super::facet::linear_component;
 use super::paraboloid::{

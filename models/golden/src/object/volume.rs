@@ -1,7 +1,8 @@
-//! Shadow volumes and the light volumes of spots: which light sources reach the visible point of a pixel (source: 3.2.1, 4.1.3).
+//! Shadow volumes and the light volumes of spots: which light sources reach the visible point of a pixel (source:
+//! 3.2.1, 4.1.3).
 //!
-//! A volume is a quadric with cut planes, or planes alone. Its processor is given the visible depth and answers inside or outside; it has
-//! no normals and hands on no depth.
+//! A volume is a quadric with cut planes, or planes alone. Its processor is given the visible depth and answers inside
+//! or outside; it has no normals and hands on no depth.
 
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
@@ -15,8 +16,8 @@ use crate::unit::pe2::Quadratic;
 use crate::unit::quadric_pe::QuadricDepths;
 use serde::{Deserialize, Serialize};
 
-/// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source, and one through the
-/// source for each cut plane).
+/// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source,
+/// and one through the source for each cut plane).
 pub const QUADRIC_PLANES: usize = 4;
 /// Planes of the shadow of a three-sided facet: its own and one through the source for each side.
 pub const FACET_PLANES: usize = 4;
@@ -69,8 +70,8 @@ pub struct VolumeQuadric {
     pub f1: Linear,
     /// Discriminant part of the depth.
     pub f2: Quadratic,
-    /// The unit of both is `2^shift` depth words, at most [`MAX_SHIFT`]: a shadow that passes near the viewer has depths far beyond the
-    /// depth word.
+    /// The unit of both is `2^shift` depth words, at most [`MAX_SHIFT`]: a shadow that passes near the viewer has
+    /// depths far beyond the depth word.
     pub shift: u8,
 }
 
@@ -122,7 +123,8 @@ impl VolumeWords {
     }
 }
 
-/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L + 1` clocks after them.
+/// Latency in clocks from the raster flags to the answer of a volume with a quadric; the visible depth enters `L + 1`
+/// clocks after them.
 pub fn quadric_latency(format: &Format, rows_per_stage: u32) -> u32 {
     format.root.div_ceil(rows_per_stage) + 4
 }

@@ -1,5 +1,5 @@
-//! Volumes over whole lines, for pictures: the same answers as [`super::volume`], in 64-bit arithmetic, visiting only the pixels of the screen box
-//! at which something is seen.
+//! Volumes over whole lines, for pictures: the same answers as [`super::volume`], in 64-bit arithmetic, visiting only
+//! the pixels of the screen box at which something is seen.
 
 use super::line::Accumulator;
 use super::volume::VolumeWords;
@@ -9,7 +9,8 @@ use crate::unit::interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
 use crate::unit::root::fast_root;
 
-/// Calls `sink(x)` for every pixel of line `y` whose visible depth is inside the volume; `depths` are those of the whole line.
+/// Calls `sink(x)` for every pixel of line `y` whose visible depth is inside the volume; `depths` are those of the
+/// whole line.
 pub fn for_each_inside(
     words: &VolumeWords,
     format: &Format,

@@ -24,8 +24,8 @@ pub enum PlaneKind {
 
 /// The interval that is left after one plane of depth (or value) `zp`, already saturated.
 ///
-/// Ties keep the object: a plane that only touches leaves a zero thickness; a plane at the present front or back changes nothing, and the
-/// older face number stays.
+/// Ties keep the object: a plane that only touches leaves a zero thickness; a plane at the present front or back
+/// changes nothing, and the older face number stays.
 #[inline]
 pub fn cut(
     interval: Interval,
@@ -134,7 +134,8 @@ mod tests {
         }
     }
 
-    /// Depths never depend on the order of the planes: every type, level and permutation of three planes on small levels.
+    /// Depths never depend on the order of the planes: every type, level and permutation of three planes on small
+    /// levels.
     #[test]
     fn depths_do_not_depend_on_plane_order() {
         let kinds = [

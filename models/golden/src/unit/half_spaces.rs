@@ -1,7 +1,9 @@
-//! The intersection of half-spaces along a line of sight: the nearest and the farthest point that all planes keep (source: annex A).
+//! The intersection of half-spaces along a line of sight: the nearest and the farthest point that all planes keep
+//! (source: annex A).
 //!
-//! The source cuts the full depth interval in a chain. Cutting a full interval only looks for the greatest depth of the front planes and the
-//! least of the back planes, so two trees of comparators of the same size find it in `ceil(log2 N)` clocks.
+//! The source cuts the full depth interval in a chain. Cutting a full interval only looks for the greatest depth of the
+//! front planes and the least of the back planes, so two trees of comparators of the same size find it in `ceil(log2
+//! N)` clocks.
 
 use super::cut_plane::PlaneKind;
 use super::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
@@ -18,7 +20,8 @@ pub struct Branch {
     pub removed: bool,
 }
 
-/// What plane `index` of saturated depth (or value) `zp` says by itself; where it says nothing, a depth that loses to every plane.
+/// What plane `index` of saturated depth (or value) `zp` says by itself; where it says nothing, a depth that loses to
+/// every plane.
 #[inline]
 pub const fn leaf(kind: PlaneKind, zp: i64, index: usize, format: &Format) -> Branch {
     let number = FACE_PLANE + index as u8;
@@ -69,7 +72,8 @@ pub const fn tree_levels(planes: usize) -> u32 {
     planes.next_power_of_two().trailing_zeros()
 }
 
-/// The interval that is left: the planes against each other and against both ends of the depth word, whose face is the near end's cap.
+/// The interval that is left: the planes against each other and against both ends of the depth word, whose face is the
+/// near end's cap.
 #[inline]
 pub const fn close(branch: Branch, there: bool, format: &Format) -> Interval {
     let (zf, nf) = if branch.front.0 > format.z_low() {
@@ -113,7 +117,8 @@ mod tests {
             })
     }
 
-    /// One to four planes on all levels around both ends and in between: ties, touching planes, empty intersections, planes at the ends.
+    /// One to four planes on all levels around both ends and in between: ties, touching planes, empty intersections,
+    /// planes at the ends.
     #[test]
     fn equals_the_chain_of_cut_planes() {
         let levels = [F.plane_low(), F.z_low(), -1, 0, 1, F.z_max() - 1, F.z_max()];

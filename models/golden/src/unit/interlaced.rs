@@ -1,8 +1,9 @@
-//! The source's PE2 with a coefficient memory and a microprogram, clock by clock, and its interlaced scan (source: Chaillou, IV.1.5).
+//! The source's PE2 with a coefficient memory and a microprogram, clock by clock, and its interlaced scan (source:
+//! Chaillou, IV.1.5).
 //!
-//! Two adders and three registers do all the work of a line and between lines; the memory has one port, and only the last register can be
-//! written back. This project's pe2 has registers instead of the memory and no bubble between lines; for it a field is other words
-//! ([`Quadratic::on`]).
+//! Two adders and three registers do all the work of a line and between lines; the memory has one port, and only the
+//! last register can be written back. This project's pe2 has registers instead of the memory and no bubble between
+//! lines; for it a field is other words ([`Quadratic::on`]).
 
 use super::pe2::Quadratic;
 use crate::format::wrap;
@@ -47,8 +48,9 @@ const KEPT_WORDS: usize = 6;
 
 /// The processor.
 ///
-/// Words 0 to 5 are 2A, 2B, C, E - B, D - A and F. The adders work before a value is emitted, so at the first pixel x and y are 1. An interlaced
-/// picture has three words more; the source provides twelve, but three of its copies would never differ from the originals.
+/// Words 0 to 5 are 2A, 2B, C, E - B, D - A and F. The adders work before a value is emitted, so at the first pixel x
+/// and y are 1. An interlaced picture has three words more; the source provides twelve, but three of its copies would
+/// never differ from the originals.
 #[derive(Clone, Debug)]
 pub struct MemoryPe2 {
     width: u32,

@@ -64,7 +64,8 @@ impl Interval {
     }
 }
 
-/// The two halves of an object's depth interval at a pixel inside its screen box; half B exists only for [`Class::Front`].
+/// The two halves of an object's depth interval at a pixel inside its screen box; half B exists only for
+/// [`Class::Front`].
 ///
 /// `near = f1 - r` and `far = f1 + r` before saturation; `negative` is `f2 < 0`, where the root has no meaning.
 #[inline]

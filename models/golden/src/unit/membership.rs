@@ -1,7 +1,8 @@
 //! Is a point of the line of sight inside a volume: the test of shadow and light volumes (source: 3.2.1, 4.1.3).
 //!
-//! The source cuts the volume's depth interval and compares the point with what is left. A point is in an intersection exactly if it is in
-//! every part, so each part is asked by itself: one comparison of each plane, and neither a chain nor a second half.
+//! The source cuts the volume's depth interval and compares the point with what is left. A point is in an intersection
+//! exactly if it is in every part, so each part is asked by itself: one comparison of each plane, and neither a chain
+//! nor a second half.
 
 use super::cut_plane::PlaneKind;
 use super::interval::Class;
@@ -17,8 +18,8 @@ pub struct Point {
 }
 
 impl Point {
-    /// The point at the visible depth `z`. With margin 0 the test is closed; a margin m >= 1 asks for m counts behind the beginning, so
-    /// that a surface does not shadow itself. The end of a volume is closed.
+    /// The point at the visible depth `z`. With margin 0 the test is closed; a margin m >= 1 asks for m counts behind
+    /// the beginning, so that a surface does not shadow itself. The end of a volume is closed.
     #[inline]
     pub const fn new(z: i64, margin: u32) -> Point {
         Point {
@@ -27,7 +28,8 @@ impl Point {
         }
     }
 
-    /// The point in units of `2^shift`, downwards: `near 2^shift <= entered` exactly if `near` is not above the coarse one.
+    /// The point in units of `2^shift`, downwards: `near 2^shift <= entered` exactly if `near` is not above the coarse
+    /// one.
     #[inline]
     pub const fn coarse(&self, shift: u8) -> Point {
         Point {
@@ -95,7 +97,8 @@ mod tests {
         holds(a) || holds(b)
     }
 
-    /// Every class, roots and two planes of every kind on levels around both ends and beyond, every visible point on them.
+    /// Every class, roots and two planes of every kind on levels around both ends and beyond, every visible point on
+    /// them.
     #[test]
     fn closed_test_equals_the_cut_interval() {
         let (low, end) = (F.z_low(), F.z_max());

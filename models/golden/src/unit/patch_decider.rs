@@ -1,7 +1,7 @@
 //! The decider of a patch: the first face that every plane keeps, all planes at once (source: 2.4.3).
 //!
-//! A plane keeps or removes each of the two faces without looking at the other face or at another plane, so two bits of each plane and
-//! two wide ANDs stand in the place of the chain of [`super::cut_plane`].
+//! A plane keeps or removes each of the two faces without looking at the other face or at another plane, so two bits of
+//! each plane and two wide ANDs stand in the place of the chain of [`super::cut_plane`].
 
 use super::cut_plane::PlaneKind;
 use super::interval::{FACE_FAR, FACE_NEAR, Interval};
@@ -33,8 +33,8 @@ impl Faces {
     }
 }
 
-/// The faces at `near = f1 - r` and `far = f1 + r` (sum words) that exist between the near and the far end; `there` is false outside the
-/// screen box and where f2 is negative.
+/// The faces at `near = f1 - r` and `far = f1 + r` (sum words) that exist between the near and the far end; `there` is
+/// false outside the screen box and where f2 is negative.
 ///
 /// The two ends are planes of constant depth, so this is formed beside the signals of the planes and not before them.
 #[inline]
@@ -102,7 +102,8 @@ mod tests {
         })
     }
 
-    /// Compares all configurations of `n` planes whose depths stand at one of `levels`, roots likewise, in every order of the planes.
+    /// Compares all configurations of `n` planes whose depths stand at one of `levels`, roots likewise, in every order
+    /// of the planes.
     fn exhaust(n: usize, levels: &[i64], kinds: &[Plane]) -> (u64, u64) {
         let orders = permutations(n);
         let choices: Vec<Plane> = levels
@@ -189,8 +190,8 @@ mod tests {
         }
     }
 
-    /// With signals from front planes to the front face and from back planes to the back face only, one plane could never remove both
-    /// faces: the decision is wrong already for one plane.
+    /// With signals from front planes to the front face and from back planes to the back face only, one plane could
+    /// never remove both faces: the decision is wrong already for one plane.
     #[test]
     fn each_plane_has_a_say_on_both_faces() {
         let front_only = |zp: i64, near: i64, far: i64| {

@@ -1,7 +1,9 @@
-//! The programmable elementary processor: one PE2 of 2n bits, or four PE1 of n bits with a decision on their signs (source: Chaillou, IV.1.7).
+//! The programmable elementary processor: one PE2 of 2n bits, or four PE1 of n bits with a decision on their signs
+//! (source: Chaillou, IV.1.7).
 //!
-//! The two adders of a PE2 pixel become four of half the width by one AND in each carry chain, and its eight registers hold exactly the four words of
-//! four PE1. What is added to a PE2 is these two ANDs, one selection of an addend, and the decision.
+//! The two adders of a PE2 pixel become four of half the width by one AND in each carry chain, and its eight registers
+//! hold exactly the four words of four PE1. What is added to a PE2 is these two ANDs, one selection of an addend, and
+//! the decision.
 
 use super::pe1::Linear;
 use super::pe2::PreconditionedWords;

@@ -1,4 +1,5 @@
-//! Quadric core: both elementary processors, the root and the sums that give the two depths of a quadric (source: 2.4.2).
+//! Quadric core: both elementary processors, the root and the sums that give the two depths of a quadric (source:
+//! 2.4.2).
 
 use super::pe1::Linear;
 use super::pe2::Quadratic;

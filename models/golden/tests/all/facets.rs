@@ -1,4 +1,5 @@
-//! Flat and curved facets: neighbours share every pixel of their common side exactly once; depth and normals against exact values.
+//! Flat and curved facets: neighbours share every pixel of their common side exactly once; depth and normals against
+//! exact values.
 
 use imogene_algebra::rational::{fraction, integer};
 use imogene_golden::format::Format;
@@ -44,8 +45,8 @@ fn present(pixel: &ObjectPixel) -> bool {
     pixel.zf != F.z_max()
 }
 
-/// Corners of a net of 6 x 6 meshes over the zone and beyond: inner ones moved by less than a quarter of a mesh, every second
-/// time onto a pixel: then no triangle of a mesh turns over, whichever diagonal divides it.
+/// Corners of a net of 6 x 6 meshes over the zone and beyond: inner ones moved by less than a quarter of a mesh, every
+/// second time onto a pixel: then no triangle of a mesh turns over, whichever diagonal divides it.
 fn net(moves: &[(i64, i64, bool)]) -> Vec<Vec<Corner>> {
     let mesh = 5 * ONE;
     (0..7i64)
@@ -106,8 +107,8 @@ proptest! {
         prop_assert_eq!(count, vec![1; (SIDE * SIDE) as usize]);
     }
 
-    /// The mask is the exact set of pixel centres of the closed triangle, less some of its border; depth and normals are the exact interpolation
-    /// but for the rounding of the words.
+    /// The mask is the exact set of pixel centres of the closed triangle, less some of its border; depth and normals
+    /// are the exact interpolation but for the rounding of the words.
     #[test]
     fn a_triangle_is_the_exact_one(
         places in [(-99i64..500, -99i64..500, -900_000i64..900_000), (-99i64..500, -99i64..500, -900_000i64..900_000), (-99i64..500, -99i64..500, -900_000i64..900_000)],

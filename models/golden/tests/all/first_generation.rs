@@ -88,7 +88,8 @@ fn both(
     }
 }
 
-/// Which faces a patch keeps: exact comparisons of the roots with the planes, closed as in the second generation, or open as the conics have it.
+/// Which faces a patch keeps: exact comparisons of the roots with the planes, closed as in the second generation, or
+/// open as the conics have it.
 fn faces_exact(words: &FirstGenerationWords, x: i64, y: i64, closed: bool) -> [bool; 2] {
     let f2 = words.f2.exact_at(x, y);
     let middle = words.f1.exact_at(x, y);
@@ -122,7 +123,8 @@ fn parts() -> impl Strategy<Value = (Linear, Quadratic, Linear, i128)> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(600))]
 
-    /// A solid is the second generation's, bit for bit: depths, and face and normal but where two faces have the same depth.
+    /// A solid is the second generation's, bit for bit: depths, and face and normal but where two faces have the same
+    /// depth.
     #[test]
     fn solid_equals_the_second_generation((f1, f2, front, thickness) in parts()) {
         let (first, second) = object(f1, f2, front, thickness, false);
@@ -148,7 +150,8 @@ proptest! {
             let [near, far] = faces_exact(&first, x, y, false).map(|face| face && there);
             let root = first.f2.exact_at(x, y).max(BigInt::ZERO).sqrt();
             let depth = first.f1.exact_at(x, y) + if near { -root.clone() } else { root.clone() };
-            // A face exactly in a plane: the conic's border belongs to the conic, so the face is gone, and the patch is open there.
+            // A face exactly in a plane: the conic's border belongs to the conic, so the face is gone, and the patch is
+            // open there.
             let right = present == (near || far) && (!present || depth == BigInt::from(ours.zf));
             // The second generation compares the integers, so it may differ only where a plane stands at one.
             let middle = first.f1.exact_at(x, y);

@@ -207,7 +207,8 @@ fn cylinder_part(shape: &CylinderShape, x: i64, y: i64) -> Option<u8> {
     let [cos, sin] = &shape.direction;
     let (u, v) = (integer(x) - &shape.centre[0], integer(y) - &shape.centre[1]);
     let (a, t) = (cos * &u + sin * &v, cos * &v - sin * &u);
-    // Height of the surface over the axis, squared; a point of the body at a lies at (a - deep q) / level along the axis.
+    // Height of the surface over the axis, squared; a point of the body at a lies at (a - deep q) / level along the
+    // axis.
     let q2 = &shape.radius * &shape.radius - &t * &t;
     if q2.is_negative() {
         return None;
@@ -289,7 +290,8 @@ fn check_disc(shape: &CylinderShape, x: i64, y: i64, pixel: &ObjectPixel) {
     );
 }
 
-/// The body's error is that of the profile, -4.51 to +29.46 % of R, over the level part of the axis; its normal is within 16.5 degrees.
+/// The body's error is that of the profile, -4.51 to +29.46 % of R, over the level part of the axis; its normal is
+/// within 16.5 degrees.
 fn check_envelope(shape: &CylinderShape, x: i64, y: i64, pixel: &ObjectPixel) {
     let [cos, sin] = shape.direction.each_ref().map(to_f64);
     let centre = shape.centre.each_ref().map(to_f64);

@@ -5,8 +5,8 @@ use imogene_golden::object::quadric::ScreenBox;
 /// Pixels along the side of a window that is not divided any further.
 pub const BLOCK: i64 = 4;
 
-/// Does `holds` say so of the window, or of each of its quarters, or of theirs, down to blocks of [`BLOCK`] pixels? `holds` must be sound for the window it is given; an
-/// empty window needs no saying.
+/// Does `holds` say so of the window, or of each of its quarters, or of theirs, down to blocks of [`BLOCK`] pixels?
+/// `holds` must be sound for the window it is given; an empty window needs no saying.
 pub fn everywhere(window: &ScreenBox, holds: &impl Fn(&ScreenBox) -> bool) -> bool {
     if window.is_empty() || holds(window) {
         return true;

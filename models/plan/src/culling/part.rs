@@ -14,7 +14,8 @@ pub enum Matter {
     With(Planes),
 }
 
-/// What of an object matters on a window of its own pixels, by bounds alone: [`Matter::Nothing`] and idle planes are certain, the rest is what could not be excluded.
+/// What of an object matters on a window of its own pixels, by bounds alone: [`Matter::Nothing`] and idle planes are
+/// certain, the rest is what could not be excluded.
 pub fn matter(words: &QuadricWords, window: &ScreenBox, format: &Format) -> Matter {
     let mut planes = all_planes(words.planes.len());
     let absent = |planes| {

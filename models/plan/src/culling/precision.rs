@@ -1,4 +1,5 @@
-//! The bits that an object needs where it is drawn: the narrowest words with which every pixel stays what it is (source: Claux, 13.7).
+//! The bits that an object needs where it is drawn: the narrowest words with which every pixel stays what it is
+//! (source: Claux, 13.7).
 
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
@@ -20,7 +21,8 @@ pub struct Bits {
 }
 
 impl Bits {
-    /// What an object of the quadric or the patch processor needs on its screen box, from every pixel of it; nothing if the box is empty.
+    /// What an object of the quadric or the patch processor needs on its screen box, from every pixel of it; nothing if
+    /// the box is empty.
     pub fn of(words: &QuadricWords, format: &Format) -> Bits {
         let window = words.screen_box;
         if window.is_empty() {
@@ -97,7 +99,8 @@ impl Found {
     }
 }
 
-/// Guard bits of f1 and f2 with which rounding the coefficients of an object `pixels` wide moves neither by more than half a count: `log2 n + 1` and `2 log2 n + 1`.
+/// Guard bits of f1 and f2 with which rounding the coefficients of an object `pixels` wide moves neither by more than
+/// half a count: `log2 n + 1` and `2 log2 n + 1`.
 pub const fn guard_bits(pixels: u64) -> [u32; 2] {
     let log = pixels.next_power_of_two().trailing_zeros();
     [log + 1, 2 * log + 1]
@@ -109,7 +112,8 @@ mod tests {
     use imogene_algebra::rational::{fraction, integer};
     use num_rational::BigRational;
 
-    /// Coefficients about the middle of the box, each rounded to half of its last bit, at the pixel farthest from it, exactly.
+    /// Coefficients about the middle of the box, each rounded to half of its last bit, at the pixel farthest from it,
+    /// exactly.
     #[test]
     fn rounding_with_guard_bits_moves_less_than_half_a_count() {
         for pixels in (1..=130).chain([719, 720, 1023, 1024, 1025, 4096]) {

@@ -1,5 +1,6 @@
-//! Objects without what no pixel shows of them: the box to the pixels that are drawn, planes that cut nothing, objects that are nowhere; and, if some pixels may change, without
-//! what only so many show (source: Claux, III.3.2.1.3; Coquillart, 3.4).
+//! Objects without what no pixel shows of them: the box to the pixels that are drawn, planes that cut nothing, objects
+//! that are nowhere; and, if some pixels may change, without what only so many show (source: Claux, III.3.2.1.3;
+//! Coquillart, 3.4).
 
 use super::precision::Bits;
 use imogene_golden::format::Format;
@@ -63,8 +64,8 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// Reduces a scene whose frame is `frame`: an object at fewer than `pixels` pixels is left out, and planes of an object as long as no more than `pixels` of its pixels
-    /// change. With 0 nothing changes.
+    /// Reduces a scene whose frame is `frame`: an object at fewer than `pixels` pixels is left out, and planes of an
+    /// object as long as no more than `pixels` of its pixels change. With 0 nothing changes.
     pub fn of(scene: &PreparedScene, frame: &Frame, pixels: u64) -> Reduced {
         let mut seen = vec![0; scene.objects.len()];
         for &id in &frame.id {
@@ -243,7 +244,8 @@ impl<'a> PlaneSearch<'a> {
         }
     }
 
-    /// Leaves out the plane that changes least as long as no more than `budget` pixels are other than they were. A polyhedron keeps one plane.
+    /// Leaves out the plane that changes least as long as no more than `budget` pixels are other than they were. A
+    /// polyhedron keeps one plane.
     fn keep(mut self, budget: u64) -> Self {
         let fewest = usize::from(matches!(self.words, ProcessorWords::Polyhedron(_)));
         while planes_of(&self.words).len() > fewest {
@@ -274,7 +276,8 @@ impl<'a> PlaneSearch<'a> {
     }
 }
 
-/// Pixels that are not the same in two drawings of an object, both line by line; `faces` are the old numbers of the second one's planes.
+/// Pixels that are not the same in two drawings of an object, both line by line; `faces` are the old numbers of the
+/// second one's planes.
 fn difference(before: &[Drawn], after: &[Drawn], faces: &[u8]) -> u64 {
     let mut after = after.iter().copied().peekable();
     let mut differ = 0;

@@ -1,7 +1,9 @@
-//! What can be said of an object on a window of pixels without visiting them: that it is absent, that a plane cuts nothing, between which depths it lies.
+//! What can be said of an object on a window of pixels without visiting them: that it is absent, that a plane cuts
+//! nothing, between which depths it lies.
 //!
-//! Every sentence is about the words as the processor computes with them, so it is exact or on the safe side: first-degree expressions are taken at the corners, the
-//! discriminant line by line, and a register is believed only where the true value fits it at every pixel of the window (source: Claux, III.3.2.2; Nyiri, 5.5).
+//! Every sentence is about the words as the processor computes with them, so it is exact or on the safe side:
+//! first-degree expressions are taken at the corners, the discriminant line by line, and a register is believed only
+//! where the true value fits it at every pixel of the window (source: Claux, III.3.2.2; Nyiri, 5.5).
 
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
@@ -29,7 +31,8 @@ pub(super) fn keep<T>(list: &mut Vec<T>, planes: Planes) {
     });
 }
 
-/// Linear part and greatest root of a quadric on a window, in units of `2^-g1` depth words, where both depths fit their words.
+/// Linear part and greatest root of a quadric on a window, in units of `2^-g1` depth words, where both depths fit their
+/// words.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Roots {
     /// Linear part.
@@ -47,7 +50,8 @@ pub(super) struct DepthBounds {
     pub before: Vec<Linear>,
     /// It is nowhere behind any of these.
     pub behind: Vec<Linear>,
-    /// At every pixel it is nowhere behind the farthest of these: the faces that can be seen. None if that is not known.
+    /// At every pixel it is nowhere behind the farthest of these: the faces that can be seen. None if that is not
+    /// known.
     pub fronts: Option<Vec<Linear>>,
 }
 
@@ -202,7 +206,8 @@ impl<'a> Surface<'a> {
         })
     }
 
-    /// True only if the object with these planes is the same without plane `index`, which is not among them, at every pixel of the window.
+    /// True only if the object with these planes is the same without plane `index`, which is not among them, at every
+    /// pixel of the window.
     pub fn is_idle(&self, index: usize, planes: Planes) -> bool {
         let Some(range) = self.planes[index] else {
             return self.words.planes[index].kind == PlaneKind::None;
@@ -226,7 +231,8 @@ impl<'a> Surface<'a> {
         alone || others.any(|other| self.is_behind(other, index))
     }
 
-    /// Plane `other` cuts at least as much as plane `index` of the same kind at every pixel. At equal depths the face is that of the first one in the chain.
+    /// Plane `other` cuts at least as much as plane `index` of the same kind at every pixel. At equal depths the face
+    /// is that of the first one in the chain.
     fn is_behind(&self, other: usize, index: usize) -> bool {
         let [(kind, plane), (other_kind, stronger)] = [index, other].map(|i| self.plane(i));
         if kind != other_kind || self.planes[other].is_none() {
@@ -268,7 +274,8 @@ impl<'a> Surface<'a> {
         Linear::new(0, 0, i128::from(depth) << self.format.guard_linear)
     }
 
-    /// A solid is seen at its near root or at a front plane, whichever is farther; a patch at its near root if no plane takes that away.
+    /// A solid is seen at its near root or at a front plane, whichever is farther; a patch at its near root if no plane
+    /// takes that away.
     fn fronts(&self) -> Option<Vec<Linear>> {
         let near_end = self.constant(self.format.z_low());
         let mut fronts = match self.words.class {

@@ -1,7 +1,8 @@
 //! Can a surface of a zone be inside a volume, and which of the volume's planes matter there?
 //!
-//! A volume whose box meets the zone is most often far before or behind everything that is seen there. The depth of what is seen is not known before it is drawn, but it lies
-//! between the depths of the objects of the zone, object by object: that is enough to leave most volumes out.
+//! A volume whose box meets the zone is most often far before or behind everything that is seen there. The depth of
+//! what is seen is not known before it is drawn, but it lies between the depths of the objects of the zone, object by
+//! object: that is enough to leave most volumes out.
 
 use super::blocks::{everywhere, shared};
 use super::part::with_planes;
@@ -93,7 +94,8 @@ impl<'a> Near<'a> {
         }
     }
 
-    /// True only if the surface is at or behind the expression at every pixel, which then has no reason to leave a point out.
+    /// True only if the surface is at or behind the expression at every pixel, which then has no reason to leave a
+    /// point out.
     fn is_behind(&self, depth: &Linear) -> bool {
         let behind = |bound: &Linear| difference(bound, depth, &self.window).low >= 0;
         self.surface.before.iter().any(behind)
@@ -168,8 +170,8 @@ impl<'a> Near<'a> {
         }
     }
 
-    /// Before its near depth, or behind its far depth, at every pixel. The depths of a volume are in units of `2^shift` depth words, and a point is in one of them downwards:
-    /// it is behind the far depth from the next unit on.
+    /// Before its near depth, or behind its far depth, at every pixel. The depths of a volume are in units of `2^shift`
+    /// depth words, and a point is in one of them downwards: it is behind the far depth from the next unit on.
     fn misses_roots(&self, quadric: &VolumeQuadric, radicand: &Range) -> bool {
         let Some(roots) = Roots::of(&quadric.f1, radicand, &self.window, self.format) else {
             return false;

@@ -121,7 +121,8 @@ fn is_drawn(words: &ProcessorWords, piece: &Piece, format: &Format) -> bool {
     })
 }
 
-/// A picture of zones, each in a colour for its count: black for none, then from blue over green and yellow to red for `most` and more.
+/// A picture of zones, each in a colour for its count: black for none, then from blue over green and yellow to red for
+/// `most` and more.
 pub fn map(pieces: &[Piece], counts: &[u64], most: u64, (width, height): (u32, u32)) -> Vec<u8> {
     let mut rgb = vec![0; 3 * width as usize * height as usize];
     for (piece, &count) in pieces.iter().zip(counts) {

@@ -1,7 +1,8 @@
 //! How often an object is loaded because several pieces of the screen touch it (source: 5.5).
 //!
-//! A box of `l x h` pixels anywhere on zones of `L x H` touches `(l + L)(h + H) / LH` of them on average, says the source, for boxes that may begin anywhere between pixels.
-//! On whole pixels, where a box of one pixel touches one zone, the average over all places is `(l + L - 1)(h + H - 1) / LH`, for boxes of any size.
+//! A box of `l x h` pixels anywhere on zones of `L x H` touches `(l + L)(h + H) / LH` of them on average, says the
+//! source, for boxes that may begin anywhere between pixels. On whole pixels, where a box of one pixel touches one
+//! zone, the average over all places is `(l + L - 1)(h + H - 1) / LH`, for boxes of any size.
 
 use super::Division;
 use imogene_golden::object::quadric::ScreenBox;

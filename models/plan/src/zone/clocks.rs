@@ -1,7 +1,8 @@
 //! Clocks of a frame, counted from the plan alone.
 //!
-//! While a pass runs, the words of the next pass are loaded, a beat a clock, once all processors have started; a command waits until the pass before it has ended. So
-//! a pass of `T` clocks before one that needs `L` words takes `max(T, S + L)` clocks and those of the commands in between.
+//! While a pass runs, the words of the next pass are loaded, a beat a clock, once all processors have started; a
+//! command waits until the pass before it has ended. So a pass of `T` clocks before one that needs `L` words takes
+//! `max(T, S + L)` clocks and those of the commands in between.
 
 use super::plan::{Pass, Zone, ZonePlan};
 use super::stream::{beats_of_part, beats_of_volume};
@@ -17,9 +18,11 @@ pub struct ZoneTiming {
     pub light_drain: u32,
     /// D_s: the same of a show pass.
     pub show_drain: u32,
-    /// S: clocks of a draw or light pass, from its command, in which no word is taken because not all processors have started.
+    /// S: clocks of a draw or light pass, from its command, in which no word is taken because not all processors have
+    /// started.
     pub settle: u32,
-    /// C: clocks of a command, from the end of loading and of the pass before to the first pixel or the next beat; at least 1.
+    /// C: clocks of a command, from the end of loading and of the pass before to the first pixel or the next beat; at
+    /// least 1.
     pub command: u32,
 }
 

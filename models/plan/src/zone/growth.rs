@@ -30,8 +30,8 @@ pub struct Growth {
     pub clocks: FrameClocks,
 }
 
-/// The frames of a scene on machines that differ from `machine` in the side of their square zones and the number of their object processors; there are as many
-/// volume processors as it has.
+/// The frames of a scene on machines that differ from `machine` in the side of their square zones and the number of
+/// their object processors; there are as many volume processors as it has.
 pub fn growth(
     scene: &PreparedScene,
     machine: &ZoneMachine,

@@ -187,7 +187,8 @@ impl ZonePlan {
         Ok(plan)
     }
 
-    /// The same frame for a machine that shades: the words of its shading processor, and the index of each object's material.
+    /// The same frame for a machine that shades: the words of its shading processor, and the index of each object's
+    /// material.
     pub fn shaded(
         self,
         shading: Vec<(u16, u32)>,

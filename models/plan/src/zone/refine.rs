@@ -1,4 +1,5 @@
-//! Leaving out of a plan what changes no pixel: objects, planes and volumes that the screen box alone sends to a zone (source: 1.3.2, 5.5).
+//! Leaving out of a plan what changes no pixel: objects, planes and volumes that the screen box alone sends to a zone
+//! (source: 1.3.2, 5.5).
 
 use super::plan::{Zone, ZonePlan};
 use crate::culling::part::{Matter, matter, with_planes};
@@ -182,8 +183,8 @@ impl<'a> ZoneRefiner<'a> {
         self.zone.volume_planes.extend(masks);
     }
 
-    /// Draws the zone and leaves out the volumes that take no source from a visible point that another one has not taken already: lights first, then shadows by the number of
-    /// points inside, the most first.
+    /// Draws the zone and leaves out the volumes that take no source from a visible point that another one has not
+    /// taken already: lights first, then shadows by the number of points inside, the most first.
     fn try_volumes(&mut self) {
         let depths = self.depths();
         let z_max = self.plan.format.z_max();

@@ -9,7 +9,8 @@ use imogene_golden::object::load_volume::load_volume;
 use imogene_golden::object::unused;
 
 impl ZonePlan {
-    /// The beats of the frame. The words of a pass come before the commands of its zone, so that they can be loaded while the pass before is running.
+    /// The beats of the frame. The words of a pass come before the commands of its zone, so that they can be loaded
+    /// while the pass before is running.
     pub fn beats(&self) -> impl Iterator<Item = Beat> + '_ {
         let last = self.zones.len() - 1;
         let zones = self.zones.iter().enumerate();
@@ -99,7 +100,8 @@ fn command_of(pass: &Pass, zone: &Zone) -> Beat {
     }
 }
 
-/// Beats of the words of a part with `used` planes in a machine of `planes` planes: all but those of unused planes, which send their kind, and the id.
+/// Beats of the words of a part with `used` planes in a machine of `planes` planes: all but those of unused planes,
+/// which send their kind, and the id.
 pub fn beats_of_part(used: usize, planes: usize) -> u64 {
     let [first, each] = OBJECT_PLANES.map(usize::from);
     (first + each * used + (planes - used) + 1) as u64

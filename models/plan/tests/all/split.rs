@@ -1,4 +1,5 @@
-//! A picture that workers draw piece by piece is the picture of the whole screen: every scene of the collection, every processor.
+//! A picture that workers draw piece by piece is the picture of the whole screen: every scene of the collection, every
+//! processor.
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;

@@ -1,4 +1,5 @@
-//! What is left out of a scene and of its zones, against every pixel: bounds never contradict a pixel, and an exact reduction changes none.
+//! What is left out of a scene and of its zones, against every pixel: bounds never contradict a pixel, and an exact
+//! reduction changes none.
 
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;

@@ -92,7 +92,8 @@ fn what_is_found_meets_the_budget_and_one_bit_less_does_not() {
     }
 }
 
-/// The words that are not searched are those that the scene requires: a bit less of the root or the planes and it cannot be prepared.
+/// The words that are not searched are those that the scene requires: a bit less of the root or the planes and it
+/// cannot be prepared.
 #[test]
 fn the_machine_has_the_planes_and_halves_that_its_objects_have() {
     let frames = frames(&["cut-sphere"]).unwrap();
@@ -152,7 +153,8 @@ fn limits_are_proven_by_bounds_where_these_are_not_above_them() {
     }
 }
 
-/// An animation is fitted over all of its frames: the machine meets the budget in each, and needs at least what each needs.
+/// An animation is fitted over all of its frames: the machine meets the budget in each, and needs at least what each
+/// needs.
 #[test]
 fn an_animation_takes_the_worst_of_its_frames() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/cut-sphere.toml");

@@ -1,4 +1,5 @@
-//! The sweeps: the rules hold at every step, refusals come where the format gives out, and errors grow and shrink as theory says.
+//! The sweeps: the rules hold at every step, refusals come where the format gives out, and errors grow and shrink as
+//! theory says.
 
 use imogene_analysis::bounds::depth_bound;
 use imogene_golden::format::Format;
@@ -229,7 +230,8 @@ fn a_silhouette_without_a_bound_fails_the_check_before_it_is_wrong() {
     assert_eq!(failing, expected);
 }
 
-/// Range scales with the word, so that a longer one does not move the refusals; what becomes too small moves by the weight of its bits.
+/// Range scales with the word, so that a longer one does not move the refusals; what becomes too small moves by the
+/// weight of its bits.
 #[test]
 fn longer_words_move_failing_checks_and_no_refusals() {
     let rows = [
@@ -367,8 +369,8 @@ fn an_eye_that_takes_its_screen_along_comes_as_near_as_it_likes() {
     }
 }
 
-/// The error of a sphere's depth is a function of f2: at the limb up to the root of the error of f2, from where f2 is greater than that error on it falls, and
-/// inside no more is left than the error of f1 and the floor of the root.
+/// The error of a sphere's depth is a function of f2: at the limb up to the root of the error of f2, from where f2 is
+/// greater than that error on it falls, and inside no more is left than the error of f1 and the floor of the root.
 #[test]
 fn the_depth_error_of_a_sphere_is_largest_at_its_limb() {
     let sweep = find("sphere-radius").expect("a sweep");
@@ -397,7 +399,8 @@ fn the_depth_error_of_a_sphere_is_largest_at_its_limb() {
     }
 }
 
-/// Thinner than the errors of its two planes, a slab is undecided everywhere; thicker, nowhere but at a few pixels of its edge.
+/// Thinner than the errors of its two planes, a slab is undecided everywhere; thicker, nowhere but at a few pixels of
+/// its edge.
 #[test]
 fn a_slab_is_undecided_below_the_errors_of_its_planes() {
     let at = |thickness| figures("thin", 0, thickness);

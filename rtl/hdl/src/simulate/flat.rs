@@ -57,7 +57,8 @@ impl Flat {
         self.words.len() as u32 - 1
     }
 
-    /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names inside.
+    /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names
+    /// inside.
     pub(super) fn place(&mut self, module: &Rc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
         // Words first, so that operations may refer forward.
         let mut places = vec![u32::MAX; module.nodes.len()];

@@ -113,8 +113,9 @@ fn every_deep_crack_of_the_teapot_is_found() {
     }
 }
 
-/// Faces that meet have planes in common. Rounded for each object by itself, as if it were alone in its scene, the two sides of such a plane lie apart, and the detector finds a pixel that
-/// falls between them; prepared together, none does.
+/// Faces that meet have planes in common. Rounded for each object by itself, as if it were alone in its scene, the two
+/// sides of such a plane lie apart, and the detector finds a pixel that falls between them; prepared together, none
+/// does.
 #[test]
 fn edges_that_are_rounded_on_each_side_by_itself_are_found() {
     let mut found_apart = 0;

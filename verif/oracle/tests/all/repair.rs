@@ -7,7 +7,8 @@ use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
 
-/// Every scene that the words of 16 bits take, objects and faces at all pixels; what the words decide is left as it was.
+/// Every scene that the words of 16 bits take, objects and faces at all pixels; what the words decide is left as it
+/// was.
 #[test]
 fn every_scene_in_short_words_is_repaired_to_the_exact_picture() {
     let (mut mended, mut untouched, mut scenes) = (0, 0, 0);

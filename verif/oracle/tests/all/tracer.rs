@@ -92,7 +92,8 @@ fn depths_are_those_of_closed_forms() {
         // A patch that is open in front shows its inner wall.
         (format!("kind = \"sphere\"\nradius = 2\nmode = \"patch\"\n{cut}"), fraction(12, 10), 1),
         ("kind = \"sphere\"\nradius = 6".to_owned(), fraction(1, 2), 15),
-        // A cone about an axis along the view, three units beside it: the line meets it one before and one behind the apex, of which the cut leaves the second.
+        // A cone about an axis along the view, three units beside it: the line meets it one before and one behind the
+        // apex, of which the cut leaves the second.
         ("kind = \"cone\"\nradii = [1, 1, 1]\nplace = [{ rotate = { axis = \"x\", degrees = 90 } }, { translate = [0, 3, -1] }]\n\
           cuts = [{ point = [0, 0, 0], normal = [0, 1, 0] }]".to_owned(), fraction(14, 10), 1),
         ("kind = \"polyhedron\"\ncuts = [{ point = [0, 0, 2], normal = [0, 0, 3] }]".to_owned(), fraction(8, 10), 2),
@@ -110,7 +111,8 @@ fn depths_are_those_of_closed_forms() {
     }
 }
 
-/// Off the axis: |eye + t d|^2 = r^2 with d = (x, y, -10), in floating point to 1e-12 and by the exact sign of the discriminant.
+/// Off the axis: |eye + t d|^2 = r^2 with d = (x, y, -10), in floating point to 1e-12 and by the exact sign of the
+/// discriminant.
 #[test]
 fn a_sphere_is_hit_where_its_equation_says() {
     let rays = Rays::new(&scene(PERSPECTIVE, &["kind = \"sphere\"\nradius = 2"]));
@@ -136,7 +138,8 @@ fn a_sphere_is_hit_where_its_equation_says() {
     assert!(hits > 1200, "{hits}");
 }
 
-/// The dual axes of a camera that looks askew: every pixel of a plane through its target, parallel to the screen, has the depth 0.
+/// The dual axes of a camera that looks askew: every pixel of a plane through its target, parallel to the screen, has
+/// the depth 0.
 #[test]
 fn a_camera_that_looks_askew_sees_the_screen_plane_at_depth_zero() {
     let camera = "kind = \"perspective\"\neye = [4, 5, 20]\ntarget = [0, 1, 0]\nviewer_distance = 21\nview_height = 6\n";
@@ -263,8 +266,9 @@ proptest! {
             }
         }
     }
-    /// No point before the first one is in the solid: membership of points in scene coordinates, by the quadric and the planes of the scene module. Points within 1e-9 of the
-    /// hit are left out, since rotations are computed by another formula there.
+    /// No point before the first one is in the solid: membership of points in scene coordinates, by the quadric and the
+    /// planes of the scene module. Points within 1e-9 of the hit are left out, since rotations are computed by another
+    /// formula there.
     #[test]
     fn no_point_before_the_hit_is_inside(object in object().prop_filter("a solid", |o| !o.contains("patch")), parallel: bool, column in 0u32..64, line in 0u32..48, samples in proptest::collection::vec(0.0f64..1.0, 40)) {
         let camera = if parallel { PARALLEL } else { PERSPECTIVE };

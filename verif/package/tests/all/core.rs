@@ -1,4 +1,5 @@
-//! The committed cores, and benches that find a wrong vector. Needs the package 'iverilog'. FuseSoC runs every core with `IMOGENE_FULL=1`.
+//! The committed cores, and benches that find a wrong vector. Needs the package 'iverilog'. FuseSoC runs every core
+//! with `IMOGENE_FULL=1`.
 
 use imogene_contract::Unit;
 use imogene_package::core::{File, core, package};

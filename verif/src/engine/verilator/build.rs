@@ -52,8 +52,8 @@ fn tools() -> Result<&'static Tools, ToolError> {
     }))
 }
 
-/// Where compiled libraries are kept: the folder that the variable [`CACHE_VARIABLE`] names, else the build folder that this program was
-/// built in, else the user's cache folder, else the folder for temporary files.
+/// Where compiled libraries are kept: the folder that the variable [`CACHE_VARIABLE`] names, else the build folder that
+/// this program was built in, else the user's cache folder, else the folder for temporary files.
 pub fn cache_folder() -> PathBuf {
     if let Some(folder) = std::env::var_os(CACHE_VARIABLE) {
         return folder.into();
@@ -139,7 +139,8 @@ fn link(folder: &Path, tools: &Tools, run_time: &[PathBuf]) -> Result<&'static s
 
 /// Objects of Verilator's run time, compiled unless they are kept.
 fn run_time(cache: &Path, tools: &Tools, options: &str) -> Result<Vec<PathBuf>, ToolError> {
-    // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with equal files.
+    // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with
+    // equal files.
     static ONE: Mutex<()> = Mutex::new(());
     let _guard = ONE.lock().unwrap_or_else(|broken| broken.into_inner());
     let name = digest([&*tools.versions, options]);

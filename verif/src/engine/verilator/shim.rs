@@ -1,4 +1,5 @@
-//! The two texts put around a design: a Verilog module with numbered ports, and the C interface to what Verilator makes of it.
+//! The two texts put around a design: a Verilog module with numbered ports, and the C interface to what Verilator makes
+//! of it.
 
 use crate::engine::source::Source;
 use crate::signal::Signal;
@@ -52,8 +53,8 @@ fn wrapper(top: &str, inputs: &[Signal], outputs: &[Signal]) -> String {
     format!("module {WRAPPER} (\n{ports}\n);\n    {top} unit (\n{connections}\n    );\nendmodule\n")
 }
 
-/// The C interface. One call is one clock: the inputs change after the falling edge, so that a register on the wrong edge is seen, and
-/// settle before the rising edge, which Verilator sees to; the outputs are those after it.
+/// The C interface. One call is one clock: the inputs change after the falling edge, so that a register on the wrong
+/// edge is seen, and settle before the rising edge, which Verilator sees to; the outputs are those after it.
 fn shim(inputs: usize, outputs: usize) -> String {
     let mut set = String::new();
     for index in 0..inputs {

@@ -1,11 +1,13 @@
-//! Up to four planes in every order, with every order and tie of the depths, through the golden model and the emitted Verilog.
+//! Up to four planes in every order, with every order and tie of the depths, through the golden model and the emitted
+//! Verilog.
 //!
-//! **Ranks suffice.** A cut compares plane depths with the two depths of the interval, which are those it began with or plane depths taken
-//! over, and with nothing else; the sign of a perpendicular plane is a case of its own. Two sets of depths with the same weak ordering
-//! therefore pass through the same branches, so one set for each weak ordering of `zf <= zb` and the depths of the front and back planes is
-//! complete. The one constant is the mark of an absent object, the far end. No depth lies beyond it, so a front plane leaves the mark as it
-//! is, and a back plane leaves it or sets it again: absent stays absent. Each ordering is laid out twice, with and without its last depth at
-//! the far end.
+//! **Ranks suffice.** A cut compares plane depths with the two depths of the interval, which are those it began with or
+//! plane depths taken over, and with nothing else; the sign of a perpendicular plane is a case of its own. Two sets of
+//! depths with the same weak ordering therefore pass through the same branches, so one set for each weak ordering of
+//! `zf <= zb` and the depths of the front and back planes is complete. The one constant is the mark of an absent
+//! object, the far end. No depth lies beyond it, so a front plane leaves the mark as it is, and a back plane leaves it
+//! or sets it again: absent stays absent. Each ordering is laid out twice, with and without its last depth at the far
+//! end.
 
 use super::account;
 use super::cut_single::KINDS;
@@ -77,8 +79,8 @@ fn permutations(items: &[usize]) -> Vec<Vec<usize>> {
 
 /// What is left, from the definitions alone, planes in the order of the list.
 ///
-/// A solid is the intersection of its interval with half-lines; a face is the first in order that reached the final depth. A surface is the
-/// set of its two faces, from which planes remove members.
+/// A solid is the intersection of its interval with half-lines; a face is the first in order that reached the final
+/// depth. A surface is the set of its two faces, from which planes remove members.
 fn oracle(start: Interval, planes: &[Plane], surface: bool, far: i64) -> Interval {
     let absent = Interval {
         zf: far,
@@ -264,8 +266,8 @@ fn every_order_and_tie_of_four_planes() {
     account("cut_plane, permutations of four planes", runs, started);
 }
 
-/// Sets of planes and orderings, counted without listing them: of `m` values there are `F(m)` weak orderings (Fubini numbers 1, 1, 3, 13,
-/// 75, 541, 4683); with `zf <= zb` those where both are equal, `F(m - 1)`, and half of the others.
+/// Sets of planes and orderings, counted without listing them: of `m` values there are `F(m)` weak orderings (Fubini
+/// numbers 1, 1, 3, 13, 75, 541, 4683); with `zf <= zb` those where both are equal, `F(m - 1)`, and half of the others.
 fn expected_cases() -> u64 {
     const FUBINI: [u64; 7] = [1, 1, 3, 13, 75, 541, 4683];
     const BINOMIAL: [u64; 5] = [1, 4, 6, 4, 1];

@@ -1,8 +1,9 @@
-//! PE1 and PE2 at small widths: every coefficient word on every pixel, against the golden models and the polynomial itself.
+//! PE1 and PE2 at small widths: every coefficient word on every pixel, against the golden models and the polynomial
+//! itself.
 //!
-//! Modulo 2^n the polynomial repeats after 2^n columns and 2^n lines, and so do the registers; a zone of 2^n + 1 columns and lines is
-//! therefore stands for every pixel of every zone. One instance runs through all coefficients, so that each zone starts from the registers
-//! another one left, in the middle of its raster now and then.
+//! Modulo 2^n the polynomial repeats after 2^n columns and 2^n lines, and so do the registers; a zone of 2^n + 1
+//! columns and lines is therefore stands for every pixel of every zone. One instance runs through all coefficients, so
+//! that each zone starts from the registers another one left, in the middle of its raster now and then.
 
 use super::{account, is_full_run};
 use imogene_circuits::raster::{self, Flags, pe1, pe2};
@@ -31,7 +32,8 @@ fn even_words(width: usize) -> impl Iterator<Item = i64> {
 /// One clock: the flags `valid`, `start`, `line`, and the pixel if there is one.
 type RasterClock = ([bool; 3], Option<(i64, i64)>);
 
-/// Raster flags of a zone: columns, lines, and a clock without pixel before each line, at which every other flag is set.
+/// Raster flags of a zone: columns, lines, and a clock without pixel before each line, at which every other flag is
+/// set.
 fn flags(columns: i64, lines: i64) -> Vec<RasterClock> {
     let mut list = Vec::new();
     for y in 0..lines {
@@ -161,7 +163,8 @@ fn pe1_is_the_polynomial_for_all_words() {
     }
 }
 
-/// All pixels at 2 and 3 bits. At 4 bits, in the full run, four lines and columns, which use each increment at least twice.
+/// All pixels at 2 and 3 bits. At 4 bits, in the full run, four lines and columns, which use each increment at least
+/// twice.
 #[test]
 fn pe2_is_the_polynomial_for_all_words() {
     every_pe2::<2>(5);

@@ -1,7 +1,8 @@
-//! Runs that leave nothing out: every radicand, every coefficient word of a small width, every order and tie of cut planes.
+//! Runs that leave nothing out: every radicand, every coefficient word of a small width, every order and tie of cut
+//! planes.
 //!
-//! The runs of minutes are made when the environment variable `IMOGENE_FULL` is 1; otherwise the same checks run over a smaller set.
-//! Each test prints what it counted (`cargo test -- --nocapture`).
+//! The runs of minutes are made when the environment variable `IMOGENE_FULL` is 1; otherwise the same checks run over a
+//! smaller set. Each test prints what it counted (`cargo test -- --nocapture`).
 
 mod cut_sequence;
 mod cut_single;

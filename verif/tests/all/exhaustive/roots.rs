@@ -46,7 +46,8 @@ fn every(first: u64, end: u64) -> impl Iterator<Item = Vector> {
     })
 }
 
-/// The radicands about every square: `n^2 - 1`, `n^2` and `n^2 + 2n`, the first and last with root `n` and the last before them.
+/// The radicands about every square: `n^2 - 1`, `n^2` and `n^2 + 2n`, the first and last with root `n` and the last
+/// before them.
 fn boundaries(first: u64, end: u64) -> impl Iterator<Item = Vector> {
     (first..end).flat_map(|n| {
         let before = n.checked_sub(1).map(|less| [n * n - 1, less, 2 * less]);

@@ -76,7 +76,8 @@ impl Residuals {
     }
 }
 
-/// Errors of both roots within the depth range, at the pixels where computed and true f2 are not negative; `present` says where the true one is.
+/// Errors of both roots within the depth range, at the pixels where computed and true f2 are not negative; `present`
+/// says where the true one is.
 pub(super) fn errors(object: &PreparedQuadric, present: &[bool], format: &Format) -> DepthErrors {
     if object.words.class == Class::Prism {
         return DepthErrors::default();

@@ -1,10 +1,12 @@
-//! Headroom: silhouette and depth errors of a scene in a format, and the guard bits of f2 that it needs, or could do without.
+//! Headroom: silhouette and depth errors of a scene in a format, and the guard bits of f2 that it needs, or could do
+//! without.
 //!
-//! A *silhouette error* is a pixel of an object's box at which the sign of the rounded f2 is not that of the exact one. They are counted at every pixel of every
-//! object's box, hidden or not, against signs in big integers. With g guard bits (below zero: bits dropped) the rounding error at a
-//! pixel (u, v) away from the anchor is at most `(u^2 + v^2 + |u v| + |u| + |v| + 1) / 2^(g + 1)`, so a pixel whose true `|f2|` is greater has the right sign with
-//! g bits and with any more. The least g for which this holds at every pixel is *derived*; it is sufficient. Counting down from it until errors appear
-//! gives the least that is *confirmed*.
+//! A *silhouette error* is a pixel of an object's box at which the sign of the rounded f2 is not that of the exact one.
+//! They are counted at every pixel of every object's box, hidden or not, against signs in big integers. With g guard
+//! bits (below zero: bits dropped) the rounding error at a pixel (u, v) away from the anchor is at most `(u^2 + v^2 +
+//! |u v| + |u| + |v| + 1) / 2^(g + 1)`, so a pixel whose true `|f2|` is greater has the right sign with g bits and with
+//! any more. The least g for which this holds at every pixel is *derived*; it is sufficient. Counting down from it
+//! until errors appear gives the least that is *confirmed*.
 
 mod depths;
 mod signs;
@@ -36,7 +38,8 @@ pub struct Headroom {
     pub pixels: u64,
     /// Pixels at which the rounded f2 has the wrong sign, without guard bits.
     pub silhouette_errors: u64,
-    /// Pixels at which the true f2 is exactly zero: on the silhouette, present by definition. No number of guard bits is derived for them.
+    /// Pixels at which the true f2 is exactly zero: on the silhouette, present by definition. No number of guard bits
+    /// is derived for them.
     pub ties: u64,
     /// Greatest error of a near or far depth within the depth range, in depth words, without guard bits.
     pub depth_max_lsb: f64,
@@ -46,9 +49,11 @@ pub struct Headroom {
     pub depths: u64,
     /// Guard bits of f2 that are proven to leave no error where f2 is not zero; below zero, bits that can be dropped.
     pub derived: i32,
-    /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded away even with the derived number.
+    /// Fewest guard bits of f2 from which on, up to the derived number, no error is counted; none if ties are rounded
+    /// away even with the derived number.
     pub confirmed: Option<i32>,
-    /// Errors counted with one bit less; none if no number of bits dropped makes an error, that is without a silhouette on the screen.
+    /// Errors counted with one bit less; none if no number of bits dropped makes an error, that is without a silhouette
+    /// on the screen.
     pub errors_with_one_less: u64,
 }
 
@@ -158,7 +163,8 @@ pub fn headroom(prepared: &PreparedScene) -> Headroom {
     }
 }
 
-/// The least magnitude of the true f2 at a pixel of the object's screen box, rounded down; zero if it is zero at one. Endless if the box is empty.
+/// The least magnitude of the true f2 at a pixel of the object's screen box, rounded down; zero if it is zero at one.
+/// Endless if the box is empty.
 pub(super) fn least_f2(object: &PreparedQuadric) -> f64 {
     let signs = true_signs(&object.exact.f2, &object.words.screen_box, |_, _| 1.0);
     if signs.ties > 0 {

@@ -14,11 +14,13 @@ pub(super) struct TrueSigns {
     pub present: Vec<bool>,
     /// Pixels at which f2 is zero.
     pub ties: u64,
-    /// Greatest ratio over the pixels, where f2 is not zero, of the error that rounding can have there to the magnitude of f2.
+    /// Greatest ratio over the pixels, where f2 is not zero, of the error that rounding can have there to the magnitude
+    /// of f2.
     pub risk: f64,
 }
 
-/// Evaluates the exact expression at every pixel. `reach` gives the greatest rounding error of any such expression at a pixel, in last bits.
+/// Evaluates the exact expression at every pixel. `reach` gives the greatest rounding error of any such expression at a
+/// pixel, in last bits.
 pub(super) fn true_signs(
     exact: &QuadraticForm,
     window: &ScreenBox,

@@ -1,4 +1,5 @@
-//! Groups, cameras and images: where everything is in each frame, by matrices multiplied by hand and by scenes without groups.
+//! Groups, cameras and images: where everything is in each frame, by matrices multiplied by hand and by scenes without
+//! groups.
 
 mod refusals;
 mod reuse;

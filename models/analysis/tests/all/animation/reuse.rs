@@ -19,7 +19,8 @@ fn picture(framed: &FramedScene, prepared: &PreparedScene) -> Vec<u8> {
     phong::shade(&frame, &lighting, framed, &prepared.format)
 }
 
-/// Prepares these frames one after the other, compares each with a preparation of its scene alone, and says how much was taken over.
+/// Prepares these frames one after the other, compares each with a preparation of its scene alone, and says how much
+/// was taken over.
 fn compare(file: &SceneFile, order: &[usize]) -> Vec<Result<Reuse, String>> {
     let mut animator = Animator::new(file, SIZE, Format::BASE).expect("frames");
     let one = |&index: &usize| {
@@ -148,7 +149,8 @@ fn only_what_moves_is_prepared() {
     }
 }
 
-/// Two halves meet in a plane; as one of them slides along it, the box in which the plane counts changes, and with it the words of the half that stays.
+/// Two halves meet in a plane; as one of them slides along it, the box in which the plane counts changes, and with it
+/// the words of the half that stays.
 #[test]
 fn what_shares_a_plane_with_what_moves_is_prepared() {
     let half = |name: &str, x: f64| {

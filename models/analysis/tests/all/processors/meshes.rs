@@ -41,7 +41,8 @@ fn meshes_are_within_the_rounding_of_their_corners() {
         compared += 1;
     }
     assert!(compared > 15_000);
-    // Phong normals: linear on the screen instead of in space. Flat ones are those of their faces, up to a change of face at an edge.
+    // Phong normals: linear on the screen instead of in space. Flat ones are those of their faces, up to a change of
+    // face at an edge.
     let normals = pictures.normal_errors();
     let phong = normals.iter().filter(|&&(id, _)| id > 0);
     let worst = phong.map(|&(_, off)| off).fold(0.0, f64::max);
@@ -97,7 +98,8 @@ fn one_face(vertices: [[f64; 3]; 4], face: [usize; 4]) -> Pictures {
     Pictures::of_file(&file, (533, 400), Format::BASE)
 }
 
-/// A face is one processor if its corners are in a plane on the screen, two if not, split where both halves are inside; none if it is seen edge-on.
+/// A face is one processor if its corners are in a plane on the screen, two if not, split where both halves are inside;
+/// none if it is seen edge-on.
 #[test]
 fn faces_are_split_where_they_must_be() {
     let square = [

@@ -1,4 +1,5 @@
-//! What the words leave of a flag: decided in whole numbers, from the proven bounds of the words and the distance of the two visible depths.
+//! What the words leave of a flag: decided in whole numbers, from the proven bounds of the words and the distance of
+//! the two visible depths.
 
 use imogene_algebra::rational::{from_f64_exact, integer, power_of_two};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
@@ -34,8 +35,8 @@ fn fractions(bound: f64) -> i128 {
     scaled.ceil().to_integer().to_i128().expect("a small bound")
 }
 
-/// All depths at which golden and exact membership ask, in fractions of a count: golden and exact depth, the margin, and the counts that roots and
-/// coarse units are rounded by.
+/// All depths at which golden and exact membership ask, in fractions of a count: golden and exact depth, the margin,
+/// and the counts that roots and coarse units are rounded by.
 fn depths(volume: &PreparedVolume, golden: i64, exact: i64) -> (i128, i128) {
     let words = &volume.words;
     let coarse = 2i128 << words.quadric.map_or(0, |q| q.shift);
@@ -92,8 +93,8 @@ fn plane_state(
     }
 }
 
-/// At its own beginning a shadow is open, and the margin is proven to keep it so: a cut face that faces the light is outside the volume that begins
-/// at it, one that faces away is at the volume's end, inside.
+/// At its own beginning a shadow is open, and the margin is proven to keep it so: a cut face that faces the light is
+/// outside the volume that begins at it, one that faces away is at the volume's end, inside.
 fn begins_at_face(
     volume: &PreparedVolume,
     face: (usize, u8),

@@ -1,8 +1,9 @@
 //! Shadows and spots of the golden machine against exact rays to the light.
 //!
-//! Where the rounding of the words and the margin cannot change an answer, golden and exact flags are equal; that is decided in whole numbers, from
-//! the proven bounds of the words and the distance of the two visible depths. Everywhere else they may differ; it is counted how often they do, and
-//! each place is held against the edges of light in the exact flags.
+//! Where the rounding of the words and the margin cannot change an answer, golden and exact flags are equal; that is
+//! decided in whole numbers, from the proven bounds of the words and the distance of the two visible depths. Everywhere
+//! else they may differ; it is counted how often they do, and each place is held against the edges of light in the
+//! exact flags.
 
 mod compare;
 mod decide;

@@ -138,8 +138,8 @@ fn products_without_points_or_within_others_are_left_out() {
     assert_eq!(normal_form(&twice), [literals(&[0], &[1])]);
 }
 
-/// What duplication costs: over all trees of so many different objects, the mean and the most of products, of processors, and of places in a
-/// decider that has as many in each product as the largest needs.
+/// What duplication costs: over all trees of so many different objects, the mean and the most of products, of
+/// processors, and of places in a decider that has as many in each product as the largest needs.
 #[test]
 fn cost_of_duplication() {
     let mut found = Vec::new();
@@ -235,7 +235,8 @@ fn product(intersected: &[Primitive], subtracted: &[Primitive]) -> Product {
     }
 }
 
-/// The candidates are enough: the front of the intersection and the backs of what is taken away, each tested against all others.
+/// The candidates are enough: the front of the intersection and the backs of what is taken away, each tested against
+/// all others.
 fn candidates(product: &Product) -> Option<i64> {
     let front = product.intersected.iter().map(|p| p.zf).max()?;
     let back = product.intersected.iter().map(|p| p.zb).min()?;
@@ -282,7 +283,8 @@ fn moved(front: i64, subtracted: &[Primitive]) -> i64 {
     subtracted.iter().fold(front, cell)
 }
 
-/// Objects taken away may uncover each other in a cascade: a chain needs them sorted, and no order is right on all pixels.
+/// Objects taken away may uncover each other in a cascade: a chain needs them sorted, and no order is right on all
+/// pixels.
 #[test]
 fn a_chain_of_cells_is_not_enough() {
     let solid = primitive(0, (0, 6));

@@ -8,9 +8,11 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The curve of `function` over `0 .. 2^n * length` in `2^n` segments, with `place` bits of place and `fraction` bits after the point.
+    /// The curve of `function` over `0 .. 2^n * length` in `2^n` segments, with `place` bits of place and `fraction`
+    /// bits after the point.
     ///
-    /// A parabola meets the function at the three Chebyshev nodes of its segment; `c0` is half a unit higher for the floors that follow.
+    /// A parabola meets the function at the three Chebyshev nodes of its segment; `c0` is half a unit higher for the
+    /// floors that follow.
     pub fn new(
         function: impl Fn(f64) -> f64,
         n: u32,

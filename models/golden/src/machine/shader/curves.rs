@@ -3,8 +3,8 @@
 use super::curve::Curve;
 use super::widths::ShaderWidths;
 
-/// The functions that are tabulated, and the widths they work at. A *loss* is the negative logarithm to base 2 of a factor, with
-/// one bit more after the point than a logarithm.
+/// The functions that are tabulated, and the widths they work at. A *loss* is the negative logarithm to base 2 of a
+/// factor, with one bit more after the point than a logarithm.
 pub(super) struct Curves {
     pub widths: ShaderWidths,
     logarithm: Curve,
@@ -82,7 +82,8 @@ impl Curves {
     }
 }
 
-/// A vector shifted to the left until its longest component fills `bits` bits, by `bits - 2` at most, and the places it was shifted.
+/// A vector shifted to the left until its longest component fills `bits` bits, by `bits - 2` at most, and the places it
+/// was shifted.
 pub(super) fn normalised(vector: [i64; 3], bits: u32) -> ([i64; 3], u32) {
     let magnitude = vector.iter().fold(1, |all, v| all | (v ^ (v >> 63)));
     let length = 64 - magnitude.leading_zeros();

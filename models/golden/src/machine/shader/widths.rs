@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-/// Widths inside the shading processor that its error depends on. The hardware has the default; others are for measuring what a bit is worth.
+/// Widths inside the shading processor that its error depends on. The hardware has the default; others are for
+/// measuring what a bit is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ShaderWidths {
     /// Bits kept of a component of the vector to a light, its sign included.

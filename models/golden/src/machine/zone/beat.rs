@@ -45,7 +45,8 @@ pub mod command {
     pub const LIT: u64 = 1;
     /// Bit of show: the zone had a draw pass.
     pub const DRAWN: u64 = 2;
-    /// Bit of show: the last zone of the frame. Bits 8..3 are the sample ([`Sample`](crate::machine::zone::sample::Sample)).
+    /// Bit of show: the last zone of the frame. Bits 8..3 are the sample
+    /// ([`Sample`](crate::machine::zone::sample::Sample)).
     pub const LAST_ZONE: u64 = 4;
 }
 

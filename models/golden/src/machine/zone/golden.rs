@@ -158,7 +158,8 @@ impl ZoneMachineModel {
         }
     }
 
-    /// A whole frame of `width x height` samples: the beats up to the one that says it is the last. Face numbers are not kept, so they are 0.
+    /// A whole frame of `width x height` samples: the beats up to the one that says it is the last. Face numbers are
+    /// not kept, so they are 0.
     pub fn frame(
         &mut self,
         beats: impl IntoIterator<Item = Beat>,

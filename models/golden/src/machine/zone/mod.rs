@@ -1,8 +1,8 @@
 //! The zone machine: few processors that draw many objects, zone by zone (`docs/zone-machine.md`).
 //!
-//! K quadric object processors and V volume processors are loaded again and again with the objects and volumes of one zone of the screen; a buffer keeps what is
-//! seen so far at each pixel of the zone. The host cuts the screen and sends a stream of words and commands ([`beat`]). The
-//! golden machine ([`golden`]) is driven by that stream alone.
+//! K quadric object processors and V volume processors are loaded again and again with the objects and volumes of one
+//! zone of the screen; a buffer keeps what is seen so far at each pixel of the zone. The host cuts the screen and sends
+//! a stream of words and commands ([`beat`]). The golden machine ([`golden`]) is driven by that stream alone.
 
 pub mod beat;
 mod decode;

@@ -15,10 +15,12 @@ pub struct IterativeOutputs {
     pub remainder: u64,
 }
 
-/// The unit, clock by clock: registers for the pairs left (`2 K` bits), the root (`K`), the remainder (`K + 1`) and the digits left.
+/// The unit, clock by clock: registers for the pairs left (`2 K` bits), the root (`K`), the remainder (`K + 1`) and the
+/// digits left.
 ///
-/// `start` is obeyed when not busy, and its edge finds the first digit already, so that `done` comes with the edge number `K` counted
-/// from that one. `busy` is high after the edges before it. A new `start` may stand at the edge after `done`: a result every `K` clocks.
+/// `start` is obeyed when not busy, and its edge finds the first digit already, so that `done` comes with the edge
+/// number `K` counted from that one. `busy` is high after the edges before it. A new `start` may stand at the edge
+/// after `done`: a result every `K` clocks.
 #[derive(Clone, Debug)]
 pub struct IterativeRoot {
     root_bits: u32,

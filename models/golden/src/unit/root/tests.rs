@@ -1,7 +1,9 @@
-//! The family against its definition: `q^2 <= X < (q + 1)^2`, an oracle in big integers, and the figures of the restatement.
+//! The family against its definition: `q^2 <= X < (q + 1)^2`, an oracle in big integers, and the figures of the
+//! restatement.
 //!
-//! The exhaustive runs that take minutes are made when the environment variable `IMOGENE_FULL` is 1: all 32-bit radicands, and every
-//! decision boundary of 48 bits. Otherwise the same tests run over 24 bits and a spread of boundaries.
+//! The exhaustive runs that take minutes are made when the environment variable `IMOGENE_FULL` is 1: all 32-bit
+//! radicands, and every decision boundary of 48 bits. Otherwise the same tests run over 24 bits and a spread of
+//! boundaries.
 
 use super::*;
 use num_bigint::BigUint;
@@ -62,12 +64,13 @@ fn all_radicands() {
     });
 }
 
-/// Every place where a 24-digit root can step wrongly: n^2 - 1, n^2 and n^2 + 2n for every n in the full run, for every 61st otherwise.
+/// Every place where a 24-digit root can step wrongly: n^2 - 1, n^2 and n^2 + 2n for every n in the full run, for every
+/// 61st otherwise.
 ///
-/// A network whose root is monotone in the radicand and right at both ends of `[n^2, n^2 + 2n]` is right between them, and the networks
-/// are monotone: with the digits of two radicands equal up to a row, the larger prefix minus the same square is the larger
-/// partial remainder, so a digit never falls before it rises. The remainder follows from the root, because each row keeps
-/// `prefix = root^2 + remainder`.
+/// A network whose root is monotone in the radicand and right at both ends of `[n^2, n^2 + 2n]` is right between them,
+/// and the networks are monotone: with the digits of two radicands equal up to a row, the larger prefix minus the same
+/// square is the larger partial remainder, so a digit never falls before it rises. The remainder follows from the root,
+/// because each row keeps `prefix = root^2 + remainder`.
 #[test]
 fn decision_boundaries_of_48_bits() {
     let stride = if is_full_run() { 1 } else { 61 };
@@ -171,7 +174,8 @@ fn fifteenth_is_exact() {
     }
 }
 
-/// Greatest relative error in percent, without floors, after 0 to 4 corrections. `X` has an even or odd length by its octave.
+/// Greatest relative error in percent, without floors, after 0 to 4 corrections. `X` has an even or odd length by its
+/// octave.
 fn real_errors(estimate: fn(f64) -> f64) -> [f64; 5] {
     let mut greatest = [0.0f64; 5];
     for place in 0..=1_000_000u32 {
@@ -195,7 +199,8 @@ fn assert_close(found: [f64; 5], expected: [f64; 5], tolerance: f64) {
     }
 }
 
-/// Restatement 4.2, the table in real arithmetic. The sign printed in the source errs by half: a model that copies it fails here.
+/// Restatement 4.2, the table in real arithmetic. The sign printed in the source errs by half: a model that copies it
+/// fails here.
 #[test]
 fn real_errors_of_the_specification() {
     let linear = |t: f64| if t < 0.5 { t + 0.25 } else { 0.5 * t + 0.5 };

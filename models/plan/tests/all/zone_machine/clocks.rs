@@ -16,7 +16,8 @@ pub const TIMING: ZoneTiming = ZoneTiming {
     command: 2,
 };
 
-/// Clocks of the stream: a word takes one, and waits until all processors have started; a command waits for the pass before it.
+/// Clocks of the stream: a word takes one, and waits until all processors have started; a command waits for the pass
+/// before it.
 pub fn by_beats(beats: impl Iterator<Item = Beat>, timing: &ZoneTiming) -> u64 {
     let (mut now, mut pass_ends, mut pixels, mut settled) = (0, 0, 0, 0);
     for beat in beats {

@@ -1,4 +1,5 @@
-//! The zone machine: what its stream draws is what the beam machine and the volumes of the whole screen draw, however the work is divided.
+//! The zone machine: what its stream draws is what the beam machine and the volumes of the whole screen draw, however
+//! the work is divided.
 
 mod clocks;
 mod conversion;
