@@ -4,7 +4,7 @@ use crate::arguments::Command;
 use crate::failure::Failure;
 use crate::{output, process};
 use imogene_files::{Identity, Target, check_folder};
-use imogene_verif::trace::save_path;
+use imogene_verif::waveform::save_path;
 use std::path::{Path, PathBuf};
 
 /// What a command reads and writes.

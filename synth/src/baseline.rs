@@ -1,10 +1,10 @@
 //! The figures of the resource table as a file, and syntheses against it.
 
 use crate::cache::{Cache, digest};
-use crate::compare::{Change, Tolerance, Verdict, compare, worst};
 use crate::error::SynthError;
 use crate::figures::Figures;
 use crate::flow::{parameters, synthesise_with, tools};
+use crate::regression::{Change, Tolerance, Verdict, compare, worst};
 use crate::report::SynthReport;
 use crate::table::{Row, Section, Table, rows};
 use imogene_contract::Unit;

@@ -13,7 +13,6 @@
 pub mod baseline;
 mod bench;
 mod cache;
-pub mod compare;
 mod error;
 mod figures;
 pub mod fitted;
@@ -22,6 +21,7 @@ pub mod harness;
 mod netlist;
 mod nextpnr;
 pub mod peer;
+pub mod regression;
 mod report;
 pub mod table;
 mod target;

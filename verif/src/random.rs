@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
-use crate::trace::Trace;
+use crate::waveform::Trace;
 
 /// Clocks of one stimulus: long enough for every pipeline to fill, short enough that a run sees many coefficient sets.
 const STIMULUS_CLOCKS: usize = 500;

@@ -1,6 +1,6 @@
 //! What a co-simulation found.
 
-use crate::trace::Trace;
+use crate::waveform::Trace;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;

@@ -3,7 +3,7 @@
 
 use crate::report::Report;
 use crate::signal::Signal;
-use crate::trace::{Group, Sample, Trace};
+use crate::waveform::{Group, Sample, Trace};
 use proptest::strategy::{BoxedStrategy, Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::time::Instant;

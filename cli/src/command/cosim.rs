@@ -13,7 +13,7 @@ use imogene_verif::engine::BUILT_IN;
 use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, TraceRequest, slots, volumes};
+use imogene_verif::scene::{self, WaveformRequest, slots, volumes};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::path::Path;
@@ -148,7 +148,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
     let run_options = scene::Options {
         rows_per_stage: options.shape.rows_per_stage(),
         threads: threads(),
-        trace: options.vcd.as_ref().map(|_| TraceRequest {
+        trace: options.vcd.as_ref().map(|_| WaveformRequest {
             object: options.trace_object,
             clocks: TRACE_CLOCKS,
         }),

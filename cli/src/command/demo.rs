@@ -11,7 +11,7 @@ use imogene_contract::{Request, Unit};
 use imogene_scene::SceneFile;
 use imogene_studies::picture;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, TraceRequest};
+use imogene_verif::scene::{self, WaveformRequest};
 use serde::Serialize;
 
 /// The teapot, compiled in so that the demo needs no file.
@@ -44,7 +44,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
     let (framed, prepared) = frame_scene(&file, Some(SIZE), 24)?;
     let run_options = scene::Options {
-        trace: Some(TraceRequest {
+        trace: Some(WaveformRequest {
             object: TRACED,
             clocks: TRACE_CLOCKS,
         }),

@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::object::quadric::{MAX_PLANES, QuadricWords};
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -2,7 +2,7 @@
 
 use crate::object::screen_box::ScreenBox;
 use crate::unit::cut_plane::PlaneKind;
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use proptest::prelude::*;

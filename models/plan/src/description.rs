@@ -1,6 +1,6 @@
 //! Machine descriptions: what a machine with a screen is made of, as a TOML file (`docs/machines.md`).
 
-mod check;
+mod validation;
 
 use imogene_contract::video::{Span, VideoMode};
 use imogene_contract::{object, volume};

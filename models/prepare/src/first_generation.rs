@@ -13,7 +13,7 @@ use imogene_algebra::rational::integer;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_scene::{FramedQuadric, Surface};
 
 pub(super) fn prepare_first_generation(

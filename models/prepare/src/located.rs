@@ -8,7 +8,7 @@ use super::object;
 use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
 use super::projected::Projected;
 use super::seams::{self, Place, cut};
-use super::{curved_facet, first_generation, mesh, polyhedron, quotient, round};
+use super::{curved_facet, first_generation, mesh, paraboloids, polyhedron, quotient};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
 use rayon::prelude::*;
@@ -90,9 +90,9 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
         }
         FramedObject::FirstGeneration(q) => first_generation::prepare_first_generation(q, context),
         FramedObject::Mesh(mesh) => mesh::prepare_mesh(mesh, context),
-        FramedObject::Sphere(sphere) => round::prepare_sphere(sphere, context),
-        FramedObject::Cylinder(cylinder) => round::prepare_cylinder(cylinder, context),
-        FramedObject::CurvedSphere(sphere) => round::prepare_curved_sphere(sphere, context),
+        FramedObject::Sphere(sphere) => paraboloids::prepare_sphere(sphere, context),
+        FramedObject::Cylinder(cylinder) => paraboloids::prepare_cylinder(cylinder, context),
+        FramedObject::CurvedSphere(sphere) => paraboloids::prepare_curved_sphere(sphere, context),
         FramedObject::CurvedFacet(q) => curved_facet::prepare_curved_facet(q, context),
     }
 }

@@ -17,7 +17,7 @@ use super::seams::Place;
 use imogene_algebra::rational::{integer, power_of_two, to_f64, to_f64_up};
 use imogene_golden::format::{Format, word_max};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_scene::{FramedQuadric, Surface};
 use num_bigint::BigInt;

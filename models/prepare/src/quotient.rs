@@ -23,7 +23,7 @@ use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::quotient::{QuotientRoot, QuotientWidths, QuotientWords, widths};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;

@@ -8,7 +8,7 @@ use super::object;
 use super::prepared::{Missing, PreparedObject, PreparedScene};
 use super::volume::{self, Volumes, prepare_volumes};
 use imogene_golden::format::Format;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_scene::{CutOff, End, FramedScene};
 use rayon::prelude::*;
 

@@ -1,8 +1,8 @@
 //! What an object of a scene is in the camera frame.
 
 use super::mesh::FramedMesh;
+use super::paraboloids::{FramedCylinder, FramedSphere};
 use super::quadric::FramedQuadric;
-use super::round::{FramedCylinder, FramedSphere};
 use super::shape::Surface;
 use serde::Serialize;
 use std::sync::Arc;

@@ -6,8 +6,6 @@
 
 pub mod animation;
 mod camera;
-mod check;
-mod check_kind;
 mod error;
 mod file;
 mod flat;
@@ -15,8 +13,9 @@ mod frame;
 mod framed;
 mod group;
 mod image;
-mod image_check;
+mod image_validation;
 mod keys;
+mod kind_validation;
 mod light;
 mod limits;
 mod look;
@@ -25,17 +24,18 @@ mod molecule;
 mod names;
 mod object;
 mod observer;
+mod paraboloids;
 mod plane;
 mod quadric;
 mod range;
 mod reach;
-mod round;
 mod shape;
 mod sight;
 mod source;
 mod step;
 mod tetrahedron;
 mod transform;
+mod validation;
 
 pub use camera::{
     Camera, FILM_HEIGHT, LONGEST_FOCAL, Lens, NARROWEST_FIELD, SHORTEST_FOCAL, WIDEST_FIELD,
@@ -46,7 +46,7 @@ pub use frame::{FramedLight, FramedScene};
 pub use framed::{Absence, Absent, FramedObject, Unseen};
 pub use group::{Group, Node};
 pub use image::{Action, FRAME_DURATION, KeyImage, MoveFrame};
-pub use image_check::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
+pub use image_validation::{LONGEST_FRAME, MAX_FRAMES, MAX_IMAGES, SHORTEST_FRAME};
 pub use light::{Aim, Beam, Light};
 pub use limits::{
     LARGEST_HALF_ANGLE, MAX_CUTS, MAX_IMAGE_SIDE, MAX_INTENSITY, MAX_LIGHTS, MAX_MAGNITUDE,
@@ -58,11 +58,11 @@ pub use molecule::Molecule;
 pub use names::MAX_NESTING;
 pub use object::Object;
 pub use observer::FloatCamera;
+pub use paraboloids::{FramedCylinder, FramedSphere, root};
 pub use plane::Plane;
 pub use quadric::{FramedQuadric, Quadric};
 pub use range::{CutOff, DepthRange, End, Projection, RangeOrigin, RangeReport};
 pub use reach::Body;
-pub use round::{FramedCylinder, FramedSphere, root};
 pub use shape::{Cut, Mesh, Processor, Shape, Surface};
 pub use source::{FramedSource, SpotCone};
 pub use step::{Axis, Rotation, Scale, Step};

@@ -3,7 +3,7 @@
 
 use imogene_contract::{Request, Unit};
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
-use imogene_synth::compare::{Tolerance, Verdict};
+use imogene_synth::regression::{Tolerance, Verdict};
 use imogene_synth::{Cache, Options, SynthError, SynthReport, Target, synthesise, table};
 use std::path::{Path, PathBuf};
 

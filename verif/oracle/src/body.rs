@@ -7,8 +7,8 @@
 
 use crate::camera::{Affine, Sight};
 use crate::facet::{Triangle, triangles};
-use crate::frame::{Matrix, Vector, apply, diagonal, inverse, placement, times};
 use crate::interval::{Interval, about_all};
+use crate::transform::{Matrix, Vector, apply, diagonal, inverse, placement, times};
 use imogene_algebra::rational::{from_decimal, integer};
 use imogene_scene::{Object, Processor, Shape, Surface};
 use num_bigint::BigInt;

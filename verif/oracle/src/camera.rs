@@ -8,8 +8,8 @@
 //! exact scene with these numbers, so that a line of sight follows the dual axes: the cross products of the others
 //! over the determinant.
 
-use crate::frame::{Vector, apply, placement, unit};
 use crate::interval::Interval;
+use crate::transform::{Vector, apply, placement, unit};
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
 use imogene_scene::{Camera, DepthRange, Lens, Step};
 use num_rational::BigRational;

@@ -7,7 +7,7 @@
 use crate::body::{Body, CutBody};
 use crate::interval::Interval;
 use crate::verdict::{Cell, Verdict};
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_scene::Surface;
 
 impl Body {

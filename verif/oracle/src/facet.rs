@@ -2,9 +2,9 @@
 //! sign.
 
 use crate::camera::Sight;
-use crate::frame::{Matrix, Vector, apply};
 use crate::interval::Interval;
 use crate::root::Real;
+use crate::transform::{Matrix, Vector, apply};
 use crate::verdict::{Cell, Solved, Verdict};
 use imogene_algebra::rational::from_decimal;
 use imogene_golden::object::facet::FACE_FACET;

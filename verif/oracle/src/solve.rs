@@ -4,7 +4,7 @@
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
 use crate::verdict::Solved;
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_scene::Surface;
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -1,11 +1,11 @@
 //! One band of the screen: load, scan, compare.
 
 use super::golden::{GoldenMachine, probe_values};
-use super::request::{Fault, TraceRequest, middle_line};
+use super::request::{Fault, WaveformRequest, middle_line};
 use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal};
 use crate::report::Report;
 use crate::signal::{Delay, Signal};
-use crate::trace::{Group, Sample, Trace};
+use crate::waveform::{Group, Sample, Trace};
 use imogene_golden::machine::decider::Visible;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::load::{LoadWord, load_words};
@@ -28,7 +28,7 @@ pub(super) struct Band<'a> {
     pub first_line: usize,
     pub lines: usize,
     pub fault: Option<Fault>,
-    pub trace: Option<&'a TraceRequest>,
+    pub trace: Option<&'a WaveformRequest>,
 }
 
 /// Width of a load word of this machine, if the address exists.
@@ -262,7 +262,7 @@ struct Recorder {
 }
 
 impl Recorder {
-    fn new(request: &TraceRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
+    fn new(request: &WaveformRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
         // The middle line of the traced object.
         let line = middle_line(&band.objects[request.object]) as u64;
         let from = line * u64::from(band.scene.width);

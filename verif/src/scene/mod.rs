@@ -14,7 +14,7 @@ pub mod zone;
 use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
-pub use request::{CosimError, Fault, MAX_OBJECTS, Options, TraceRequest};
+pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest};
 
 use band::{Band, Part};
 use imogene_golden::machine::frame::Frame;

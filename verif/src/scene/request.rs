@@ -8,7 +8,7 @@ pub const MAX_OBJECTS: usize = 256;
 
 /// Waveforms wanted of a run.
 #[derive(Clone, Debug)]
-pub struct TraceRequest {
+pub struct WaveformRequest {
     /// Slot whose inside is traced.
     pub object: usize,
     /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always
@@ -35,7 +35,7 @@ pub struct Options {
     /// Threads, each with an engine of its own.
     pub threads: usize,
     /// Waveforms of the band that holds the middle of the traced object.
-    pub trace: Option<TraceRequest>,
+    pub trace: Option<WaveformRequest>,
     /// Fault put into the hardware.
     pub fault: Option<Fault>,
 }

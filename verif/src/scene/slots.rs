@@ -8,8 +8,8 @@
 use super::zone::{Engine, SlotError, Subjects, Zone};
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
-use crate::trace::Sample;
 use crate::unit::words::{Loaded, processor};
+use crate::waveform::Sample;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
 use imogene_golden::machine::frame::Frame;

@@ -4,8 +4,8 @@
 use super::zone::{Engine, SlotError, Subjects, Zone};
 use crate::report::Report;
 use crate::subject::{Inputs, Subject};
-use crate::trace::Sample;
 use crate::unit::words::{Loaded, volume};
+use crate::waveform::Sample;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};

@@ -6,7 +6,7 @@ use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::cut;
-use imogene_golden::unit::interval::{Class, Interval, halves};
+use imogene_golden::unit::depth_interval::{Class, Interval, halves};
 use imogene_golden::unit::merge::merge;
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;

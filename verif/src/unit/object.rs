@@ -16,7 +16,7 @@ use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::sphere::{self, SphereWords};
 use imogene_golden::object::words::Running;
 use imogene_golden::object::{patch, quadric};
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use proptest::prelude::*;
 
 /// Depths, face and normal behind `out_valid`, so many clocks after the flags, from the words that `words` reads.

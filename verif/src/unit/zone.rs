@@ -8,7 +8,7 @@ use crate::subject::{Inputs, Stimulus, Subject};
 use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
 use imogene_golden::object::screen_box::ScreenBox;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;

@@ -9,7 +9,7 @@ use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
 use imogene_verif::engine::built_in::BuiltIn;
 use imogene_verif::engine::circuit::Circuit;
-use imogene_verif::scene::{self, Fault, Options, TraceRequest};
+use imogene_verif::scene::{self, Fault, Options, WaveformRequest};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{subject, units};
 use std::path::Path;
@@ -103,7 +103,7 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     let mut options = Options {
         rows_per_stage: 4,
         threads: 1,
-        trace: Some(TraceRequest {
+        trace: Some(WaveformRequest {
             object: 0,
             clocks: 100,
         }),

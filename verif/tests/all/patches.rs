@@ -4,7 +4,7 @@
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::interval::{Class, Interval, halves};
+use imogene_golden::unit::depth_interval::{Class, Interval, halves};
 use imogene_verif::unit::subject;
 
 const KINDS: [PlaneKind; 4] = [

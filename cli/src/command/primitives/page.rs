@@ -2,8 +2,8 @@
 
 use super::hardware::{Hardware, TARGET};
 use imogene_files::text::wrapped;
-use imogene_studies::compare::errors::{Bulge, Errors};
-use imogene_studies::compare::speed::{FacetWork, Speed};
+use imogene_studies::primitives::errors::{Bulge, Errors};
+use imogene_studies::primitives::speed::{FacetWork, Speed};
 use serde::Serialize;
 use std::fmt::Write;
 

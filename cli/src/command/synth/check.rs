@@ -7,7 +7,7 @@ use imogene_contract::Unit;
 use imogene_files::text::counted;
 use imogene_synth::Target;
 use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
-use imogene_synth::compare::{Change, Tolerance, Verdict};
+use imogene_synth::regression::{Change, Tolerance, Verdict};
 use imogene_synth::table::{self, Row};
 
 /// Synthesises rows of the table and compares them with the baseline.

@@ -32,7 +32,7 @@
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_prepare::PreparedQuadric;
 use imogene_prepare::rounding::Anchor;
 use rayon::prelude::*;

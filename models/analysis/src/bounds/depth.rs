@@ -22,7 +22,7 @@
 //! f2': `sqrt(f2)` lies between `sqrt(max(0, f2' - e2))` and `sqrt(f2' + (1 - 2^-g2) + e2)`, and the farther of these
 //! from r counts.
 
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::{PreparedQuadric, RoundingBounds};
 use serde::Serialize;
 

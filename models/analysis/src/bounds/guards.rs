@@ -13,7 +13,7 @@
 use super::depth::depth_terms;
 use super::headroom::least_f2;
 use imogene_golden::format::Format;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_prepare::{PreparedQuadric, PreparedScene, RoundingBounds};
 use serde::Serialize;
 

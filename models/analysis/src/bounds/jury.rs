@@ -7,7 +7,7 @@ use super::verdict::{Contest, Verdict, decide};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::unit::interval::FACE_PLANE;
+use imogene_golden::unit::depth_interval::FACE_PLANE;
 use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
 use imogene_scene::{FramedObject, FramedScene};
 use rayon::prelude::*;

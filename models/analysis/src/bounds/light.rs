@@ -12,7 +12,7 @@ use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::volume::VolumeKind;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{Class, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{Class, FACE_PLANE};
 use imogene_prepare::volume::{Beginning, PreparedVolume};
 use imogene_prepare::{PreparedScene, RoundingBounds};
 use rayon::prelude::*;

@@ -13,7 +13,7 @@
 //! at most `asin(E / L)` away from the true one. Where E >= L the direction is not determined.
 
 use super::depth::root_error;
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_golden::unit::normal::NormalWords;
 use imogene_prepare::{PreparedQuadric, RoundingBounds};
 

@@ -13,7 +13,7 @@ use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{Class, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
 use imogene_prepare::{NeededWidths, PreparedQuadric, PreparedScene};
 use imogene_scene::{FramedQuadric, Surface};
 use rayon::prelude::*;

@@ -166,7 +166,7 @@ fn real_roots(a: f64, b: f64, c: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use imogene_golden::unit::interval::Class;
+    use imogene_golden::unit::depth_interval::Class;
     use imogene_golden::unit::pe2::Quadratic;
     use imogene_prepare::rounding::Anchor;
     use imogene_prepare::{ExactForms, NeededWidths, RoundingBounds, forms};

@@ -8,7 +8,7 @@ use super::depth::{Range, face_ranges};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::PlaneWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::PreparedQuadric;
 
 /// What is proven of one object at one pixel.

@@ -4,7 +4,7 @@ use super::ray::{Hit, RayObject, is_visible, ordered_roots};
 use super::real::SurdReal;
 use super::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::format::Format;
-use imogene_golden::unit::interval::FACE_FAR;
+use imogene_golden::unit::depth_interval::FACE_FAR;
 use imogene_scene::{FramedScene, Surface};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};

@@ -6,7 +6,7 @@
 
 use super::real::SurdReal;
 use imogene_algebra::rational::integer;
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_scene::{FramedQuadric, Projection, Surface};
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -5,7 +5,7 @@ use super::ray::{Hit, RayObject};
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Projection};
 use num_bigint::BigInt;

@@ -188,7 +188,7 @@ impl Bits {
 mod tests {
     use super::*;
     use imogene_golden::object::quadric::ScreenBox;
-    use imogene_golden::unit::interval::Class;
+    use imogene_golden::unit::depth_interval::Class;
     use imogene_golden::unit::normal::NormalWords;
 
     #[test]

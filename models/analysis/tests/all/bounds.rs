@@ -5,7 +5,7 @@ use imogene_analysis::bounds::depth_bound;
 use imogene_analysis::exact::real::SurdReal;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
-use imogene_golden::unit::interval::{Class, FACE_FAR, FACE_NEAR};
+use imogene_golden::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::root::fast_root;
 use imogene_prepare::{PreparedQuadric, prepare_for_roots as prepare_for};
 use imogene_scene::Surface;

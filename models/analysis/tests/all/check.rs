@@ -4,7 +4,7 @@ use imogene_algebra::rational::from_f64_exact;
 use imogene_analysis::bounds::{CheckReport, Shows, check, depth_bound};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_prepare::{PreparedObject, PreparedQuadric, prepare as prepare_scene};
 use imogene_scene::{FramedScene, Quadric, Surface};

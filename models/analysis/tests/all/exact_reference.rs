@@ -5,7 +5,7 @@ use imogene_algebra::rational::{fraction, integer, to_f64};
 use imogene_analysis::exact::ray::RayObject;
 use imogene_analysis::exact::render::{DEPTH_FRACTION, render};
 use imogene_golden::format::Format;
-use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::Framing;
 use imogene_scene::{FramedQuadric, FramedScene, Projection, SceneFile, Surface};
 use imogene_testkit::*;

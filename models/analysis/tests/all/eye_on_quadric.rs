@@ -9,7 +9,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::unit::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::{
     PreparedObject, PreparedParts, PreparedScene, prepare as prepare_in, prepare_for_roots,

@@ -5,7 +5,7 @@ use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
-use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedQuadric, PreparedScene, prepare};
 use imogene_scene::{FramedScene, Projection, SceneFile};

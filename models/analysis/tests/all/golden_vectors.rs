@@ -5,7 +5,7 @@ use imogene_analysis::exact::ray::RayObject;
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::interval::{FACE_PLANE, halves};
+use imogene_golden::unit::depth_interval::{FACE_PLANE, halves};
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_golden::unit::root::restoring_root;
@@ -157,7 +157,7 @@ fn chain(
     x: i64,
     y: i64,
     width: u32,
-) -> imogene_golden::unit::interval::Interval {
+) -> imogene_golden::unit::depth_interval::Interval {
     let format = Format::BASE;
     let f1 = words.f1.wrapped_at(x, y, format.sum) as i64;
     let f2 = radicand_at(words, x, y);

@@ -5,7 +5,7 @@ use imogene_analysis::exact::ray::RayObject;
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::interval::{Class, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval};
+use imogene_golden::unit::depth_interval::{Class, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval};
 use imogene_golden::unit::root::fast_root;
 use imogene_prepare::perspective::ScreenQuadric;
 use imogene_scene::{FramedScene, Plane, Projection, Quadric, Surface, Transform};

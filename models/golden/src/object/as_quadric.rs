@@ -13,7 +13,7 @@ use super::slot::ProcessorWords;
 use super::volume::{VolumeQuadric, VolumeWords};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;

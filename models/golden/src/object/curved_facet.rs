@@ -4,7 +4,7 @@ use super::paraboloid::{Exact, contour, depth_guard, normal_guard, one_face, sec
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
-use crate::unit::interval::FACE_NEAR;
+use crate::unit::depth_interval::FACE_NEAR;
 use crate::unit::pe2::Quadratic;
 use imogene_contract::words;
 use serde::{Deserialize, Serialize};

@@ -8,7 +8,7 @@ use super::paraboloid::{
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
-use crate::unit::interval::{FACE_NEAR, FACE_PLANE};
+use crate::unit::depth_interval::{FACE_NEAR, FACE_PLANE};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::{integer, round_half_up};

@@ -5,7 +5,7 @@ use super::paraboloid::{first_degree, one_face, plane_guard};
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
-use crate::unit::interval::FACE_PLANE;
+use crate::unit::depth_interval::FACE_PLANE;
 use crate::unit::normal::LINEAR_WIDTH;
 use crate::unit::pe1::Linear;
 use imogene_algebra::rational::{fraction, integer};

@@ -8,7 +8,7 @@ use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
-use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
+use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::patch_decider::{Faces, decide, visible};
 use crate::unit::pe1::Linear;

@@ -4,7 +4,7 @@
 use super::quadric::{MAX_PLANES, ObjectPixel, PlaneWords, QuadricWords};
 use crate::format::{Format, wrap64};
 use crate::unit::cut_plane::cut;
-use crate::unit::interval::{Class, FACE_PLANE, halves};
+use crate::unit::depth_interval::{Class, FACE_PLANE, halves};
 use crate::unit::merge::merge;
 use crate::unit::normal::select;
 use crate::unit::pe1::Linear;

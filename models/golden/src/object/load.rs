@@ -96,7 +96,7 @@ impl List {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::interval::Class;
+    use crate::unit::depth_interval::Class;
 
     #[test]
     fn words_stand_at_their_addresses() {

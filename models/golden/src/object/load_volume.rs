@@ -46,7 +46,7 @@ mod tests {
     use crate::object::quadric::ScreenBox;
     use crate::object::volume::VolumeKind;
     use crate::unit::cut_plane::PlaneKind;
-    use crate::unit::interval::Class;
+    use crate::unit::depth_interval::Class;
     use crate::unit::pe1::Linear;
 
     #[test]

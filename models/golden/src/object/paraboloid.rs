@@ -4,7 +4,7 @@
 //! profile on 0 <= r <= 1.
 
 use crate::format::Format;
-use crate::unit::interval::{Class, Interval, halves};
+use crate::unit::depth_interval::{Class, Interval, halves};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use imogene_algebra::rational::round_half_up;

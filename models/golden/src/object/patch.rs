@@ -40,7 +40,7 @@ mod tests {
     use crate::object::words::Object;
     use crate::testing::{SIDE, bowl, kind, linear, pixels};
     use crate::unit::cut_plane::PlaneKind;
-    use crate::unit::interval::Class;
+    use crate::unit::depth_interval::Class;
     use crate::unit::normal::NormalWords;
     use crate::unit::pe1::Linear;
     use crate::unit::pe2::Quadratic;

@@ -5,8 +5,8 @@ use super::quadric::PlaneWords;
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
+use crate::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::unit::half_spaces::{close, leaf, tree, tree_levels};
-use crate::unit::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::unit::normal::NEAR_END_NORMAL;
 use serde::{Deserialize, Serialize};
 
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::object::quadric::{QuadricProcessor, QuadricWords};
     use crate::unit::cut_plane::PlaneKind;
-    use crate::unit::interval::Class;
+    use crate::unit::depth_interval::Class;
     use crate::unit::normal::NormalWords;
     use crate::unit::pe1::Linear;
     use crate::unit::pe2::Quadratic;

@@ -6,7 +6,7 @@ pub use super::words::ObjectPixel;
 use super::words::{Expression, Object, Running, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::{PlaneKind, cut};
-use crate::unit::interval::{Class, FACE_PLANE, Interval, halves};
+use crate::unit::depth_interval::{Class, FACE_PLANE, Interval, halves};
 use crate::unit::merge::merge;
 use crate::unit::normal::{NormalWords, select};
 use crate::unit::pe1::Linear;

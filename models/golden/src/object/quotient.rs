@@ -20,7 +20,7 @@ use super::words::Expression::{First, Second};
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::cut;
-use crate::unit::interval::{
+use crate::unit::depth_interval::{
     Class, FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE, Interval, halves,
 };
 use crate::unit::merge::merge;

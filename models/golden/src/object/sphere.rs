@@ -8,7 +8,7 @@ use super::paraboloid::{
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Running, Words};
 use crate::format::{Format, wrap64};
-use crate::unit::interval::{Class, FACE_NEAR_END, halves};
+use crate::unit::depth_interval::{Class, FACE_NEAR_END, halves};
 use crate::unit::normal::{LINEAR_WIDTH, NEAR_END_NORMAL};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;

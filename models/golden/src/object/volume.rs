@@ -9,7 +9,7 @@ use super::words::Expression::{First, Second};
 use super::words::{Expression, Running, Words};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;

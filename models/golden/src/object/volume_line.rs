@@ -5,7 +5,7 @@ use super::line::Accumulator;
 use super::volume::VolumeWords;
 use crate::format::{Format, wrap64};
 use crate::unit::cut_plane::PlaneKind;
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
 use crate::unit::root::fast_root;
 

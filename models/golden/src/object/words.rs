@@ -2,7 +2,7 @@
 
 use super::screen_box::ScreenBox;
 use crate::format::Format;
-use crate::unit::interval::Interval;
+use crate::unit::depth_interval::Interval;
 use crate::unit::lattice::Lattice;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;

@@ -1,7 +1,7 @@
 //! The cut-plane unit: shortens a solid's depth interval, or removes faces of a patch, at one plane
 //! (source: 2.4.2, comparisons of B.12).
 
-use super::interval::Interval;
+use super::depth_interval::Interval;
 use crate::format::Format;
 use imogene_contract::words;
 use serde::{Deserialize, Serialize};

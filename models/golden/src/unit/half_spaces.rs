@@ -6,7 +6,7 @@
 //! N)` clocks.
 
 use super::cut_plane::PlaneKind;
-use super::interval::{FACE_NEAR_END, FACE_PLANE, Interval};
+use super::depth_interval::{FACE_NEAR_END, FACE_PLANE, Interval};
 use crate::format::Format;
 
 /// One branch of the tree: what its planes leave.

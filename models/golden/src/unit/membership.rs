@@ -5,7 +5,7 @@
 //! nor a second half.
 
 use super::cut_plane::PlaneKind;
-use super::interval::Class;
+use super::depth_interval::Class;
 use crate::format::Format;
 
 /// The depth in question.
@@ -73,7 +73,7 @@ pub const fn in_half_space(kind: PlaneKind, zp: i64, point: Point) -> bool {
 mod tests {
     use super::*;
     use crate::unit::cut_plane::cut;
-    use crate::unit::interval::{Interval, halves};
+    use crate::unit::depth_interval::{Interval, halves};
     use crate::unit::plane_depth::saturate;
 
     const F: Format = Format::BASE;

@@ -1,9 +1,9 @@
 //! Golden models of the units, one per file.
 
 pub mod cut_plane;
+pub mod depth_interval;
 pub mod half_spaces;
 pub mod interlaced;
-pub mod interval;
 pub mod lattice;
 pub mod membership;
 pub mod merge;

@@ -1,7 +1,7 @@
 //! The normal unit: one of the possible normals, computed once from the number of the visible face
 //! (source: 2.4.2; the sign error of its Exp. 9-11 cannot occur because the factor K_k carries its own sign).
 
-use super::interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
+use super::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use super::pe1::Linear;
 use crate::format::{Format, wrap64};
 use serde::{Deserialize, Serialize};

@@ -4,7 +4,7 @@
 //! each plane and two wide ANDs stand in the place of the chain of [`super::cut_plane`].
 
 use super::cut_plane::PlaneKind;
-use super::interval::{FACE_FAR, FACE_NEAR, Interval};
+use super::depth_interval::{FACE_FAR, FACE_NEAR, Interval};
 use crate::format::Format;
 
 /// For each of the two faces: is it there, or does a plane keep it.
@@ -81,7 +81,7 @@ pub const fn decide(near: i64, far: i64, left: Faces, format: &Format) -> Interv
 mod tests {
     use super::*;
     use crate::unit::cut_plane::{cut, permutations};
-    use crate::unit::interval::{Class, halves};
+    use crate::unit::depth_interval::{Class, halves};
 
     const F: Format = Format::BASE;
 

@@ -8,7 +8,7 @@ use imogene_golden::object::quadric::{
     ObjectPixel, PlaneWords, QuadricProcessor, QuadricWords, ScreenBox,
 };
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{Class, FACE_NEAR_END};
+use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;

@@ -3,4 +3,4 @@
 mod elementary;
 mod facets;
 mod first_generation;
-mod round_objects;
+mod paraboloids;

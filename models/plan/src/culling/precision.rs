@@ -4,7 +4,7 @@
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::QuadricWords;
 use imogene_golden::object::range::Range;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use serde::Serialize;
 
 /// Bits of the words of one object; two's complement, guard bits not counted.

@@ -9,7 +9,7 @@ use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use imogene_golden::object::range::Range;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_golden::unit::root::fast_root;

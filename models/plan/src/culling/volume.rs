@@ -14,7 +14,7 @@ use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::range::Range;
 use imogene_golden::object::volume::{VolumeQuadric, VolumeWords};
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 
 /// Something that can be seen in a zone.

@@ -16,7 +16,7 @@ use imogene_golden::object::volume::{
     MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric, VolumeWords,
 };
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_scene::{Plane, Quadric, Surface};
 use num_traits::{Signed, Zero};
 

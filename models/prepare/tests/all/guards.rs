@@ -3,7 +3,7 @@
 use imogene_golden::format::Format;
 use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{QuadricProcessor, QuadricWords, ScreenBox};
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_golden::unit::root::fast_root;

@@ -8,7 +8,7 @@ use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::{Unused, UnusedPlane, every_kind};
 use imogene_golden::object::volume::VolumeKind;
 use imogene_golden::object::words::Words;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;

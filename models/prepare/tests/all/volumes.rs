@@ -8,7 +8,7 @@ use imogene_golden::object::volume::{
     VolumeQuadric, VolumeWords,
 };
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 use imogene_prepare::Framing;

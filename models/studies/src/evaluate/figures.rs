@@ -9,8 +9,8 @@ use super::hardware::{
 use super::scenes::{Moving, OBJECT_SIDE, balls, others, zone_machine};
 use super::steps;
 use super::work::pixel;
-use crate::compare::fair_sides;
-use crate::compare::tessellate::to_mesh;
+use crate::primitives::fair_sides;
+use crate::primitives::tessellate::to_mesh;
 use imogene_algebra::rational::from_decimal;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ID_BITS;

@@ -6,7 +6,7 @@
 use super::count::{Counted, Counter, Tally, cost};
 use super::work::facet::{self, Contour, Corners};
 use super::work::lighting::{Colours, Place, light, power};
-use super::work::{frame, quadric, zones};
+use super::work::{quadric, transform, zones};
 use serde_json::{Value, json};
 
 const MATRIX: [[f64; 4]; 4] = [
@@ -43,42 +43,46 @@ const WORST_EXPONENT: u32 = 127;
 type Step = (&'static str, fn(&Counter));
 
 const STEPS: &[Step] = &[
-    ("product", |c| done(frame::product(&matrix(c), &matrix(c)))),
+    ("product", |c| {
+        done(transform::product(&matrix(c), &matrix(c)))
+    }),
     ("affine_product", |c| {
-        done(frame::affine_product(&matrix(c), &matrix(c)))
+        done(transform::affine_product(&matrix(c), &matrix(c)))
     }),
     ("point", |c| {
-        done(frame::point(&matrix(c), c.numbers(POINT)))
+        done(transform::point(&matrix(c), c.numbers(POINT)))
     }),
     ("direction", |c| {
-        done(frame::direction(&matrix(c), c.numbers(POINT)))
+        done(transform::direction(&matrix(c), c.numbers(POINT)))
     }),
     ("divide", |c| {
-        done(frame::divided(c.numbers([1.0, 2.0, 3.0, 4.0])))
+        done(transform::divided(c.numbers([1.0, 2.0, 3.0, 4.0])))
     }),
     ("plane_image", |c| {
-        done(frame::plane(&matrix(c), c.numbers(PLANE)))
+        done(transform::plane(&matrix(c), c.numbers(PLANE)))
     }),
     ("quadric_in_full", |c| {
-        done(frame::quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
+        done(transform::quadric_in_full(&matrix(c), c.numbers(QUADRIC)))
     }),
     ("quadric_image", |c| {
-        done(frame::quadric(&matrix(c), c.numbers(QUADRIC)))
+        done(transform::quadric(&matrix(c), c.numbers(QUADRIC)))
     }),
-    ("cofactors", |c| done(frame::cofactors(&matrix(c)))),
+    ("cofactors", |c| done(transform::cofactors(&matrix(c)))),
     ("shared_cofactors", |c| {
-        done(frame::cofactors_of_shared_minors(&matrix(c)))
+        done(transform::cofactors_of_shared_minors(&matrix(c)))
     }),
     ("determinant_alone", |c| {
-        done(frame::determinant_alone(&matrix(c)))
+        done(transform::determinant_alone(&matrix(c)))
     }),
     ("determinant", |c| {
-        done(frame::determinant(&matrix(c), &matrix(c)))
+        done(transform::determinant(&matrix(c), &matrix(c)))
     }),
     ("inverse", |c| {
-        done(frame::inverse(&matrix(c), c.number(2.0)))
+        done(transform::inverse(&matrix(c), c.number(2.0)))
     }),
-    ("normalised", |c| done(frame::normalised(c.numbers(POINT)))),
+    ("normalised", |c| {
+        done(transform::normalised(c.numbers(POINT)))
+    }),
     ("contour", |c| done(contour(c))),
     ("contour_and_followed", |c| {
         let contour = contour(c);
@@ -206,7 +210,7 @@ pub fn costs() -> Vec<(String, Value)> {
 /// The result of a step has been counted and is of no further use.
 fn done<T>(_result: T) {}
 
-fn matrix(counter: &Counter) -> frame::Matrix<'_> {
+fn matrix(counter: &Counter) -> transform::Matrix<'_> {
     MATRIX.map(|row| counter.numbers(row))
 }
 

@@ -3,7 +3,7 @@
 use imogene_algebra::rational::{from_f64_exact, power_of_two, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_prepare::PreparedQuadric;
 use imogene_prepare::forms::QuadraticForm;
 use num_rational::BigRational;

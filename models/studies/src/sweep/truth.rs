@@ -4,7 +4,7 @@
 //! a quadric all but degenerates that is not enough.
 
 use imogene_analysis::exact::ray::RayObject;
-use imogene_golden::unit::interval::{FACE_NEAR_END, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_scene::{FramedQuadric, FramedScene, Projection};
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -12,7 +12,7 @@ use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::object::volume_line::for_each_inside;
 use imogene_golden::object::words::Words;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;

@@ -1,7 +1,7 @@
 //! All tests of the crate that need it from outside, as one program.
 
-mod compare;
 mod detail;
 mod fit;
+mod primitives;
 mod sweeps;
 mod trade;

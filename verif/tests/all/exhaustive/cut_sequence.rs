@@ -14,7 +14,7 @@ use super::cut_single::KINDS;
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::interval::Interval;
+use imogene_golden::unit::depth_interval::Interval;
 use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::Source;
 use imogene_verif::engine::verilator::{Model, VerilatedUnit};

@@ -4,7 +4,7 @@ use super::account;
 use imogene_circuits::object::{self, Cut, cut_plane};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
-use imogene_golden::unit::interval::Interval;
+use imogene_golden::unit::depth_interval::Interval;
 use imogene_verif::engine::circuit::Circuit;
 use std::time::Instant;
 

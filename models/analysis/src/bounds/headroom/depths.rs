@@ -3,7 +3,7 @@
 use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::root::fast_root;
 use imogene_prepare::PreparedQuadric;
 use imogene_prepare::forms::{LinearForm, QuadraticForm};

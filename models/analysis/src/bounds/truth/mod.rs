@@ -16,7 +16,7 @@ use imogene_golden::format::Format;
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::Class;
+use imogene_golden::unit::depth_interval::Class;
 use imogene_scene::{FramedObject, FramedScene, Surface};
 use interval::{Conic, Line, conic, excess, line};
 use num_bigint::BigInt;

@@ -7,7 +7,7 @@ use imogene_analysis::exact::render::ExactPixel;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
-use imogene_golden::unit::interval::FACE_NEAR_END;
+use imogene_golden::unit::depth_interval::FACE_NEAR_END;
 use imogene_prepare::PreparedScene;
 use imogene_scene::FramedScene;
 

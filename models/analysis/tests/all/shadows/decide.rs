@@ -5,7 +5,7 @@ use imogene_algebra::rational::{from_f64_exact, integer, power_of_two};
 use imogene_analysis::exact::render::{DEPTH_FRACTION, ExactPixel};
 use imogene_golden::object::volume::VolumeKind;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_golden::unit::interval::{Class, FACE_PLANE};
+use imogene_golden::unit::depth_interval::{Class, FACE_PLANE};
 use imogene_prepare::PreparedScene;
 use imogene_prepare::volume::{Beginning, PreparedVolume};
 use imogene_scene::FramedScene;

@@ -7,7 +7,7 @@ use crate::object::load_volume;
 use crate::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
 use crate::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
 use crate::unit::cut_plane::PlaneKind;
-use crate::unit::interval::Class;
+use crate::unit::depth_interval::Class;
 use crate::unit::normal::NormalWords;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::{PreconditionedWords, Quadratic};

@@ -1,6 +1,6 @@
 //! The light at a corner, by Phong's formula (source: 1.2.4, Tables 5.2 and 5.3).
 
-use super::frame::normalised;
+use super::transform::normalised;
 use crate::evaluate::count::{Counted, dot};
 
 /// Where a source or the viewer is.

@@ -1,8 +1,8 @@
 //! The source's algorithms, each as one would write it, in numbers that count.
 
 pub mod facet;
-pub mod frame;
 pub mod lighting;
 pub mod pixel;
 pub mod quadric;
+pub mod transform;
 pub mod zones;

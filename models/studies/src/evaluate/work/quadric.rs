@@ -3,7 +3,7 @@
 //!
 //! Quadric and planes are given after the change of frame and the perspective, which is a factor of the matrix.
 
-use super::frame::normalised;
+use super::transform::normalised;
 use crate::evaluate::count::Counted;
 
 /// Depth of the quadric: `f1 -+ sqrt(f2)`.

@@ -7,9 +7,9 @@ use imogene_golden::object::facet_contour::FacetContour;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::{FramedScene, SceneFile};
-use imogene_studies::compare::speed::facets;
-use imogene_studies::compare::tessellate::{drop_turned_away, to_mesh};
-use imogene_studies::compare::{Subject, Variant};
+use imogene_studies::primitives::speed::facets;
+use imogene_studies::primitives::tessellate::{drop_turned_away, to_mesh};
+use imogene_studies::primitives::{Subject, Variant};
 use std::path::Path;
 
 const F: Format = Format::BASE;

@@ -1,11 +1,11 @@
 //! The checks of a scene that its grammar cannot make.
 
 use super::camera::{Camera, Lens};
-use super::check_kind::check_kind;
 use super::error::SceneError;
 use super::file::{FORMAT_VERSION, Material, SceneFile};
 use super::flat::Groups;
-use super::image_check::check_images;
+use super::image_validation::check_images;
+use super::kind_validation::check_kind;
 use super::light::{Aim, Beam, Light};
 use super::limits::*;
 use super::names::{check_members, check_names, known_all};
