@@ -36,7 +36,7 @@ impl Failure {
         }
     }
 
-    /// What is wrong, of a length that can be read; nothing if there is nothing to say.
+    /// What is wrong, of a length that can be read; `None` if there is nothing to say.
     pub fn message(&self) -> Option<String> {
         match self {
             Failure::Check(message) => Some(lines(message)),

@@ -159,7 +159,7 @@ impl Chart {
         planes.find_or_add(self.on_axis(height), self.surface.axis)
     }
 
-    /// The cone, cylinder or nothing that joins the circles of two parallels, and that is nothing if both are in one
+    /// The cone, cylinder or nothing that joins the circles of two parallels, and that is `None` if both are in one
     /// plane.
     pub fn chord(&self, low: f64, high: f64) -> Option<Surface> {
         let Surface { origin, axis, .. } = self.surface;

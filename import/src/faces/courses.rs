@@ -223,7 +223,7 @@ fn through_chord(run: &[Vector], surfaces: &[&Surface]) -> Vec<Vector> {
     }
 }
 
-/// The point in which the plane meets the surface, straight down the surface from `q`; nothing if there is none nearby.
+/// The point in which the plane meets the surface, straight down the surface from `q`; `None` if there is none nearby.
 fn trace(q: Vector, surface: &Surface, origin: Vector, normal: Vector) -> Option<Vector> {
     let mut p = q;
     for _ in 0..60 {

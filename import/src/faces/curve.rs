@@ -188,7 +188,7 @@ impl Polyline {
         self.segments().flat_map(of).chain(end.copied()).collect()
     }
 
-    /// Its direction at the place nearest to `p`; nothing if that is one of its ends, or farther off than the slack.
+    /// Its direction at the place nearest to `p`; `None` if that is one of its ends, or farther off than the slack.
     fn direction_at(&self, p: Vector) -> Option<Vector> {
         let near = |(k, [from, to]): (usize, [Vector; 2])| {
             let course = minus(to, from);
@@ -298,7 +298,7 @@ impl Curve {
     }
 }
 
-/// The plane in which all points lie within a length; nothing if they do not, or lie in a line.
+/// The plane in which all points lie within a length; `None` if they do not, or lie in a line.
 pub fn common_plane(points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
     let first = *points.first()?;
     let farthest = |measure: &dyn Fn(Vector) -> f64| {

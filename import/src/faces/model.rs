@@ -141,7 +141,7 @@ pub fn border(uses: impl Iterator<Item = EdgeUse>) -> Vec<EdgeUse> {
 }
 
 impl Model {
-    /// With its users and bounds, from all else; nothing if its faces have no size.
+    /// With its users and bounds, from all else; `None` if its faces have no size.
     pub fn assembled(mut self) -> Option<Model> {
         self.users = vec![vec![]; self.edges.len()];
         for (index, face) in self.faces.iter().enumerate() {

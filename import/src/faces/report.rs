@@ -242,7 +242,7 @@ fn listed(names: &[&str]) -> String {
 }
 
 impl Report {
-    /// What is not drawn, by kinds of surfaces; nothing if all is.
+    /// What is not drawn, by kinds of surfaces; `None` if all is.
     pub fn rejected(&self) -> Option<String> {
         let kinds: Vec<String> = self
             .counts

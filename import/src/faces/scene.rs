@@ -10,7 +10,7 @@ use imogene_scene::{
     Body, Camera, Cut, ImageSize, Light, Material, Object, SceneFile, Shape, Surface, fitting_from,
 };
 
-/// The scene; nothing if no object is left.
+/// The scene; `None` if no object is left.
 pub fn scene(model: &Model, planes: &Planes, solids: &[Compilation]) -> Option<SceneFile> {
     let mut objects = vec![];
     for (index, (solid, compilation)) in model.solids.iter().zip(solids).enumerate() {

@@ -214,7 +214,7 @@ impl Surface {
         }
     }
 
-    /// The surface at a distance along its own normal; nothing if there is none.
+    /// The surface at a distance along its own normal; `None` if there is none.
     pub fn offset(&self, by: f64) -> Option<Surface> {
         let wider = |radius: f64| (radius + by > 0.0).then_some(radius + by);
         let mut origin = self.origin;

@@ -56,7 +56,7 @@ impl Edge {
     }
 }
 
-/// `height - z00 - a u - c v - e u v = 0`, e zero where the cell is a plane; nothing if the numbers have too many
+/// `height - z00 - a u - c v - e u v = 0`, e zero where the cell is a plane; `None` if the numbers have too many
 /// digits for a scene file.
 pub fn bilinear(z: &Corners) -> Option<[f64; 10]> {
     let (a, c) = (&z[0][1] - &z[0][0], &z[1][0] - &z[0][0]);

@@ -9,7 +9,7 @@ use num_traits::{One, Signed, Zero};
 /// Largest whole number that a scene file takes.
 const LARGEST: i64 = 1_000_000_000_000;
 
-/// The numbers times one positive factor, each a decimal that reads back as exactly what it stands for; nothing if 15
+/// The numbers times one positive factor, each a decimal that reads back as exactly what it stands for; `None` if 15
 /// digits cannot hold them.
 pub fn proportional<const N: usize>(values: [&BigRational; N]) -> Option<[f64; N]> {
     let whole = whole(values);

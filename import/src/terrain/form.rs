@@ -73,7 +73,7 @@ impl Map<'_> {
     }
 
     /// Most pixels between a patch and its facets on the screen: |e| / 4 upwards at the corner that is nearest along
-    /// the gaze; nothing if a corner is beside or behind the eye.
+    /// the gaze; `None` if a corner is beside or behind the eye.
     fn bulge(&self, cell: &Cell) -> Option<f64> {
         let up = to_f64(&twist(&cell.corners)).abs() / 4.0;
         let mut most = 0f64;

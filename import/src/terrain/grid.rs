@@ -25,7 +25,7 @@ impl HeightGrid {
         self.heights[row * self.columns + column]
     }
 
-    /// Least and greatest height; nothing if no node has one.
+    /// Least and greatest height; `None` if no node has one.
     pub fn range(&self) -> Option<(f64, f64)> {
         let known = || self.heights.iter().flatten().copied();
         Some((known().reduce(f64::min)?, known().reduce(f64::max)?))

@@ -68,7 +68,7 @@ fn turn(eye: &Point, p: &Point, q: &Point) -> BigRational {
     from(0, p) * from(1, q) - from(1, p) * from(0, q)
 }
 
-/// The edges that lines of sight between two corners pass; nothing if the corners are in one line of sight.
+/// The edges that lines of sight between two corners pass; `None` if the corners are in one line of sight.
 fn passed(eye: &Point, [p, q]: [(usize, usize); 2]) -> Option<[Edge; 2]> {
     let (p, q) = (at(p), at(q));
     if turn(eye, &p, &q).is_zero() {

@@ -72,7 +72,7 @@ impl Extent {
         )
     }
 
-    /// The pixels of a screen at which the quadric, given in screen coordinates, can be met; nothing if it passes a
+    /// The pixels of a screen at which the quadric, given in screen coordinates, can be met; `None` if it passes a
     /// side of the screen or an end of the depths `-depth .. depth`, where only a part of it counts.
     pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> Option<ScreenBox> {
         let (near, far) = self.integers_around(2);
@@ -88,7 +88,7 @@ impl Extent {
         Some(tidy(found))
     }
 
-    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; nothing if the extent passes a
+    /// Pixels along an axis of a screen of `size` pixels, the first at `-size / 2`; `None` if the extent passes a
     /// side.
     fn pixels(&self, axis: usize, size: u32) -> Option<Side> {
         let (first, last) = self.integers_within(axis, i64::from(size));
@@ -102,7 +102,7 @@ impl Extent {
         Some(Side::Seen(first.to_i64()?, last.to_i64()?))
     }
 
-    /// A cell around the quadric; nothing if it reaches so far that `f64` does not hold all integers and their halves.
+    /// A cell around the quadric; `None` if it reaches so far that `f64` does not hold all integers and their halves.
     pub fn cell(&self) -> Option<Cell> {
         let around: [(f64, f64); 3] = std::array::from_fn(|axis| self.integers_around(axis));
         let is_held = |(low, high): &(f64, f64)| low.abs().max(high.abs()) < FARTHEST;

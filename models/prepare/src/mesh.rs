@@ -124,7 +124,7 @@ fn corners(
 }
 
 /// The words of a facet: one processor, or two for a quadrangle whose rounded corners have no common plane or normals.
-/// Nothing if the facet is a line on the screen; a facet beside the screen has no words.
+/// `None` if the facet is a line on the screen; a facet beside the screen has no words.
 fn triangles_or_whole(
     corners: &[Corner],
     facet: &FramedFacet,

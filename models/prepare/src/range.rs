@@ -245,7 +245,7 @@ impl<'a> Depths<'a> {
         sides.filter(beyond).map(|(end, _)| end).collect()
     }
 
-    /// The level of the range that an object asks for; nothing if none of it is on the screen. In perspective nothing
+    /// The level of the range that an object asks for; `None` if none of it is on the screen. In perspective nothing
     /// of it is nearer than 2^level near ends; else nothing is farther than 2^level half depths from the screen
     /// plane.
     fn level(&self, body: &Body) -> Option<i32> {
@@ -284,7 +284,7 @@ impl<'a> Depths<'a> {
         body.regions.is_empty() || body.regions.iter().any(is_met)
     }
 
-    /// What an object's depth computes; nothing if it is no root, or nothing of it is on the screen in the range of a
+    /// What an object's depth computes; `None` if it is no root, or nothing of it is on the screen in the range of a
     /// level, or if it fits wherever it is on the screen: then it fits in wider ranges, too, and need not be searched.
     fn computed(
         &self,

@@ -169,7 +169,7 @@ impl Region {
         Existence::Possible
     }
 
-    /// The least value of `direction * coordinate[axis]` at which the region can be met, or nothing if it is empty.
+    /// The least value of `direction * coordinate[axis]` at which the region can be met, or `None` if it is empty.
     fn extreme(&self, domain: Cell, axis: usize, direction: f64, search: Search) -> Option<f64> {
         let key = |cell: &Cell| direction * cell.centre[axis] - cell.half[axis];
         let mut open = BinaryHeap::new();

@@ -23,7 +23,7 @@ pub struct SceneFile {
     pub format: i64,
     /// Title of the picture.
     pub title: String,
-    /// What of its source the scene lacks, for the warning of every command that reads it; nothing if it has all.
+    /// What of its source the scene lacks, for the warning of every command that reads it; `None` if it has all.
     pub incomplete: Option<String>,
     /// Colour of a pixel that no object covers, 0 to 1 for each of red, green, blue.
     #[serde(default, deserialize_with = "numbers")]

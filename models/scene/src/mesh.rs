@@ -94,7 +94,7 @@ fn parts(vertices: &[Point], corners: &[usize]) -> Vec<Vec<usize>> {
     }
 }
 
-/// What the face of these corners is; nothing if it has no area, or is a quadrangle whose sides cross.
+/// What the face of these corners is; `None` if it has no area, or is a quadrangle whose sides cross.
 pub(super) fn face(vertices: &[Point], corners: &[usize]) -> Option<Face> {
     let p = |k: usize| &vertices[corners[k % corners.len()]];
     let turn = |k: usize, l: usize, m: usize| cross(minus(p(l), p(k)), minus(p(m), p(k)));

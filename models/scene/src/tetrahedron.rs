@@ -6,7 +6,7 @@ use imogene_algebra::rational::from_decimal;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// The matrix of the quadric and the four planes of a tetrahedron, in the coordinates of its corners; nothing if the
+/// The matrix of the quadric and the four planes of a tetrahedron, in the coordinates of its corners; `None` if the
 /// corners lie in one plane.
 ///
 /// With the barycentric coordinates b as affine functions of the point, F = b' W b for the symmetric W of the weights:

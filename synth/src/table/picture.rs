@@ -36,7 +36,7 @@ const PANELS: [Panel; 4] = [
     },
 ];
 
-/// Draws all panels; nothing if a network lacks a figure.
+/// Draws all panels; `None` if a network lacks a figure.
 pub fn draw(table: &Table) -> Result<Option<String>, SynthError> {
     let panels: Option<Vec<Vec<Line>>> = PANELS.iter().map(|panel| lines(table, panel)).collect();
     let Some(panels) = panels else {

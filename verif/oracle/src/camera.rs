@@ -117,7 +117,7 @@ impl Sight {
         }
     }
 
-    /// The parameter before which everything drawn lies; nothing if that is infinity.
+    /// The parameter before which everything drawn lies; `None` if that is infinity.
     pub fn last(&self) -> Option<BigRational> {
         (!self.perspective).then(|| integer(1))
     }

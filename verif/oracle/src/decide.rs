@@ -107,7 +107,7 @@ impl CutBody {
         }
     }
 
-    /// Where each plane bounds the line; nothing if a plane removes all of it.
+    /// Where each plane bounds the line; `None` if a plane removes all of it.
     fn bounds(&self, cell: &Cell, line: &Line) -> Option<Bounds> {
         let mut bounds = Bounds {
             start: Interval::point(cell.first),
@@ -279,7 +279,7 @@ fn hit(t: Interval, number: u8) -> Verdict {
 /// The part of a line that planes and near end leave.
 struct Bounds {
     start: Interval,
-    /// The face at the start; nothing if two come too close to tell.
+    /// The face at the start; `None` if two come too close to tell.
     number: Option<u8>,
     end: Interval,
     /// Some plane could not be placed.

@@ -152,7 +152,7 @@ impl Triangle {
         (meets(0, cell.x) && meets(1, cell.y)).then_some(t)
     }
 
-    /// The corners on the screen, in half pixels from its middle, where the sides cross; nothing if it is seen edge-on.
+    /// The corners on the screen, in half pixels from its middle, where the sides cross; `None` if it is seen edge-on.
     fn corners(&self) -> Option<[[Interval; 2]; 3]> {
         let mut corners = [[Interval::ZERO; 2]; 3];
         for (k, corner) in corners.iter_mut().enumerate() {

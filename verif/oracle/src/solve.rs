@@ -76,7 +76,7 @@ impl CutBody {
         found.map(|(t, number)| Solved { t, number, part: 0 })
     }
 
-    /// The part of the line that near end and planes leave: start, its face, and end; nothing if that is nothing.
+    /// The part of the line that near end and planes leave: start, its face, and end; `None` if that is nothing.
     fn kept(&self, line: &Line) -> Option<(BigRational, u8, Option<BigRational>)> {
         let (mut start, mut number, mut end) = (line.first.clone(), FACE_NEAR_END, None);
         for (plane, &own) in self.exact.planes.iter().zip(&self.numbers) {

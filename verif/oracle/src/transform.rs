@@ -119,7 +119,7 @@ pub fn apply(matrix: &Matrix, vector: &Vector) -> Vector {
     })
 }
 
-/// The inverse by elimination; nothing if there is none.
+/// The inverse by elimination; `None` if there is none.
 pub fn inverse(matrix: &Matrix) -> Option<Matrix> {
     let (mut left, mut right) = (matrix.clone(), identity());
     for column in 0..4 {

@@ -57,7 +57,7 @@ pub(super) struct Zone {
 }
 
 impl Zone {
-    /// The screen box with a border, as far as there is a screen; nothing if the box is empty.
+    /// The screen box with a border, as far as there is a screen; `None` if the box is empty.
     pub fn around(window: &ScreenBox, width: u32, height: u32) -> Option<Zone> {
         if window.is_empty() {
             return None;

@@ -31,7 +31,7 @@ fn loaded(unit: Unit, count: usize, writer: Writer) -> Loaded {
     }
 }
 
-/// The processor of a slot; nothing if there is no hardware for it.
+/// The processor of a slot; `None` if there is no hardware for it.
 pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
     let mut w = Writer {
         format,

@@ -56,7 +56,7 @@ impl Work<'_> {
         found
     }
 
-    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; nothing if
+    /// What bounds a strip in a band, besides the slab: one cell, or two if it lies between two conics; `None` if
     /// these are too near.
     pub fn keys(
         &self,
@@ -133,7 +133,7 @@ impl Work<'_> {
         Some(keys)
     }
 
-    /// A strip that lies between two conics as two cells; nothing if these are too near.
+    /// A strip that lies between two conics as two cells; `None` if these are too near.
     pub fn between_conics(
         &self,
         slab: usize,

@@ -377,7 +377,7 @@ impl<'a> Assembly<'a> {
     }
 }
 
-/// The name of a product; nothing if it has no words for it.
+/// The name of a product; `None` if it has no words for it.
 fn product_name(definition: &Args) -> Option<String> {
     let formations = [
         "PRODUCT_DEFINITION_FORMATION",

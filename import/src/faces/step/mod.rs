@@ -33,7 +33,7 @@ use summary::Summary;
 /// Most files that place each other's parts.
 const DEEPEST_FILE: usize = 8;
 
-/// Reads the file of a name that stands beside the first; nothing if there is none.
+/// Reads the file of a name that stands beside the first; `None` if there is none.
 pub type Beside<'b> = &'b dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Reads a STEP file.

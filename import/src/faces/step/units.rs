@@ -83,7 +83,7 @@ const ANGLE: Quantity = Quantity {
     power: 0,
 };
 
-/// How many millimetres or radians a unit is; nothing if it is one of another quantity.
+/// How many millimetres or radians a unit is; `None` if it is one of another quantity.
 fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f64>, Error> {
     if entity.find(&[quantity.part]).is_none() {
         return Ok(None);

@@ -32,7 +32,7 @@ pub const KEPT: [&str; 5] = [
 /// Categories by name.
 pub type Tables = HashMap<&'static str, Table>;
 
-/// Where the items of [`WANTED`] stand among those of a file; nothing if it has no coordinates.
+/// Where the items of [`WANTED`] stand among those of a file; `None` if it has no coordinates.
 pub fn columns(items: &[String]) -> Option<[Option<usize>; WANTED.len()]> {
     let columns = WANTED.map(|name| items.iter().position(|item| item == name));
     columns[..3].iter().all(Option::is_some).then_some(columns)

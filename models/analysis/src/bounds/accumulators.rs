@@ -80,7 +80,7 @@ pub struct QuadraticIncrements {
     pub line_value: u32,
 }
 
-/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; nothing if its screen box
+/// Bits of the accumulators of a prepared object in a picture of so many columns and lines; `None` if its screen box
 /// is empty.
 pub fn accumulators(
     object: &PreparedQuadric,

@@ -281,7 +281,7 @@ impl<'a> Contour<'a> {
         survey
     }
 
-    /// Least gradient on the cell and gradient at its centre; nothing if the cell does not meet the band.
+    /// Least gradient on the cell and gradient at its centre; `None` if the cell does not meet the band.
     fn cell_gradient(&self, local: &Local, cell: Cell) -> Option<(f64, f64)> {
         let [a, b, c] = self.second;
         let Cell { u, v, half } = cell;

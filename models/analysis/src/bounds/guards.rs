@@ -33,7 +33,7 @@ pub struct ExactGuards {
     pub accepted: bool,
 }
 
-/// The least guard bits; nothing if there is no quadric on the screen, or one whose f2 is within a unit of zero at some
+/// The least guard bits; `None` if there is no quadric on the screen, or one whose f2 is within a unit of zero at some
 /// pixel, which no guard bits of this depth word tell apart.
 pub fn exact_guards(prepared: &PreparedScene) -> Option<ExactGuards> {
     let objects = prepared.quadrics().map(|(_, object)| object);

@@ -76,7 +76,7 @@ impl Volume<'_> {
         Volume { prepared, quadric }
     }
 
-    /// Whether the point is inside, in the true and in the golden picture; nothing if that is open.
+    /// Whether the point is inside, in the true and in the golden picture; `None` if that is open.
     fn holds(&self, seen: &Seen, format: &Format, (x, y): (i64, i64)) -> Option<bool> {
         let words = &self.prepared.words;
         if !words.screen_box.contains(x, y) {

@@ -42,7 +42,7 @@ impl Word {
     }
 }
 
-/// Searches the narrowest machine; nothing if other processors than quadric and patch draw a part of the scene, which
+/// Searches the narrowest machine; `None` if other processors than quadric and patch draw a part of the scene, which
 /// have no fitted machine.
 pub fn machine_needs(scene: &FramedScene, prepared: &PreparedScene) -> Option<MachineNeeds> {
     if prepared.objects.iter().any(|o| o.quadric().is_none()) {

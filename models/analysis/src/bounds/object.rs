@@ -56,7 +56,7 @@ pub struct QuadricReport {
     pub planes_without_effect: Vec<usize>,
     /// Bits that each accumulator needs.
     pub needed: NeededWidths,
-    /// Bits that the values take at the pixels of the box, exactly; nothing if the box is empty.
+    /// Bits that the values take at the pixels of the box, exactly; `None` if the box is empty.
     pub accumulators: Option<Accumulators>,
     /// Bounds that hold at every pixel of the box.
     pub bounds: ObjectBounds,

@@ -80,7 +80,7 @@ impl Part {
     }
 }
 
-/// Nothing if too few pixels are open for a square of four.
+/// `None` if too few pixels are open for a square of four.
 fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Part> {
     let format = &prepared.format;
     let window = object.words.screen_box;

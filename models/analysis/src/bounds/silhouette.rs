@@ -17,7 +17,7 @@ use imogene_golden::unit::pe2::Quadratic;
 const FLOAT_MARGIN: f64 = 64.0 * f64::EPSILON;
 
 /// Greatest displacement, in pixels, of the silhouette at a point of it where the gradient of `q` is `gradient`;
-/// nothing if the slope is too small to tell. `error` is e2, in the units of `q`.
+/// `None` if the slope is too small to tell. `error` is e2, in the units of `q`.
 pub fn displacement_at(q: &Quadratic, gradient: [f64; 2], error: f64) -> Option<f64> {
     let slope = gradient[0].hypot(gradient[1]) * (1.0 - FLOAT_MARGIN);
     let curved = 2.0 * greatest_curvature(q) * error;

@@ -13,7 +13,7 @@ use serde::Serialize;
 /// The scene in short; objects by their names.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
-    /// The narrowest machine; nothing if there are objects of other processors than quadric and patch.
+    /// The narrowest machine; `None` if there are objects of other processors than quadric and patch.
     pub machine: Option<MachineNeeds>,
     /// Guard bits from which on rounding adds at most a depth word to a quadric's face and leaves no silhouette pixel
     /// open; nothing where none do.

@@ -100,7 +100,7 @@ impl RayFacet {
     }
 }
 
-/// Column and line at which a point is seen; nothing if it is not before the viewer.
+/// Column and line at which a point is seen; `None` if it is not before the viewer.
 fn on_screen(
     point: &Point,
     projection: &Projection,
@@ -115,7 +115,7 @@ fn on_screen(
     Some([x * &closer - &first[0], y * &closer - &first[1]])
 }
 
-/// The sides, not negative inside; nothing if the corners are in a line.
+/// The sides, not negative inside; `None` if the corners are in a line.
 fn edges(corners: &[[BigRational; 2]]) -> Option<Vec<[BigInt; 3]>> {
     let n = corners.len();
     let side = |k: usize| -> Affine {

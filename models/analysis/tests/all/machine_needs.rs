@@ -134,7 +134,7 @@ fn other_processors_have_no_fitted_machine() {
     assert!(report.summary.never_shown.is_empty());
 }
 
-/// Two's complement bits of the longest of some integers; nothing if there are none.
+/// Two's complement bits of the longest of some integers; `None` if there are none.
 fn bits(values: &[BigInt]) -> Option<u32> {
     let of = |v: &BigInt| {
         let magnitude = if v.is_negative() { -v - 1 } else { v.clone() };

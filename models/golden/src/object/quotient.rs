@@ -98,7 +98,7 @@ pub struct QuotientDepths {
 }
 
 impl QuotientRoot {
-    /// The depths where the processors hand on these values; nothing if the line of sight misses the quadric.
+    /// The depths where the processors hand on these values; `None` if the line of sight misses the quadric.
     pub fn depths(
         &self,
         numerator: i128,
@@ -143,7 +143,7 @@ impl QuotientWords {
         }
     }
 
-    /// Both depths at a pixel of an object that has two; nothing if the line of sight misses it.
+    /// Both depths at a pixel of an object that has two; `None` if the line of sight misses it.
     pub fn depths_at(&self, x: i64, y: i64, format: &Format) -> Option<QuotientDepths> {
         let (root, widths) = (self.root.as_ref()?, self.widths(format));
         root.depths(

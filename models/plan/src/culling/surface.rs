@@ -56,7 +56,7 @@ pub(super) struct DepthBounds {
 }
 
 impl Roots {
-    /// Of the quadric `f1 -+ sqrt(f2)`; nothing if a register could wrap.
+    /// Of the quadric `f1 -+ sqrt(f2)`; `None` if a register could wrap.
     pub fn of(f1: &Linear, radicand: &Range, window: &ScreenBox, format: &Format) -> Option<Roots> {
         let range = Range::of_linear(f1, window);
         let root_of = |value: i128| {
@@ -112,7 +112,7 @@ pub(super) fn difference(p: &Linear, q: &Linear, window: &ScreenBox) -> Range {
     Range::of_linear(&Linear::new(p.a - q.a, p.b - q.b, p.c - q.c), window)
 }
 
-/// The radicand on a window, guard bits dropped; nothing if its register could wrap.
+/// The radicand on a window, guard bits dropped; `None` if its register could wrap.
 pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> Option<Range> {
     let range = Range::of_quadratic(f2, window);
     range

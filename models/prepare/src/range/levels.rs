@@ -21,7 +21,7 @@ pub(super) fn orthographic_shell(level: i32, full: f64) -> [f64; 2] {
     [inner, 2.0 * inner]
 }
 
-/// Least and greatest level that an object between two depths can have; nothing if it can have none.
+/// Least and greatest level that an object between two depths can have; `None` if it can have none.
 pub(crate) fn levels_met(
     [low, high]: [f64; 2],
     full: f64,

@@ -37,7 +37,7 @@ const RANGE_FORMAT: Format = Format::BASE;
 pub struct Seen<'a> {
     scene: Cow<'a, SceneFile>,
     size: (u32, u32),
-    /// The range of the depth; nothing if all objects are kept.
+    /// The range of the depth; `None` if all objects are kept.
     range: Option<DepthRange>,
     absent: Vec<Option<Absence>>,
     /// What was framed on the way, if it is framed in that range.
@@ -146,7 +146,7 @@ struct Balls {
 
 /// What is known of the level of a ball.
 struct Levels {
-    /// It lies between these, if the ball has one at all; nothing if it surely has none.
+    /// It lies between these, if the ball has one at all; `None` if it surely has none.
     ends: Option<[i32; 2]>,
     /// It surely has one.
     is_certain: bool,

@@ -16,7 +16,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// Nothing if the ball could be refused, or reach beyond an end of the depth.
+    /// `None` if the ball could be refused, or reach beyond an end of the depth.
     pub fn of(ball: &Ball, view: &View, format: &Format) -> Option<Placed> {
         let outline = Outline::of(ball, view)?;
         let screen = view.screen();

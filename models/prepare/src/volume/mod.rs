@@ -291,7 +291,7 @@ fn seen(
         .collect()
 }
 
-/// The cell of screen space that holds everything seen; nothing if nothing is.
+/// The cell of screen space that holds everything seen; `None` if nothing is.
 fn around(seen: &[Option<Bounds>]) -> Option<Cell> {
     let seen = seen.iter().flatten().copied();
     seen.reduce(|(low, high), (l, h)| {

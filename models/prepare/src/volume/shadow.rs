@@ -131,7 +131,7 @@ impl Rays {
         }
     }
 
-    /// Nothing if the plane passes through the source: no ray crosses it.
+    /// `None` if the plane passes through the source: no ray crosses it.
     fn beyond_cut(&self, index: usize) -> Option<ShadowPart> {
         let (p, at) = (&self.planes[index], &self.planes_at_source[index]);
         if at.is_zero() {

@@ -157,7 +157,7 @@ fn empty(shape: &Shape) -> PreparedVolume {
     }
 }
 
-/// How the unbounded quadric lies to the viewer; nothing if its depth is no square root.
+/// How the unbounded quadric lies to the viewer; `None` if its depth is no square root.
 fn class_of(quadric: &ScreenQuadric) -> Option<Class> {
     let eye = quadric.eye_value();
     if eye.is_zero() {

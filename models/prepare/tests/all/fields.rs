@@ -27,7 +27,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// The processors for the lines `first, first + step, ..` alone; nothing if one of them has no words for fields.
+/// The processors for the lines `first, first + step, ..` alone; `None` if one of them has no words for fields.
 fn slots_of_field(prepared: &PreparedScene, step: i64, first: i64) -> Option<Vec<Slot>> {
     let field = |slot: Slot| {
         let words = match &slot.words {

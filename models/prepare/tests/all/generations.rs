@@ -122,7 +122,7 @@ fn exact_signs(second: &PreparedQuadric, plane: &Plane, x: i64, y: i64) -> (bool
     (&apart * &apart <= f2, !polar.is_negative())
 }
 
-/// Why the generations may differ at a pixel; nothing if they may not.
+/// Why the generations may differ at a pixel; `None` if they may not.
 fn reason(
     first: &FirstGenerationWords,
     second: &PreparedQuadric,

@@ -101,7 +101,7 @@ fn summed(
     sum
 }
 
-/// The bulge of an object that is a sphere, over the pixels that show it in both; nothing if there are none.
+/// The bulge of an object that is a sphere, over the pixels that show it in both; `None` if there are none.
 pub fn bulge(subject: &Subject, pixels: &[PixelError], object: usize) -> Option<Bulge> {
     let radius_px = subject.radii[object];
     let percent = -100.0 / (subject.truth.words_per_pixel * radius_px);

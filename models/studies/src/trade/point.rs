@@ -34,7 +34,7 @@ pub struct Point {
     pub unit: String,
     /// What was asked for.
     pub design: Design,
-    /// Every width of the machine; nothing if the scene cannot be prepared for it.
+    /// Every width of the machine; `None` if the scene cannot be prepared for it.
     pub format: Option<MachineWords>,
     /// Why the scene cannot be prepared for it.
     pub refused: Option<String>,

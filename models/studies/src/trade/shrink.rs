@@ -36,7 +36,7 @@ impl Reducer {
     }
 }
 
-/// A picture of at most 256 colours without any change, as PNG; nothing if it has more.
+/// A picture of at most 256 colours without any change, as PNG; `None` if it has more.
 pub fn exact_png(
     width: u32,
     height: u32,

@@ -104,7 +104,7 @@ fn summary(rows: &[&Headroom]) -> Summary {
         .iter()
         .map(|h| h.depth_rms_lsb.powi(2) * h.depths as f64)
         .sum();
-    // Nothing if any scene has nothing.
+    // `None` if any scene has nothing.
     let needs: Option<Vec<i32>> = rows.iter().map(|h| h.confirmed).collect();
     let confirmed = needs.and_then(|bits| bits.into_iter().max());
     Summary {

@@ -17,7 +17,7 @@ impl Range {
         Range::new(low.next_down(), high.next_up())
     }
 
-    /// The sign that all values have; nothing if zero may be among them.
+    /// The sign that all values have; `None` if zero may be among them.
     pub fn sign(&self) -> Option<i8> {
         if self.low > 0.0 {
             Some(1)

@@ -121,7 +121,7 @@ struct CutShape {
 
 /// A plane along the lines of sight: kept where `slope w + constant` is not positive.
 struct PlaneShape {
-    /// Nothing if the plane is along every line of sight.
+    /// `None` if the plane is along every line of sight.
     slope: Option<Line>,
     constant: Line,
 }
@@ -136,7 +136,7 @@ impl PlaneShape {
         }
     }
 
-    /// How it lies to the line of sight, and its depth or value; nothing if it is nearly along it.
+    /// How it lies to the line of sight, and its depth or value; `None` if it is nearly along it.
     fn at(&self, at: [Range; 2], full: i64) -> Option<(PlaneKind, Range)> {
         let constant = self.constant.at(at);
         let Some(slope) = &self.slope else {
@@ -182,7 +182,7 @@ impl CutShape {
         }
     }
 
-    /// All that is compared at a pixel; nothing if a plane or a single root is nearly along the line of sight.
+    /// All that is compared at a pixel; `None` if a plane or a single root is nearly along the line of sight.
     fn pixel(&self, at: [Range; 2], full: i64) -> Option<Pixel> {
         let planes = self.planes.iter().map(|plane| plane.at(at, full));
         let planes: Option<Vec<(PlaneKind, Range)>> = planes.collect();

@@ -143,7 +143,7 @@ fn volume_state(
     }
 }
 
-/// Does the source reach the point; nothing if the words leave that open.
+/// Does the source reach the point; `None` if the words leave that open.
 pub fn decided(
     framed: &FramedScene,
     scene: &PreparedScene,
