@@ -2,6 +2,31 @@
 //!
 //! The exact reference ([`exact`]) solves each pixel in big integers by another route than the machine. It is the truth
 //! that golden models and hardware are measured against ([`metrics`]) and that the bounds ([`bounds`]) hold for.
+//!
+//! ```
+//! use imogene_analysis::{exact::render::DEPTH_FRACTION, metrics::{Drawing, Truth, measure}};
+//! use imogene_prepare::{Framing, prepare};
+//! use imogene_scene::SceneFile;
+//!
+//! let text = r#"format = 1
+//! title = "A ball"
+//! camera = { kind = "orthographic", eye = [0, 0, 9], target = [0, 0, 0], view_height = 4, half_depth = 2 }
+//! materials = [{ name = "clay", colour = [0.8, 0.4, 0.3] }]
+//! objects = [{ name = "ball", kind = "sphere", radius = 1, material = "clay" }]"#;
+//! let framed = SceneFile::parse(text, "ball.toml")?.frame(40, 40)?;
+//!
+//! let truth = Truth::new(&framed, || ());
+//! // At 10 pixels a unit the ball is a disc: the pixels within it are those whose squares say so.
+//! let disc = (-20..20).flat_map(|y| (-20..20).map(move |x| x * x + y * y)).filter(|square| *square <= 100);
+//! assert_eq!(truth.covered(), disc.count());
+//! // At its middle it begins half of the way to the near end.
+//! let centre = truth.pixels[20 * 40 + 20].map(|pixel| pixel.depth);
+//! assert_eq!(centre, Some(-(((1 << 23) - 1) << DEPTH_FRACTION) / 2));
+//! // The golden picture is off by no pixel of the outline and by less than two depth words.
+//! let (metrics, _) = measure(&truth, &Drawing::of(&prepare(&framed, Truth::FORMAT)?, &framed));
+//! assert!(metrics.silhouette == 0 && metrics.depth_words.max < 2.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod bounds;
 pub mod exact;

@@ -2,6 +2,31 @@
 //!
 //! Exact rationals all the way, rounded once ([`rounding`]); every accumulator is proven to hold its value on the
 //! object's screen box, or the object is refused by name ([`error`]).
+//!
+//! ```
+//! use imogene_golden::{format::Format, object::words::Words};
+//! use imogene_prepare::{Framing, prepare, prepare_for_roots};
+//! use imogene_scene::SceneFile;
+//!
+//! let text = r#"format = 1
+//! title = "A ball"
+//! camera = { kind = "orthographic", eye = [0, 0, 9], target = [0, 0, 0], view_height = 4, half_depth = 2 }
+//! materials = [{ name = "clay", colour = [0.8, 0.4, 0.3] }]
+//! objects = [{ name = "ball", kind = "sphere", radius = 1, material = "clay" }]"#;
+//! let scene = SceneFile::parse(text, "ball.toml")?;
+//!
+//! // 10 pixels a unit: the ball is a disc of radius 10 about pixel (20, 20).
+//! let prepared = prepare(&scene.frame(40, 40)?, Format::BASE)?;
+//! let words = &prepared.slots()[0].words;
+//! // Its front is a unit before the screen, half of the way to the near end.
+//! assert!((words.at(20, 20, &Format::BASE).zf + (1 << 22)).abs() <= 2);
+//!
+//! // A root of 500 times the greatest depth has no place in the words: the object is refused by name.
+//! let huge = text.replace("radius = 1", "radius = 1001, place = [{ translate = [0, 0, -1000] }]");
+//! let refusal = prepare_for_roots(&SceneFile::parse(&huge, "huge.toml")?.frame(40, 40)?, Format::BASE).unwrap_err();
+//! assert!(refusal.to_string().contains("'ball'"), "{refusal}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod again;
 pub mod animator;
