@@ -4,7 +4,7 @@
 //! object's screen box, or the object is refused by name ([`error`]).
 //!
 //! ```
-//! use imogene_golden::{format::Format, object::words::Words};
+//! use imogene_golden::{format::Format, object::words::Object};
 //! use imogene_prepare::{Framing, prepare, prepare_for_roots};
 //! use imogene_scene::SceneFile;
 //!
