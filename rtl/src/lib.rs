@@ -7,7 +7,7 @@
 //! use imogene_contract::{Request, RequestError, Unit};
 //! use imogene_rtl::emit::{emit, emit_with_prefix};
 //!
-//! // At a depth word of 16 bits, pe1 adds words of 18.
+//! // A depth sum has two bits more than the depth word.
 //! let request = Request::of(Unit::Pe1, 16);
 //! let text = emit(&request)?.bundle();
 //! assert!(text.contains("module pe1 (") && text.contains("[17:0] value"));

@@ -15,16 +15,16 @@
 //! objects = [{ name = "ball", kind = "sphere", radius = 1, material = "clay" }]"#;
 //! let scene = SceneFile::parse(text, "ball.toml")?;
 //!
-//! // 10 pixels a unit: the ball is a disc of radius 10 about pixel (20, 20).
 //! let prepared = prepare(&scene.frame(40, 40)?, Format::BASE)?;
 //! let words = &prepared.slots()[0].words;
-//! // Its front is a unit before the screen, half of the way to the near end.
+//! // In the middle the front is a unit before the screen, half of the way to the near end.
 //! assert!((words.at(20, 20, &Format::BASE).zf + (1 << 22)).abs() <= 2);
 //!
-//! // A root of 500 times the greatest depth has no place in the words: the object is refused by name.
+//! // A radius of 500.5 times the greatest depth has a square of 2 (23 + log2 500.5) = 63.9 bits: refused by name.
 //! let huge = text.replace("radius = 1", "radius = 1001, place = [{ translate = [0, 0, -1000] }]");
-//! let refusal = prepare_for_roots(&SceneFile::parse(&huge, "huge.toml")?.frame(40, 40)?, Format::BASE).unwrap_err();
-//! assert!(refusal.to_string().contains("'ball'"), "{refusal}");
+//! let huge = SceneFile::parse(&huge, "huge.toml")?.frame(40, 40)?;
+//! let refusal = prepare_for_roots(&huge, Format::BASE).unwrap_err();
+//! assert!(refusal.to_string().starts_with("object 'ball': too large for the format: f2 reaches 2^63.9"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

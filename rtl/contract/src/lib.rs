@@ -9,7 +9,7 @@
 //! assert_eq!(request.latency(), 24 / 4);
 //! assert_eq!(request.command(), "imogene emit square_root --format 24 --rows-per-stage 4 --out DIR");
 //!
-//! // More rows than digits there are not.
+//! // There cannot be more rows than digits.
 //! let wrong = Request::given("square_root", 24, &[("rows-per-stage", Some(25))]).unwrap_err();
 //! assert_eq!(wrong.to_string(), "rows-per-stage = 25 is out of range; legal values are 1 to 24");
 //! # Ok::<(), RequestError>(())
