@@ -4,6 +4,28 @@
 //! are renamed together when the last one is complete. Links are followed, modes are kept, devices and pipes are
 //! written to and stay what they are. [`end_process`] clears away what an interrupted process has begun.
 //! [`text`] makes the sentences and lines that are written.
+//!
+//! ```
+//! use imogene_files::Outputs;
+//!
+//! let folder = tempfile::tempdir()?;
+//! let [picture, report] = ["picture.png", "report.json"].map(|name| folder.path().join(name));
+//!
+//! // Dropped before it is finished, a set leaves nothing.
+//! let mut set = Outputs::new();
+//! set.add_text(&picture, "half a picture")?;
+//! drop(set);
+//! assert!(!picture.exists());
+//!
+//! let mut set = Outputs::new();
+//! set.add_text(&picture, "a picture")?;
+//! set.add_text(&report, "{}")?;
+//! assert!(!picture.exists() && !report.exists());
+//! set.finish()?;
+//! assert_eq!(std::fs::read_to_string(&picture)?, "a picture");
+//! assert!(report.exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod litter;
 mod memory;

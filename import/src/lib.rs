@@ -2,6 +2,25 @@
 //! what is not.
 //!
 //! Each kind of file is a feature: `pdb` for molecules, `cad` for face lists and STEP, `terrain` for grids of heights.
+//!
+//! ```
+//! use imogene_import::pdb::{Format, Options, read};
+//! use imogene_scene::{Shape, Step};
+//!
+//! let atom = "ATOM      1  CA  ALA A   1      11.104  13.207   9.327  1.00  0.00           C";
+//! let imported = read(atom.as_bytes(), Format::Pdb, "atom.pdb", &Options::default())?;
+//!
+//! // A carbon is a sphere of its van der Waals radius, 1.7 Angstrom, at its place.
+//! let ball = &imported.scene.objects[0];
+//! assert_eq!(ball.shape, Shape::Sphere { radius: 1.7 });
+//! assert_eq!(ball.place, [Step::Translate([11.104, 13.207, 9.327])]);
+//!
+//! // What is no coordinate is refused where it stands.
+//! let wrong = atom.replace("13.207", "13.2o7");
+//! let refusal = read(wrong.as_bytes(), Format::Pdb, "atom.pdb", &Options::default()).unwrap_err();
+//! assert!(refusal.to_string().starts_with("atom.pdb:1:41: the y coordinate `13.2o7` is not a number"));
+//! # Ok::<(), imogene_import::ImportError>(())
+//! ```
 
 mod compressed;
 mod error;

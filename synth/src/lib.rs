@@ -8,6 +8,25 @@
 //!   it is.
 //!
 //! Place and route depends on its seed, so Fmax is the median of several.
+//!
+//! ```
+//! use imogene_contract::{Request, RequestError, Unit};
+//! use imogene_rtl::emit::emit;
+//! use imogene_synth::{digest, harness};
+//!
+//! // At a depth word of 16 bits, three flags and three words of 18 bits go into pe1, and one word comes out.
+//! let unit = emit(&Request::of(Unit::Pe1, 16))?;
+//! let (inputs, outputs) = (3 + 3 * 18, 18);
+//! let text = harness::verilog(&unit);
+//! assert!(text.contains(&format!("reg  [{}:0] inputs", inputs - 1)));
+//! assert!(text.contains(&format!("reg  [{}:0] outputs", outputs - 1)));
+//!
+//! // Figures are kept by the digest of the Verilog, in which comments do not count.
+//! let verilog = unit.bundle();
+//! assert_eq!(digest(&format!("// Another header\n{verilog}")), digest(&verilog));
+//! assert_ne!(digest(&verilog.replace(" + ", " - ")), digest(&verilog));
+//! # Ok::<(), RequestError>(())
+//! ```
 #![warn(missing_docs)]
 
 pub mod baseline;

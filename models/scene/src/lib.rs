@@ -3,6 +3,29 @@
 //! [`SceneFile`] is the text of a scene in its own words (scene units, local coordinates, degrees). [`FramedScene`] is
 //! the same scene for one picture size: every quadric and cut plane in camera pixels, in exact rationals, ready for
 //! the preparation of integer coefficients. `docs/scene-format.md` is the user's page of the file format.
+//!
+//! ```
+//! use imogene_algebra::rational::integer;
+//! use imogene_scene::{DepthRange, SceneFile};
+//!
+//! let text = r#"format = 1
+//! title = "A ball"
+//! camera = { kind = "orthographic", eye = [0, 0, 9], target = [0, 0, 0], view_height = 4, half_depth = 2 }
+//! materials = [{ name = "clay", colour = [0.8, 0.4, 0.3] }]
+//! objects = [{ name = "ball", kind = "sphere", radius = 1, material = "clay" }]"#;
+//! let scene = SceneFile::parse(text, "ball.toml")?;
+//!
+//! // The window is 4 units high, so 40 lines are 10 pixels a unit, and the ball is x^2 + y^2 + z^2 - 10^2.
+//! let range = DepthRange::of_camera(&scene.camera);
+//! let framed = scene.flattened().frame_within(&range, (60, 40), |_, _| Ok(None))?;
+//! let quadric = &framed.objects[0].quadric().ok_or("a ball is a quadric")?.quadric;
+//! assert_eq!(&quadric.j / &quadric.a, integer(-100));
+//!
+//! // A key that the format has not is refused where it stands: line 2, column 1.
+//! let wrong = SceneFile::parse(&text.replace("title", "titel"), "ball.toml").unwrap_err();
+//! assert!(wrong.to_string().starts_with("ball.toml:2:1: unknown field `titel`"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod animation;
 mod camera;

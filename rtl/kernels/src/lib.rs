@@ -1,11 +1,16 @@
 //! The main circuits of imogene as plain kernels of rust-hdl, with its own derive, `Bits`, `Signed` and `DFF`.
 //!
 //! They are an example for those who know rust-hdl, and a witness: rust-hdl's own simulation and printer run on them,
-//! and none of our own code does. `rtl/circuits` has the same circuits as functions, whose widths are known when they
-//! are built. `docs/kernels.md` says how both are proven the same.
+//! and no code of ours. `rtl/circuits` has the same circuits as functions, with widths known when they are built;
+//! `docs/kernels.md` says how both are proven the same. Rules that keep the Verilog what the simulation is: one
+//! arithmetic operation a signal, constants of the exact width, no comparison of a sum, mixed operators in parentheses.
 //!
-//! Rules that keep the printed Verilog what the simulation is: one arithmetic operation for each signal, constants of
-//! the exact width, no comparison of a sum, mixed operators in parentheses.
+//! ```
+//! let verilog = imogene_kernels::verilog(&mut imogene_kernels::Pe1::<16>::default());
+//! assert!(verilog.contains("input wire signed [15:0] a;"));
+//! // Registers: two increments, the first pixel of the line, and the pixel.
+//! assert_eq!(verilog.matches("posedge clock").count(), 4);
+//! ```
 
 mod cut_plane;
 mod decider;
