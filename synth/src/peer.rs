@@ -4,6 +4,7 @@ mod design;
 mod source;
 
 use crate::bench::Bench;
+pub use crate::error::PeerError;
 use crate::error::SynthError;
 use crate::figures::Figures;
 use crate::flow::{Options, synthesise};
@@ -11,7 +12,7 @@ use crate::harness;
 use crate::report::SeedResult;
 use crate::target::{Family, Target};
 use crate::tools::Programs;
-pub use design::{Peer, PeerError};
+pub use design::Peer;
 use imogene_contract::Request;
 use imogene_tools::{scratch, write};
 use serde::Serialize;

@@ -3,7 +3,6 @@
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::rounding::Anchor;
-use super::volume::Beginning;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::{FittedMachine, FittedSlot};
@@ -322,6 +321,15 @@ impl PreparedParts {
             depth_bound: None,
         }
     }
+}
+
+/// Where a part of a shadow begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// At the polar plane of the source, which bounds the lit part of the quadric.
+    PolarPlane,
+    /// At this cut plane.
+    Cut(usize),
 }
 
 /// One volume: words, and what is known of them.

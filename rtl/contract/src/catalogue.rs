@@ -4,7 +4,7 @@ use crate::parameters::{
     CARDS, CORRECTIONS, CURVED_SIDES, DIGITS, FACES, FOUR_PLANES, INTERSECTED, LAYERS, LIGHTS,
     MODE, OBJECTS, PLANES, PRODUCTS, ROWS, SIDES, SUBTRACTED, TWO_CORRECTIONS,
 };
-use crate::unit::Record;
+use crate::record::Record;
 
 // What several records state.
 const EVERY_CLOCK: &str = "one result per clock";

@@ -21,6 +21,7 @@ mod formula;
 mod machine_words;
 pub mod object;
 pub mod parameters;
+mod record;
 pub mod request;
 pub mod shading;
 pub mod unit;
@@ -29,5 +30,6 @@ pub mod volume;
 pub mod words;
 
 pub use machine_words::MachineWords;
+pub use record::Record;
 pub use request::{Request, RequestError};
-pub use unit::{Record, Unit};
+pub use unit::Unit;

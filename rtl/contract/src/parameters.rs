@@ -1,6 +1,5 @@
-//! Parameters of units besides the format: option, symbol, range, default, and a place in a request.
+//! Parameters of units besides the format: option, symbol, range and default.
 
-use crate::unit::Unit;
 use crate::video::VideoMode;
 use crate::words::{MOST_LAYERS, MOST_LIGHTS, MOST_OBJECTS, MOST_PLANES, MOST_SIDES};
 
@@ -19,16 +18,9 @@ pub struct Parameter {
     pub most: Option<u32>,
     /// What it is if nobody asks for another value; none where it is half the depth word.
     pub default: Option<u32>,
-    /// Where a request keeps it.
-    pub field: fn(&mut Request) -> &mut u32,
 }
 
 impl Parameter {
-    /// Its value in a request.
-    pub fn of(&self, request: &Request) -> u32 {
-        *(self.field)(&mut request.clone())
-    }
-
     /// Its legal values: `1 to W`.
     pub fn range(&self) -> String {
         match self.most {
@@ -38,7 +30,43 @@ impl Parameter {
     }
 }
 
-macro_rules! parameters {
+/// The table of all parameters, for the macro that makes them and the one that makes a request of them.
+macro_rules! with_parameters {
+    ($take:ident) => {
+        $take! {
+            PLANES: "planes" "N" planes, 0 to Some(MOST_PLANES), Some(3),
+                "Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra]";
+            ROWS: "rows-per-stage" "R" rows_per_stage, 1 to None, Some(1),
+                "Rows of the root network per register stage, 1 to W [default: 1]";
+            OBJECTS: "objects" "M" objects, 1 to Some(MOST_OBJECTS), Some(4),
+                "Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider [default: 4]";
+            // Half of them, as in the experiment of section B.10.
+            DIGITS: "digits" "D" digits, 1 to None, None,
+                "Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2]";
+            CORRECTIONS: "corrections" "C" corrections, 0 to Some(2), Some(1),
+                "Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2";
+            SIDES: "sides" "E" sides, 3 to Some(MOST_SIDES), Some(3),
+                "Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3]";
+            MODE: "mode" "V" mode, 0 to Some(VideoMode::ALL.len() as u32 - 1), Some(0),
+                "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
+            CARDS: "cards" "K" cards, 1 to Some(64), Some(2),
+                "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
+            LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS), Some(2),
+                "Layers of transparency_pipeline, 1 to 8 [default: 2]";
+            PRODUCTS: "products" "G" products, 1 to Some(16), Some(2),
+                "Products of csg_decider, 1 to 16 [default: 2]";
+            INTERSECTED: "intersected" "I" intersected, 1 to Some(8), Some(2),
+                "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
+            SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
+                "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
+            LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
+                "Lights of the shading processor, 1 to 4 [default: 1]";
+        }
+    };
+}
+pub(crate) use with_parameters;
+
+macro_rules! constants {
     ($($name:ident: $option:literal $symbol:literal $field:ident, $least:literal to $most:expr, $default:expr, $meaning:literal;)*) => {
         $(pub(crate) const $name: Parameter = Parameter {
             option: $option,
@@ -47,64 +75,14 @@ macro_rules! parameters {
             least: $least,
             most: $most,
             default: $default,
-            field: |request| &mut request.$field,
         };)*
 
         /// Every parameter, each once.
         pub const PARAMETERS: &[Parameter] = &[$($name),*];
-
-        /// A unit with its parameters; those that the unit does not have mean nothing.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub struct Request {
-            /// The unit.
-            pub unit: Unit,
-            /// Depth word `W` of the format.
-            pub depth_word: u32,
-            $(#[doc = $meaning] pub $field: u32,)*
-        }
-
-        impl Request {
-            /// A unit with its default parameters.
-            pub fn of(unit: Unit, depth_word: u32) -> Request {
-                let mut request = Request { unit, depth_word, $($field: 0),* };
-                for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
-                    *(parameter.field)(&mut request) = parameter.default.unwrap_or(depth_word / 2);
-                }
-                request
-            }
-        }
     };
 }
 
-parameters! {
-    PLANES: "planes" "N" planes, 0 to Some(MOST_PLANES), Some(3),
-        "Cut planes of an object, 0 to 12; faces of a polyhedron, 1 to 12 [default: 3; 4 of patches and volumes, 6 of polyhedra]";
-    ROWS: "rows-per-stage" "R" rows_per_stage, 1 to None, Some(1),
-        "Rows of the root network per register stage, 1 to W [default: 1]";
-    OBJECTS: "objects" "M" objects, 1 to Some(MOST_OBJECTS), Some(4),
-        "Object slots of a machine, inputs of a decider or volumes of a shadow stage, 1 to 256; processors on a card of card_decider [default: 4]";
-    // Half of them, as in the experiment of section B.10.
-    DIGITS: "digits" "D" digits, 1 to None, None,
-        "Digits that square_root_rows and square_root_leading keep, 1 to W [default: W / 2]";
-    CORRECTIONS: "corrections" "C" corrections, 0 to Some(2), Some(1),
-        "Corrections of square_root_linear (default 2) and square_root_quadratic (default 1), 0 to 2";
-    SIDES: "sides" "E" sides, 3 to Some(MOST_SIDES), Some(3),
-        "Sides of a facet, 3 or 4, of a non-planar facet 1 to 4 [default: 3]";
-    MODE: "mode" "V" mode, 0 to Some(VideoMode::ALL.len() as u32 - 1), Some(0),
-        "Video mode of video_timing: 0 is 160 x 120 for simulation, 1 640 x 480, 2 1280 x 720, 3 1920 x 1080 [default: 0]";
-    CARDS: "cards" "K" cards, 1 to Some(64), Some(2),
-        "Cards of card_decider, 1 to 64, with as many processors each as --objects says [default: 2]";
-    LAYERS: "layers" "T" layers, 1 to Some(MOST_LAYERS), Some(2),
-        "Layers of transparency_pipeline, 1 to 8 [default: 2]";
-    PRODUCTS: "products" "G" products, 1 to Some(16), Some(2),
-        "Products of csg_decider, 1 to 16 [default: 2]";
-    INTERSECTED: "intersected" "I" intersected, 1 to Some(8), Some(2),
-        "Objects intersected in each product of csg_decider, 1 to 8 [default: 2]";
-    SUBTRACTED: "subtracted" "J" subtracted, 0 to Some(8), Some(2),
-        "Objects taken away in each product of csg_decider, 0 to 8 [default: 2]";
-    LIGHTS: "lights" "Q" lights, 1 to Some(MOST_LIGHTS), Some(1),
-        "Lights of the shading processor, 1 to 4 [default: 1]";
-}
+with_parameters!(constants);
 
 /// Planes of a patch or volume; the source has four.
 pub(crate) const FOUR_PLANES: Parameter = Parameter {

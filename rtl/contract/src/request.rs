@@ -1,8 +1,7 @@
 //! A unit with its parameters: legal values, latency, error, and the command line that emits it.
 
 use crate::formula::evaluate;
-pub use crate::parameters::Request;
-use crate::parameters::{PARAMETERS, Parameter};
+use crate::parameters::{PARAMETERS, Parameter, with_parameters};
 use crate::unit::Unit;
 use crate::words::{MOST_DEPTH, MOST_OBJECTS};
 use std::fmt::Write;
@@ -54,7 +53,61 @@ fn names() -> String {
     names.join(", ")
 }
 
+impl Unit {
+    /// The unit of a name.
+    ///
+    /// # Errors
+    ///
+    /// When there is none; the error lists the names.
+    pub fn from_name(name: &str) -> Result<Unit, RequestError> {
+        let found = Unit::ALL.into_iter().find(|unit| unit.name() == name);
+        found.ok_or_else(|| RequestError::Unit {
+            name: name.to_owned(),
+        })
+    }
+}
+
+macro_rules! request {
+    ($($name:ident: $option:literal $symbol:literal $field:ident, $least:literal to $most:expr, $default:expr, $meaning:literal;)*) => {
+        /// A unit with its parameters; those that the unit does not have mean nothing.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub struct Request {
+            /// The unit.
+            pub unit: Unit,
+            /// Depth word `W` of the format.
+            pub depth_word: u32,
+            $(#[doc = $meaning] pub $field: u32,)*
+        }
+
+        impl Request {
+            /// A unit with its default parameters.
+            pub fn of(unit: Unit, depth_word: u32) -> Request {
+                let mut request = Request { unit, depth_word, $($field: 0),* };
+                for parameter in PARAMETERS.iter().chain(unit.record().parameters) {
+                    *request.place(parameter) = parameter.default.unwrap_or(depth_word / 2);
+                }
+                request
+            }
+
+            fn place(&mut self, parameter: &Parameter) -> &mut u32 {
+                match parameter.option {
+                    $($option => &mut self.$field,)*
+                    other => unreachable!("{other} is in the table"),
+                }
+            }
+        }
+    };
+}
+
+with_parameters!(request);
+
 impl Request {
+    /// The value of a parameter.
+    pub fn get(&self, parameter: &Parameter) -> u32 {
+        let mut own = *self;
+        *own.place(parameter)
+    }
+
     /// A unit at the base format 24, with its default parameters.
     pub fn new(unit: Unit) -> Request {
         Request::of(unit, 24)
@@ -81,7 +134,7 @@ impl Request {
                 parameter: option,
                 unit: unit.name(),
             })?;
-            *(parameter.field)(&mut request) = value;
+            *request.place(parameter) = value;
         }
         request.check()?;
         Ok(request)
@@ -102,7 +155,7 @@ impl Request {
             .filter(|other| !self.unit.has(other.option));
         for parameter in own.iter().chain(foreign) {
             let most = parameter.most.unwrap_or(self.depth_word);
-            let value = parameter.of(self) as usize;
+            let value = self.get(parameter) as usize;
             in_range(parameter.option, value, parameter.least, most)?;
         }
         if self.unit == Unit::CardDecider {
@@ -117,7 +170,7 @@ impl Request {
         let mut parameters = self.unit.record().parameters.iter();
         let found = parameters.find(|parameter| parameter.symbol == symbol);
         match (found, symbol) {
-            (Some(parameter), _) => parameter.of(self).into(),
+            (Some(parameter), _) => self.get(parameter).into(),
             (None, "W") => self.depth_word.into(),
             _ => panic!("{} has no parameter '{symbol}'", self.unit.name()),
         }
@@ -125,7 +178,7 @@ impl Request {
 
     /// Options of the command line and their values.
     pub fn options(&self) -> Vec<(&'static str, u32)> {
-        let of = |parameter: &Parameter| (parameter.option, parameter.of(self));
+        let of = |parameter: &Parameter| (parameter.option, self.get(parameter));
         self.unit.record().parameters.iter().map(of).collect()
     }
 

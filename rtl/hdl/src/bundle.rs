@@ -1,7 +1,7 @@
 //! Groups of values that are ports together.
 
-use crate::bare::Ports;
-use crate::value::{Bits, Handle, Value, delayed, later};
+use crate::scope::Handle;
+use crate::value::{Bits, Value, delayed, later};
 
 /// What stands before the names and meanings of the members of a bundle, or of one member.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -170,13 +170,6 @@ macro_rules! tuples {
             }
         }
 
-        impl<$($letter: Ports),*> Ports for ($($letter,)*) {
-            type Bare = ($($letter::Bare,)*);
-
-            fn bare(self) -> Self::Bare {
-                ($(self.$index.bare(),)*)
-            }
-        }
     )*};
 }
 

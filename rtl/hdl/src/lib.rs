@@ -35,6 +35,7 @@ mod bare;
 pub mod block;
 mod build;
 mod bundle;
+mod scope;
 mod simulate;
 mod tree;
 mod value;
@@ -44,8 +45,8 @@ pub use bare::{Plain, Ports};
 pub use build::{Design, module};
 #[doc(hidden)]
 pub use bundle::{Bundle, Label};
+#[doc(hidden)]
+pub use scope::Handle;
 pub use simulate::{Port, Simulator};
 pub use tree::{Binary, Direction, Instance, Memory, Module, Net, Node, Op, PortRecord, Register};
-#[doc(hidden)]
-pub use value::Handle;
 pub use value::{Bits, Int, Value, join, memory};

@@ -5,20 +5,10 @@ mod operators;
 
 pub use memory::memory;
 
-use crate::build::{add, refuse, with_scope};
-use crate::tree::{Binary, Net, Op, Register, WIDEST};
+use crate::scope::{Handle, add, refuse, with_scope};
+use crate::tree::{Binary, Op, Register, WIDEST};
 use std::mem::replace;
 use std::panic::Location;
-
-/// A net in the module that is being built.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Handle {
-    pub(crate) net: Net,
-    pub(crate) scope: u64,
-    pub(crate) width: u32,
-    pub(crate) signed: bool,
-}
 
 /// An unsigned word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

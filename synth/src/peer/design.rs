@@ -1,7 +1,7 @@
 //! A design of another project: what must hold of it before any tool runs.
 
+use crate::error::PeerError;
 use std::path::{Path, PathBuf};
-use thiserror::Error;
 
 /// A design of another project, from files of the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,86 +16,6 @@ pub struct Peer {
     pub include: Vec<PathBuf>,
     /// Parameters of the top module and their values.
     pub parameters: Vec<(String, String)>,
-}
-
-/// Why a peer cannot be measured.
-#[derive(Debug, Error, PartialEq, Eq)]
-pub enum PeerError {
-    /// A file is not there.
-    #[error("{path}: there is no such {kind}")]
-    Missing {
-        /// The path.
-        path: String,
-        /// File or folder.
-        kind: &'static str,
-    },
-    /// A file is no Verilog by its name.
-    #[error("{path}: a file of Verilog ends in .v, one of SystemVerilog in .sv")]
-    Ending {
-        /// The path.
-        path: String,
-    },
-    /// A name or value cannot stand in a command of Yosys.
-    #[error("`{text}` is no {what}: {accepted}")]
-    Word {
-        /// The text.
-        text: String,
-        /// What it should be.
-        what: &'static str,
-        /// What is accepted.
-        accepted: &'static str,
-    },
-    /// No module has the name of the top.
-    #[error("there is no module `{top}`; the files hold {}", list(modules))]
-    Top {
-        /// The name.
-        top: String,
-        /// The modules that there are.
-        modules: Vec<String>,
-    },
-    /// No port is the clock.
-    #[error(
-        "`{top}` has no clock port {wanted} of one bit; `--clock PORT` names it; the ports are {}",
-        list(ports)
-    )]
-    Clock {
-        /// The top module.
-        top: String,
-        /// The names looked for.
-        wanted: String,
-        /// The ports that there are.
-        ports: Vec<String>,
-    },
-    /// A port that no register can stand at.
-    #[error("port `{port}` of `{top}` is an inout; a register harness needs inputs and outputs")]
-    Inout {
-        /// The top module.
-        top: String,
-        /// The port.
-        port: String,
-    },
-    /// A design without data.
-    #[error("`{top}` has no {direction} beside its clock: there is nothing to measure")]
-    NoData {
-        /// The top module.
-        top: String,
-        /// Input or output.
-        direction: &'static str,
-    },
-    /// Yosys does not take the files.
-    #[error("Yosys refuses the peer: {message}")]
-    Refused {
-        /// Its error.
-        message: String,
-    },
-}
-
-fn list(names: &[String]) -> String {
-    if names.is_empty() {
-        "none".to_owned()
-    } else {
-        names.join(", ")
-    }
 }
 
 impl Peer {

@@ -1,8 +1,8 @@
 //! The Verilog of a peer: its files, its top module, its ports.
 
-use super::design::{Peer, PeerError, is_system_verilog};
+use super::design::{Peer, is_system_verilog};
 use crate::cache::digest;
-use crate::error::SynthError;
+use crate::error::{PeerError, SynthError};
 use crate::harness::bits;
 use crate::tools::Tool;
 use crate::yosys;

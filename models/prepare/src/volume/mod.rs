@@ -6,7 +6,7 @@
 mod shadow;
 mod words;
 
-pub use shadow::{Beginning, ShadowPart, SourceInside, shadow_parts};
+pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
 use super::cell::Cell;
 use super::context::Context;
@@ -14,7 +14,7 @@ use super::error::PrepareError;
 use super::extent::Extent;
 use super::known::{Bounds, Known};
 use super::perspective::{ScreenQuadric, on_screen};
-pub use super::prepared::PreparedVolume;
+pub use super::prepared::{Beginning, PreparedVolume};
 use super::prepared::{Missing, PreparedObject};
 use super::screen_box::{Region, Search, screen_domain};
 use imogene_algebra::rational::to_f64;

@@ -18,6 +18,7 @@
 //! except inside the solid itself, where nothing is seen. A polyhedron, whose Q is zero, has the volumes of its lit
 //! faces, without a cone.
 
+use crate::prepared::Beginning;
 use imogene_algebra::matrix::{Matrix4, SYMMETRIC, image};
 use imogene_algebra::vector::dot;
 use imogene_algebra::whole::common_denominator;
@@ -38,15 +39,6 @@ pub struct ShadowPart {
     pub planes: Vec<Plane>,
     /// Where the volume begins.
     pub beginning: Beginning,
-}
-
-/// Where a part of a shadow begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beginning {
-    /// At the polar plane of the source, which bounds the lit part of the quadric.
-    PolarPlane,
-    /// At this cut plane.
-    Cut(usize),
 }
 
 /// The source lies in the cut solid, or the solid is endless towards it.

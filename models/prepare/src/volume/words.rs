@@ -1,6 +1,5 @@
 //! From a volume in the camera frame to words, with the proofs that objects have.
 
-use super::shadow::Beginning;
 use crate::cell::Cell;
 use crate::context::Context;
 use crate::error::PrepareError;
@@ -8,7 +7,7 @@ use crate::forms::LinearForm;
 use crate::object::depth_words;
 use crate::perspective::{ScreenQuadric, project_plane};
 use crate::planes::{PlaneOf, PreparedPlane, prepare_plane, signed_bits};
-use crate::prepared::{ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
+use crate::prepared::{Beginning, ExactForms, NeededWidths, PreparedVolume, RoundingBounds};
 use crate::screen_box::{Region, Search};
 use imogene_algebra::rational::power_of_two;
 use imogene_golden::object::quadric::ScreenBox;

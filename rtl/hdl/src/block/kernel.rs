@@ -1,6 +1,6 @@
 //! The kernel of a module: statements of rust-hdl, one for each net.
 
-use crate::build::{described, refuse};
+use crate::scope::{described, refuse};
 use crate::tree::{Binary, Direction, Memory, Module, Net, Op, in_order};
 use rust_hdl::core::ast::{
     VerilogBlock, VerilogBlockOrConditional, VerilogConditional, VerilogExpression, VerilogOp,

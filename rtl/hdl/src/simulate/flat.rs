@@ -1,7 +1,7 @@
 //! All modules of a design as one list of operations.
 
 use super::code::{Code, Kind};
-use crate::build::{described, refuse};
+use crate::scope::{described, refuse};
 use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, in_order};
 use crate::value::mask;
 use std::rc::Rc;

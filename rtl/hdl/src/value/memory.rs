@@ -1,7 +1,7 @@
 //! Block memories.
 
 use super::{Bits, make};
-use crate::build::with_scope;
+use crate::scope::with_scope;
 use crate::tree::{Memory, Op};
 
 /// A block memory of so many words, zeros at power-up: writes `data` where `write` is 1, and gives the word that was

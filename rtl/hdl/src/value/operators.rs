@@ -1,8 +1,8 @@
 //! What words and numbers can do besides what they have in common.
 
 use super::{Bits, Int, Value, as_bits, binary, join, made, make, mask, same_width, single_bit};
-use crate::build::refuse;
 use crate::bundle::{Bundle, members, replaced};
+use crate::scope::refuse;
 use crate::tree::{Binary, Op};
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Sub};
 

@@ -3,7 +3,7 @@
 use super::name::Name;
 use super::reads::{Reader, Reads, reads};
 use super::rows::{self, Row};
-use crate::build::is_reserved;
+use crate::scope::is_reserved;
 use crate::tree::{Binary, Direction, Module, Net, Node, Op};
 use std::collections::HashSet;
 

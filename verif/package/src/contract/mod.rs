@@ -132,7 +132,7 @@ fn parameters(request: &Request) -> Vec<ParameterEntry> {
         option: parameter.option,
         symbol: parameter.symbol,
         range: parameter.range(),
-        value: parameter.of(request),
+        value: request.get(parameter),
     };
     let own = request.unit.record().parameters.iter().map(entry);
     std::iter::once(format).chain(own).collect()
