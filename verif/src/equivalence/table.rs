@@ -24,7 +24,6 @@ impl Row {
     pub fn of(unit_of_row: Unit, depth_word: u32) -> Result<Row, EquivalenceError> {
         let request = Request::of(unit_of_row, depth_word);
         let design = design(&request).map_err(EquivalenceError::Emit)?;
-        let remembers = !sums(&design.top, &|module| module.memories.len() as u32).eq(&0);
         let register_bits = |module: &Module| {
             let registers = module.registers.iter();
             registers
@@ -34,12 +33,23 @@ impl Row {
         Ok(Row {
             unit: unit_of_row,
             bits: sums(&design.top, &register_bits),
-            verdict: match remembers {
-                true => None,
-                false => Some(unit(&request)?),
+            verdict: match memory_bits(&design.top) {
+                0 => Some(unit(&request)?),
+                _ => None,
             },
         })
     }
+}
+
+/// Bits of all block memories in a module. Each is a register to a proof.
+pub fn memory_bits(module: &Module) -> u32 {
+    let own = |module: &Module| {
+        let memories = module.memories.iter();
+        memories
+            .map(|memory| memory.words as u32 * memory.width)
+            .sum()
+    };
+    sums(module, &own)
 }
 
 /// The sum over a module and all its instances.

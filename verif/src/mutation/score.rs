@@ -29,7 +29,7 @@ impl Default for Options {
             seed: 1,
             stimuli: 150,
             clocks: 150,
-            proof_seconds: 30,
+            proof_seconds: 120,
         }
     }
 }
