@@ -18,8 +18,8 @@ use serde::{Deserialize, Serialize};
 
 /// A cylinder of an orthographic view, neither end-on nor side-on.
 ///
-/// Its unit axis, from the front disc to the back, is `(level cos, level sin, deep)` with cos^2 + sin^2 = 1 and level^2
-/// + deep^2 = 1, all rational, level and deep positive.
+/// Its unit axis, from the front disc to the back, is `(level cos, level sin, deep)` with cos^2 + sin^2 = 1 and
+/// level^2 + deep^2 = 1, all rational, level and deep positive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CylinderShape {
     /// Centre of the front disc: column, line, depth in pixels.

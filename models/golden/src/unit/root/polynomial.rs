@@ -46,10 +46,10 @@ pub fn quadratic_estimate(radicand: u128) -> u64 {
 
 /// floor(value / 15) for `value < 2^39`, by additions alone and without error.
 ///
-/// `value = 2^16 h + l`, and `2^16 = 15 * 0x1111 + 1`, so the quotient is `0x1111 h + floor((h + l) / 15)`. For `s = h
-/// + l < 2^24` the floor is `((s + 1) * 0x111111) >> 24`: with `s = 15 q + r` the product over `2^24` is `q + (r + 1) /
-/// 15 - (s + 1) / (15 * 2^24)`, which stays in `[q, q + 1)`. The factors of ones are sums of shifts: eight additions in
-/// all, with those that make `s + 1` and join the parts.
+/// `value = 2^16 h + l`, and `2^16 = 15 * 0x1111 + 1`, so the quotient is `0x1111 h + floor((h + l) / 15)`. For
+/// `s = h + l < 2^24` the floor is `((s + 1) * 0x111111) >> 24`: with `s = 15 q + r` the product over `2^24` is
+/// `q + (r + 1) / 15 - (s + 1) / (15 * 2^24)`, which stays in `[q, q + 1)`. The factors of ones are sums of shifts:
+/// eight additions in all, with those that make `s + 1` and join the parts.
 pub fn fifteenth(value: u64) -> u64 {
     let (high, low) = (value >> 16, value & 0xffff);
     let sum = high + low + 1;
