@@ -34,6 +34,30 @@ pub fn wrapped(prose: &str, indent: &str) -> String {
     fill(text.trim_start_matches([' ', GLUE]), options).replace(GLUE, " ")
 }
 
+/// A page of Markdown with its paragraphs and items in lines of prose; headings, tables and pictures stay as they are.
+pub fn wrapped_page(page: &str) -> String {
+    let (mut lines, mut prose) = (vec![], String::new());
+    let end = |prose: &mut String, lines: &mut Vec<String>| {
+        if !prose.is_empty() {
+            let indent = if prose.starts_with("* ") { "  " } else { "" };
+            lines.push(wrapped(&std::mem::take(prose), indent));
+        }
+    };
+    for line in page.lines() {
+        let is_prose = !line.is_empty() && !line.starts_with(['#', '|', '!']);
+        if !is_prose || line.starts_with("* ") {
+            end(&mut prose, &mut lines);
+        }
+        match (is_prose, prose.is_empty()) {
+            (false, _) => lines.push(line.to_owned()),
+            (true, true) => line.clone_into(&mut prose),
+            (true, false) => prose = format!("{prose} {}", line.trim_start()),
+        }
+    }
+    end(&mut prose, &mut lines);
+    lines.join("\n") + "\n"
+}
+
 /// Stands for a space at which no line ends; no text has it.
 const GLUE: char = '\u{1}';
 
@@ -46,7 +70,30 @@ fn is_mark(word: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{COLUMNS, counted, wrapped};
+    use super::{COLUMNS, counted, wrapped, wrapped_page};
+
+    #[test]
+    fn prose_of_a_page_is_wrapped_and_nothing_else() {
+        let long = "word ".repeat(40);
+        let (long, table) = (long.trim_end(), format!("| {} |", "cell ".repeat(40)));
+        let page =
+            format!("# {long}\n\n{long}\nand more.\n\n* one\n* {long}\n  behind\n\n{table}\n");
+        let text = wrapped_page(&page);
+        let is_wide = |line: &&str| line.len() > COLUMNS;
+        let wide: Vec<&str> = text.lines().filter(is_wide).collect();
+        assert_eq!(wide, [&format!("# {long}"), &table]);
+        let words = |text: &str| {
+            text.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(words(&text), words(&page));
+        assert!(
+            text.contains("\n* one\n* word") && text.contains("\n  word"),
+            "{text}"
+        );
+        assert_eq!(wrapped_page(&text), text);
+    }
 
     #[test]
     fn lines_are_full_and_none_begins_with_a_mark() {

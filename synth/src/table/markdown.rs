@@ -5,6 +5,7 @@ use crate::figures::Figures;
 use crate::report::SynthReport;
 use crate::target::Target;
 use imogene_contract::Unit;
+use imogene_files::text::wrapped_page;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -77,7 +78,7 @@ pub fn write(table: &Table) -> String {
     );
     text += &opening(Section::Transistors, "");
     text += &super::transistors::write(table);
-    text
+    wrapped_page(&text)
 }
 
 fn opening(section: Section, text: &str) -> String {
