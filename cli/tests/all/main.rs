@@ -2,12 +2,14 @@
 
 mod bad_input;
 mod bench;
+mod bounds;
 mod check;
 mod commands;
 mod common;
-mod compare;
+mod cosim;
 mod detail;
 mod documents;
+mod emit;
 mod error_bounds;
 mod evaluate;
 mod first_minute;
@@ -19,9 +21,12 @@ mod import_terrain;
 mod look;
 mod machine;
 mod missing;
+mod mutate;
 mod netlist;
 mod oracles;
 mod outputs;
+mod package;
+mod primitives;
 mod processors;
 mod prove;
 mod roots;

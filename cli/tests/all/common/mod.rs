@@ -37,6 +37,29 @@ pub fn json_in(arguments: &[&str], folder: &Path) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// What a command says as JSON.
+pub fn json(arguments: &[&str]) -> Value {
+    json_in(arguments, Path::new("."))
+}
+
+pub fn assert_keys(value: &Value, keys: &[&str]) {
+    for key in keys {
+        assert!(value.get(key).is_some(), "no key '{key}' in {value}");
+    }
+}
+
+/// Keys of every co-simulation.
+pub const COSIM_KEYS: [&str; 8] = [
+    "engine",
+    "cycles",
+    "pixels",
+    "mismatches",
+    "seconds",
+    "cycles_per_second",
+    "seed",
+    "files",
+];
+
 /// What a command that is refused says, run in a folder.
 pub fn refusal_in(arguments: &[&str], folder: &Path) -> String {
     let output = imogene()
