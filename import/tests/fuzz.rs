@@ -2,8 +2,8 @@
 //! malformed has a place in the file.
 //!
 //! Ten million random bytes for each reader, and 1 500 changed files of the collection; 20 000 of them for each reader
-//! under `IMOGENE_FULL=1`, or as many as `IMOGENE_FUZZ_CHANGES` says: 100 000 take an hour. `IMOGENE_FUZZ_FILES` names
-//! a folder of further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
+//! under `IMOGENE_FULL=1`, or as many as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
+//! further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
 use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
 use imogene_plan::description::MachineDescription;

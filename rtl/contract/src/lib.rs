@@ -1,7 +1,7 @@
 //! What hardware and golden models share: names, widths, addresses and the record of every unit, and no behaviour.
 //!
 //! ```
-//! use imogene_contract::{Request, RequestError, Unit};
+//! use imogene_contract::{Request, Unit};
 //!
 //! // A root of 24 digits, four rows of the network between registers.
 //! let request = Request { rows_per_stage: 4, ..Request::of(Unit::SquareRoot, 24) };
@@ -12,7 +12,6 @@
 //! // There cannot be more rows than digits.
 //! let wrong = Request::given("square_root", 24, &[("rows-per-stage", Some(25))]).unwrap_err();
 //! assert_eq!(wrong.to_string(), "rows-per-stage = 25 is out of range; legal values are 1 to 24");
-//! # Ok::<(), RequestError>(())
 //! ```
 
 mod catalogue;

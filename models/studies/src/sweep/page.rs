@@ -154,7 +154,8 @@ fn giving_out(result: &SweepResult, found: &GivesOut) -> String {
         1 => String::new(),
         _ => format!("*{}*: ", found.series),
     };
-    format!("{place}{what} {values}{before}\n\n    {}\n", found.message)
+    let message = wrapped(&format!("> {}", found.message), "> ");
+    format!("{place}{what} {values}{before}\n\n{message}\n")
 }
 
 /// Three significant digits; an exponent where the number would be long.
