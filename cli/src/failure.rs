@@ -15,8 +15,10 @@ const MESSAGE: usize = 1_800;
 pub enum Failure {
     /// A check failed: exit code 1.
     Check(String),
-    /// Bad input or usage, or an output that cannot be written: exit code 2.
+    /// Bad input or usage: exit code 2.
     Input(String),
+    /// What a library refused, or an output that cannot be written, with its causes: exit code 2.
+    Error(Box<dyn Error>),
     /// Nobody reads the output any more. That is said by the exit code alone, as by a program that the signal ended.
     ClosedPipe,
 }
@@ -31,7 +33,7 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Failure::Check(_) => 1,
-            Failure::Input(_) => 2,
+            Failure::Input(_) | Failure::Error(_) => 2,
             Failure::ClosedPipe => 141,
         }
     }
@@ -41,18 +43,19 @@ impl Failure {
         match self {
             Failure::Check(message) => Some(lines(message)),
             Failure::Input(message) => Some(shortened(&lines(message), MESSAGE)),
+            Failure::Error(error) => Some(shortened(&lines(&with_causes(error.as_ref())), MESSAGE)),
             Failure::ClosedPipe => None,
         }
     }
 }
 
-/// Bad input, unless it is an output that nobody reads any more.
+/// An output that nobody reads any more is no error.
 impl<E: Error + 'static> From<E> for Failure {
     fn from(error: E) -> Failure {
         let write = (&error as &dyn Error).downcast_ref::<WriteError>();
         match write.map(|error| error.source.kind()) {
             Some(ErrorKind::BrokenPipe) => Failure::ClosedPipe,
-            _ => Failure::input(error),
+            _ => Failure::Error(Box::new(error)),
         }
     }
 }
@@ -62,10 +65,22 @@ impl fmt::Display for Failure {
         let message = self.message().unwrap_or_default();
         match self {
             Failure::Check(_) => write!(f, "check failed: {message}"),
-            Failure::Input(_) => write!(f, "error: {message}"),
+            Failure::Input(_) | Failure::Error(_) => write!(f, "error: {message}"),
             Failure::ClosedPipe => Ok(()),
         }
     }
+}
+
+/// The error and each cause behind it that it does not say itself.
+fn with_causes(error: &dyn Error) -> String {
+    let causes = std::iter::successors(error.source(), |&cause| cause.source());
+    causes.fold(error.to_string(), |text, cause| {
+        let cause = cause.to_string();
+        match text.contains(&cause) {
+            true => text,
+            false => format!("{text}: {cause}"),
+        }
+    })
 }
 
 /// The text with long words and lines shortened.
@@ -96,6 +111,33 @@ fn shortened(text: &str, most: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn causes_are_said_once() {
+        #[derive(Debug)]
+        struct Said(&'static str, Option<Box<Said>>);
+        impl fmt::Display for Said {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.0)
+            }
+        }
+        impl Error for Said {
+            fn source(&self) -> Option<&(dyn Error + 'static)> {
+                self.1.as_deref().map(|cause| cause as &dyn Error)
+            }
+        }
+        let cause = |text| Some(Box::new(Said(text, None)));
+        let failure = |error: Said| Failure::from(error).message().unwrap();
+        assert_eq!(
+            failure(Said("no picture", cause("disk full"))),
+            "no picture: disk full"
+        );
+        assert_eq!(
+            failure(Said("no picture: disk full", cause("disk full"))),
+            "no picture: disk full"
+        );
+        assert_eq!(failure(Said("no picture", None)), "no picture");
+    }
 
     #[test]
     fn long_words_lines_and_messages_lose_their_middle() {

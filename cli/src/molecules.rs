@@ -16,7 +16,7 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Failure> {
     if !is_compressed(&bytes) {
         return Ok(bytes);
     }
-    unpack(&bytes, MAX_BYTES, &path.display().to_string()).map_err(Failure::input)
+    unpack(&bytes, MAX_BYTES, &path.display().to_string()).map_err(Failure::from)
 }
 
 /// Bytes of memory for each byte of a structure file, at least: 6.4 were measured of spheres, 18 with cylinders.

@@ -1,6 +1,5 @@
-//! The resource table of the documentation: which syntheses it is made of, and its text.
+//! The resource table of the documentation: its rows, its file of figures, its page.
 
-mod agreement;
 mod markdown;
 mod picture;
 mod rows;
@@ -8,45 +7,140 @@ mod rows;
 mod tests;
 mod transistors;
 
-use crate::cache::digest;
+use crate::cache::{Cache, digest};
 use crate::error::SynthError;
-use crate::flow::synthesise;
-use crate::report::SynthReport;
+use crate::figures::Figures;
+use crate::flow::{parameters, synthesise_with, tools};
+use crate::report::{CriticalPath, SynthReport};
+use crate::target::Target;
+use imogene_contract::Unit;
 use imogene_rtl::emit::emit;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
 
-pub use agreement::disagreements;
 pub use markdown::PICTURE;
-pub use rows::{Row, Section, Table, rows, select};
+pub use rows::{Row, Section, rows, select};
 
-/// Synthesises all rows; `done` is called after each.
+/// Version of the file.
+const VERSION: u32 = 2;
+
+/// Most bytes of the file, which has tens of thousands.
+const MAX_BYTES: u64 = 16 << 20;
+
+/// The table with its figures, as its file has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    version: u32,
+    /// Digest of the Verilog of all rows.
+    pub verilog: String,
+    /// Its rows, in their order.
+    pub rows: Vec<Measured>,
+}
+
+/// One row with its figures.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Measured {
+    /// Where it is shown.
+    pub section: Section,
+    /// Unit.
+    pub unit: String,
+    /// Depth word and parameters.
+    pub parameters: BTreeMap<String, usize>,
+    /// Target.
+    pub target: String,
+    /// Seeds of place and route.
+    pub seeds: usize,
+    /// Tools and versions.
+    pub tools: BTreeMap<String, String>,
+    /// Latency in clocks.
+    pub latency: usize,
+    /// Resources and clock.
+    pub figures: Figures,
+    /// The path that limits the clock of the median seed.
+    pub slowest_path: Option<CriticalPath>,
+    /// Digest of the Verilog.
+    pub verilog: String,
+}
+
+/// Measures all rows; `done` is called after each. A row whose Verilog and tools are those of `known` is taken from it.
 ///
 /// # Errors
 ///
 /// When one of the syntheses fails.
-pub fn make(rows: &[Row], done: impl Fn(&Row) + Sync) -> Result<Table, SynthError> {
-    let digest = verilog_digest(rows)?;
-    let reports: Vec<(Row, SynthReport)> = rows
-        .par_iter()
-        .map(|row| {
-            let report = synthesise(&row.request, row.target, &row.options)?;
-            done(row);
-            Ok((*row, report))
-        })
-        .collect::<Result<_, SynthError>>()?;
-    Ok(Table {
-        rows: reports,
-        digest,
-    })
+pub fn make(
+    rows: &[Row],
+    known: Option<&Table>,
+    cache: Cache,
+    done: impl Fn(&Row) + Sync,
+) -> Result<Table, SynthError> {
+    let rows = rows.par_iter().map(|row| {
+        let kept = known.map_or(Ok(None), |known| known.current(row))?;
+        let measured = match kept {
+            Some(measured) => measured.clone(),
+            None => {
+                let report = synthesise_with(&row.request, row.target, &row.options, cache)?;
+                Measured::of(row, report)
+            }
+        };
+        done(row);
+        Ok(measured)
+    });
+    Ok(Table::of(rows.collect::<Result<_, SynthError>>()?))
 }
 
 impl Table {
-    /// The table as Markdown.
+    fn of(rows: Vec<Measured>) -> Self {
+        let all: String = rows.iter().map(|row| row.verilog.clone() + "\n").collect();
+        Self {
+            version: VERSION,
+            verilog: digest(&all),
+            rows,
+        }
+    }
+
+    /// Reads its file.
+    ///
+    /// # Errors
+    ///
+    /// When there is none, or it is no table of this version.
+    pub fn read(path: &Path) -> Result<Self, SynthError> {
+        let bad = |problem: String| SynthError::Baseline {
+            path: path.display().to_string(),
+            problem,
+        };
+        let text =
+            imogene_files::read_text(path, MAX_BYTES).map_err(|error| match error.kind() {
+                std::io::ErrorKind::NotFound => {
+                    bad("there is no such file; `imogene synth --table` writes it".into())
+                }
+                _ => bad(error.to_string()),
+            })?;
+        let table: Self = serde_json::from_str(&text)
+            .map_err(|error| bad(format!("{error}; `imogene synth --table` writes it again")))?;
+        if table.version == VERSION {
+            Ok(table)
+        } else {
+            let found = table.version;
+            Err(bad(format!("version {found}, expected {VERSION}")))
+        }
+    }
+
+    /// The text of its file; the same for the same figures.
+    pub fn json(&self) -> String {
+        let text = serde_json::to_string_pretty(self);
+        text.expect("a table has no unserialisable keys") + "\n"
+    }
+
+    /// The page that shows it, as Markdown.
     pub fn markdown(&self) -> String {
         markdown::write(self)
     }
 
-    /// The networks over their rows per stage as an SVG picture; none without a clock of each.
+    /// The networks over their rows per stage as an SVG picture; `None` without a clock of each.
     ///
     /// # Errors
     ///
@@ -54,23 +148,80 @@ impl Table {
     pub fn picture(&self) -> Result<Option<String>, SynthError> {
         picture::draw(self)
     }
-}
 
-/// Whether a written table was made of the Verilog that is emitted now. Needs no tool.
-///
-/// # Errors
-///
-/// When a unit of the table cannot be emitted.
-pub fn is_current(text: &str) -> Result<bool, SynthError> {
-    Ok(text.contains(&verilog_digest(&rows())?))
-}
-
-/// Digest of the Verilog of all rows.
-fn verilog_digest(rows: &[Row]) -> Result<String, SynthError> {
-    let mut all = String::new();
-    for row in rows {
-        all += &digest(&emit(&row.request)?.bundle());
-        all += "\n";
+    /// What it has of a row.
+    pub fn find(&self, row: &Row) -> Option<&Measured> {
+        self.rows.iter().find(|known| known.is_of(row))
     }
-    Ok(digest(&all))
+
+    /// Whether it has any row of a unit.
+    pub fn has(&self, unit: Unit) -> bool {
+        self.rows.iter().any(|known| known.unit == unit.name())
+    }
+
+    /// What it has of a row, if today's Verilog and tools would give the same.
+    fn current(&self, row: &Row) -> Result<Option<&Measured>, SynthError> {
+        let (verilog, tools) = (verilog(row)?, tools(row.target)?);
+        let known = self.find(row);
+        Ok(known.filter(|known| known.verilog == verilog && known.tools == tools))
+    }
+
+    /// Where it differs from the rows and the Verilog of today; empty if it is current. Needs no tool.
+    ///
+    /// # Errors
+    ///
+    /// When a unit of the table cannot be emitted.
+    pub fn out_of_date(&self) -> Result<Vec<String>, SynthError> {
+        let today = rows();
+        let mut problems = Vec::new();
+        for row in &today {
+            match self.find(row) {
+                None => problems.push(format!("{}: no row", row.name())),
+                Some(known) if known.verilog != verilog(row)? => {
+                    problems.push(format!("{}: other Verilog", row.name()));
+                }
+                Some(_) => {}
+            }
+        }
+        if self.rows.len() != today.len() {
+            problems.push(format!("{} rows of {}", self.rows.len(), today.len()));
+        }
+        Ok(problems)
+    }
+
+    fn section(&self, section: Section, target: Target) -> impl Iterator<Item = &Measured> {
+        let rows = self.rows.iter();
+        rows.filter(move |row| row.section == section && row.target == target.name())
+    }
+}
+
+/// Digest of the Verilog of a row.
+fn verilog(row: &Row) -> Result<String, SynthError> {
+    Ok(digest(&emit(&row.request)?.bundle()))
+}
+
+impl Measured {
+    fn of(row: &Row, report: SynthReport) -> Self {
+        let median = report.median_seed();
+        Self {
+            section: row.section,
+            seeds: row.options.seeds,
+            figures: Figures::from(&report),
+            slowest_path: median.and_then(|run| run.critical_path.clone()),
+            unit: report.unit,
+            parameters: report.parameters,
+            target: report.target,
+            tools: report.tools,
+            latency: report.latency,
+            verilog: report.verilog,
+        }
+    }
+
+    fn is_of(&self, row: &Row) -> bool {
+        self.section == row.section
+            && self.unit == row.request.unit.name()
+            && self.target == row.target.name()
+            && self.seeds == row.options.seeds
+            && self.parameters == parameters(&row.request)
+    }
 }

@@ -24,11 +24,11 @@ pub struct Synth {
     /// Widths and slots instead.
     #[command(flatten)]
     pub fitted: Fitted,
-    /// Synthesise even what is kept of the same Verilog and tools.
-    #[arg(long, conflicts_with_all = ["table", "widths"])]
+    /// Synthesise even what is kept, or stands in the table, of the same Verilog and tools.
+    #[arg(long, conflicts_with = "widths")]
     pub fresh: bool,
     /// Make the resource table of the documentation instead, its figures as JSON and its picture; it fixes units,
-    /// targets and seeds.
+    /// targets and seeds. Rows of the same Verilog and tools keep their figures.
     #[arg(long, conflicts_with_all = ["unit", "target", "seeds", "widths"])]
     pub table: bool,
     /// File of the table; its figures go beside it as .json, its picture into images/.

@@ -175,7 +175,7 @@ fn run_slots(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failur
             bar.inc(n)
         })
     });
-    outcome.map(|(report, _)| report).map_err(Failure::input)
+    outcome.map(|(report, _)| report).map_err(Failure::from)
 }
 
 /// The shadow and light volumes of a scene, on the depths of its golden frame, into the report of the rest.

@@ -70,7 +70,7 @@ pub fn emitted(request: &Request, prefix: Option<&str>) -> Result<Emitted, Failu
         Some(prefix) => emit_with_prefix(request, prefix),
         None => emit(request),
     };
-    emitted.map_err(Failure::input)
+    emitted.map_err(Failure::from)
 }
 
 /// Adds one file, or one for each module and a list of them.

@@ -120,7 +120,7 @@ fn frames(options: &Fit) -> Result<Frames, Failure> {
     let frames = output::during(0, "lines of the truth", |bar| {
         Frames::new(&files, size, || bar.inc(1))
     });
-    frames.map_err(Failure::input)
+    frames.map_err(Failure::from)
 }
 
 /// The message of a budget that no machine meets.

@@ -31,7 +31,7 @@ pub fn asked(options: &Fitted, request: &Request) -> Result<Option<FittedMachine
 
 /// The Verilog of a machine.
 pub fn emit(machine: &FittedMachine, prefix: Option<&str>) -> Result<Emitted, Failure> {
-    emit_machine(&request_of(machine, prefix)).map_err(Failure::input)
+    emit_machine(&request_of(machine, prefix)).map_err(Failure::from)
 }
 
 fn request_of(machine: &FittedMachine, prefix: Option<&str>) -> MachineRequest {
@@ -59,7 +59,7 @@ pub fn costs(
         bar.set_length(of as u64);
         bar.set_position(known as u64);
     };
-    let costs = machine_costs(&emitted, target, with_clock, &done).map_err(Failure::input);
+    let costs = machine_costs(&emitted, target, with_clock, &done).map_err(Failure::from);
     bar.finish_and_clear();
     costs
 }

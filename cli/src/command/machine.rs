@@ -256,5 +256,5 @@ fn show(
         "frames on the pins",
         |bar| run_pins(machine, images, &run, || bar.inc(1)),
     );
-    outcome.map_err(Failure::input)
+    outcome.map_err(Failure::from)
 }

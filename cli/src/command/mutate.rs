@@ -60,7 +60,7 @@ fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
     };
     let report = mutation::run(&subject, &design, &options, || bar.inc(1));
     bar.finish_and_clear();
-    report.map_err(Failure::input)
+    report.map_err(Failure::from)
 }
 
 /// A score as text.

@@ -22,7 +22,7 @@ pub fn run(options: &Package, json: bool) -> Result<(), Failure> {
     let units: Result<Vec<Unit>, Failure> = options
         .units
         .iter()
-        .map(|name| Unit::from_name(name).map_err(Failure::input))
+        .map(|name| Unit::from_name(name).map_err(Failure::from))
         .collect();
     let units = match units?.as_slice() {
         [] => Unit::ALL.to_vec(),

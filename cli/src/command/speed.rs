@@ -37,7 +37,7 @@ fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
         return Ok(subject);
     };
     let emitted = emit(&request)?;
-    with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::input)
+    with_verilog(subject, simulator, &emitted.top, &emitted.bundle()).map_err(Failure::from)
 }
 
 fn table(unit: &str, parameters: &str, speeds: &[speed::Speed]) -> String {

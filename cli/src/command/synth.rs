@@ -8,8 +8,8 @@ use crate::failure::Failure;
 use crate::output;
 use imogene_files::text::counted;
 use imogene_golden::machine::fitted::FittedMachine;
-use imogene_synth::baseline::Baseline;
-use imogene_synth::{Options, SynthReport, Target, synthesise_with, table};
+use imogene_synth::table::{self, Table};
+use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -69,17 +69,20 @@ fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
     }
     let rows = table::rows();
     let bar = output::progress(rows.len() as u64, "synthesis");
-    let table = table::make(&rows, |_| bar.inc(1))?;
+    // What is no table of this version gives no row; it is written anew.
+    let known = Table::read(&figures).ok();
+    let known = known.filter(|_| options.cache() == Cache::Use);
+    let table = table::make(&rows, known.as_ref(), options.cache(), |_| bar.inc(1))?;
     bar.finish_and_clear();
     let mut files = output::files();
     files.add_text(&options.out, &table.markdown())?;
-    files.add_text(&figures, &Baseline::of(&table).json())?;
+    files.add_text(&figures, &table.json())?;
     if let Some(picture) = table.picture()? {
         files.add_text(&beside(&options.out, table::PICTURE), &picture)?;
     }
     let files = files.finish()?;
     if json {
-        output::json(&table.reports());
+        output::json(&table);
     } else {
         let files = files.iter().map(|path| path.display().to_string());
         output::text(format!("wrote {}", files.collect::<Vec<_>>().join(", ")));

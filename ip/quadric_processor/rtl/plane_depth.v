@@ -13,7 +13,7 @@ module plane_depth (
     pe1_w36 plane (
         .clock(clock), .valid(valid), .start(start), .line(line), .a(a), .b(b), .c(c), .value(plane_value));
 
-    assign above = 36'sd8388607 < plane_value;
+    assign above = plane_value > 36'sd8388607;
     assign below = plane_value < -36'sd8388608;
 
     always @(posedge clock) begin

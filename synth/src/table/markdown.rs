@@ -1,8 +1,9 @@
 //! Text of the resource table.
 
-use super::rows::{self, Section, Table};
+use super::rows::{self, Section};
+use super::{Measured, Table};
 use crate::figures::Figures;
-use crate::report::SynthReport;
+use crate::report::CriticalPath;
 use crate::target::Target;
 use imogene_contract::Unit;
 use imogene_files::text::wrapped_page;
@@ -46,7 +47,7 @@ remainder where the divisor is too large, `square_root_non_restoring` adds it ba
 pub const PICTURE: &str = "images/rows-per-stage.svg";
 
 /// Heading of a section.
-pub const fn title(section: Section) -> &'static str {
+const fn title(section: Section) -> &'static str {
     match section {
         Section::Units => "The units",
         Section::Planes => "Object processors and their cut planes or sides",
@@ -87,8 +88,8 @@ fn opening(section: Section, text: &str) -> String {
 
 fn heading(table: &Table) -> String {
     let mut tools = BTreeMap::new();
-    for (_, report) in &table.rows {
-        tools.extend(&report.tools);
+    for row in &table.rows {
+        tools.extend(&row.tools);
     }
     let tools: Vec<String> = tools
         .into_iter()
@@ -118,7 +119,7 @@ are made and how to compare with another design is in [synthesis.md](synthesis.m
         Target::Ecp5With45k
             .place_and_route()
             .map_or(0, |device| device.goal_mhz),
-        table.digest,
+        table.verilog,
     )
 }
 
@@ -127,18 +128,18 @@ fn reading(table: &Table) -> String {
     let mut text = "\n### Reading\n\n".to_owned();
     for target in rows::DEVICES {
         for unit in ["quadric_pe", "quadric_processor"] {
-            let mut reports = table.section(Section::Units, target);
-            let Some(report) = reports.find(|report| report.unit == unit) else {
+            let mut rows = table.section(Section::Units, target);
+            let Some(row) = rows.find(|row| row.unit == unit) else {
                 continue;
             };
             let _ = writeln!(
                 text,
                 "* `{unit}` on {}: {} cells, {} DSP, {}; draws {}.",
                 target.name(),
-                count(report.logic_cells),
-                count(report.dsp),
-                clock(&Figures::from(report)),
-                draws(report)
+                count(row.figures.cells),
+                count(row.figures.dsp),
+                clock(&row.figures),
+                draws(&row.figures)
             );
         }
     }
@@ -151,14 +152,11 @@ product and a negation in one clock; neither is in a loop.
 
 /// The patch processor over the quadric processor, plane by plane.
 fn ratios(table: &Table) -> String {
-    let reports: Vec<&SynthReport> = table
-        .section(Section::Planes, Target::Ecp5With45k)
-        .collect();
     let cells = |unit: &str, planes: usize| {
-        let found = reports
-            .iter()
-            .find(|report| report.unit == unit && report.parameters.get("planes") == Some(&planes));
-        found.and_then(|report| report.logic_cells)
+        let mut rows = table.section(Section::Planes, Target::Ecp5With45k);
+        let found =
+            rows.find(|row| row.unit == unit && row.parameters.get("planes") == Some(&planes));
+        found.and_then(|row| row.figures.cells)
     };
     let ratio = |planes: usize| {
         let (patch, quadric) = (
@@ -176,9 +174,8 @@ fn ratios(table: &Table) -> String {
 
 /// The units that the table does not have.
 fn without_figures(table: &Table) -> String {
-    let has = |unit: &Unit| table.rows.iter().any(|(row, _)| row.request.unit == *unit);
     let missing: Vec<String> = (Unit::ALL.iter())
-        .filter(|unit| !has(unit))
+        .filter(|unit| !table.has(**unit))
         .map(|unit| format!("`{}`", unit.name()))
         .collect();
     format!(
@@ -189,15 +186,15 @@ fn without_figures(table: &Table) -> String {
 
 /// Block memory has no column while no unit uses any.
 fn block_memory(table: &Table) -> String {
-    let reports = table.reports().into_iter();
-    let users: Vec<String> = reports
-        .filter(|report| report.bram > Some(0))
-        .map(|report| {
+    let rows = table.rows.iter();
+    let users: Vec<String> = rows
+        .filter(|row| row.figures.bram > Some(0))
+        .map(|row| {
             format!(
                 "`{}` for {}: {}",
-                report.unit,
-                report.target,
-                count(report.bram)
+                row.unit,
+                row.target,
+                count(row.figures.bram)
             )
         })
         .collect();
@@ -214,26 +211,34 @@ fn devices(table: &Table, section: Section, target: Target) -> String {
         target.name()
     );
     text += "|---|---|---|---|---|---|---|---|---|---|\n";
-    for report in table.section(section, target) {
-        let name = name(section, &report.unit, &report.parameters);
+    for row in table.section(section, target) {
+        let figures = &row.figures;
         let _ = writeln!(
             text,
-            "{} {} | {} |",
-            line_start(&name, report.latency, &Figures::from(report)),
-            draws(report),
-            path(report),
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            name(row),
+            row.latency,
+            count(figures.lut),
+            count(figures.ff),
+            count(figures.carry),
+            count(figures.dsp),
+            count(figures.cells),
+            clock(figures),
+            draws(figures),
+            path(row.slowest_path.as_ref()),
         );
     }
     text
 }
 
 /// How a row is called in its section.
-pub fn name(section: Section, unit: &str, parameters: &BTreeMap<String, usize>) -> String {
+fn name(row: &Measured) -> String {
+    let (unit, parameters) = (&row.unit, &row.parameters);
     let counted = |count: usize, what: &str| match count {
         1 => format!("`{unit}`, 1 {what}"),
         count => format!("`{unit}`, {count} {what}s"),
     };
-    match section {
+    match row.section {
         Section::Units | Section::Transistors => format!("`{unit}`"),
         Section::Planes => match parameters.get("sides") {
             Some(sides) => counted(*sides, "side"),
@@ -241,19 +246,6 @@ pub fn name(section: Section, unit: &str, parameters: &BTreeMap<String, usize>) 
         },
         Section::Rows => counted(parameters["rows-per-stage"], "row"),
     }
-}
-
-/// The cells of a line up to the clock.
-pub fn line_start(name: &str, latency: usize, figures: &Figures) -> String {
-    format!(
-        "| {name} | {latency} | {} | {} | {} | {} | {} | {} |",
-        count(figures.lut),
-        count(figures.ff),
-        count(figures.carry),
-        count(figures.dsp),
-        count(figures.cells),
-        clock(figures),
-    )
 }
 
 fn count(value: Option<u64>) -> String {
@@ -268,18 +260,13 @@ fn clock(figures: &Figures) -> String {
     }
 }
 
-fn draws(report: &SynthReport) -> &'static str {
+fn draws(figures: &Figures) -> &'static str {
     let reached = |fmax| VIDEO.into_iter().find(|(clock, _)| fmax >= *clock);
-    report
-        .fmax_mhz
-        .and_then(reached)
-        .map_or("-", |(_, format)| format)
+    let found = figures.fmax_mhz.and_then(reached);
+    found.map_or("-", |(_, format)| format)
 }
 
-fn path(report: &SynthReport) -> String {
-    let path = report
-        .median_seed()
-        .and_then(|run| run.critical_path.as_ref());
+fn path(path: Option<&CriticalPath>) -> String {
     path.map_or_else(
         || "-".to_owned(),
         |path| {

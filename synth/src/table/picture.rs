@@ -1,8 +1,8 @@
 //! The picture of the root networks over the rows of a stage.
 
-use super::rows::{DEVICES, ROOTS, ROWS_PER_STAGE, Section, Table};
+use super::rows::{DEVICES, ROOTS, ROWS_PER_STAGE, Section};
+use super::{Measured, Table};
 use crate::error::SynthError;
-use crate::report::SynthReport;
 use crate::target::Target;
 use imogene_contract::Unit;
 use plotters::coord::Shift;
@@ -14,25 +14,25 @@ const FONT: &str = "sans-serif";
 /// A measure over the rows of a stage.
 struct Panel {
     title: &'static str,
-    measure: fn(&SynthReport) -> Option<f64>,
+    measure: fn(&Measured) -> Option<f64>,
 }
 
 const PANELS: [Panel; 4] = [
     Panel {
         title: "area (logic cells)",
-        measure: |report| report.logic_cells.map(|cells| cells as f64),
+        measure: |row| row.figures.cells.map(|cells| cells as f64),
     },
     Panel {
         title: "Fmax (MHz)",
-        measure: |report| report.fmax_mhz,
+        measure: |row| row.figures.fmax_mhz,
     },
     Panel {
         title: "latency (clocks)",
-        measure: |report| Some(report.latency as f64),
+        measure: |row| Some(row.latency as f64),
     },
     Panel {
         title: "latency (ns) = clocks / Fmax",
-        measure: |report| Some(report.latency as f64 * 1000.0 / report.fmax_mhz?),
+        measure: |row| Some(row.latency as f64 * 1000.0 / row.figures.fmax_mhz?),
     },
 ];
 
@@ -71,11 +71,11 @@ fn lines(table: &Table, panel: &Panel) -> Option<Vec<Line>> {
     pairs
         .map(|(root, target)| {
             let value = |rows: &usize| {
-                let mut reports = table.section(Section::Rows, target);
-                let report = reports.find(|report| {
-                    report.unit == root.name() && report.parameters["rows-per-stage"] == *rows
+                let mut found = table.section(Section::Rows, target);
+                let row = found.find(|row| {
+                    row.unit == root.name() && row.parameters["rows-per-stage"] == *rows
                 })?;
-                (panel.measure)(report)
+                (panel.measure)(row)
             };
             let values = ROWS_PER_STAGE.iter().map(value).collect::<Option<_>>()?;
             Some(Line {
@@ -196,9 +196,9 @@ mod tests {
     #[test]
     fn a_table_without_a_clock_has_no_picture() {
         let mut table = invented();
-        let rows = table.rows.iter_mut();
-        let mut roots = rows.filter(|(row, _)| row.section == Section::Rows);
-        roots.next().expect("a row of a root").1.fmax_mhz = None;
+        let mut rows = table.rows.iter_mut();
+        let root = rows.find(|row| row.section == Section::Rows);
+        root.expect("a row of a root").figures.fmax_mhz = None;
         assert_eq!(draw(&table).expect("no failure"), None);
     }
 }

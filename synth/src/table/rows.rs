@@ -1,7 +1,6 @@
 //! The rows of the resource table and its figures.
 
 use crate::bench::Options;
-use crate::report::SynthReport;
 use crate::target::Target;
 use imogene_contract::{Request, Unit};
 use serde::{Deserialize, Serialize};
@@ -31,13 +30,6 @@ pub struct Row {
     pub target: Target,
     /// Options.
     pub options: Options,
-}
-
-/// The table with its figures.
-#[derive(Clone, Debug)]
-pub struct Table {
-    pub(super) rows: Vec<(Row, SynthReport)>,
-    pub(super) digest: String,
 }
 
 /// Seeds of a clock in the table.
@@ -175,29 +167,18 @@ pub fn select(unit: Option<Unit>, target: Option<Target>) -> Vec<Row> {
     rows
 }
 
-impl Table {
-    /// The reports behind the table.
-    pub fn reports(&self) -> Vec<&SynthReport> {
-        self.rows.iter().map(|(_, report)| report).collect()
-    }
-
-    /// The rows and their reports.
-    pub fn rows(&self) -> &[(Row, SynthReport)] {
-        &self.rows
-    }
-
-    /// Digest of the Verilog of all rows.
-    pub fn digest(&self) -> &str {
-        &self.digest
-    }
-
-    pub(super) fn section(
-        &self,
-        section: Section,
-        target: Target,
-    ) -> impl Iterator<Item = &SynthReport> {
-        let rows = self.rows.iter();
-        rows.filter(move |(row, _)| row.section == section && row.target == target)
-            .map(|(_, report)| report)
+impl Row {
+    /// What it is, for messages.
+    pub(crate) fn name(&self) -> String {
+        let parameters: Vec<String> = crate::flow::parameters(&self.request)
+            .iter()
+            .map(|(option, value)| format!("--{option} {value}"))
+            .collect();
+        format!(
+            "{} {} for {}",
+            self.request.unit.name(),
+            parameters.join(" "),
+            self.target.name()
+        )
     }
 }

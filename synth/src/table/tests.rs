@@ -1,45 +1,43 @@
-//! A table for the tests of its pages, and tests of its rows.
+//! A table for the tests of its page, and tests of its rows and its file.
 
-use super::is_current;
-use super::rows::{DEVICES, Row, Table, rows, select, units};
-use crate::report::SynthReport;
+use super::rows::{DEVICES, Row, rows, select, units};
+use super::{Measured, Table};
+use crate::error::SynthError;
+use crate::figures::Figures;
 use crate::target::Target;
 use imogene_contract::Unit;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// A table of all rows with figures that are none of any tool, all different.
 pub fn invented() -> Table {
     let rows = rows().into_iter().enumerate();
-    Table {
-        rows: rows
-            .map(|(index, row)| (row, report(&row, index)))
-            .collect(),
-        digest: "0123".repeat(16),
-    }
+    Table::of(rows.map(|(index, row)| measured(&row, index)).collect())
 }
 
-fn report(row: &Row, index: usize) -> SynthReport {
+fn measured(row: &Row, index: usize) -> Measured {
     let count = |base: u64| (row.target != Target::Transistors).then_some(base + index as u64);
-    SynthReport {
+    Measured {
+        section: row.section,
         unit: row.request.unit.name().to_owned(),
-        target: row.target.name().to_owned(),
         parameters: crate::flow::parameters(&row.request),
+        target: row.target.name().to_owned(),
+        seeds: row.options.seeds,
+        tools: BTreeMap::from([("yosys".to_owned(), "0.1".to_owned())]),
         latency: row.request.latency(),
-        lut: count(1_000),
-        ff: count(2_000),
-        carry: count(300),
-        dsp: count(0),
-        bram: count(0),
-        logic_cells: count(4_000),
-        transistors: (row.target == Target::Transistors).then_some(50_000 + index as u64),
-        fmax_mhz: (row.options.seeds > 0).then_some(100.5 + index as f64),
-        does_not_fit: None,
-        seeds: Vec::new(),
-        goal_mhz: Some(300),
-        cells: BTreeMap::new(),
-        tools: BTreeMap::from([("yosys".to_owned(), "0.70".to_owned())]),
+        figures: Figures {
+            lut: count(1_000),
+            ff: count(2_000),
+            carry: count(300),
+            dsp: count(0),
+            bram: count(0),
+            cells: count(4_000),
+            transistors: (row.target == Target::Transistors).then_some(50_000 + index as u64),
+            fmax_mhz: (row.options.seeds > 0).then_some(100.5 + index as f64),
+            does_not_fit: None,
+        },
+        slowest_path: None,
         verilog: format!("{index:064}"),
-        seconds: 1.0,
     }
 }
 
@@ -72,7 +70,74 @@ fn rows_are_selected_by_unit_and_target() {
     assert!(select(None, Some(Target::Gowin)).is_empty());
 }
 
+fn read(text: &str) -> Result<Table, SynthError> {
+    let file = tempfile::NamedTempFile::new().expect("a temporary file");
+    std::fs::write(file.path(), text).expect("a file");
+    Table::read(file.path())
+}
+
 #[test]
-fn another_text_is_not_current() {
-    assert!(!is_current("# Resources").expect("every unit is emitted"));
+fn what_is_written_is_read() {
+    let written = invented();
+    assert_eq!(read(&written.json()).expect("a table"), written);
+}
+
+#[test]
+fn a_file_that_is_not_there_or_none_is_one_message() {
+    let missing = Table::read(Path::new("no/resources.json")).expect_err("no file");
+    let message = missing.to_string();
+    assert!(
+        message.contains("no/resources.json") && message.contains("imogene synth --table"),
+        "{message}"
+    );
+    let whole = invented().json();
+    for text in ["", "{", "[1]", &whole[..whole.len() / 2]] {
+        let message = read(text).expect_err("no table").to_string();
+        assert!(message.contains("line "), "{message}");
+    }
+    let misspelt = whole.replace("\"lut\"", "\"luts\"");
+    let message = read(&misspelt).expect_err("no table").to_string();
+    assert!(message.contains("luts"), "{message}");
+    let newer = whole.replace("\"version\": 2", "\"version\": 3");
+    let message = read(&newer).expect_err("no table").to_string();
+    assert!(message.contains("version 3"), "{message}");
+}
+
+#[test]
+fn a_row_is_found_by_all_that_it_is() {
+    let known = invented();
+    let mut row = rows()[0];
+    assert_eq!(known.find(&row), Some(&known.rows[0]));
+    row.options.seeds += 1;
+    assert_eq!(known.find(&row), None);
+    row = rows()[0];
+    row.request.depth_word = 16;
+    assert_eq!(known.find(&row), None);
+}
+
+#[test]
+fn every_figure_is_on_the_page() {
+    let table = invented();
+    let page = table.markdown();
+    let lines = page.lines().filter(|line| line.starts_with("| `"));
+    assert_eq!(lines.count(), rows().len());
+    let dearer = |row: usize| {
+        let mut other = table.clone();
+        let figures = &mut other.rows[row].figures;
+        figures.transistors = figures.transistors.map(|count| count + 1);
+        figures.carry = figures.carry.map(|count| count + 1);
+        other
+    };
+    for row in 0..table.rows.len() {
+        assert_ne!(dearer(row).markdown(), page, "row {row}");
+    }
+}
+
+#[test]
+fn other_verilog_and_rows_too_few_are_out_of_date() {
+    let mut table = invented();
+    table.rows.truncate(1);
+    let problems = table.out_of_date().expect("every unit is emitted");
+    assert!(problems[0].contains("other Verilog"), "{problems:?}");
+    assert_eq!(problems.len(), rows().len() + 1);
 }

@@ -1,6 +1,7 @@
 //! Transistors beside Table 5.10 of the source, which counts a processor of patches with four planes.
 
-use super::rows::{Section, Table};
+use super::Table;
+use super::rows::Section;
 use crate::target::Target;
 use std::fmt::Write;
 
@@ -81,15 +82,15 @@ root, negates products and chooses the normals of planes.
 /// Text of the section.
 pub fn write(table: &Table) -> String {
     let mut text = INTRODUCTION.to_owned();
-    for report in table.section(Section::Transistors, Target::Transistors) {
-        let here = report.transistors.unwrap_or_default();
-        text += &line(&report.unit, here);
+    for row in table.section(Section::Transistors, Target::Transistors) {
+        let here = row.figures.transistors.unwrap_or_default();
+        text += &line(&row.unit, here);
     }
     text + COMPARABILITY
 }
 
 /// The line of a unit.
-pub fn line(unit: &str, here: u64) -> String {
+fn line(unit: &str, here: u64) -> String {
     let mut text = String::new();
     let found = COUNTERPARTS.iter().find(|known| known.unit == unit);
     let (name, there) = found.map_or(("-", "-".to_owned()), |known| {

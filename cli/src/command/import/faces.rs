@@ -37,7 +37,7 @@ fn within(
             max_deviation,
             no_volumes,
         })
-        .map_err(Failure::input)
+        .map_err(Failure::from)
     };
     let pixels = match options.faces.max_deviation {
         None => return read(None),

@@ -16,7 +16,7 @@ const MOST_LINES: usize = 20_000;
 pub fn import(bytes: Vec<u8>, format: Format, options: &Import) -> Result<Imported, Failure> {
     check_memory(&bytes, &options.file)?;
     let file = options.file.display().to_string();
-    pdb::read(&bytes, format, &file, &options.molecule.options()).map_err(Failure::input)
+    pdb::read(&bytes, format, &file, &options.molecule.options()).map_err(Failure::from)
 }
 
 /// The same scene, which names its structure file instead of listing the objects, if that is asked for or the list

@@ -30,5 +30,5 @@ pub fn import(bytes: &[u8], options: &Import) -> Result<Imported, Failure> {
         title: title.map_or("Terrain".to_owned(), |name| name.into_owned()),
         ..TerrainOptions::default()
     };
-    import_terrain(bytes, &file, &terrain).map_err(Failure::input)
+    import_terrain(bytes, &file, &terrain).map_err(Failure::from)
 }

@@ -74,7 +74,7 @@ pub(super) fn zone_timing_of(
     machine: &MachineDescription,
 ) -> Result<Option<ZoneTiming>, Failure> {
     match machine.zone {
-        Some(_) => zone_timing(request).map(Some).map_err(Failure::input),
+        Some(_) => zone_timing(request).map(Some).map_err(Failure::from),
         None => Ok(None),
     }
 }

@@ -6,7 +6,7 @@ use imogene_golden::machine::decider;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::words::Words;
 use imogene_package::census::{Census, census};
-use imogene_synth::baseline::{Baseline, BaselineRow};
+use imogene_synth::table::{Measured, Table};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -79,7 +79,7 @@ impl Kind {
     }
 
     /// Its row of the published table.
-    fn row<'a>(&self, rows: &'a [BaselineRow]) -> Option<&'a BaselineRow> {
+    fn row<'a>(&self, rows: &'a [Measured]) -> Option<&'a Measured> {
         rows.iter().find(|row| {
             let has =
                 |name: &str, value: usize| row.parameters.get(name).is_none_or(|&v| v == value);
@@ -94,7 +94,7 @@ impl Kind {
 
 /// The processors of these slots, on a screen of so many pixels.
 pub fn of(slots: &[Slot], screen: u64) -> Result<Hardware, Failure> {
-    let table: Baseline = serde_json::from_str(RESOURCES)?;
+    let table: Table = serde_json::from_str(RESOURCES)?;
     let mut kinds: BTreeMap<Kind, (Unit, usize)> = BTreeMap::new();
     for slot in slots {
         let (unit, kind) = Kind::of(&slot.words);

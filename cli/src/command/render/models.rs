@@ -103,5 +103,5 @@ fn slots_frame(options: &Render, prepared: &PreparedScene) -> Result<(Report, Fr
             bar.inc(n)
         })
     });
-    drawn.map_err(Failure::input)
+    drawn.map_err(Failure::from)
 }

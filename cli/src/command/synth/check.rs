@@ -6,13 +6,13 @@ use crate::output;
 use imogene_contract::Unit;
 use imogene_files::text::counted;
 use imogene_synth::Target;
-use imogene_synth::baseline::{Baseline, CheckOptions, RowCheck, check};
+use imogene_synth::baseline::{CheckOptions, RowCheck, check};
 use imogene_synth::regression::{Change, Tolerance, Verdict};
-use imogene_synth::table::{self, Row};
+use imogene_synth::table::{self, Row, Table};
 
 /// Synthesises rows of the table and compares them with the baseline.
 pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
-    let baseline = Baseline::read(&options.baseline)?;
+    let baseline = Table::read(&options.baseline)?;
     let rows = select(options, &baseline)?;
     let check_options = CheckOptions {
         tolerance: Tolerance {
@@ -37,7 +37,7 @@ pub fn run(options: &Synth, json: bool) -> Result<(), Failure> {
 }
 
 /// The rows asked for; what has no baseline is refused if it is named, and told if it is not.
-fn select(options: &Synth, baseline: &Baseline) -> Result<Vec<Row>, Failure> {
+fn select(options: &Synth, baseline: &Table) -> Result<Vec<Row>, Failure> {
     let unit = options.unit.as_deref().map(Unit::from_name).transpose();
     let unit = unit?;
     let target = options.target.as_deref().map(Target::from_name).transpose();

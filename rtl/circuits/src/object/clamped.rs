@@ -20,6 +20,7 @@ impl Clamped {
         let width = sum.width() - 2;
         let [low, far] = [near_end, far_end].map(|end| end(width));
         let own = |part: &str| format!("{name}_{part}");
+        let sum = sum.named(&own("sum"));
         let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
         let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));
         let within = is_far.select(absent(width), sum.low(width));

@@ -57,10 +57,14 @@ pub fn cylinder_processor(at: &str, scan: Scan, words: Cylinder, depth: u32) -> 
         let lid_depth = sum(pe1("lid", flags, words.lid));
         let lid = (lid_depth, face(FIRST_PLANE), words.lid_normal);
         let (z, part, normal) = in_front.select(lid, body).registered();
-        net! { let is_present = kept_there & Clamped::of("depth", z, NEAR_ROOT).is_visible(); }
+        let normal = normal.called("kept");
+        net! {
+            let kept_face = part;
+            let is_present = kept_there & Clamped::of("depth", z, NEAR_ROOT).is_visible();
+        }
         let no_normal = Normal::of([Int::new(0, NORMAL); 3]);
         let nothing = (absent(depth), face(NEAR_ROOT), no_normal);
-        let seen = is_present.select((z.low(depth), part, normal), nothing);
+        let seen = is_present.select((z.low(depth), kept_face, normal), nothing);
         let (z, number, normal) = seen.registered();
         Seen::face(z, number).with(flags.valid.delayed_as("valid_late", 3), normal)
     })

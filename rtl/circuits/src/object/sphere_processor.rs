@@ -63,7 +63,9 @@ pub fn sphere_processor(at: &str, scan: Scan, words: Sphere) -> Visible {
         let to_viewer = Normal::of([none, none, end(near_end, NORMAL)]);
         let of_face = late_seen.number.is(CAP).select(to_viewer, normal);
         let out_valid = flags.valid.delayed_as("valid_late", 4);
-        let normal = is_present.reg().select(of_face, Normal::of([none; 3]));
+        let normal = is_present
+            .delayed_as("present_late", 1)
+            .select(of_face, Normal::of([none; 3]));
         seen.with(out_valid, normal.registered())
     })
 }

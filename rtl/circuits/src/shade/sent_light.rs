@@ -29,8 +29,10 @@ pub(super) fn sent_light(at: &str, factors: Factors, material: Material, colour:
     module("sent_light", at, inputs, |(factors, material, colour)| {
         net! { let mirrored = (factor(material.mirror) * factor(factors.specular)).reg(); }
         let level = |share: Bits, colour: Bits| {
-            let diffused = (factor(share) * factor(factors.diffuse)).reg();
-            let sent = (diffused + mirrored).slice(33, 17).reg();
+            net! {
+                let diffused = (factor(share) * factor(factors.diffuse)).reg();
+                let sent = (diffused + mirrored).slice(33, 17).reg();
+            }
             (factor(sent) * factor(colour)).reg().bits()
         };
         let (share, [r, g, b]) = (material.share, colour.parts());

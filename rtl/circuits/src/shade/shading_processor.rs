@@ -167,10 +167,11 @@ fn level(sent: Vec<Bits>, ambient: Bits) -> Bits {
         pair.reduce(|one, other| one + other).expect("a light")
     });
     let sums: Vec<Bits> = sums.collect();
-    let low = (sums[0] + rounded).reg();
+    net! { let first_sum = (sums[0] + rounded).reg(); }
     let high = sums[1..].iter();
-    let sum = high.fold(low, |low, high| low + high.reg()).reg();
-    let is_less = sum.slice(SUM - 1, FRACTION + LEVEL).is(0);
+    let sum = high.fold(first_sum, |low, high| low + high.reg());
+    net! { let level_sum = sum.reg(); }
+    let is_less = level_sum.slice(SUM - 1, FRACTION + LEVEL).is(0);
     let brightest = Bits::new((1 << LEVEL) - 1, LEVEL);
-    is_less.select(sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)
+    is_less.select(level_sum.slice(FRACTION + LEVEL - 1, FRACTION), brightest)
 }

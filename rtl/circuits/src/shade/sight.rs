@@ -40,10 +40,12 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
             let place_y = place(pixel.y, eye.size_y);
         }
         let along = |place: Int| {
-            let raised = place.extend(33).bits().left(5);
-            let lowered = raised.right_by(eye.view_shift).low(18);
+            net! {
+                let raised = place.extend(33).bits().left(5);
+                let lowered = raised.right_by(eye.view_shift);
+            }
             let none = Bits::new(0, 18);
-            eye.perspective.select(lowered, none).reg().int()
+            eye.perspective.select(lowered.low(18), none).reg().int()
         };
         let ray = Vector::of([along(place_x), along(place_y), factor(eye.distance)]);
         let full = vector_normaliser("ray_normaliser", ray);

@@ -32,7 +32,7 @@ impl Writer<'_> {
                     closed(format!("{} != {}", value(a), value(b)))
                 }
                 (None, Op::Binary(Binary::Less, a, b)) => {
-                    closed(format!("{} >= {}", value(a), value(b)))
+                    closed(self.comparison(*a, *b, ">=", "<="))
                 }
                 _ => format!("~{}", value(a)),
             },
@@ -48,7 +48,7 @@ impl Writer<'_> {
                     Binary::Right if node.signed => ">>>",
                     Binary::Right => ">>",
                     Binary::Equal => "==",
-                    Binary::Less => "<",
+                    Binary::Less => return closed(self.comparison(*a, *b, "<", ">")),
                 };
                 closed(format!("{} {sign} {}", value(a), value(b)))
             }
@@ -80,5 +80,14 @@ impl Writer<'_> {
             Op::Same(a) | Op::Forward(Some(a)) => self.value(*a, inner),
             op => unreachable!("{op:?} is declared"),
         }
+    }
+
+    /// Two numbers compared, a literal on the right: synthesis makes fewer carry cells of `a > 7` than of `7 < a`.
+    fn comparison(&self, a: Net, b: Net, sign: &str, turned: &str) -> String {
+        let (a, sign, b) = match self.module.node(a).op {
+            Op::Literal(_) => (b, turned, a),
+            _ => (a, sign, b),
+        };
+        format!("{} {sign} {}", self.value(a, true), self.value(b, true))
     }
 }

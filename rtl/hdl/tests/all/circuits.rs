@@ -168,6 +168,37 @@ fn verilog_is_written_as_people_read_it() {
     }
 }
 
+/// A literal stands on the right of a comparison, whichever way it was asked.
+#[test]
+fn what_is_compared_with_a_literal_stands_before_it() {
+    let design = Design::of(|| {
+        let ports = ("value", Int::input(8));
+        module("compared", "top", ports, |value| {
+            let five = Int::new(5, 8);
+            let (above, below) = (five.less(value), value.less(five));
+            (
+                ("above", above),
+                ("below", below),
+                ("at_most", !five.less(value)),
+            )
+        });
+    });
+    let text = verilog::write(&design.top, "");
+    for part in ["above = value > 8'sd5;", "below = value < 8'sd5;"] {
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    }
+    let mut simulator = Simulator::new(&design);
+    let [value, above, below, at_most] =
+        ["value", "above", "below", "at_most"].map(|name| simulator.port(name));
+    for (number, expected) in [(4, [0, 1, 1]), (5, [0, 0, 1]), (6, [1, 0, 0])] {
+        simulator.set(value, number);
+        assert_eq!(
+            [above, below, at_most].map(|port| simulator.get(port)),
+            expected
+        );
+    }
+}
+
 /// A group takes new values where it is enabled, and holds them else.
 #[test]
 fn a_group_is_held_until_it_is_enabled() {
