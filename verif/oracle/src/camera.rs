@@ -10,6 +10,7 @@
 
 use crate::interval::Interval;
 use crate::transform::{Vector, apply, placement, unit};
+use crate::verdict::{Cell, Ends};
 use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
 use imogene_scene::{Camera, DepthRange, Lens, Step};
 use num_rational::BigRational;
@@ -108,18 +109,31 @@ impl Sight {
         }
     }
 
-    /// Least parameter that is drawn: the near end of the depth.
-    pub fn first(&self) -> BigRational {
-        if self.perspective {
-            BigRational::new(1.into(), 2.into())
-        } else {
-            integer(-1)
-        }
+    /// The parameters between which everything drawn lies.
+    pub fn ends(&self) -> Ends {
+        let (first, last) = match self.perspective {
+            true => (BigRational::new(1.into(), 2.into()), None),
+            false => (integer(-1), Some(integer(1))),
+        };
+        Ends { first, last }
     }
 
-    /// The parameter before which everything drawn lies; `None` if that is infinity.
-    pub fn last(&self) -> Option<BigRational> {
-        (!self.perspective).then(|| integer(1))
+    /// The rectangle from one pixel to another, both in it.
+    pub fn cell(&self, from: [u32; 2], to: [u32; 2]) -> Cell {
+        let (left, top) = self.place(from[0], from[1]);
+        let (right, bottom) = self.place(to[0], to[1]);
+        let (first, last) = match self.perspective {
+            true => (0.5, f64::INFINITY),
+            false => (-1.0, 1.0),
+        };
+        Cell {
+            x: (left + right) as f64 / 2.0,
+            y: (top + bottom) as f64 / 2.0,
+            reach_x: (right - left) as f64 / 2.0,
+            reach_y: (bottom - top) as f64 / 2.0,
+            first,
+            last,
+        }
     }
 
     /// Coordinates of a pixel's centre in half pixels.

@@ -20,7 +20,6 @@
 use crate::bounds::Bounds;
 use crate::trace::{Traced, TracedPixel, Tracer};
 use imogene_analysis::bounds::Jury;
-use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_prepare::PreparedScene;
 use serde::Serialize;
@@ -125,177 +124,183 @@ pub fn compare(
     bounds: &Bounds,
     prepared: &PreparedScene,
 ) -> (Comparison, Vec<Mark>) {
-    let format = &prepared.format;
+    let judge = Judge {
+        tracer,
+        traced,
+        golden,
+        bounds,
+        jury: Jury::of_words(prepared),
+        z_max: prepared.format.z_max() as f64,
+    };
     let mut found = Comparison {
         pixels: traced.pixels.len(),
         covered: traced.pixels.iter().flatten().count(),
         solved_exactly: traced.solved,
         ..Comparison::default()
     };
-    let jury = Jury::of_words(prepared);
-    let mut marks = Vec::with_capacity(traced.pixels.len());
-    for y in 0..traced.height {
-        for x in 0..traced.width {
-            let allowed = |golden: &Seen, traced: Option<TracedPixel>| {
-                let is_tied =
-                    |traced: TracedPixel| is_tied(tracer, bounds, format, golden, &traced, (x, y));
-                if traced.is_some_and(is_tied) {
-                    Some(Mark::Tied)
-                } else {
-                    jury.is_undecided(x as i64, y as i64)
-                        .then_some(Mark::Announced)
-                }
-            };
-            let grazed = |golden: &Seen| is_grazed(tracer, bounds, format, golden, (x, y));
-            let rules = (&grazed, &allowed);
-            let mark = pixel(&mut found, traced, golden, bounds, format, rules, (x, y));
-            marks.push(mark);
-        }
-    }
+    let pixels = (0..traced.height).flat_map(|y| (0..traced.width).map(move |x| (x, y)));
+    let marks = pixels.map(|at| judge.pixel(&mut found, at)).collect();
     (found, marks)
 }
 
-fn pixel(
-    found: &mut Comparison,
-    traced: &Traced,
-    golden: &Frame,
-    bounds: &Bounds,
-    format: &Format,
-    (grazed, allowed): (
-        &impl Fn(&Seen) -> bool,
-        &impl Fn(&Seen, Option<TracedPixel>) -> Option<Mark>,
-    ),
-    (x, y): (usize, usize),
-) -> Mark {
-    let index = y * traced.width + x;
-    let seen = traced.pixels[index];
-    let mut difference = Difference {
-        x,
-        y,
-        golden: Seen {
-            object: i64::from(golden.id[index]),
-            number: golden.number[index],
-            depth: golden.depth[index] as f64,
-        },
-        traced: of_tracer(seen, format),
-        bound: None,
-    };
-    let (one, other) = (difference.golden, difference.traced);
-    let differs = (one.object, one.number) != (other.object, other.number);
-    let in_band = is_in_band(traced, x, y) || (differs && grazed(&one));
-    found.band += usize::from(in_band);
-    if differs {
-        if in_band {
-            found.differences_inside += 1;
-            let mask = (one.object < 0) != (other.object < 0);
-            found.mask_differences_inside += usize::from(mask);
-            return Mark::Inside;
-        }
-        let mark = allowed(&one, seen).unwrap_or(Mark::Outside);
-        match mark {
-            Mark::Tied => found.tied += 1,
-            Mark::Announced => found.announced += 1,
-            _ => {
-                found.differences_outside += 1;
-                found.list(difference);
-            }
-        }
-        return mark;
-    }
-    let alike = if in_band { Mark::Band } else { Mark::Alike };
-    let Some(pixel) = seen else { return alike };
-    if in_band && bounds.is_of_facets(pixel.object) {
-        // A golden pixel does not say of which facet it is, and the one beside may be seen.
-        return alike;
-    }
-    let bound = bounds.at(pixel.object, pixel.number, pixel.part, (x as i64, y as i64));
-    let error = (one.depth - other.depth).abs();
-    found.depths += 1;
-    if !in_band {
-        found.depth_error = found.depth_error.max(error);
-        found.depth_bound = found.depth_bound.max(bound);
-    }
-    let slack = slack(&pixel, format);
-    if bound > 0.0 {
-        found.depth_ratio = found.depth_ratio.max((error - slack) / bound);
-    }
-    if error <= bound + slack {
-        return alike;
-    }
-    found.depths_beyond_bound += 1;
-    difference.bound = Some(bound);
-    found.list(difference);
-    Mark::Depth
+/// Both pictures, and what their pixels are judged by.
+struct Judge<'a> {
+    tracer: &'a Tracer,
+    traced: &'a Traced,
+    golden: &'a Frame,
+    bounds: &'a Bounds,
+    jury: Jury<'a>,
+    /// The greatest depth word.
+    z_max: f64,
 }
 
-/// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in floating
-/// point, and what the entries of rotations, which the preparation computes by other formulas, may differ by: some
-/// units in the last place of the depth range.
-fn slack(pixel: &TracedPixel, format: &Format) -> f64 {
-    let z_max = format.z_max() as f64;
-    0.5 * pixel.depth.width() * z_max + 16.0 * f64::EPSILON * z_max
-}
-
-/// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced one
-/// than both bounds.
-fn is_tied(
-    tracer: &Tracer,
-    bounds: &Bounds,
-    format: &Format,
-    golden: &Seen,
-    traced: &TracedPixel,
-    (x, y): (usize, usize),
-) -> bool {
-    let Ok(object) = u32::try_from(golden.object) else {
-        return false;
-    };
-    let bound = |p: &TracedPixel| {
-        bounds.at(p.object, p.number, p.part, (x as i64, y as i64)) + slack(p, format)
-    };
-    let depth = |p: &TracedPixel| p.depth.middle() * format.z_max() as f64;
-    if let Some(other) = tracer.alone(object, x as u32, y as u32) {
-        return other.number == golden.number
-            && (golden.depth - depth(&other)).abs() <= bound(&other)
-            && (depth(&other) - depth(traced)).abs() <= bound(&other) + bound(traced);
-    }
-    // Corners of a facet are on a grid, so that it may reach beyond its true edge.
-    let mut about = (x.saturating_sub(1)..=x + 1)
-        .flat_map(|u| (y.saturating_sub(1)..=y + 1).map(move |v| (u as u32, v as u32)));
-    golden.depth <= depth(traced) + bound(traced)
-        && about.any(|(u, v)| {
-            let beside = tracer.alone(object, u, v);
-            beside.is_some_and(|other| {
-                let reach = bounds.one_pixel_on(object, other.part);
-                other.number == golden.number
-                    && reach.is_some_and(|reach| (golden.depth - depth(&other)).abs() <= reach)
-            })
-        })
-}
-
-/// Whether the golden picture shows a facet that comes as near to the pixel as its corners may be off, at its depth.
-fn is_grazed(
-    tracer: &Tracer,
-    bounds: &Bounds,
-    format: &Format,
-    golden: &Seen,
-    (x, y): (usize, usize),
-) -> bool {
-    let object = u32::try_from(golden.object).ok();
-    let Some(object) = object.filter(|&object| bounds.is_of_facets(object)) else {
-        return false;
-    };
-    let near = tracer.facets_near(object, (x as u32, y as u32), CORNER);
-    near.into_iter().any(|(part, depth)| {
-        let facet = TracedPixel {
-            object,
-            number: golden.number,
-            part,
-            depth,
+impl Judge<'_> {
+    fn pixel(&self, found: &mut Comparison, (x, y): (usize, usize)) -> Mark {
+        let index = y * self.traced.width + x;
+        let seen = self.traced.pixels[index];
+        let mut difference = Difference {
+            x,
+            y,
+            golden: Seen {
+                object: i64::from(self.golden.id[index]),
+                number: self.golden.number[index],
+                depth: self.golden.depth[index] as f64,
+            },
+            traced: self.of_tracer(seen),
+            bound: None,
         };
-        let bound = bounds.at(object, golden.number, part, (x as i64, y as i64));
-        let depth = depth.middle() * format.z_max() as f64;
-        (golden.depth - depth).abs() <= bound + slack(&facet, format)
-    })
+        let (one, other) = (difference.golden, difference.traced);
+        let differs = (one.object, one.number) != (other.object, other.number);
+        let in_band = is_in_band(self.traced, x, y) || (differs && self.is_grazed(&one, (x, y)));
+        found.band += usize::from(in_band);
+        if differs {
+            if in_band {
+                found.differences_inside += 1;
+                let mask = (one.object < 0) != (other.object < 0);
+                found.mask_differences_inside += usize::from(mask);
+                return Mark::Inside;
+            }
+            let mark = self.outside(&one, seen, (x, y));
+            match mark {
+                Mark::Tied => found.tied += 1,
+                Mark::Announced => found.announced += 1,
+                _ => {
+                    found.differences_outside += 1;
+                    found.list(difference);
+                }
+            }
+            return mark;
+        }
+        let alike = if in_band { Mark::Band } else { Mark::Alike };
+        let Some(pixel) = seen else { return alike };
+        if in_band && self.bounds.is_of_facets(pixel.object) {
+            // A golden pixel does not say of which facet it is, and the one beside may be seen.
+            return alike;
+        }
+        let bound = self.bound(&pixel, (x, y));
+        let error = (one.depth - other.depth).abs();
+        found.depths += 1;
+        if !in_band {
+            found.depth_error = found.depth_error.max(error);
+            found.depth_bound = found.depth_bound.max(bound);
+        }
+        let slack = self.slack(&pixel);
+        if bound > 0.0 {
+            found.depth_ratio = found.depth_ratio.max((error - slack) / bound);
+        }
+        if error <= bound + slack {
+            return alike;
+        }
+        found.depths_beyond_bound += 1;
+        difference.bound = Some(bound);
+        found.list(difference);
+        Mark::Depth
+    }
+
+    /// What a pixel is that differs outside the band.
+    fn outside(&self, golden: &Seen, traced: Option<TracedPixel>, at: (usize, usize)) -> Mark {
+        if traced.is_some_and(|traced| self.is_tied(golden, &traced, at)) {
+            Mark::Tied
+        } else if self.jury.is_undecided(at.0 as i64, at.1 as i64) {
+            Mark::Announced
+        } else {
+            Mark::Outside
+        }
+    }
+
+    /// The depth of a traced pixel in depth words.
+    fn depth(&self, p: &TracedPixel) -> f64 {
+        p.depth.middle() * self.z_max
+    }
+
+    fn bound(&self, p: &TracedPixel, (x, y): (usize, usize)) -> f64 {
+        let at = (x as i64, y as i64);
+        self.bounds.at(p.object, p.number, p.part, at)
+    }
+
+    /// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in
+    /// floating point, and what the entries of rotations, which the preparation computes by other formulas, may differ
+    /// by: some units in the last place of the depth range.
+    fn slack(&self, pixel: &TracedPixel) -> f64 {
+        0.5 * pixel.depth.width() * self.z_max + 16.0 * f64::EPSILON * self.z_max
+    }
+
+    /// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced
+    /// one than both bounds.
+    fn is_tied(&self, golden: &Seen, traced: &TracedPixel, (x, y): (usize, usize)) -> bool {
+        let Ok(object) = u32::try_from(golden.object) else {
+            return false;
+        };
+        let bound = |p: &TracedPixel| self.bound(p, (x, y)) + self.slack(p);
+        if let Some(other) = self.tracer.alone(object, x as u32, y as u32) {
+            return other.number == golden.number
+                && (golden.depth - self.depth(&other)).abs() <= bound(&other)
+                && (self.depth(&other) - self.depth(traced)).abs()
+                    <= bound(&other) + bound(traced);
+        }
+        // Corners of a facet are on a grid, so that it may reach beyond its true edge.
+        let mut about = (x.saturating_sub(1)..=x + 1)
+            .flat_map(|u| (y.saturating_sub(1)..=y + 1).map(move |v| (u as u32, v as u32)));
+        golden.depth <= self.depth(traced) + bound(traced)
+            && about.any(|(u, v)| {
+                let beside = self.tracer.alone(object, u, v);
+                beside.is_some_and(|other| {
+                    let reach = self.bounds.one_pixel_on(object, other.part);
+                    let off = (golden.depth - self.depth(&other)).abs();
+                    other.number == golden.number && reach.is_some_and(|reach| off <= reach)
+                })
+            })
+    }
+
+    /// Whether the golden picture shows a facet that comes as near to the pixel as its corners may be off, at its
+    /// depth.
+    fn is_grazed(&self, golden: &Seen, (x, y): (usize, usize)) -> bool {
+        let object = u32::try_from(golden.object).ok();
+        let Some(object) = object.filter(|&object| self.bounds.is_of_facets(object)) else {
+            return false;
+        };
+        let near = self
+            .tracer
+            .facets_near(object, (x as u32, y as u32), CORNER);
+        near.into_iter().any(|(part, depth)| {
+            let facet = TracedPixel {
+                object,
+                number: golden.number,
+                part,
+                depth,
+            };
+            let bound = self.bound(&facet, (x, y)) + self.slack(&facet);
+            (golden.depth - self.depth(&facet)).abs() <= bound
+        })
+    }
+
+    fn of_tracer(&self, seen: Option<TracedPixel>) -> Seen {
+        Seen {
+            object: seen.map_or(-1, |pixel| i64::from(pixel.object)),
+            number: seen.map_or(0, |pixel| pixel.number),
+            depth: seen.map_or(self.z_max, |pixel| self.depth(&pixel)),
+        }
+    }
 }
 
 impl Comparison {
@@ -306,29 +311,18 @@ impl Comparison {
     }
 }
 
-fn of_tracer(seen: Option<TracedPixel>, format: &Format) -> Seen {
-    let z_max = format.z_max() as f64;
-    match seen {
-        Some(pixel) => Seen {
-            object: i64::from(pixel.object),
-            number: pixel.number,
-            depth: pixel.depth.middle() * z_max,
-        },
-        None => Seen {
-            object: -1,
-            number: 0,
-            depth: z_max,
-        },
-    }
-}
-
 /// Whether one of the pixels about a pixel sees something else than it does.
 pub fn is_in_band(traced: &Traced, x: usize, y: usize) -> bool {
-    let face = |x: usize, y: usize| {
-        traced.pixels[y * traced.width + x].map(|p| (p.object, p.number, p.part))
-    };
-    let own = face(x, y);
-    let columns = x.saturating_sub(1)..=(x + 1).min(traced.width - 1);
-    let mut lines = y.saturating_sub(1)..=(y + 1).min(traced.height - 1);
-    lines.any(|v| columns.clone().any(|u| face(u, v) != own))
+    let face = |index: usize| traced.pixels[index].map(|p| (p.object, p.number, p.part));
+    let own = y * traced.width + x;
+    let mut all = about(own, traced.width, traced.height);
+    all.any(|index| face(index) != face(own))
+}
+
+/// A pixel of a picture and the eight about it, as far as there are such, row by row.
+pub(crate) fn about(index: usize, width: usize, height: usize) -> impl Iterator<Item = usize> {
+    let (x, y) = (index % width, index / width);
+    let lines = y.saturating_sub(1)..=(y + 1).min(height - 1);
+    let columns = x.saturating_sub(1)..=(x + 1).min(width - 1);
+    lines.flat_map(move |v| columns.clone().map(move |u| v * width + u))
 }

@@ -14,6 +14,8 @@
 //! angle leave a background one pixel wide, which the printed rule takes for a crack. (The measure
 //! [`imogene_analysis::metrics`] calls by the same name compares with the true picture.)
 
+use crate::compare::about;
+use crate::repair::face;
 use crate::trace::Tracer;
 use imogene_golden::machine::frame::Frame;
 use imogene_scene::{Camera, DepthRange};
@@ -92,12 +94,7 @@ impl Buffers {
             width: frame.width,
             height: frame.height,
             distance: frame.depth.iter().zip(&frame.id).map(distance).collect(),
-            face: frame
-                .id
-                .iter()
-                .zip(&frame.number)
-                .map(|(id, number)| (*id, *number))
-                .collect(),
+            face: (0..frame.id.len()).map(|i| face(frame, i)).collect(),
         }
     }
 }
@@ -126,11 +123,7 @@ fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
         .map(|(k, c)| (index(c), k))
         .collect();
     let alike = |pixel: usize| -> Vec<usize> {
-        let (x, y) = (pixel % buffers.width, pixel / buffers.width);
-        let lines = y.saturating_sub(1)..=(y + 1).min(buffers.height - 1);
-        let columns = x.saturating_sub(1)..=(x + 1).min(buffers.width - 1);
-        lines
-            .flat_map(|v| columns.clone().map(move |u| v * buffers.width + u))
+        about(pixel, buffers.width, buffers.height)
             .filter(|&other| other != pixel && buffers.face[other] == buffers.face[pixel])
             .collect()
     };

@@ -149,11 +149,7 @@ impl CutBody {
         let at_start = (r * start + two * s) * start + t;
         if at_start.hi <= 0.0 {
             return match bounds.number {
-                Some(number) if there => Verdict::Hit {
-                    t: start,
-                    number,
-                    part: 0,
-                },
+                Some(number) if there => hit(start, number),
                 _ => open,
             };
         }
@@ -171,27 +167,19 @@ impl CutBody {
         let enters = line.discriminant.lo >= 0.0 && (slope.hi < 0.0 || r.hi < 0.0);
         let root = line.discriminant.sqrt();
         // (-S - sqrt) / R = T / (sqrt - S): the one without cancellation.
-        let hit = if s.hi < 0.0 {
+        let entry = if s.hi < 0.0 {
             t / (root - s)
         } else {
             (-s - root) / r
         };
-        if enters && (end.below(hit) || hit.lo >= cell.last) {
+        if enters && (end.below(entry) || entry.lo >= cell.last) {
             return Verdict::Absent;
         }
-        let kept = hit.not_above(end) && hit.hi < cell.last;
+        let kept = entry.not_above(end) && entry.hi < cell.last;
+        let (lo, hi) = (entry.lo.max(start.lo), entry.hi);
         match self.solid_number(line) {
-            Some(number) if there && enters && kept => Verdict::Hit {
-                t: hit.max(Interval {
-                    lo: start.lo,
-                    hi: f64::NEG_INFINITY,
-                }),
-                number,
-                part: 0,
-            },
-            _ if enters => Verdict::Open {
-                from: start.lo.max(hit.lo),
-            },
+            Some(number) if there && enters && kept => hit(Interval { lo, hi }, number),
+            _ if enters => Verdict::Open { from: lo },
             _ => open,
         }
     }
@@ -215,6 +203,9 @@ impl CutBody {
             return Verdict::Absent;
         }
         let open = Verdict::Open { from: cell.first };
+        let open_from = |t: Interval| Verdict::Open {
+            from: t.lo.max(cell.first),
+        };
         let Line { r, s, t, .. } = *line;
         if r.is_zero() && !s.holds_zero() {
             let only = -t / (Interval::point(2.0) * s);
@@ -236,20 +227,13 @@ impl CutBody {
         } else {
             None
         };
-        match (
-            self.keeps(cell, line, low),
-            self.keeps(cell, line, high),
-            number,
-        ) {
+        let [keeps_low, keeps_high] = [low, high].map(|t| self.keeps(cell, line, t));
+        match (keeps_low, keeps_high, number) {
             (Some(false), Some(false), _) => Verdict::Absent,
             (Some(true), _, _) => hit(low, FACE_NEAR),
             (Some(false), Some(true), Some(number)) => hit(high, number),
-            (Some(false), _, _) => Verdict::Open {
-                from: high.lo.max(cell.first),
-            },
-            _ => Verdict::Open {
-                from: low.lo.max(cell.first),
-            },
+            (Some(false), _, _) => open_from(high),
+            _ => open_from(low),
         }
     }
 

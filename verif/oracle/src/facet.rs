@@ -5,7 +5,7 @@ use crate::camera::Sight;
 use crate::interval::Interval;
 use crate::root::Real;
 use crate::transform::{Matrix, Vector, apply};
-use crate::verdict::{Cell, Solved, Verdict};
+use crate::verdict::{Cell, Ends, Solved, Verdict};
 use imogene_algebra::rational::from_decimal;
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_scene::Mesh;
@@ -168,17 +168,10 @@ impl Triangle {
     }
 
     /// The hit at a pixel, in half pixels from the middle of the picture.
-    pub fn solve(
-        &self,
-        x: i64,
-        y: i64,
-        first: &BigRational,
-        last: Option<&BigRational>,
-    ) -> Option<Solved> {
-        let t = self.met(x, y)?;
-        let drawn = t >= *first && last.is_none_or(|last| t < *last);
-        drawn.then_some(Solved {
-            t: Real::Fraction(t),
+    pub fn solve(&self, x: i64, y: i64, ends: &Ends) -> Option<Solved> {
+        let t = Real::Fraction(self.met(x, y)?);
+        ends.hold(&t).then_some(Solved {
+            t,
             number: FACE_FACET,
             part: self.part,
         })
@@ -212,8 +205,7 @@ impl Triangle {
         }
         let inside = sides.iter().all(|s| s.lo > 0.0) || sides.iter().all(|s| s.hi < 0.0);
         let t = -self.start.on(cell) / self.slope.on(cell);
-        let before = t.hi < cell.first;
-        if before || t.lo >= cell.last {
+        if t.hi < cell.first || t.lo >= cell.last {
             return Verdict::Absent;
         }
         let drawn = t.lo >= cell.first && t.hi < cell.last;

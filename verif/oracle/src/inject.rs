@@ -5,6 +5,7 @@
 //! where two objects are side by side. A pixel on the outline cannot be told from one beside it and gets none: all
 //! eight about a crack show an object.
 
+use crate::compare::about;
 use crate::crack::{Buffers, Rule, cracks};
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
@@ -66,10 +67,9 @@ impl Score {
 }
 
 fn share(part: usize, whole: usize) -> f64 {
-    if whole == 0 {
-        1.0
-    } else {
-        part as f64 / whole as f64
+    match whole {
+        0 => 1.0,
+        _ => part as f64 / whole as f64,
     }
 }
 
@@ -150,14 +150,8 @@ impl Breakable {
         (broken, marked)
     }
 
-    /// A pixel and the eight about it, as far as there are such.
     fn about(&self, index: usize) -> Vec<usize> {
-        let (w, h) = (self.frame.width, self.frame.height);
-        let (x, y) = (index % w, index / w);
-        let lines = y.saturating_sub(1)..=(y + 1).min(h - 1);
-        lines
-            .flat_map(|v| (x.saturating_sub(1)..=(x + 1).min(w - 1)).map(move |u| v * w + u))
-            .collect()
+        about(index, self.frame.width, self.frame.height).collect()
     }
 
     fn objects(&self, pixels: &[usize]) -> usize {

@@ -48,17 +48,12 @@ impl Interval {
         let Some(back) = BigRational::from_f64(nearest) else {
             return Interval::WHOLE;
         };
-        match back.cmp(value) {
-            std::cmp::Ordering::Equal => Interval::point(nearest),
-            std::cmp::Ordering::Less => Interval {
-                lo: nearest,
-                hi: nearest.next_up(),
-            },
-            std::cmp::Ordering::Greater => Interval {
-                lo: nearest.next_down(),
-                hi: nearest,
-            },
-        }
+        let (lo, hi) = match back.cmp(value) {
+            std::cmp::Ordering::Equal => (nearest, nearest),
+            std::cmp::Ordering::Less => (nearest, nearest.next_up()),
+            std::cmp::Ordering::Greater => (nearest.next_down(), nearest),
+        };
+        Interval { lo, hi }
     }
 
     /// One step out at each end; the whole line if the ends are no numbers.
@@ -70,6 +65,17 @@ impl Interval {
             lo: lo.next_down(),
             hi: hi.next_up(),
         }
+    }
+
+    /// Out over the results for both ends of two intervals.
+    fn over_corners(all: [f64; 4]) -> Interval {
+        // `min` and `max` would skip a number that is none.
+        if all.iter().any(|v| v.is_nan()) {
+            return Interval::WHOLE;
+        }
+        let least = all.into_iter().fold(f64::INFINITY, f64::min);
+        let greatest = all.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        Interval::outwards(least, greatest)
     }
 
     /// True if it is the number zero.
@@ -130,15 +136,9 @@ impl Interval {
     /// Squares.
     pub fn square(self) -> Interval {
         let (a, b) = (self.lo * self.lo, self.hi * self.hi);
-        let found = Interval::outwards(a.min(b), a.max(b));
-        Interval {
-            lo: if self.holds_zero() {
-                0.0
-            } else {
-                found.lo.max(0.0)
-            },
-            hi: found.hi,
-        }
+        let Interval { lo, hi } = Interval::outwards(a.min(b), a.max(b));
+        let lo = if self.holds_zero() { 0.0 } else { lo.max(0.0) };
+        Interval { lo, hi }
     }
 }
 
@@ -178,19 +178,12 @@ impl Mul for Interval {
         if self.is_zero() || other.is_zero() {
             return Interval::ZERO;
         }
-        let all = [
+        Interval::over_corners([
             self.lo * other.lo,
             self.lo * other.hi,
             self.hi * other.lo,
             self.hi * other.hi,
-        ];
-        // `min` and `max` would skip a number that is none.
-        if all.iter().any(|v| v.is_nan()) {
-            return Interval::WHOLE;
-        }
-        let least = all[0].min(all[1]).min(all[2]).min(all[3]);
-        let greatest = all[0].max(all[1]).max(all[2]).max(all[3]);
-        Interval::outwards(least, greatest)
+        ])
     }
 }
 
@@ -203,18 +196,12 @@ impl Div for Interval {
         if self.is_zero() {
             return Interval::ZERO;
         }
-        let all = [
+        Interval::over_corners([
             self.lo / other.lo,
             self.lo / other.hi,
             self.hi / other.lo,
             self.hi / other.hi,
-        ];
-        if all.iter().any(|v| v.is_nan()) {
-            return Interval::WHOLE;
-        }
-        let least = all[0].min(all[1]).min(all[2]).min(all[3]);
-        let greatest = all[0].max(all[1]).max(all[2]).max(all[3]);
-        Interval::outwards(least, greatest)
+        ])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pictures for a person: where a comparison, a search for cracks or a repair found something.
 
-use crate::compare::Mark;
+use crate::compare::{Mark, about};
 use imogene_golden::machine::frame::Frame;
 
 /// An 8-bit colour.
@@ -20,15 +20,11 @@ const BACKGROUND: Colour = [24, 26, 32];
 
 /// The picture in grey, nearer lighter, each object in a tone of its own.
 fn grey(frame: &Frame, z_max: i64) -> Vec<Colour> {
-    let seen = || {
-        frame
-            .depth
-            .iter()
-            .zip(&frame.id)
-            .filter(|(_, id)| **id >= 0)
-    };
-    let least = seen().map(|(d, _)| *d).min().unwrap_or(0);
-    let most = seen().map(|(d, _)| *d).max().unwrap_or(z_max);
+    let pixels = frame.depth.iter().zip(&frame.id);
+    let seen = pixels.clone().filter(|(_, id)| **id >= 0);
+    let seen = seen.map(|(depth, _)| *depth);
+    let least = seen.clone().min().unwrap_or(0);
+    let most = seen.max().unwrap_or(z_max);
     let span = (most - least).max(1) as f64;
     let tone = |(depth, id): (&i64, &i32)| {
         if *id < 0 {
@@ -38,7 +34,7 @@ fn grey(frame: &Frame, z_max: i64) -> Vec<Colour> {
         let step = f64::from(id.rem_euclid(3)) * 8.0;
         [(170.0 - 90.0 * far - step) as u8; 3]
     };
-    frame.depth.iter().zip(&frame.id).map(tone).collect()
+    pixels.map(tone).collect()
 }
 
 /// A comparison: alike in grey, band in blue, tied in green, allowed and announced differences in orange and others in
@@ -89,11 +85,6 @@ fn spread(
     colour: Colour,
 ) {
     for index in marked {
-        let (x, y) = (index % frame.width, index / frame.width);
-        for v in y.saturating_sub(1)..=(y + 1).min(frame.height - 1) {
-            for u in x.saturating_sub(1)..=(x + 1).min(frame.width - 1) {
-                picture[v * frame.width + u] = colour;
-            }
-        }
+        about(index, frame.width, frame.height).for_each(|index| picture[index] = colour);
     }
 }

@@ -29,25 +29,13 @@ pub struct PlotError {
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-/// A share of the cracks over the minimum distance.
-struct Panel {
-    title: &'static str,
-    share: fn(&Score) -> f64,
-}
+/// A title, and a share of the cracks over the minimum distance.
+type Panel = (&'static str, fn(&Score) -> f64);
 
 const PANELS: [Panel; 3] = [
-    Panel {
-        title: "recall: found of those made",
-        share: Score::recall,
-    },
-    Panel {
-        title: "recall of the deep ones",
-        share: Score::deep_recall,
-    },
-    Panel {
-        title: "precision: made of those flagged",
-        share: Score::precision,
-    },
+    ("recall: found of those made", Score::recall),
+    ("recall of the deep ones", Score::deep_recall),
+    ("precision: made of those flagged", Score::precision),
 ];
 
 /// Draws the scores (SVG).
@@ -76,13 +64,13 @@ fn draw(scores: &[Score], text: &mut String) -> Outcome {
     Ok(())
 }
 
-fn draw_panel(area: &Area, panel: &Panel, scores: &[Score]) -> Outcome {
+fn draw_panel(area: &Area, (title, share): &Panel, scores: &[Score]) -> Outcome {
     let distances = || scores.iter().map(|score| score.min_distance);
     let least = distances().fold(f64::INFINITY, f64::min);
     let most = distances().fold(0.0, f64::max);
     let mut chart = ChartBuilder::on(area)
         .margin(12)
-        .caption(panel.title, (FONT, 17))
+        .caption(title, (FONT, 17))
         .x_label_area_size(40)
         .y_label_area_size(46)
         .build_cartesian_2d((0.8 * least..1.25 * most).log_scale(), 0.0..1.05)?;
@@ -96,9 +84,8 @@ fn draw_panel(area: &Area, panel: &Panel, scores: &[Score]) -> Outcome {
         .draw()?;
     for (sort, label, colour) in SORTS {
         let of_sort = scores.iter().filter(|score| score.sort == sort);
-        let points: Vec<(f64, f64)> = of_sort
-            .map(|score| (score.min_distance, (panel.share)(score)))
-            .collect();
+        let points = of_sort.map(|score| (score.min_distance, share(score)));
+        let points: Vec<(f64, f64)> = points.collect();
         chart.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
         let dots = points
             .into_iter()

@@ -100,21 +100,13 @@ impl Real {
                     greater: other_greater,
                 },
             ) => {
-                let same = match common_root(p, q) {
-                    Common::Both => greater == other_greater || p.discriminant().is_zero(),
-                    Common::None => false,
-                    Common::One(t) => {
-                        self.cmp_fraction(&t) == Ordering::Equal
-                            && other.cmp_fraction(&t) == Ordering::Equal
-                    }
-                };
-                if same {
-                    return Ordering::Equal;
+                let is = |own: &Real, t| own.cmp_fraction(t) == Ordering::Equal;
+                match common_root(p, q) {
+                    Common::Both if p.discriminant().is_zero() => Ordering::Equal,
+                    Common::Both => greater.cmp(other_greater),
+                    Common::One(t) if is(self, &t) && is(other, &t) => Ordering::Equal,
+                    _ => self.narrowed_until_apart(other),
                 }
-                if let Common::Both = common_root(p, q) {
-                    return greater.cmp(other_greater);
-                }
-                self.narrowed_until_apart(other)
             }
         }
     }
@@ -165,19 +157,17 @@ enum Common {
 fn common_root(p: &Quadratic, q: &Quadratic) -> Common {
     let first = &q.a * &p.b - &p.a * &q.b;
     let last = &q.a * &p.c - &p.a * &q.c;
-    if first.is_zero() {
-        return if last.is_zero() {
-            Common::Both
-        } else {
-            Common::None
-        };
+    match (first.is_zero(), last.is_zero()) {
+        (true, true) => return Common::Both,
+        (true, false) => return Common::None,
+        _ => {}
     }
     // q.a p - p.a q = 2 first t + last.
     let t = BigRational::new(-last, first * 2);
-    if p.sign_at(&t) == Ordering::Equal && q.sign_at(&t) == Ordering::Equal {
-        Common::One(t)
-    } else {
-        Common::None
+    let is_root = |of: &Quadratic| of.sign_at(&t) == Ordering::Equal;
+    match is_root(p) && is_root(q) {
+        true => Common::One(t),
+        false => Common::None,
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
-use crate::verdict::Solved;
+use crate::verdict::{Ends, Solved};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END};
 use imogene_scene::Surface;
 use num_bigint::BigInt;
@@ -12,18 +12,11 @@ use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
 
 impl Body {
-    /// The first point at a pixel, in half pixels from the middle of the picture; `first` and `last` as in
-    /// [`crate::camera::Sight`].
-    pub fn solve(
-        &self,
-        x: i64,
-        y: i64,
-        first: &BigRational,
-        last: Option<&BigRational>,
-    ) -> Option<Solved> {
+    /// The first point at a pixel, in half pixels from the middle of the picture.
+    pub fn solve(&self, x: i64, y: i64, ends: &Ends) -> Option<Solved> {
         match self {
-            Body::Cut(body) => body.solve(x, y, first, last),
-            Body::Facet(facet) => facet.solve(x, y, first, last),
+            Body::Cut(body) => body.solve(x, y, ends),
+            Body::Facet(facet) => facet.solve(x, y, ends),
         }
     }
 }
@@ -34,40 +27,28 @@ struct Line<'a> {
     along: Whole,
     /// The quadric along it.
     q: Quadratic,
-    first: &'a BigRational,
-    last: Option<&'a BigRational>,
+    ends: &'a Ends,
 }
 
 impl CutBody {
-    fn solve(
-        &self,
-        x: i64,
-        y: i64,
-        first: &BigRational,
-        last: Option<&BigRational>,
-    ) -> Option<Solved> {
+    fn solve(&self, x: i64, y: i64, ends: &Ends) -> Option<Solved> {
         let at = |[a, b, c]: &[Whole; 3]| -> Whole {
             std::array::from_fn(|k| &a[k] * x + &b[k] * y + &c[k])
         };
         let (from, along) = (at(&self.exact.from), at(&self.exact.along));
-        let q = match &self.exact.form {
-            Some(form) => Quadratic {
-                a: bilinear(form, &along, &along),
-                b: bilinear(form, &from, &along),
-                c: bilinear(form, &from, &from),
-            },
-            None => Quadratic {
-                a: BigInt::zero(),
-                b: BigInt::zero(),
-                c: BigInt::zero(),
-            },
+        let form = |u: &Whole, v: &Whole| match &self.exact.form {
+            Some(form) => bilinear(form, u, v),
+            None => BigInt::zero(),
         };
         let line = Line {
+            q: Quadratic {
+                a: form(&along, &along),
+                b: form(&from, &along),
+                c: form(&from, &from),
+            },
             from,
             along,
-            q,
-            first,
-            last,
+            ends,
         };
         let found = match self.surface {
             Surface::Solid => self.solve_solid(&line),
@@ -78,7 +59,7 @@ impl CutBody {
 
     /// The part of the line that near end and planes leave: start, its face, and end; `None` if that is nothing.
     fn kept(&self, line: &Line) -> Option<(BigRational, u8, Option<BigRational>)> {
-        let (mut start, mut number, mut end) = (line.first.clone(), FACE_NEAR_END, None);
+        let (mut start, mut number, mut end) = (line.ends.first.clone(), FACE_NEAR_END, None);
         for (plane, &own) in self.exact.planes.iter().zip(&self.numbers) {
             let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
             if slope.is_zero() {
@@ -96,8 +77,9 @@ impl CutBody {
                 (start, number) = (bound, own);
             }
         }
-        let nothing = end.as_ref().is_some_and(|end| *end < start)
-            || line.last.is_some_and(|last| start >= *last);
+        let last = line.ends.last.as_ref();
+        let nothing =
+            end.as_ref().is_some_and(|end| *end < start) || last.is_some_and(|last| start >= *last);
         (!nothing).then_some((start, number, end))
     }
 
@@ -119,9 +101,7 @@ impl CutBody {
             Real::root(q, q.a.is_negative())
         };
         let within = end.is_none_or(|end| entered.cmp_fraction(&end) != Ordering::Greater);
-        let drawn = line
-            .last
-            .is_none_or(|last| entered.cmp_fraction(last) == Ordering::Less);
+        let drawn = line.ends.end_after(&entered);
         let far = q.a.is_negative() && (!self.perspective || q.c.is_negative());
         (within && drawn).then_some((entered, if far { FACE_FAR } else { FACE_NEAR }))
     }
@@ -152,10 +132,7 @@ impl CutBody {
     }
 
     fn surely_keeps(&self, line: &Line, t: &Real) -> bool {
-        t.cmp_fraction(line.first) != Ordering::Less
-            && line
-                .last
-                .is_none_or(|last| t.cmp_fraction(last) == Ordering::Less)
+        line.ends.hold(t)
             && self.exact.planes.iter().all(|plane| {
                 let (at, slope) = (dot(plane, &line.from), dot(plane, &line.along));
                 if slope.is_zero() {

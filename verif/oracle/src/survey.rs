@@ -3,7 +3,7 @@
 
 use crate::ordinary::scene_text;
 use crate::run::{Compared, Outcome, run};
-use imogene_analysis::bounds::check;
+use imogene_analysis::bounds::{CheckReport, check};
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
 use rayon::prelude::*;
@@ -37,15 +37,8 @@ pub struct Survey {
     pub differing: Vec<Finding>,
 }
 
-/// What became of one scene.
-enum Fate {
-    Refused(String),
-    Drawn {
-        compared: Box<Compared>,
-        is_ok: bool,
-        undecided: usize,
-    },
-}
+/// A drawn scene and what the check says of it, or why it is refused.
+type Fate = Result<(Box<Compared>, CheckReport), String>;
 
 /// Looks at the first `scenes` ordinary scenes of a seed; `done` is called once for each, from any thread.
 pub fn survey(seed: u64, scenes: u64, format: Format, done: impl Fn() + Sync) -> Survey {
@@ -69,43 +62,33 @@ pub fn survey(seed: u64, scenes: u64, format: Format, done: impl Fn() + Sync) ->
 }
 
 fn fate(text: &str, format: Format) -> Fate {
-    let drawn = || -> Result<Fate, String> {
-        let scene = SceneFile::parse(text, "scene").map_err(|e| e.to_string())?;
-        let (width, height) = (scene.image.width, scene.image.height);
-        let compared = match run(&scene, width, height, format, &|_| ()) {
-            Ok(Outcome::Compared(compared)) => compared,
-            Ok(Outcome::Refused(reason)) => return Err(reason),
-            Err(error) => return Err(error.to_string()),
-        };
-        let (framed, prepared) = &compared.scene;
-        let report = check(framed, prepared);
-        Ok(Fate::Drawn {
-            compared,
-            is_ok: report.ok,
-            undecided: report.undecided_pixels,
-        })
-    };
-    drawn().unwrap_or_else(Fate::Refused)
+    let scene = SceneFile::parse(text, "scene").map_err(|e| e.to_string())?;
+    let (width, height) = (scene.image.width, scene.image.height);
+    let outcome = run(&scene, width, height, format, &|_| ());
+    match outcome.map_err(|e| e.to_string())? {
+        Outcome::Refused(reason) => Err(reason),
+        Outcome::Compared(compared) => {
+            let report = check(&compared.scene.0, &compared.scene.1);
+            Ok((compared, report))
+        }
+    }
 }
 
 impl Survey {
     fn add(&mut self, number: u64, fate: Fate) {
         let finding = |what: String| Finding { number, what };
-        let (compared, is_ok, undecided) = match fate {
-            Fate::Refused(reason) => return self.refused.push(finding(reason)),
-            Fate::Drawn {
-                compared,
-                is_ok,
-                undecided,
-            } => (compared, is_ok, undecided),
+        let (compared, report) = match fate {
+            Err(reason) => return self.refused.push(finding(reason)),
+            Ok(drawn) => drawn,
         };
         let c = &compared.comparison;
         self.pixels += c.pixels;
         self.announced += c.announced + c.tied + c.differences_inside;
         let wrong = c.announced + c.differences_outside + c.differences_inside;
-        if !is_ok {
+        if !report.ok {
             self.check_fails.push(finding(format!(
-                "{undecided} pixels undecided, {wrong} differ from the traced picture"
+                "{} pixels undecided, {wrong} differ from the traced picture",
+                report.undecided_pixels
             )));
         }
         if !c.holds() {

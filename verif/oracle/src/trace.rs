@@ -7,9 +7,9 @@
 use crate::body::Body;
 use crate::camera::Sight;
 use crate::interval::Interval;
-use crate::verdict::{Cell, Solved, Verdict};
+use crate::verdict::{Cell, Ends, Solved, Verdict};
 use imogene_scene::{DepthRange, SceneFile};
-use num_rational::BigRational;
+use num_traits::Signed;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -52,8 +52,7 @@ pub struct Traced {
 pub struct Tracer {
     sight: Sight,
     bodies: Vec<(u32, Body)>,
-    first: BigRational,
-    last: Option<BigRational>,
+    ends: Ends,
 }
 
 /// A pixel, and whether it was solved exactly.
@@ -74,8 +73,7 @@ impl Tracer {
             })
             .collect();
         Tracer {
-            first: sight.first(),
-            last: sight.last(),
+            ends: sight.ends(),
             bodies: bodies.into_iter().flatten().collect(),
             sight,
         }
@@ -155,20 +153,8 @@ impl Tracer {
     }
 
     fn cell(&self, area: &Area) -> Cell {
-        let (left, top) = self.sight.place(area.x0, area.y0);
-        let (right, bottom) = self.sight.place(area.x1 - 1, area.y1 - 1);
-        Cell {
-            x: (left + right) as f64 / 2.0,
-            y: (top + bottom) as f64 / 2.0,
-            reach_x: (right - left) as f64 / 2.0,
-            reach_y: (bottom - top) as f64 / 2.0,
-            first: if self.sight.perspective { 0.5 } else { -1.0 },
-            last: if self.sight.perspective {
-                f64::INFINITY
-            } else {
-                1.0
-            },
-        }
+        let Area { x0, y0, x1, y1 } = *area;
+        self.sight.cell([x0, y0], [x1 - 1, y1 - 1])
     }
 
     /// The bodies of a list that intervals do not rule out, with what they say of them.
@@ -244,7 +230,7 @@ impl Tracer {
         let mut nearest: Option<(u32, Solved)> = None;
         for &index in list {
             let (object, body) = &self.bodies[index as usize];
-            let Some(found) = body.solve(x, y, &self.first, self.last.as_ref()) else {
+            let Some(found) = body.solve(x, y, &self.ends) else {
                 continue;
             };
             let nearer = |(_, best): &(u32, Solved)| found.t.compare(&best.t) == Ordering::Less;
@@ -268,8 +254,7 @@ impl Tracer {
         let mut bits = 64;
         loop {
             let (low, high) = found.t.between(bits);
-            let positive = !self.sight.perspective || low > BigRational::from_integer(0.into());
-            if positive {
+            if !self.sight.perspective || low.is_positive() {
                 let ends = [low, high].map(|t| Interval::about(&self.sight.exact_depth(&t)));
                 let depth = Interval {
                     lo: ends[0].lo,

@@ -2,6 +2,8 @@
 
 use crate::interval::Interval;
 use crate::root::Real;
+use num_rational::BigRational;
+use std::cmp::Ordering;
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +41,28 @@ pub enum Verdict {
         /// The parameter.
         from: f64,
     },
+}
+
+/// The parameters between which everything drawn lies.
+#[derive(Clone, Debug)]
+pub struct Ends {
+    /// The least: the near end of the depth.
+    pub first: BigRational,
+    /// The end, which is not drawn; `None` if that is infinity.
+    pub last: Option<BigRational>,
+}
+
+impl Ends {
+    /// True if a point at this parameter is drawn.
+    pub fn hold(&self, t: &Real) -> bool {
+        t.cmp_fraction(&self.first) != Ordering::Less && self.end_after(t)
+    }
+
+    /// True if a point at this parameter is before the end.
+    pub fn end_after(&self, t: &Real) -> bool {
+        let last = self.last.as_ref();
+        last.is_none_or(|last| t.cmp_fraction(last) == Ordering::Less)
+    }
 }
 
 /// The first point of an object.
