@@ -30,35 +30,6 @@ pub struct Extreme {
     pub(super) case: Case,
 }
 
-/// Name and text of a scene.
-type Scene = (&'static str, &'static str);
-
-pub(super) const fn drawn(
-    item: &'static str,
-    (name, text): Scene,
-    claim: Claim,
-    outcome: &'static str,
-) -> Extreme {
-    extreme(name, item, outcome, Case::Drawn(text, claim))
-}
-
-pub(super) const fn modelled(
-    item: &'static str,
-    (name, text): Scene,
-    claim: Claim,
-    outcome: &'static str,
-) -> Extreme {
-    extreme(name, item, outcome, Case::Modelled(text, claim))
-}
-
-pub(super) const fn flagged(
-    item: &'static str,
-    (name, text): Scene,
-    outcome: &'static str,
-) -> Extreme {
-    extreme(name, item, outcome, Case::Flagged(text))
-}
-
 pub(super) const fn driven(
     item: &'static str,
     name: &'static str,
@@ -66,19 +37,10 @@ pub(super) const fn driven(
     stimulus: fn(&Subject) -> Vec<Inputs>,
     outcome: &'static str,
 ) -> Extreme {
-    extreme(name, item, outcome, Case::Unit(unit, stimulus))
-}
-
-const fn extreme(
-    name: &'static str,
-    item: &'static str,
-    outcome: &'static str,
-    case: Case,
-) -> Extreme {
     Extreme {
         name,
         item,
         outcome,
-        case,
+        case: Case::Unit(unit, stimulus),
     }
 }

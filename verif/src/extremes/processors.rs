@@ -2,7 +2,7 @@
 //! with a mode or a memory: each configuration is a zone of one pixel, its words held until the result is out.
 
 use super::case::{Extreme, driven};
-use super::units::{ends, inputs};
+use super::units::{ends, every, inputs};
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
 
@@ -50,6 +50,11 @@ const DEPTHS: [i64; 11] = [
     FAR + 2,
 ];
 
+/// Zero, what is next to it, and both ends of the words of a polynomial of first degree.
+const LINES: [i64; 4] = [-(1 << 35), -1, 0, (1 << 35) - 1];
+/// The same of second degree.
+const CONICS: [i64; 4] = [-(1 << 47), -1, 0, (1 << 47) - 1];
+
 /// One pixel with these words, which stay until its result is out.
 fn pixel(subject: &Subject, words: &[(&str, i64)]) -> Vec<Inputs> {
     let with = |flags: &[(&str, i64)]| inputs(subject, &[flags, words].concat());
@@ -60,77 +65,65 @@ fn pixel(subject: &Subject, words: &[(&str, i64)]) -> Vec<Inputs> {
 }
 
 fn patch_ties(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for (place, &near) in DEPTHS.iter().enumerate() {
-        for &far in &DEPTHS[place..] {
-            for &plane in DEPTHS.iter().filter(|z| (-FAR - 1..=FAR).contains(*z)) {
-                for kinds in [[1, 1], [1, 2], [2, 2], [3, 1], [0, 2]] {
-                    let mut set = vec![
-                        ("near_sum", near),
-                        ("far_sum", far),
-                        ("is_inside", 1),
-                        ("in_box", 1),
-                        ("plane_0_zp", plane),
-                        ("plane_1_zp", near.clamp(-FAR - 1, FAR)),
-                    ];
-                    set.extend([("plane_0_kind", kinds[0]), ("plane_1_kind", kinds[1])]);
-                    list.push(inputs(subject, &set));
-                }
-            }
-        }
-    }
-    list.extend(std::iter::repeat_n(inputs(subject, &[]), subject.latency));
-    list
+    let kinds = [[1, 1], [1, 2], [2, 2], [3, 1], [0, 2]];
+    // Without those that leave the word.
+    let planes = &DEPTHS[1..9];
+    let all = every([&DEPTHS, &DEPTHS, planes, &[0, 1, 2, 3, 4]]);
+    let ordered = all.filter(|[near, far, ..]| near <= far);
+    let one = |[near, far, plane, pair]: [i64; 4]| {
+        let [first, second] = kinds[pair as usize];
+        let set = [
+            ("near_sum", near),
+            ("far_sum", far),
+            ("is_inside", 1),
+            ("in_box", 1),
+            ("plane_0_zp", plane),
+            ("plane_1_zp", near.clamp(-FAR - 1, FAR)),
+            ("plane_0_kind", first),
+            ("plane_1_kind", second),
+        ];
+        inputs(subject, &set)
+    };
+    let rest = std::iter::repeat_n(inputs(subject, &[]), subject.latency);
+    ordered.map(one).chain(rest).collect()
 }
 
 fn contours_at_zero(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    let conics = [-(1i64 << 47), -1, 0, (1 << 47) - 1];
-    let polars = [-(1i64 << 35), -1, 0, (1 << 35) - 1];
-    for surface in 0..2 {
-        for front in conics {
-            for back in conics {
-                for polar in polars {
-                    let set = [
-                        ("surface", surface),
-                        ("f2_f", 25),
-                        ("conic_0_f", front),
-                        ("conic_1_f", back),
-                        ("polar_0_c", polar),
-                        ("polar_1_c", -1 - polar),
-                        ("depth_0_c", -5),
-                        ("depth_1_c", 5),
-                        ("plane_0_nz", -7),
-                        ("plane_1_nz", 7),
-                    ];
-                    list.extend(pixel(subject, &set));
-                }
-            }
-        }
-    }
-    list
+    let all = every([&[0, 1], &CONICS, &CONICS, &LINES]);
+    let one = |[surface, front, back, polar]: [i64; 4]| {
+        let set = [
+            ("surface", surface),
+            ("f2_f", 25),
+            ("conic_0_f", front),
+            ("conic_1_f", back),
+            ("polar_0_c", polar),
+            ("polar_1_c", -1 - polar),
+            ("depth_0_c", -5),
+            ("depth_1_c", 5),
+            ("plane_0_nz", -7),
+            ("plane_1_nz", 7),
+        ];
+        pixel(subject, &set)
+    };
+    all.flat_map(one).collect()
 }
 
 fn without_thickness(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for depth in DEPTHS {
-        for gap in -1..=1 {
-            for half_plane in [-1, 0] {
-                let set = [
-                    ("plane_0_kind", 1),
-                    ("plane_0_c", depth),
-                    ("plane_1_kind", 2),
-                    ("plane_1_c", depth + gap),
-                    ("plane_2_kind", 3),
-                    ("plane_2_c", half_plane),
-                    ("plane_0_nz", -1),
-                    ("plane_1_nz", 1),
-                ];
-                list.extend(pixel(subject, &set));
-            }
-        }
-    }
-    list
+    let one = |[depth, gap, half_plane]: [i64; 3]| {
+        let set = [
+            ("plane_0_kind", 1),
+            ("plane_0_c", depth),
+            ("plane_1_kind", 2),
+            ("plane_1_c", depth + gap),
+            ("plane_2_kind", 3),
+            ("plane_2_c", half_plane),
+            ("plane_0_nz", -1),
+            ("plane_1_nz", 1),
+        ];
+        pixel(subject, &set)
+    };
+    let all = every([&DEPTHS, &[-1, 0, 1], &[-1, 0]]);
+    all.flat_map(one).collect()
 }
 
 /// Units of a first-degree depth below the depth word.
@@ -139,75 +132,47 @@ const PLANE_GUARD: i64 = 1 << 10;
 const BULGE_GUARD: i64 = 1 << 22;
 
 fn facet_sides(subject: &Subject) -> Vec<Inputs> {
-    let sides = [-(1i64 << 35), -1, 0, (1 << 35) - 1];
-    sides_and_depths(
-        subject,
-        sides,
-        ["side_0_c", "side_1_c", "side_2_c"],
-        "depth_c",
-        PLANE_GUARD,
-    )
+    let names = ["side_0_c", "side_1_c", "side_2_c", "depth_c"];
+    sides_and_depths(subject, &LINES, names, PLANE_GUARD)
 }
 
 fn curved_sides(subject: &Subject) -> Vec<Inputs> {
-    let sides = [-(1i64 << 47), -1, 0, (1 << 47) - 1];
-    sides_and_depths(
-        subject,
-        sides,
-        ["side_0_f", "side_1_f", "side_2_f"],
-        "depth_f",
-        BULGE_GUARD,
-    )
+    let names = ["side_0_f", "side_1_f", "side_2_f", "depth_f"];
+    sides_and_depths(subject, &CONICS, names, BULGE_GUARD)
 }
 
 fn sides_and_depths(
     subject: &Subject,
-    values: [i64; 4],
-    sides: [&str; 3],
-    depth: &str,
+    values: &[i64],
+    [side_0, side_1, side_2, depth]: [&str; 4],
     guard: i64,
 ) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for z in DEPTHS {
-        // The last unit below the next word as well: depths are rounded down.
-        for rest in [0, guard - 1] {
-            for first in values {
-                for second in [-1, 0] {
-                    let set = [
-                        (sides[0], first),
-                        (sides[1], second),
-                        (sides[2], 0),
-                        (depth, z * guard + rest),
-                    ];
-                    list.extend(pixel(subject, &set));
-                }
-            }
-        }
-    }
-    list
+    // The last unit below the next word as well: depths are rounded down.
+    let rests = [0, guard - 1];
+    let all = every([&DEPTHS, &rests, values, &[-1, 0]]);
+    let one = |[z, rest, first, second]: [i64; 4]| {
+        let [one, two] = [(side_0, first), (side_1, second)];
+        pixel(subject, &[one, two, (side_2, 0), (depth, z * guard + rest)])
+    };
+    all.flat_map(one).collect()
 }
 
 fn sphere_depths(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for near in DEPTHS {
-        for far in DEPTHS {
-            for outline in [-1, 0] {
-                let set = [
-                    ("outline_f", outline),
-                    ("front_f", near * BULGE_GUARD),
-                    ("depth_sum", near + far),
-                    ("nz_f", -(1 << 47)),
-                ];
-                list.extend(pixel(subject, &set));
-            }
-        }
-    }
-    list
+    let one = |[near, far, outline]: [i64; 3]| {
+        let set = [
+            ("outline_f", outline),
+            ("front_f", near * BULGE_GUARD),
+            ("depth_sum", near + far),
+            ("nz_f", -(1 << 47)),
+        ];
+        pixel(subject, &set)
+    };
+    let all = every([&DEPTHS, &DEPTHS, &[-1, 0]]);
+    all.flat_map(one).collect()
 }
 
 fn cylinder_parts(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for signs in 0..64i64 {
+    let one = |signs: i64| {
         let value = |bit: i64| -(signs >> bit & 1);
         let set = [
             ("side_0_c", value(0)),
@@ -220,54 +185,34 @@ fn cylinder_parts(subject: &Subject) -> Vec<Inputs> {
             ("lid_c", 1 << 20),
             ("lid_nz", -9),
         ];
-        list.extend(pixel(subject, &set));
-    }
-    list
+        pixel(subject, &set)
+    };
+    (0..64).flat_map(one).collect()
 }
 
 fn volume_ties(subject: &Subject) -> Vec<Inputs> {
-    let mut list = Vec::new();
-    for object_class in 0..4 {
-        for depth in [-FAR, -4, -3, -2, 0, 2, 3, 4, FAR - 1, FAR] {
-            for margin in [0, 1, 5, FAR] {
-                for depth_shift in [0, 1, 8] {
-                    for f2 in [-1, 0, 9] {
-                        let set = [
-                            ("object_class", object_class),
-                            ("depth", depth),
-                            ("margin", margin),
-                            ("depth_shift", depth_shift),
-                            ("f2_f", f2),
-                        ];
-                        list.extend(pixel(subject, &set));
-                    }
-                }
-            }
-        }
-    }
-    list
+    let names = ["object_class", "depth", "margin", "depth_shift", "f2_f"];
+    let depths = [-FAR, -4, -3, -2, 0, 2, 3, 4, FAR - 1, FAR];
+    let margins = [0, 1, 5, FAR];
+    let all = every([&[0, 1, 2, 3], &depths, &margins, &[0, 1, 8], &[-1, 0, 9]]);
+    let one = |values: [i64; 5]| pixel(subject, &[0, 1, 2, 3, 4].map(|k| (names[k], values[k])));
+    all.flat_map(one).collect()
 }
 
 fn volume_planes(subject: &Subject) -> Vec<Inputs> {
     let plane = subject.inputs.iter().find(|port| port.name == "plane_0_c");
     let words = ends(plane.expect("a volume has planes"));
-    let mut list = Vec::new();
-    for depth in [-FAR, -1, 0, 1, FAR - 1, FAR] {
-        for margin in [0, 1, FAR] {
-            for kind in 0..4 {
-                for at in words.into_iter().chain([depth - 1, depth, depth + 1]) {
-                    let set = [
-                        ("depth", depth),
-                        ("margin", margin),
-                        ("plane_0_kind", kind),
-                        ("plane_0_c", at),
-                    ];
-                    list.extend(pixel(subject, &set));
-                }
-            }
-        }
-    }
-    list
+    let depths = [-FAR, -1, 0, 1, FAR - 1, FAR];
+    let one = |[depth, margin, kind]: [i64; 3]| {
+        let places = words.into_iter().chain([depth - 1, depth, depth + 1]);
+        places.flat_map(move |at| {
+            let point = [("depth", depth), ("margin", margin)];
+            let plane = [("plane_0_kind", kind), ("plane_0_c", at)];
+            pixel(subject, &[point, plane].concat())
+        })
+    };
+    let all = every([&depths, &[0, 1, FAR], &[0, 1, 2, 3]]);
+    all.flat_map(one).collect()
 }
 
 fn carries(subject: &Subject) -> Vec<Inputs> {

@@ -35,6 +35,19 @@ pub(super) fn ends(signal: &Signal) -> [i64; 7] {
     [-half, -half + 1, -1, 0, 1, half - 2, half - 1]
 }
 
+/// Every combination of a value of each list, the last list fastest.
+pub(super) fn every<const N: usize>(lists: [&[i64]; N]) -> impl Iterator<Item = [i64; N]> {
+    let count: usize = lists.iter().map(|list| list.len()).product();
+    (0..count).map(move |mut rest| {
+        let mut one = [0; N];
+        for (value, list) in one.iter_mut().zip(lists).rev() {
+            *value = list[rest % list.len()];
+            rest /= list.len();
+        }
+        one
+    })
+}
+
 /// Inputs with some ports set and the others zero.
 pub(super) fn inputs(subject: &Subject, set: &[(&str, i64)]) -> Inputs {
     let value = |signal: &Signal| {
@@ -96,28 +109,21 @@ fn squares(subject: &Subject) -> Vec<Inputs> {
 
 fn plane_ties(subject: &Subject) -> Vec<Inputs> {
     let words = ends(&subject.inputs[3]);
-    let mut stimulus = Vec::new();
-    for kind in 0..4 {
-        for surface in 0..2 {
-            for zf in words {
-                for zb in words.into_iter().filter(|zb| *zb >= zf) {
-                    for zp in words {
-                        let set = [
-                            ("kind", kind),
-                            ("surface", surface),
-                            ("number", 5),
-                            ("zp", zp),
-                            ("zf", zf),
-                            ("zb", zb),
-                            ("nb", 1),
-                        ];
-                        stimulus.push(inputs(subject, &set));
-                    }
-                }
-            }
-        }
-    }
-    stimulus
+    let all = every([&[0, 1, 2, 3], &[0, 1], &words, &words, &words]);
+    let ordered = all.filter(|[_, _, zf, zb, _]| zb >= zf);
+    let one = |[kind, surface, zf, zb, zp]: [i64; 5]| {
+        let set = [
+            ("kind", kind),
+            ("surface", surface),
+            ("number", 5),
+            ("zp", zp),
+            ("zf", zf),
+            ("zb", zb),
+            ("nb", 1),
+        ];
+        inputs(subject, &set)
+    };
+    ordered.map(one).collect()
 }
 
 /// One line of `pixels` pixels of a plane.
@@ -173,33 +179,31 @@ fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
 }
 
 fn normal_words(subject: &Subject) -> Vec<Inputs> {
-    let mut stimulus = Vec::new();
-    for (g, k) in [
+    let words = [
         (0, 0),
         (0, -(1 << 15)),
         (-(1 << 23), 0),
         (-(1 << 23), -(1 << 15)),
         ((1 << 23) - 1, -(1 << 15)),
-    ] {
-        for root in [0, 1, (1 << 24) - 1] {
-            for number in [0, 1, 2, 15] {
-                let set = [
-                    ("valid", 1),
-                    ("start", 1),
-                    ("number", number),
-                    ("root", root),
-                    ("gx_c", g),
-                    ("gy_c", g),
-                    ("gz_c", g),
-                    ("kx", k),
-                    ("ky", k),
-                    ("kz", k),
-                ];
-                stimulus.push(inputs(subject, &set));
-            }
-        }
-    }
-    flushed(subject, stimulus)
+    ];
+    let all = every([&[0, 1, 2, 3, 4], &[0, 1, (1 << 24) - 1], &[0, 1, 2, 15]]);
+    let one = |[pair, root, number]: [i64; 3]| {
+        let (g, k) = words[pair as usize];
+        let set = [
+            ("valid", 1),
+            ("start", 1),
+            ("number", number),
+            ("root", root),
+            ("gx_c", g),
+            ("gy_c", g),
+            ("gz_c", g),
+            ("kx", k),
+            ("ky", k),
+            ("kz", k),
+        ];
+        inputs(subject, &set)
+    };
+    flushed(subject, all.map(one).collect())
 }
 
 fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
@@ -218,22 +222,17 @@ fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
         far + 1,
         (1 << 25) - 1,
     ];
-    let mut stimulus = Vec::new();
-    for class in 0..4 {
-        for (place, &near) in depths.iter().enumerate() {
-            for &far in &depths[place..] {
-                for inside in 0..2 {
-                    let set = [
-                        ("near_sum", near),
-                        ("far_sum", far),
-                        ("is_inside", inside),
-                        ("in_box", 1),
-                        ("object_class", class),
-                    ];
-                    stimulus.push(inputs(subject, &set));
-                }
-            }
-        }
-    }
-    flushed(subject, stimulus)
+    let all = every([&[0, 1, 2, 3], &depths, &depths, &[0, 1]]);
+    let ordered = all.filter(|[_, near, far, _]| near <= far);
+    let one = |[class, near, far, inside]: [i64; 4]| {
+        let set = [
+            ("near_sum", near),
+            ("far_sum", far),
+            ("is_inside", inside),
+            ("in_box", 1),
+            ("object_class", class),
+        ];
+        inputs(subject, &set)
+    };
+    flushed(subject, ordered.map(one).collect())
 }
