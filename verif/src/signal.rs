@@ -1,5 +1,6 @@
 //! Named signals and their values, the common language of engines, scoreboard and traces.
 
+use imogene_hdl::PortRecord;
 use serde::Serialize;
 
 /// A port or an internal point of a design.
@@ -29,6 +30,15 @@ impl Signal {
             name: name.into(),
             width,
             signed: false,
+        }
+    }
+
+    /// A port of a circuit.
+    pub fn of(port: &PortRecord) -> Signal {
+        Signal {
+            name: port.name.clone(),
+            width: port.width,
+            signed: port.signed,
         }
     }
 

@@ -24,10 +24,9 @@ pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
         .boxed()
 }
 
-/// Independent words on every port.
-pub fn words(ports: &[Signal], clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let one: Vec<_> = ports.iter().map(word).collect();
-    proptest::collection::vec(one, clocks).boxed()
+/// Independent values, one for each port, anew on every clock.
+pub fn each(ports: Vec<BoxedStrategy<i64>>, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    proptest::collection::vec(ports, clocks).boxed()
 }
 
 /// Raster flags `valid`, `start`, `line`: gaps, lines of any length down to one pixel, restarts in the middle. The

@@ -28,7 +28,7 @@ impl<F: FnMut(&[i64]) -> Vec<Option<i64>> + Send> Clocked for F {
 pub type Maker = Box<dyn Fn() -> Box<dyn Clocked> + Sync>;
 
 /// Random stimulus of about so many clocks, biased to the edges.
-pub type Stimulus = fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>>;
+pub type Stimulus = Box<dyn Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync>;
 
 /// A unit with both descriptions and a stimulus that reaches its edges.
 pub struct Subject {
@@ -69,7 +69,12 @@ impl Subject {
     ///
     /// `record` also keeps the waveforms.
     pub fn run(&self, stimulus: &[Inputs], record: bool) -> (Report, Option<Trace>) {
-        let mut trace = record.then(|| Trace::new(vec![self.group()]));
+        let group = || Group {
+            name: self.name.clone(),
+            stimulus: self.inputs.clone(),
+            compared: self.outputs.clone(),
+        };
+        let mut trace = record.then(|| Trace::new(vec![group()]));
         let mut cycle = 0;
         let report = self.run_each(stimulus.iter().cloned(), |sample| {
             if let Some(trace) = &mut trace {
@@ -106,14 +111,6 @@ impl Subject {
         }
         report.timed(started.elapsed().as_secs_f64());
         report
-    }
-
-    fn group(&self) -> Group {
-        Group {
-            name: self.name.clone(),
-            stimulus: self.inputs.clone(),
-            compared: self.outputs.clone(),
-        }
     }
 
     fn score(&self, sample: &Sample, report: &mut Report) {

@@ -1,5 +1,6 @@
 //! A circuit in its own simulator, stepped by hand with plain numbers.
 
+use super::design::Instance;
 use crate::signal::Signal;
 use crate::subject::Clocked;
 use imogene_hdl::{Design, Direction, Port, Simulator};
@@ -17,16 +18,11 @@ impl<const LANES: usize> Circuit<LANES> {
         let simulator = Simulator::in_lanes(design);
         let inputs = design.top.ports_of(Direction::In);
         let inputs = inputs.map(|port| simulator.port(&port.name)).collect();
-        let output = design.top.ports_of(Direction::Out).map(|port| {
-            let signal = match port.signed {
-                true => Signal::signed(&port.name, port.width),
-                false => Signal::unsigned(&port.name, port.width),
-            };
-            (signal, simulator.port(&port.name))
-        });
+        let outputs = design.top.ports_of(Direction::Out);
+        let outputs = outputs.map(|port| (Signal::of(port), simulator.port(&port.name)));
         Circuit {
             inputs,
-            outputs: output.collect(),
+            outputs: outputs.collect(),
             simulator,
         }
     }
@@ -88,11 +84,21 @@ impl Circuit {
     ///
     /// If there is none.
     pub fn value(&mut self, name: &str) -> i64 {
-        let found = self
-            .outputs
-            .iter()
-            .position(|(signal, _)| signal.name == name);
+        let mut outputs = self.outputs.iter();
+        let found = outputs.position(|(signal, _)| signal.name == name);
         self.output(found.unwrap_or_else(|| panic!("no output `{name}`")))
+    }
+}
+
+impl Instance for Circuit {
+    fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
+        for (port, word) in self.inputs.iter().zip(inputs) {
+            self.simulator.set_lane(0, *port, *word);
+        }
+        self.step();
+        for (place, (_, port)) in outputs.iter_mut().zip(&self.outputs) {
+            *place = Some(self.simulator.get_lane(0, *port));
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The visibility node and the deciders.
 
-use super::description::{Description, Late, stated};
+use super::description::{Description, late, stated};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::decider::{Visible, decide, latency};
@@ -11,13 +11,14 @@ use proptest::prelude::*;
 /// Ports of one input or output.
 const FIELDS: usize = 6;
 
-fn visible_of(i: &[i64]) -> Visible {
-    Visible {
+fn visible(i: &[i64]) -> Vec<Visible> {
+    let one = |i: &[i64]| Visible {
         depth: i[0],
         id: i[1] as u8,
         number: i[2] as u8,
         normal: [3, 4, 5].map(|k| i[k] as i16),
-    }
+    };
+    i.chunks(FIELDS).map(one).collect()
 }
 
 pub(super) fn flat(v: Visible) -> [i64; FIELDS] {
@@ -53,23 +54,15 @@ fn objects(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 
 pub(super) fn visibility_node() -> Description {
     Description::new(objects, || {
-        |i: &[i64]| {
-            stated(Some(flat(decide(&[
-                visible_of(i),
-                visible_of(&i[FIELDS..]),
-            ]))))
-        }
+        |i: &[i64]| stated(Some(flat(decide(&visible(i)))))
     })
 }
 
 pub(super) fn decider(inputs: usize) -> Description {
     Description::new(objects, move || {
         // With one input the decider is a wire: the result belongs to the same clock.
-        let mut late = Late::new(latency(inputs).max(1) as usize);
-        move |i: &[i64]| {
-            let list: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
-            stated(late.push(decide(&list)).map(flat))
-        }
+        let mut late = late(latency(inputs).max(1) as usize);
+        move |i: &[i64]| stated(late.push(decide(&visible(i))).map(flat))
     })
 }
 
@@ -77,22 +70,19 @@ pub(super) fn decider(inputs: usize) -> Description {
 fn skewed(starts: Vec<usize>, latency: u32) -> Description {
     Description::new(objects, move || {
         let mut pixels = Skewed::new(starts.clone());
-        let mut late = Late::new(latency as usize - pixels.span());
+        let mut late = late(latency as usize - pixels.span());
         move |i: &[i64]| {
-            let row: Vec<Visible> = i.chunks(FIELDS).map(visible_of).collect();
-            let winner = pixels.push(row).map(|pixel| decide(&pixel));
+            let winner = pixels.push(visible(i)).map(|pixel| decide(&pixel));
             stated(late.push(winner).flatten().map(flat))
         }
     })
 }
 
 pub(super) fn visibility_chain(inputs: usize) -> Description {
-    let latency = chain::latency(inputs);
-    skewed(chain::starts(inputs), latency)
+    skewed(chain::starts(inputs), chain::latency(inputs))
 }
 
 pub(super) fn card_decider(processors: usize, count: usize) -> Description {
-    let latency = cards::latency(processors, count);
     let starts = cards::starts(processors, count);
-    skewed(starts, latency)
+    skewed(starts, cards::latency(processors, count))
 }

@@ -1,12 +1,12 @@
 //! The units of the depth interval: opening it, cutting it, merging its halves.
 
-use super::description::{Description, Late, any_raster, bit, last_pixel};
-use super::zone::{Reader, plane_kind};
+use super::description::{Description, any_raster, bit, last_pixel, late};
+use super::zone::{Reader, class, plane_kind};
 use crate::stimulus::{depth, interval};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::cut;
-use imogene_golden::unit::depth_interval::{Class, Interval, halves};
+use imogene_golden::unit::depth_interval::{Interval, halves};
 use imogene_golden::unit::merge::merge;
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
@@ -25,16 +25,12 @@ fn interval_of(i: &[i64]) -> Interval {
     }
 }
 
-const CLASSES: [Class; 4] = [Class::Side, Class::Front, Class::Patch, Class::Prism];
-
 pub(super) fn depth_interval(format: Format) -> Description {
     Description::new(sums, move || {
         move |i: &[i64]| {
-            let absent = (Interval::absent(&format), Interval::absent(&format));
-            let (a, b) = if bit(i[3]) {
-                halves(CLASSES[i[4] as usize], i[0], i[1], !bit(i[2]), &format)
-            } else {
-                absent
+            let (a, b) = match bit(i[3]) {
+                true => halves(class(i[4]), i[0], i[1], !bit(i[2]), &format),
+                false => [(); 2].map(|()| Interval::absent(&format)).into(),
             };
             [flat(&a), flat(&b)].concat()
         }
@@ -78,7 +74,7 @@ pub(super) fn plane_depth(format: Format) -> Description {
         let start = move |i: &[i64]| Pe1::object_start(&Reader::of(&i[3..]).linear(), format.plane);
         let depth = move |pe: &mut Pe1| saturate(pe.pixel() as i64, &format);
         let mut last = last_pixel(start, Pe1::line_step, depth);
-        let mut late = Late::new(2);
+        let mut late = late(2);
         move |i: &[i64]| vec![late.push(last(i)).flatten()]
     })
 }
@@ -113,17 +109,14 @@ fn cuts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
 }
 
 pub(super) fn two_volume_merge() -> Description {
-    Description::new(
-        |subject, clocks| {
-            let width = subject.inputs[0].width;
-            let half = move || (interval(width), 0i64..16, 0i64..16);
-            let one = (half(), half()).prop_map(|(a, b)| {
-                let ((azf, azb), anf, anb) = a;
-                let ((bzf, bzb), bnf, bnb) = b;
-                vec![azf, anf, azb, anb, bzf, bnf, bzb, bnb]
-            });
-            proptest::collection::vec(one, clocks).boxed()
-        },
-        || |i: &[i64]| flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec(),
-    )
+    Description::new(two_halves, || {
+        |i: &[i64]| flat(&merge(interval_of(i), interval_of(&i[4..]))).to_vec()
+    })
+}
+
+fn two_halves(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    let half = (interval(subject.inputs[0].width), 0i64..16, 0i64..16);
+    let half = half.prop_map(|((zf, zb), nf, nb)| [zf, nf, zb, nb]);
+    let one = [half.clone(), half].prop_map(|halves| halves.concat());
+    proptest::collection::vec(one, clocks).boxed()
 }

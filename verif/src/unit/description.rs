@@ -3,25 +3,14 @@
 use crate::signal::{Delay, Signal};
 use crate::subject::{Inputs, Maker, Stimulus, Subject};
 use imogene_contract::Request;
-use imogene_hdl::{Direction, Module, PortRecord};
+use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
-
-pub(super) fn signals(top: &Module, direction: Direction) -> Vec<Signal> {
-    let ports = top.ports_of(direction);
-    let signal = |port: &PortRecord| Signal {
-        name: port.name.clone(),
-        width: port.width,
-        signed: port.signed,
-    };
-    ports.map(signal).collect()
-}
+use proptest::strategy::BoxedStrategy;
 
 /// The inputs of a unit.
 pub(super) fn inputs(request: &Request) -> Vec<Signal> {
-    signals(
-        &design(request).expect("a legal request").top,
-        Direction::In,
-    )
+    let design = design(request).expect("a legal request");
+    design.top.ports_of(Direction::In).map(Signal::of).collect()
 }
 
 /// Golden model and stimulus of a unit; ports and hardware are those of its circuit.
@@ -34,12 +23,12 @@ pub(super) struct Description {
 impl Description {
     /// A golden model that `start` makes afresh, as a function of the inputs of a clock.
     pub(super) fn new<G: FnMut(&[i64]) -> Vec<Option<i64>> + Send + 'static>(
-        stimulus: Stimulus,
+        stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
         start: impl Fn() -> G + Sync + 'static,
     ) -> Description {
         Description {
             golden: Box::new(move || Box::new(start())),
-            stimulus,
+            stimulus: Box::new(stimulus),
         }
     }
 }
@@ -54,46 +43,34 @@ pub(super) fn stated<const N: usize>(result: Option<[i64; N]>) -> Vec<Option<i64
     result.map_or(vec![None; N], |values| values.map(Some).to_vec())
 }
 
+/// Whether there is a result, and the result; nothing of either before the first clock whose result is known.
+pub(super) fn behind_valid<const N: usize>(found: Option<Option<[i64; N]>>) -> Vec<Option<i64>> {
+    let is_there = found.map(|result| i64::from(result.is_some()));
+    [vec![is_there], stated(found.flatten())].concat()
+}
+
 /// What a golden model with a fixed latency states: results come out `latency` edges after their inputs went in.
-pub(super) struct Late<T>(Delay<T>);
-
-impl<T> Late<T> {
-    pub(super) fn new(latency: usize) -> Late<T> {
-        Late(Delay::new(latency - 1))
-    }
-
-    pub(super) fn push(&mut self, result: T) -> Option<T> {
-        self.0.push(result)
-    }
+pub(super) fn late<T>(latency: usize) -> Delay<T> {
+    Delay::new(latency - 1)
 }
 
-/// A golden processor that the flags on the first three ports drive over a zone.
-pub(super) struct Scanned<P>(Option<P>);
-
-impl<P> Default for Scanned<P> {
-    fn default() -> Scanned<P> {
-        Scanned(None)
+/// A golden processor that the flags on the first three ports drive over a zone, on a clock with a pixel; none before
+/// the first zone has begun.
+pub(super) fn scan<'a, P>(
+    zone: &'a mut Option<P>,
+    flags: &[i64],
+    start: impl FnOnce() -> P,
+    line_step: impl FnOnce(&mut P),
+) -> Option<&'a mut P> {
+    if !bit(flags[0]) {
+        return None;
     }
-}
-
-impl<P> Scanned<P> {
-    /// The processor on a clock with a pixel, once a zone has begun.
-    pub(super) fn at(
-        &mut self,
-        flags: &[i64],
-        start: impl FnOnce() -> P,
-        line_step: impl FnOnce(&mut P),
-    ) -> Option<&mut P> {
-        if !bit(flags[0]) {
-            return None;
-        }
-        if bit(flags[1]) {
-            self.0 = Some(start());
-        } else if bit(flags[2]) {
-            self.0.as_mut().map(line_step);
-        }
-        self.0.as_mut()
+    if bit(flags[1]) {
+        *zone = Some(start());
+    } else if bit(flags[2]) {
+        zone.as_mut().map(line_step);
     }
+    zone.as_mut()
 }
 
 /// The value of the last pixel of a processor that the flags drive.
@@ -102,19 +79,16 @@ pub(super) fn last_pixel<P>(
     line_step: fn(&mut P),
     pixel: impl Fn(&mut P) -> i64,
 ) -> impl FnMut(&[i64]) -> Option<i64> {
-    let (mut zone, mut value) = (Scanned::default(), None);
+    let (mut zone, mut value) = (None, None);
     move |i| {
         if bit(i[0]) {
-            value = zone.at(i, || start(i), line_step).map(&pixel);
+            value = scan(&mut zone, i, || start(i), line_step).map(&pixel);
         }
         value
     }
 }
 
 /// A stimulus of raster flags on the first three ports and words on the others.
-pub(super) fn any_raster(
-    subject: &Subject,
-    clocks: usize,
-) -> proptest::strategy::BoxedStrategy<Vec<Inputs>> {
+pub(super) fn any_raster(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     crate::stimulus::raster(&subject.inputs, clocks)
 }

@@ -1,6 +1,6 @@
 //! The flags of the light sources.
 
-use super::description::{Description, Late, bit};
+use super::description::{Description, bit, late};
 use crate::stimulus::word;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::shadow::{ShadowWords, flags, latency};
@@ -12,11 +12,7 @@ const FIELDS: usize = 4;
 
 fn words_of(i: &[i64]) -> ShadowWords {
     ShadowWords {
-        kind: if bit(i[1]) {
-            VolumeKind::Light
-        } else {
-            VolumeKind::Shadow
-        },
+        kind: [VolumeKind::Shadow, VolumeKind::Light][i[1] as usize],
         source: i[2] as u8,
         enabled: bit(i[3]),
     }
@@ -24,7 +20,7 @@ fn words_of(i: &[i64]) -> ShadowWords {
 
 pub(super) fn shadow_stage(volumes: usize) -> Description {
     Description::new(answers, move || {
-        let mut late = Late::new(latency(volumes) as usize);
+        let mut late = late(latency(volumes) as usize);
         move |i: &[i64]| {
             let list = i[1..].chunks(FIELDS);
             let (words, inside): (Vec<_>, Vec<_>) = list.map(|i| (words_of(i), bit(i[0]))).unzip();

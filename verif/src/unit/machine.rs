@@ -1,12 +1,13 @@
 //! The coefficient store and the beam machine, fed over the load bus.
 
 use super::decision::flat;
-use super::description::{Description, Late, bit, inputs, stated};
+use super::description::{Description, behind_valid, bit, inputs, late};
 use super::object::plausible;
 use super::zone::{Reader, WORDS};
 use crate::signal::Signal;
-use crate::stimulus::word;
+use crate::stimulus::{each, word};
 use crate::subject::{Inputs, Subject};
+use imogene_contract::object::{BOX_COLUMNS, PLANES, words};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider::{Visible, decide, latency as tree_latency};
@@ -14,12 +15,8 @@ use imogene_golden::machine::raster::RasterControl;
 use imogene_golden::object::quadric::{QuadricProcessor, latency};
 use proptest::prelude::*;
 
-/// Words before those of the planes (`docs/architecture.md`, section 7).
-const OBJECT_WORDS: usize = 24;
-/// Words of a plane.
-const PLANE_WORDS: usize = 7;
-/// Where the words of the box and the control word begin.
-const BOX: usize = 21;
+/// Where the words of the box and the control word begin (`docs/architecture.md`, section 7).
+const BOX: usize = BOX_COLUMNS as usize;
 /// First column of a store that was never loaded, which makes its box empty.
 const NEVER_LOADED: u64 = 4095;
 
@@ -28,7 +25,7 @@ fn places(planes: usize) -> Vec<(usize, u32)> {
     let mut list: Vec<(usize, u32)> = (0..BOX).map(|address| (address, 0)).collect();
     list.extend([(BOX, 0), (BOX, 12), (BOX + 1, 0), (BOX + 1, 12)]);
     list.extend([(BOX + 2, 2), (BOX + 2, 0)]);
-    list.extend((OBJECT_WORDS..OBJECT_WORDS + PLANE_WORDS * planes).map(|address| (address, 0)));
+    list.extend((PLANES as usize..words(planes)).map(|address| (address, 0)));
     list
 }
 
@@ -47,7 +44,7 @@ struct Slot(Vec<u64>);
 
 impl Slot {
     fn new(planes: usize) -> Slot {
-        let mut words = vec![0; OBJECT_WORDS + PLANE_WORDS * planes];
+        let mut words = vec![0; words(planes)];
         words[BOX] = NEVER_LOADED;
         Slot(words)
     }
@@ -70,7 +67,7 @@ impl Slot {
 
 /// The words on the load bus that give the coefficient ports these values.
 fn bus_words(ports: &[Signal], planes: usize, values: &[i64]) -> Vec<u64> {
-    let mut words = vec![0; OBJECT_WORDS + PLANE_WORDS * planes];
+    let mut words = vec![0; words(planes)];
     for ((signal, &value), (address, low)) in ports.iter().zip(values).zip(places(planes)) {
         words[address] |= signal.bits(value) << low;
     }
@@ -95,13 +92,9 @@ pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
 /// Writes to every address and just beyond, now and then none.
 fn writes(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let addresses = subject.outputs.len() as i64;
-    let one = (
-        prop_oneof![4 => Just(1i64), 1 => Just(0)],
-        prop_oneof![9 => 0..addresses, 1 => 0i64..256],
-        word(&subject.inputs[2]),
-    )
-        .prop_map(|(write, address, data)| vec![write, address, data]);
-    proptest::collection::vec(one, clocks).boxed()
+    let write = prop_oneof![4 => Just(1i64), 1 => Just(0)].boxed();
+    let address = prop_oneof![9 => 0..addresses, 1 => 0i64..256].boxed();
+    each(vec![write, address, word(&subject.inputs[2])], clocks)
 }
 
 pub(super) fn beam(
@@ -110,16 +103,14 @@ pub(super) fn beam(
     planes: usize,
     rows_per_stage: usize,
 ) -> Description {
+    let pictures = move |subject: &_, clocks| pictures(subject, clocks, planes, objects);
     Description::new(pictures, move || {
         let mut machine = Machine::new(format, objects, planes);
         let clocks = 1 + latency(&format, planes, rows_per_stage as u32) + tree_latency(objects);
-        let mut late = Late::new(clocks as usize);
+        let mut late = late(clocks as usize);
         move |i: &[i64]| {
             // Before the first pixel can come out, valid is low as ever without one.
-            match late.push(machine.clock(i)).flatten() {
-                Some(v) => [vec![Some(1)], stated(Some(flat(v)))].concat(),
-                None => [vec![Some(0)], vec![None; 6]].concat(),
-            }
+            behind_valid(Some(late.push(machine.clock(i)).flatten().map(flat)))
         }
     })
 }
@@ -178,19 +169,13 @@ impl Machine {
     }
 }
 
-/// The shape of a machine that emitted ports do not show.
-const OPTIONS: [&str; 2] = ["--planes ", "--objects "];
-
-fn option(subject: &Subject, name: &str) -> usize {
-    let rest = subject.options.split(name).nth(1);
-    rest.and_then(|text| text.split(' ').next())
-        .and_then(|number| number.parse().ok())
-        .expect("the options of a beam machine name planes and objects")
-}
-
 /// Every slot loaded with a plausible object, the last one sometimes left alone; then one zone in `clocks` clocks.
-fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let [planes, objects] = OPTIONS.map(|name| option(subject, name));
+fn pictures(
+    subject: &Subject,
+    clocks: usize,
+    planes: usize,
+    objects: usize,
+) -> BoxedStrategy<Vec<Inputs>> {
     let data = subject.inputs[6].clone();
     let ports = coefficients(subject.outputs[1].width, planes);
     let words = proptest::collection::vec(plausible(&ports), objects);

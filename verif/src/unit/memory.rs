@@ -95,15 +95,7 @@ impl Clocked {
     fn polynomial(&self) -> Quadratic {
         let [a2, b2, c, e_less_b, d_less_a, f] = self.words;
         let (a, b) = (a2 / 2, b2 / 2);
-        let moved = Quadratic {
-            a,
-            b,
-            c,
-            d: d_less_a + a,
-            e: e_less_b + b,
-            f,
-        };
-        moved.from_zone(1, 1)
+        Quadratic::new([a, b, c, d_less_a + a, e_less_b + b, f]).from_zone(1, 1)
     }
 }
 
@@ -118,16 +110,10 @@ fn command(at: usize) -> Inputs {
 /// longer.
 fn pictures(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
-    let shape = (
-        any::<bool>(),
-        any::<bool>(),
-        1usize..9,
-        1usize..4,
-        0usize..3,
-    );
+    let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
     (words, shape)
         .prop_map(
-            move |(words, (interlaced, odd_first, width, height, pause))| {
+            move |(words, ([interlaced, odd_first], width, height, pause))| {
                 let mut list = load(&words);
                 while list.len() < clocks {
                     if interlaced {

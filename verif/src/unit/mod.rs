@@ -26,8 +26,9 @@ mod zone;
 
 use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
+use crate::signal::Signal;
 use crate::subject::Subject;
-use description::{Description, signals};
+use description::Description;
 use imogene_contract::{Request, RequestError, Unit};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
@@ -53,8 +54,8 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     Ok(Subject {
         name: request.unit.name().to_owned(),
         engine: BUILT_IN,
-        inputs: signals(&top, Direction::In),
-        outputs: signals(&top, Direction::Out),
+        inputs: top.ports_of(Direction::In).map(Signal::of).collect(),
+        outputs: top.ports_of(Direction::Out).map(Signal::of).collect(),
         hardware: Box::new(move || {
             let design = design(&request).expect("a checked request");
             Box::new(Circuit::new(&design))
@@ -70,62 +71,41 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
 fn describe(p: &Request) -> Description {
     let format = Format::new(p.depth_word).expect("a checked request");
     let n = |count: u32| count as usize;
+    let [planes, rows, objects] = [p.planes, p.rows_per_stage, p.objects].map(n);
+    let network = |method| root_family::network(format, method, rows);
+    let (kept, corrections) = (p.digits, p.corrections);
     match p.unit {
         Unit::Pe1 => elementary::pe1(format.sum),
         Unit::Pe2 => elementary::pe2(format.quadratic),
-        Unit::SquareRoot => root::square_root(format, n(p.rows_per_stage)),
-        Unit::SquareRootNonRestoring => {
-            root_family::network(format, Method::NonRestoring, n(p.rows_per_stage))
-        }
+        Unit::SquareRoot => network(Method::Restoring),
+        Unit::SquareRootNonRestoring => network(Method::NonRestoring),
         Unit::SquareRootIterative => root_family::iterative(format),
-        Unit::SquareRootRows => {
-            root_family::network(format, Method::Rows { kept: p.digits }, n(p.rows_per_stage))
-        }
-        Unit::SquareRootLeading => root_family::network(
-            format,
-            Method::Leading { kept: p.digits },
-            n(p.rows_per_stage),
-        ),
-        Unit::SquareRootLinear => root_family::network(
-            format,
-            Method::Linear {
-                corrections: p.corrections,
-            },
-            1,
-        ),
-        Unit::SquareRootQuadratic => root_family::network(
-            format,
-            Method::Quadratic {
-                corrections: p.corrections,
-            },
-            1,
-        ),
-        Unit::QuadricPe => root::quadric_pe(format, n(p.rows_per_stage)),
+        Unit::SquareRootRows => network(Method::Rows { kept }),
+        Unit::SquareRootLeading => network(Method::Leading { kept }),
+        Unit::SquareRootLinear => network(Method::Linear { corrections }),
+        Unit::SquareRootQuadratic => network(Method::Quadratic { corrections }),
+        Unit::QuadricPe => root::quadric_pe(format, rows),
         Unit::DepthInterval => depth::depth_interval(format),
         Unit::PlaneDepth => depth::plane_depth(format),
         Unit::CutPlane => depth::cut_plane(format),
         Unit::TwoVolumeMerge => depth::two_volume_merge(),
-        Unit::NormalUnit => normal::normal_unit(n(p.planes)),
-        Unit::QuadricProcessor => {
-            object::quadric_processor(format, n(p.planes), n(p.rows_per_stage))
-        }
+        Unit::NormalUnit => normal::normal_unit(planes),
+        Unit::QuadricProcessor => object::quadric_processor(format, planes, rows),
         Unit::ProgrammablePe => programmable::programmable_pe(format),
         Unit::MemoryPe2 => memory::memory_pe2(format),
         Unit::PatchDecider => patch::patch_decider(format),
-        Unit::PatchProcessor => object::patch_processor(format, n(p.planes), n(p.rows_per_stage)),
-        Unit::FirstGenerationProcessor => {
-            object::first_generation_processor(format, n(p.rows_per_stage))
-        }
-        Unit::PolyhedronProcessor => object::polyhedron_processor(format, n(p.planes)),
+        Unit::PatchProcessor => object::patch_processor(format, planes, rows),
+        Unit::FirstGenerationProcessor => object::first_generation_processor(format, rows),
+        Unit::PolyhedronProcessor => object::polyhedron_processor(format, planes),
         Unit::FacetProcessor => object::facet_processor(format, n(p.sides)),
         Unit::CurvedFacetProcessor => object::curved_facet_processor(format, n(p.sides)),
         Unit::SphereProcessor => object::sphere_processor(format),
         Unit::CylinderProcessor => object::cylinder_processor(format),
-        Unit::QuadricVolume => volume::quadric_volume(format, n(p.planes), n(p.rows_per_stage)),
-        Unit::PolyhedralVolume => volume::polyhedral_volume(format, n(p.planes)),
+        Unit::QuadricVolume => volume::quadric_volume(format, planes, rows),
+        Unit::PolyhedralVolume => volume::polyhedral_volume(format, planes),
         Unit::RasterControl => raster::raster_control(),
-        Unit::CoefficientStore => machine::coefficient_store(format, n(p.planes)),
-        Unit::Beam => machine::beam(format, n(p.objects), n(p.planes), n(p.rows_per_stage)),
+        Unit::CoefficientStore => machine::coefficient_store(format, planes),
+        Unit::Beam => machine::beam(format, objects, planes, rows),
         Unit::VideoTiming => video::video_timing(n(p.mode)),
         Unit::PixelFifo => video_stream::pixel_fifo(),
         Unit::FrameStore => video_stream::frame_store(),
@@ -134,14 +114,14 @@ fn describe(p: &Request) -> Description {
         Unit::Accumulator => video_filter::accumulator(),
         Unit::ShadingProcessor => shading::shading_processor(format, n(p.lights)),
         Unit::VisibilityNode => decision::visibility_node(),
-        Unit::VisibilityChain => decision::visibility_chain(n(p.objects)),
-        Unit::CardDecider => decision::card_decider(n(p.objects), n(p.cards)),
-        Unit::ShadowStage => lighting::shadow_stage(n(p.objects)),
+        Unit::VisibilityChain => decision::visibility_chain(objects),
+        Unit::CardDecider => decision::card_decider(objects, n(p.cards)),
+        Unit::ShadowStage => lighting::shadow_stage(objects),
         Unit::TransparencyStage => transparency::transparency_stage(),
         Unit::TransparencyPipeline => transparency::transparency_pipeline(n(p.layers)),
         Unit::CsgDecider => {
             solid::csg_decider(format, n(p.products), n(p.intersected), n(p.subtracted))
         }
-        Unit::Decider => decision::decider(n(p.objects)),
+        Unit::Decider => decision::decider(objects),
     }
 }

@@ -1,6 +1,6 @@
 //! The normal unit.
 
-use super::description::{Description, Late, Scanned, bit, stated};
+use super::description::{Description, bit, late, scan, stated};
 use super::zone::Reader;
 use crate::stimulus::{flags, word};
 use crate::subject::{Inputs, Subject};
@@ -21,32 +21,24 @@ mod port {
 
 pub(super) fn normal_unit(planes: usize) -> Description {
     Description::new(words_held, move || {
-        let mut g = Scanned::default();
-        let mut late = Late::new(3);
+        let mut g = None;
+        let mut late = late(3);
         move |i: &[i64]| stated(late.push(normal(&mut g, i, planes)).flatten())
     })
 }
 
 /// The normal of a clock with a pixel.
-fn normal(g: &mut Scanned<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]> {
+fn normal(g: &mut Option<[Pe1; 3]>, i: &[i64], planes: usize) -> Option<[i64; 3]> {
     let mut words = Reader::of(&i[port::WORDS..]).normal();
     words.shift = i[port::SHIFT] as u8;
     let start = || words.g.map(|g| Pe1::object_start(&g, 24));
-    let g = g.at(i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
+    let g = scan(g, i, start, |g| g.iter_mut().for_each(Pe1::line_step))?;
     let linear = g.each_mut().map(|pe| pe.pixel() as i64);
     let mut constants = Reader::of(&i[port::PLANES..]);
     let constants: Vec<[i16; 3]> = (0..planes).map(|_| constants.vector()).collect();
     let (number, present) = (i[port::NUMBER] as u8, !bit(i[port::ABSENT]));
-    let root = i[port::ROOT];
-    let found = select(
-        number,
-        present,
-        linear,
-        root,
-        &words,
-        &constants,
-        &Format::BASE,
-    );
+    let (root, format) = (i[port::ROOT], &Format::BASE);
+    let found = select(number, present, linear, root, &words, &constants, format);
     Some(found.map(i64::from))
 }
 

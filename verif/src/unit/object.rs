@@ -2,10 +2,10 @@
 //! branch.
 
 use super::description::Description;
-use super::zone::{Likely, Reader, Timing, WORDS, even_differences, held, planned, zone};
+use super::zone::{Likely, Reader, WORDS, even_differences, held, planned, zone};
 use crate::signal::Signal;
 use crate::stimulus::word;
-use crate::subject::{Inputs, Stimulus, Subject};
+use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::object::curved_facet::{self, CurvedFacetWords};
 use imogene_golden::object::cylinder::{self, CylinderWords};
@@ -14,34 +14,28 @@ use imogene_golden::object::first_generation::{self, ContourPlane, FirstGenerati
 use imogene_golden::object::polyhedron::{self, PolyhedronProcessor, PolyhedronWords};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::sphere::{self, SphereWords};
-use imogene_golden::object::words::Running;
 use imogene_golden::object::{patch, quadric};
 use imogene_golden::unit::depth_interval::Class;
 use proptest::prelude::*;
 
 /// Depths, face and normal behind `out_valid`, so many clocks after the flags, from the words that `words` reads.
 fn object(
-    stimulus: Stimulus,
+    stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
     format: Format,
     latency: u32,
     words: impl Fn(&mut Reader) -> ProcessorWords + Clone + Send + Sync + 'static,
 ) -> Description {
-    let start = move |i: &[i64]| Running::zone_start(&words(&mut Reader::new(i)), &format);
-    let pixel = |processor: &mut Running<ProcessorWords>, _: &[i64]| {
+    let words = move |i: &[i64]| words(&mut Reader::new(i));
+    zone(stimulus, format, [0, latency], words, |processor, _| {
         let p = processor.pixel();
         let [nx, ny, nz] = p.normal.map(i64::from);
-        vec![p.zf, p.zb, p.number.into(), nx, ny, nz]
-    };
-    let timing = Timing::of(latency);
-    zone(stimulus, timing, 6, start, Running::line_step, pixel)
+        [p.zf, p.zb, p.number.into(), nx, ny, nz]
+    })
 }
 
 pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [("side_", Likely::Line), ("depth_", Likely::Depth(10))];
-        planned(subject, clocks, &plan)
-    };
-    object(stimulus, format, facet::LATENCY, move |reader| {
+    let plan = planned(&[("side_", Likely::Line), ("depth_", Likely::Depth(10))]);
+    object(plan, format, facet::LATENCY, move |reader| {
         ProcessorWords::Facet(FacetWords {
             screen_box: reader.screen_box(),
             edges: (0..sides).map(|_| reader.linear()).collect(),
@@ -52,11 +46,8 @@ pub(super) fn facet_processor(format: Format, sides: usize) -> Description {
 }
 
 pub(super) fn curved_facet_processor(format: Format, sides: usize) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [("side_", Likely::Conic), ("depth_", Likely::Bulge)];
-        planned(subject, clocks, &plan)
-    };
-    object(stimulus, format, curved_facet::LATENCY, move |reader| {
+    let plan = planned(&[("side_", Likely::Conic), ("depth_", Likely::Bulge)]);
+    object(plan, format, curved_facet::LATENCY, move |reader| {
         ProcessorWords::CurvedFacet(CurvedFacetWords {
             screen_box: reader.screen_box(),
             sides: (0..sides).map(|_| reader.quadratic()).collect(),
@@ -67,15 +58,12 @@ pub(super) fn curved_facet_processor(format: Format, sides: usize) -> Descriptio
 }
 
 pub(super) fn sphere_processor(format: Format) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [
-            ("outline_", Likely::Conic),
-            ("front_", Likely::Bulge),
-            ("depth_sum", Likely::Depth(1)),
-        ];
-        planned(subject, clocks, &plan)
-    };
-    object(stimulus, format, sphere::LATENCY, |reader| {
+    let plan = planned(&[
+        ("outline_", Likely::Conic),
+        ("front_", Likely::Bulge),
+        ("depth_sum", Likely::Depth(1)),
+    ]);
+    object(plan, format, sphere::LATENCY, |reader| {
         ProcessorWords::Sphere(SphereWords {
             screen_box: reader.screen_box(),
             contour: reader.quadratic(),
@@ -88,17 +76,13 @@ pub(super) fn sphere_processor(format: Format) -> Description {
 }
 
 pub(super) fn cylinder_processor(format: Format) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [
-            ("side_", Likely::Line),
-            ("disc_", Likely::Conic),
-            ("body_", Likely::Bulge),
-            ("lid_n", Likely::Any),
-            ("lid_", Likely::Depth(10)),
-        ];
-        planned(subject, clocks, &plan)
-    };
-    object(stimulus, format, cylinder::LATENCY, |reader| {
+    let plan = planned(&[
+        ("side_", Likely::Line),
+        ("disc_", Likely::Conic),
+        ("body_", Likely::Bulge),
+        ("lid_", Likely::Depth(10)),
+    ]);
+    object(plan, format, cylinder::LATENCY, |reader| {
         ProcessorWords::Cylinder(CylinderWords {
             screen_box: reader.screen_box(),
             sides: [(); 4].map(|()| reader.linear()),
@@ -112,17 +96,14 @@ pub(super) fn cylinder_processor(format: Format) -> Description {
 }
 
 pub(super) fn patch_processor(format: Format, planes: usize, rows_per_stage: usize) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [
-            ("f1_", Likely::Depth(0)),
-            ("f2_", Likely::Conic),
-            ("plane_0_kind", Likely::Any),
-            ("plane_", Likely::Depth(0)),
-        ];
-        planned(subject, clocks, &plan)
-    };
+    let plan = planned(&[
+        ("f1_", Likely::Depth(0)),
+        ("f2_", Likely::Conic),
+        ("plane_0_kind", Likely::Any),
+        ("plane_", Likely::Depth(0)),
+    ]);
     let latency = patch::latency(&format, rows_per_stage as u32);
-    object(stimulus, format, latency, move |reader| {
+    object(plan, format, latency, move |reader| {
         let mut words = reader.quadric();
         words.class = Class::Patch;
         words.planes = reader.planes(planes, false);
@@ -131,73 +112,53 @@ pub(super) fn patch_processor(format: Format, planes: usize, rows_per_stage: usi
 }
 
 pub(super) fn first_generation_processor(format: Format, rows_per_stage: usize) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let plan = [
-            ("f1_", Likely::Depth(0)),
-            ("f2_", Likely::Conic),
-            ("depth_", Likely::Depth(0)),
-            ("conic_", Likely::Conic),
-            ("polar_", Likely::Line),
-        ];
-        planned(subject, clocks, &plan)
-    };
+    let plan = planned(&[
+        ("f1_", Likely::Depth(0)),
+        ("f2_", Likely::Conic),
+        ("depth_", Likely::Depth(0)),
+        ("conic_", Likely::Conic),
+        ("polar_", Likely::Line),
+    ]);
     let latency = first_generation::latency(&format, rows_per_stage as u32);
-    object(stimulus, format, latency, |reader| {
+    object(plan, format, latency, |reader| {
         let quadric = reader.quadric();
         let patch = super::description::bit(reader.word());
-        let depths = [(); 2].map(|()| reader.linear());
-        let conics = [(); 2].map(|()| reader.quadratic());
-        let polars = [(); 2].map(|()| reader.linear());
-        let normals = [(); 2].map(|()| reader.vector());
-        let plane = |side: usize| ContourPlane {
-            depth: depths[side],
-            conic: conics[side],
-            polar: polars[side],
-            normal: normals[side],
-        };
+        let mut planes = [ContourPlane::default(); 2];
+        planes.iter_mut().for_each(|p| p.depth = reader.linear());
+        planes.iter_mut().for_each(|p| p.conic = reader.quadratic());
+        planes.iter_mut().for_each(|p| p.polar = reader.linear());
+        planes.iter_mut().for_each(|p| p.normal = reader.vector());
+        let [front, back] = planes;
         ProcessorWords::FirstGeneration(FirstGenerationWords {
             patch,
             screen_box: quadric.screen_box,
             f1: quadric.f1,
             f2: quadric.f2,
             normal: quadric.normal,
-            front: plane(0),
-            back: plane(1),
+            front,
+            back,
         })
     })
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
-    let stimulus = |subject: &_, clocks| {
-        let normals: Vec<String> = (0..12).map(|i| format!("plane_{i}_n")).collect();
-        let normals = normals.iter().map(|prefix| (prefix.as_str(), Likely::Any));
-        let plan: Vec<_> = normals.chain([("plane_", Likely::Depth(0))]).collect();
-        planned(subject, clocks, &plan)
-    };
-    let start = move |i: &[i64]| {
+    let words = move |i: &[i64]| {
         let mut reader = Reader::new(i);
-        let words = PolyhedronWords {
+        PolyhedronWords {
             screen_box: reader.screen_box(),
             planes: reader.planes(planes, true),
-        };
-        PolyhedronProcessor::zone_start(&words, &format)
+        }
     };
     // Both faces go on, each with its normal.
     let pixel = |processor: &mut PolyhedronProcessor, _: &[i64]| {
         let p = processor.step(PolyhedronWords::faces_at);
-        let [front, back] = [p.front_normal, p.back_normal].map(|normal| normal.map(i64::from));
-        let depths = [p.interval.zf, p.interval.zb, p.interval.nf.into()];
-        [&depths[..], &front, &[p.interval.nb.into()], &back].concat()
+        let ([fx, fy, fz], [bx, by, bz]) = (p.front_normal, p.back_normal);
+        let [fx, fy, fz, bx, by, bz] = [fx, fy, fz, bx, by, bz].map(i64::from);
+        let (nf, nb) = (p.interval.nf.into(), p.interval.nb.into());
+        [p.interval.zf, p.interval.zb, nf, fx, fy, fz, nb, bx, by, bz]
     };
-    let timing = Timing::of(polyhedron::latency(planes));
-    zone(
-        stimulus,
-        timing,
-        10,
-        start,
-        PolyhedronProcessor::line_step,
-        pixel,
-    )
+    let plan = planned(&[("plane_", Likely::Depth(0))]);
+    zone(plan, format, [0, polyhedron::latency(planes)], words, pixel)
 }
 
 pub(super) fn quadric_processor(

@@ -1,8 +1,8 @@
-//! The square root network and the quadric elementary processor around it.
+//! The quadric elementary processor, around a square root network.
 
-use super::description::{Description, Late, Scanned, stated};
+use super::description::{Description, late, scan, stated};
 use super::zone::Reader;
-use crate::stimulus::{radicand, raster};
+use crate::stimulus::raster;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::{Format, wrap64};
 use imogene_golden::unit::pe1::Pe1;
@@ -10,39 +10,23 @@ use imogene_golden::unit::pe2::Pe2;
 use imogene_golden::unit::root::restoring_root;
 use proptest::strategy::{BoxedStrategy, Strategy};
 
-pub(super) fn square_root(format: Format, rows_per_stage: usize) -> Description {
-    Description::new(radicands, move || {
-        let mut late = Late::new((format.root as usize).div_ceil(rows_per_stage));
-        move |i: &[i64]| {
-            let found = restoring_root(unsigned(i[0].into(), format.quadratic), format.root);
-            stated(late.push([found.root as i64, found.remainder as i64]))
-        }
-    })
-}
-
 /// The low bits of a word as a number without sign.
 pub(super) fn unsigned(value: i128, width: u32) -> u128 {
     value as u128 & (u128::MAX >> (128 - width))
 }
 
-pub(super) fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let one = radicand(&subject.inputs[0]).prop_map(|value| vec![value]);
-    proptest::collection::vec(one, clocks).boxed()
-}
-
 pub(super) fn quadric_pe(format: Format, rows_per_stage: usize) -> Description {
     let root_latency = (format.root as usize).div_ceil(rows_per_stage);
     Description::new(coefficients_held, move || {
-        let mut zone = Scanned::default();
-        let mut late = Late::new(root_latency + 2);
-        let mut late_flags = Late::new(root_latency);
+        let mut zone = None;
+        let (mut late, mut late_flags) = (late(root_latency + 2), late(root_latency));
         move |i: &[i64]| {
             let flags = late_flags.push([i[0], i[1], i[2]]);
             let line_step = |(f1, f2): &mut (Pe1, Pe2)| {
                 f1.line_step();
                 f2.line_step();
             };
-            let pixel = zone.at(i, || start(i, &format), line_step);
+            let pixel = scan(&mut zone, i, || start(i, &format), line_step);
             let found = pixel.map(|(f1, f2)| depths(f1.pixel() as i64, f2.pixel(), &format));
             [stated(late.push(found).flatten()), stated(flags)].concat()
         }

@@ -1,8 +1,8 @@
-//! The other members of the family of square root networks.
+//! The family of square root networks.
 
-use super::description::{Description, Late, bit};
-use super::root::{radicands, unsigned};
-use crate::stimulus::radicand;
+use super::description::{Description, bit, late};
+use super::root::unsigned;
+use crate::stimulus::{each, radicand};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::root::iterative::IterativeRoot;
@@ -13,13 +13,10 @@ use proptest::prelude::*;
 pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> Description {
     let latency = method.latency(format.root, rows_per_stage as u32) as usize;
     Description::new(radicands, move || {
-        let mut late = Late::new(latency);
+        let mut late = late(latency);
         move |i: &[i64]| {
-            let found = late.push(root(
-                method,
-                unsigned(i[0].into(), format.quadratic),
-                format.root,
-            ));
+            let radicand = unsigned(i[0].into(), format.quadratic);
+            let found = late.push(root(method, radicand, format.root));
             let mut values = vec![found.map(|r| r.root as i64)];
             if method.is_exact() {
                 values.push(found.and_then(|r| r.remainder).map(|r| r as i64));
@@ -27,6 +24,10 @@ pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> 
             values
         }
     })
+}
+
+fn radicands(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+    each(vec![radicand(&subject.inputs[0])], clocks)
 }
 
 pub(super) fn iterative(format: Format) -> Description {
@@ -46,7 +47,6 @@ pub(super) fn iterative(format: Format) -> Description {
 
 /// Starts at any time, many of them during the work and some beside `done`.
 fn starts(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let start = prop_oneof![3 => Just(1i64), 1 => Just(0i64)];
-    let one = (start, radicand(&subject.inputs[1])).prop_map(|(start, value)| vec![start, value]);
-    proptest::collection::vec(one, clocks).boxed()
+    let start = prop_oneof![3 => Just(1i64), 1 => Just(0i64)].boxed();
+    each(vec![start, radicand(&subject.inputs[1])], clocks)
 }

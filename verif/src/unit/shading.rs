@@ -1,6 +1,6 @@
 //! The shading processor.
 
-use super::description::{Description, Late, bit};
+use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{LATENCY, Pixel, Shader, ShaderWords};
@@ -19,25 +19,18 @@ mod port {
 }
 
 pub(super) fn shading_processor(format: Format, lights: usize) -> Description {
-    Description::new(words_then_pixels, move || {
+    let stimulus = move |subject: &_, clocks| words_then_pixels(subject, clocks, lights);
+    Description::new(stimulus, move || {
         let mut words = ShaderWords::unloaded(format.depth, lights);
         let mut shader = Shader::new(&words);
-        let mut late = Late::new(LATENCY as usize);
+        let mut late = late(LATENCY as usize);
         move |i: &[i64]| {
             if bit(i[port::LOAD_VALID]) {
                 words.load(i[port::LOAD_ADDRESS] as u16, i[port::LOAD_DATA] as u32);
                 shader = shader.reloaded(&words);
             }
             let colour = bit(i[port::VALID]).then(|| shader.pixel(&pixel(i)));
-            match late.push(colour) {
-                None => vec![None; 4],
-                Some(None) => vec![Some(0), None, None, None],
-                Some(Some(colour)) => [1]
-                    .into_iter()
-                    .chain(colour)
-                    .map(|v| Some(v.into()))
-                    .collect(),
-            }
+            behind_valid(late.push(colour.map(|colour| colour.map(i64::from))))
         }
     })
 }
@@ -55,12 +48,12 @@ fn pixel(i: &[i64]) -> Pixel {
 }
 
 /// Words are held while pixels are inside, so they are loaded first; then pixels with gaps.
-fn words_then_pixels(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
+fn words_then_pixels(
+    subject: &Subject,
+    clocks: usize,
+    lights: usize,
+) -> BoxedStrategy<Vec<Inputs>> {
     let depth = subject.inputs[port::DEPTH].width;
-    let options = subject.options.rsplit(' ').next();
-    let lights: usize = options
-        .and_then(|n| n.parse().ok())
-        .expect("a number of lights");
     let gaps = proptest::collection::vec(0u8..4, clocks + LATENCY as usize);
     (any::<u64>(), gaps)
         .prop_map(move |(seed, gaps)| {

@@ -1,6 +1,6 @@
 //! The decider of solids.
 
-use super::description::{Description, Late, stated};
+use super::description::{Description, late, stated};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -39,7 +39,7 @@ pub(super) fn csg_decider(
         .concat();
         let mut pixels = Skewed::new(starts);
         let clocks = latency(products, intersected, subtracted) as usize;
-        let mut late = Late::new(clocks - pixels.span());
+        let mut late = late(clocks - pixels.span());
         move |i: &[i64]| {
             let row: Vec<Primitive> = i.chunks(FIELDS).map(primitive_of).collect();
             let shown = pixels.push(row).map(|objects| {

@@ -1,7 +1,7 @@
 //! The blends of transparent objects.
 
-use super::description::{Description, Late, stated};
-use crate::stimulus::{depth, word};
+use super::description::{Description, late, stated};
+use crate::stimulus::{depth, each, word};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::skew::Skewed;
 use imogene_golden::machine::transparency::{
@@ -38,7 +38,7 @@ fn flat(seen: Option<Seen>) -> Vec<Option<i64>> {
 
 pub(super) fn transparency_stage() -> Description {
     Description::new(blends, || {
-        let mut late = Late::new(STAGE_LATENCY as usize);
+        let mut late = late(STAGE_LATENCY as usize);
         move |i: &[i64]| flat(late.push(stage(seen_of(i), layer_of(&i[PIXEL..]))))
     })
 }
@@ -48,7 +48,7 @@ pub(super) fn transparency_pipeline(layers: usize) -> Description {
         // The pixel, and behind it the layers.
         let starts = [vec![0], starts(layers)].concat();
         let mut pixels = Skewed::new(starts);
-        let mut late = Late::new(latency(layers) as usize - pixels.span());
+        let mut late = late(latency(layers) as usize - pixels.span());
         move |i: &[i64]| {
             let (pixel, list) = i.split_at(PIXEL);
             let row = std::iter::once(pixel).chain(list.chunks(LAYER));
@@ -66,15 +66,11 @@ pub(super) fn transparency_pipeline(layers: usize) -> Description {
 fn blends(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let width = subject.inputs[0].width;
     let far = (1i64 << (width - 1)) - 1;
-    let one: Vec<BoxedStrategy<i64>> = subject
-        .inputs
-        .iter()
-        .enumerate()
-        .map(|(place, port)| match port.signed {
-            false => prop_oneof![1 => Just(0i64), 1 => Just(255), 6 => 0i64..256].boxed(),
-            _ if place == 0 => prop_oneof![depth(width), Just(2), Just(far)].boxed(),
-            _ => prop_oneof![2 => word(port), 2 => -3i64..4, 1 => Just(far)].boxed(),
-        })
-        .collect();
-    proptest::collection::vec(one, clocks).boxed()
+    let ports = subject.inputs.iter().enumerate();
+    let ports = ports.map(|(place, port)| match port.signed {
+        false => prop_oneof![1 => Just(0i64), 1 => Just(255), 6 => 0i64..256].boxed(),
+        _ if place == 0 => prop_oneof![depth(width), Just(2), Just(far)].boxed(),
+        _ => prop_oneof![2 => word(port), 2 => -3i64..4, 1 => Just(far)].boxed(),
+    });
+    each(ports.collect(), clocks)
 }

@@ -1,6 +1,7 @@
 //! The raster of a screen.
 
 use super::description::{Description, bit};
+use crate::stimulus::each;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::video::{LEAD, VideoMode};
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
@@ -32,5 +33,5 @@ fn shown(pixel: &Shown) -> Vec<i64> {
 /// Now and then a clock without `enable`.
 fn mostly_enabled(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let enable = prop_oneof![15 => Just(1i64), 1 => Just(0)];
-    proptest::collection::vec(enable.prop_map(|e| vec![e]), clocks).boxed()
+    each(vec![enable.boxed()], clocks)
 }

@@ -1,6 +1,6 @@
 //! What changes the pixels of a picture: filter, overlay, accumulator.
 
-use super::description::{Description, Late, bit};
+use super::description::{Description, bit, late};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::accumulator;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
@@ -183,7 +183,7 @@ const SUMS: usize = 1 << 12;
 pub(super) fn accumulator() -> Description {
     Description::new(passes, || {
         let mut sums = Accumulator::new(SUMS);
-        let mut late = Late::new(accumulator::LATENCY);
+        let mut late = late(accumulator::LATENCY);
         move |i: &[i64]| {
             let pixel = PassPixel {
                 address: i[2] as usize,

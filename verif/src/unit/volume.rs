@@ -1,7 +1,7 @@
 //! The shadow and light volumes.
 
 use super::description::Description;
-use super::zone::{Likely, Reader, Timing, WORDS, held, planes_any_kind, words, zone};
+use super::zone::{Likely, Reader, WORDS, held, planes_any_kind, words, zone};
 use crate::stimulus::depth;
 use crate::subject::{Inputs, Subject};
 use imogene_golden::format::Format;
@@ -43,21 +43,19 @@ fn words_of(i: &[i64], planes: usize, has_quadric: bool) -> VolumeWords {
 }
 
 /// Whether the visible point is inside.
-fn volume(format: Format, planes: usize, timing: Timing, has_quadric: bool) -> Description {
-    let start =
-        move |i: &[i64]| VolumeProcessor::zone_start(&words_of(i, planes, has_quadric), &format);
-    let pixel = |processor: &mut VolumeProcessor, i: &[i64]| vec![processor.pixel(i[DEPTH]).into()];
-    zone(points, timing, 1, start, VolumeProcessor::line_step, pixel)
+fn volume(format: Format, planes: usize, clocks: [u32; 2], has_quadric: bool) -> Description {
+    let words = move |i: &[i64]| words_of(i, planes, has_quadric);
+    let pixel = |processor: &mut VolumeProcessor, i: &[i64]| [processor.pixel(i[DEPTH]).into()];
+    zone(points, format, clocks, words, pixel)
 }
 
 pub(super) fn quadric_volume(format: Format, planes: usize, rows_per_stage: usize) -> Description {
-    let latency = quadric_latency(&format, rows_per_stage as u32) as usize;
-    let entry = latency - 3;
-    volume(format, planes, Timing { entry, latency }, true)
+    let latency = quadric_latency(&format, rows_per_stage as u32);
+    volume(format, planes, [latency - 3, latency], true)
 }
 
 pub(super) fn polyhedral_volume(format: Format, planes: usize) -> Description {
-    volume(format, planes, Timing::of(polyhedral_latency()), false)
+    volume(format, planes, [0, polyhedral_latency()], false)
 }
 
 /// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or

@@ -1,12 +1,14 @@
 //! What all object processors have in common: words held over a zone, a golden processor that runs over it, results a
 //! fixed time later.
 
-use super::description::{Description, Late, Scanned};
+use super::description::{Description, behind_valid, late, scan};
 use crate::signal::{Delay, Signal};
 use crate::stimulus::word;
-use crate::subject::{Inputs, Stimulus, Subject};
+use crate::subject::{Inputs, Subject};
+use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{PlaneWords, QuadricWords};
 use imogene_golden::object::screen_box::ScreenBox;
+use imogene_golden::object::words::Running;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
@@ -17,50 +19,27 @@ use proptest::prelude::*;
 /// Ports before the first word: the flags, then the column and the line.
 pub(super) const WORDS: usize = 5;
 
-/// Clocks of a processor.
-#[derive(Clone, Copy)]
-pub(super) struct Timing {
-    /// From the flags to the clock whose other moving inputs belong to the pixel.
-    pub entry: usize,
-    /// From the flags to the results.
-    pub latency: usize,
-}
-
-impl Timing {
-    /// A processor whose only moving inputs are the raster's.
-    pub fn of(latency: u32) -> Timing {
-        Timing {
-            entry: 0,
-            latency: latency as usize,
-        }
-    }
-}
-
-/// A processor with `outputs` outputs behind `out_valid`. `start` makes the golden one of a zone from the ports;
-/// `pixel` gives the outputs of its next pixel, from what the ports show when its depth comes in.
-pub(super) fn zone<P: Send + 'static>(
-    stimulus: Stimulus,
-    timing: Timing,
-    outputs: usize,
-    start: impl Fn(&[i64]) -> P + Clone + Send + Sync + 'static,
-    line_step: fn(&mut P),
-    pixel: fn(&mut P, &[i64]) -> Vec<i64>,
+/// A processor with `N` outputs behind `out_valid`, `latency` clocks after the flags. `words` reads those of a zone from
+/// the ports; `pixel` gives the outputs of its next pixel, from what the ports show `entry` clocks after the flags.
+pub(super) fn zone<W: Clone + Send + 'static, const N: usize>(
+    stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
+    format: Format,
+    [entry, latency]: [u32; 2],
+    words: impl Fn(&[i64]) -> W + Clone + Send + Sync + 'static,
+    pixel: fn(&mut Running<W>, &[i64]) -> [i64; N],
 ) -> Description {
     Description::new(stimulus, move || {
-        let start = start.clone();
-        let mut entered = Delay::new(timing.entry);
-        let mut late = Late::new(timing.latency - timing.entry);
-        let mut zone = Scanned::default();
+        let words = words.clone();
+        let mut entered = Delay::new(entry as usize);
+        let mut late = late((latency - entry) as usize);
+        let mut zone = None;
         move |i: &[i64]| {
             let Some(flags) = entered.push([i[0], i[1], i[2]]) else {
-                return vec![None; 1 + outputs];
+                return behind_valid::<N>(None);
             };
-            let seen = zone.at(&flags, || start(i), line_step);
-            match late.push(seen.map(|processor| pixel(processor, i))) {
-                Some(Some(values)) => [1].into_iter().chain(values).map(Some).collect(),
-                Some(None) => [vec![Some(0)], vec![None; outputs]].concat(),
-                None => vec![None; 1 + outputs],
-            }
+            let start = || Running::zone_start(&words(i), &format);
+            let seen = scan(&mut zone, &flags, start, Running::line_step);
+            behind_valid(late.push(seen.map(|processor| pixel(processor, i))))
         }
     })
 }
@@ -115,7 +94,7 @@ impl<'a> Reader<'a> {
     }
 
     pub fn class(&mut self) -> Class {
-        [Class::Side, Class::Front, Class::Patch, Class::Prism][self.word() as usize]
+        class(self.word())
     }
 
     /// Planes, with their normals or without.
@@ -163,6 +142,11 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// How an object lies, by its word.
+pub(super) fn class(word: i64) -> Class {
+    [Class::Side, Class::Front, Class::Patch, Class::Prism][word as usize]
+}
+
 /// How a plane lies, by its word.
 pub(super) fn plane_kind(word: i64) -> PlaneKind {
     use PlaneKind::{Back, Front, None, Perpendicular};
@@ -193,7 +177,8 @@ pub(super) fn held(words: BoxedStrategy<Inputs>, clocks: usize) -> BoxedStrategy
 /// What the words of a port are likely to be on a zone of a few pixels, so that signs change and depths meet on it.
 #[derive(Clone, Copy)]
 pub(super) enum Likely {
-    /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word.
+    /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word; any
+    /// normal beside it.
     Depth(u32),
     /// The same of second degree, in units of `2^-(W - 2)`.
     Bulge,
@@ -253,12 +238,12 @@ pub(super) fn even_differences(
 /// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn
 /// evenly.
 pub(super) fn planned(
-    subject: &Subject,
-    clocks: usize,
-    plan: &[(&str, Likely)],
-) -> BoxedStrategy<Vec<Inputs>> {
-    let words = words(&subject.inputs, subject.outputs[1].width, plan);
-    held(planes_any_kind(words, subject), clocks)
+    plan: &'static [(&str, Likely)],
+) -> impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static {
+    move |subject, clocks| {
+        let words = words(&subject.inputs, subject.outputs[1].width, plan);
+        held(planes_any_kind(words, subject), clocks)
+    }
 }
 
 /// The same words, the kinds of all planes drawn evenly.
@@ -294,6 +279,7 @@ fn one(port: &Signal, likely: Likely, depth_word: u32) -> BoxedStrategy<i64> {
         (_, Likely::UpTo(most)) => prop_oneof![3 => 0..=most.min(3), 1 => 0..=most].boxed(),
         (_, Likely::Depth(guard)) => match part {
             "a" | "b" => spread(300, guard),
+            "nx" | "ny" | "nz" => word(port),
             _ => near_an_end(6_000, far, guard),
         },
         (_, Likely::Bulge) => match part {

@@ -65,10 +65,10 @@ fn a_weak_stimulus_has_a_low_score() {
     let (mut subject, emitted) = unit("two_volume_merge");
     let text = &emitted.bundle();
     let strong = score(&subject, &emitted, text, 60);
-    subject.stimulus = |_, clocks| {
+    subject.stimulus = Box::new(|_, clocks| {
         use proptest::strategy::{Just, Strategy};
         Just(vec![vec![1, 2, 3, 4, 5, 6, 7, 8]; clocks]).boxed()
-    };
+    });
     let weak = score(&subject, &emitted, text, 60);
     assert_eq!(weak.equivalent, strong.equivalent);
     assert!(
