@@ -7,21 +7,10 @@
 
 pub mod table;
 
-use imogene_contract::{Request, RequestError};
+use crate::engine::design::DesignError;
+use imogene_contract::Request;
 use imogene_rtl::emit::{emit, raw};
 use imogene_tools::{ToolError, YOSYS_ABC, scratch, write, yosys};
-use thiserror::Error;
-
-/// Why nothing can be said.
-#[derive(Debug, Error)]
-pub enum EquivalenceError {
-    /// A program is missing or refuses a text.
-    #[error(transparent)]
-    Tool(#[from] ToolError),
-    /// A text cannot be made.
-    #[error("{0}")]
-    Emit(RequestError),
-}
 
 /// What was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,9 +37,9 @@ pub struct Text<'a> {
 /// # Errors
 ///
 /// When a parameter is out of its range, or a tool is missing or refuses a text.
-pub fn unit(request: &Request) -> Result<Verdict, EquivalenceError> {
-    let printed = raw(request).map_err(EquivalenceError::Emit)?;
-    let emitted = emit(request).map_err(EquivalenceError::Emit)?;
+pub fn unit(request: &Request) -> Result<Verdict, DesignError> {
+    let printed = raw(request)?;
+    let emitted = emit(request)?;
     let theirs = Text {
         top: "top",
         verilog: &printed,
@@ -59,7 +48,7 @@ pub fn unit(request: &Request) -> Result<Verdict, EquivalenceError> {
         top: &emitted.top,
         verilog: &emitted.bundle(),
     };
-    compare(theirs, ours)
+    Ok(compare(theirs, ours)?)
 }
 
 /// Compares two texts from their initial values on.
@@ -67,15 +56,14 @@ pub fn unit(request: &Request) -> Result<Verdict, EquivalenceError> {
 /// # Errors
 ///
 /// When a tool is missing or refuses a text.
-pub fn compare(one: Text, other: Text) -> Result<Verdict, EquivalenceError> {
-    let scratch = scratch().map_err(ToolError::from)?;
+pub fn compare(one: Text, other: Text) -> Result<Verdict, ToolError> {
+    let scratch = scratch()?;
     let folder = scratch.path();
     for (name, text) in [("one", one), ("other", other)] {
         // Memories begin with the zeros that simulators read; without them Yosys leaves each text its own.
-        let verilog = text
-            .verilog
-            .replace("`ifndef SYNTHESIS", "`ifndef LEFT_OUT");
-        write(&folder.join(format!("{name}.v")), &verilog).map_err(ToolError::from)?;
+        let kept = "`ifndef LEFT_OUT";
+        let verilog = text.verilog.replace("`ifndef SYNTHESIS", kept);
+        write(&folder.join(format!("{name}.v")), &verilog)?;
         let script = format!(
             "read_verilog {name}.v\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nmemory -nomap\nmemory_map\n\
              opt -full\nrename {top} {name}\nwrite_rtlil {name}.il\n",

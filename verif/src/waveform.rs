@@ -43,11 +43,9 @@ pub struct Trace {
     recent: VecDeque<(u64, Vec<Sample>)>,
 }
 
-/// Identifiers of one group's variables.
+/// One group's variables: in the order of [`Sample::values`], and whether the sides differ.
 struct Variables {
-    stimulus: Vec<IdCode>,
-    hardware: Vec<IdCode>,
-    golden: Vec<IdCode>,
+    values: Vec<(Signal, IdCode)>,
     mismatch: IdCode,
 }
 
@@ -129,14 +127,7 @@ impl Trace {
             writer.timestamp(number * PERIOD)?;
             writer.change_scalar(clock, Value::V1)?;
             for (index, sample) in samples.iter().enumerate() {
-                let group = &self.groups[index];
-                change(
-                    &mut writer,
-                    group,
-                    &variables[index],
-                    &before[index],
-                    sample,
-                )?;
+                change(&mut writer, &variables[index], &before[index], sample)?;
                 before[index] = Some(sample.clone());
             }
             writer.timestamp(number * PERIOD + PERIOD / 2)?;
@@ -215,6 +206,13 @@ fn characters(signal: &Signal) -> usize {
 }
 
 impl Sample {
+    /// All values: those of the stimulus, then of each signal the hardware's and the golden one.
+    fn values(&self) -> impl Iterator<Item = Option<i64>> {
+        let compared = self.hardware.iter().zip(&self.golden);
+        let compared = compared.flat_map(|(hardware, golden)| [*hardware, *golden]);
+        self.stimulus.iter().copied().map(Some).chain(compared)
+    }
+
     /// True if a stated golden value differs from the hardware's.
     pub fn differs(&self) -> bool {
         self.hardware
@@ -243,23 +241,22 @@ fn entry(scope: &str, signal: &Signal, shown: &str) -> String {
 fn declare(writer: &mut vcd::Writer<impl Write>, group: &Group) -> std::io::Result<Variables> {
     writer.add_module(&group.name)?;
     let mismatch = writer.add_wire(1, "mismatch")?;
-    let mut scope = |name: &str, signals: &[Signal]| -> std::io::Result<Vec<IdCode>> {
+    let mut scope = |name: &str, signals: &[Signal]| {
         writer.add_module(name)?;
-        let ids = signals
-            .iter()
-            .map(|s| writer.add_var(VarType::Wire, s.width, &s.name, range_of(s)))
-            .collect();
+        let mut variables = Vec::new();
+        for s in signals {
+            let id = writer.add_var(VarType::Wire, s.width, &s.name, range_of(s))?;
+            variables.push((s.clone(), id));
+        }
         writer.upscope()?;
-        ids
+        std::io::Result::Ok(variables)
     };
-    let variables = Variables {
-        stimulus: scope("stimulus", &group.stimulus)?,
-        hardware: scope("hardware", &group.compared)?,
-        golden: scope("golden", &group.compared)?,
-        mismatch,
-    };
+    let mut values = scope("stimulus", &group.stimulus)?;
+    let hardware = scope("hardware", &group.compared)?;
+    let golden = scope("golden", &group.compared)?;
+    values.extend(hardware.into_iter().zip(golden).flat_map(<[_; 2]>::from));
     writer.upscope()?;
-    Ok(variables)
+    Ok(Variables { values, mismatch })
 }
 
 fn range_of(signal: &Signal) -> Option<vcd::ReferenceIndex> {
@@ -269,25 +266,14 @@ fn range_of(signal: &Signal) -> Option<vcd::ReferenceIndex> {
 /// Writes the values that changed since the last clock.
 fn change(
     writer: &mut vcd::Writer<impl Write>,
-    group: &Group,
     variables: &Variables,
     before: &Option<Sample>,
     now: &Sample,
 ) -> std::io::Result<()> {
-    for (index, (signal, id)) in group.stimulus.iter().zip(&variables.stimulus).enumerate() {
-        let value = now.stimulus[index];
-        if before.as_ref().map(|b| b.stimulus[index]) != Some(value) {
-            write_value(writer, *id, signal, Some(value))?;
-        }
-    }
-    for (index, signal) in group.compared.iter().enumerate() {
-        let value = now.hardware[index];
-        if before.as_ref().map(|b| b.hardware[index]) != Some(value) {
-            write_value(writer, variables.hardware[index], signal, value)?;
-        }
-        let value = now.golden[index];
-        if before.as_ref().map(|b| b.golden[index]) != Some(value) {
-            write_value(writer, variables.golden[index], signal, value)?;
+    let mut before_values = before.iter().flat_map(Sample::values);
+    for ((signal, id), value) in variables.values.iter().zip(now.values()) {
+        if before_values.next() != Some(value) {
+            write_value(writer, *id, signal, value)?;
         }
     }
     let differs = now.differs();

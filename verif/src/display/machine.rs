@@ -2,13 +2,11 @@
 
 use crate::engine::BUILT_IN;
 use crate::engine::circuit::Circuit;
-use crate::engine::design::{Design, DesignError, Instance, Simulator, Source};
+use crate::engine::design::{DesignError, Instance, Simulator, Source};
 use crate::signal::Signal;
-use imogene_contract::RequestError;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_rtl::emit::{Direction, Port};
 use std::collections::HashMap;
-use thiserror::Error;
 
 /// What runs the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,17 +15,6 @@ pub enum DisplayEngine {
     BuiltIn,
     /// The emitted Verilog.
     Verilog(Simulator),
-}
-
-/// Why a machine cannot be run.
-#[derive(Debug, Error)]
-pub enum DisplayError {
-    /// It cannot be emitted.
-    #[error(transparent)]
-    Emit(#[from] RequestError),
-    /// It cannot be compiled or loaded.
-    #[error(transparent)]
-    Design(#[from] DesignError),
 }
 
 impl DisplayEngine {
@@ -40,14 +27,9 @@ impl DisplayEngine {
     }
 }
 
-enum Running {
-    BuiltIn(Box<Circuit>),
-    Verilog(Box<dyn Instance>),
-}
-
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
-    running: Running,
+    running: Box<dyn Instance>,
     inputs: Vec<Signal>,
     outputs: Vec<Signal>,
     places: HashMap<String, usize>,
@@ -65,43 +47,30 @@ impl Machine {
     /// # Errors
     ///
     /// When a number of the request is out of its range, a tool is missing, or a file cannot be written.
-    pub fn start(request: &MachineRequest, engine: DisplayEngine) -> Result<Machine, DisplayError> {
+    pub fn start(request: &MachineRequest, engine: DisplayEngine) -> Result<Machine, DesignError> {
         let emitted = emit_machine(request)?;
         let of = |direction| {
-            let ports = emitted
-                .ports
-                .iter()
-                .filter(move |p| p.direction == direction);
-            ports
-                .filter(|port| port.name != "clock")
-                .map(signal)
-                .collect::<Vec<_>>()
+            let ports = emitted.ports.iter();
+            let of = |port: &&Port| port.direction == direction && port.name != "clock";
+            ports.filter(of).map(signal).collect::<Vec<_>>()
         };
         let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
-        let running = match engine {
-            DisplayEngine::BuiltIn => Running::BuiltIn(Box::new(Circuit::new(&request.design()?))),
+        let running: Box<dyn Instance> = match engine {
+            DisplayEngine::BuiltIn => Box::new(Circuit::new(&request.design()?)),
             DisplayEngine::Verilog(simulator) => {
-                let design: Box<dyn Design> = simulator.compile(&Source {
+                let source = Source {
                     top: &emitted.top,
                     text: &emitted.bundle(),
                     inputs: &inputs,
                     outputs: &outputs,
-                })?;
-                Running::Verilog(design.instance())
+                };
+                simulator.compile(&source)?.instance()
             }
         };
-        let place = |signals: &[Signal]| {
-            let names = signals.iter().enumerate();
-            names
-                .map(|(place, s)| (s.name.clone(), place))
-                .collect::<Vec<_>>()
-        };
+        let ports = inputs.iter().enumerate().chain(outputs.iter().enumerate());
         Ok(Machine {
             running,
-            places: [place(&inputs), place(&outputs)]
-                .concat()
-                .into_iter()
-                .collect(),
+            places: ports.map(|(at, s)| (s.name.clone(), at)).collect(),
             given: vec![0; inputs.len()],
             found: vec![Some(0); outputs.len()],
             inputs,
@@ -138,16 +107,7 @@ impl Machine {
 
     /// One clock.
     pub fn clock(&mut self) {
-        match &mut self.running {
-            Running::BuiltIn(circuit) => {
-                let given: Vec<i64> = self.given.iter().map(|bits| *bits as i64).collect();
-                circuit.clock(&given);
-                for (index, signal) in self.outputs.iter().enumerate() {
-                    self.found[index] = Some(signal.bits(circuit.output(index)));
-                }
-            }
-            Running::Verilog(instance) => instance.clock(&self.given, &mut self.found),
-        }
+        self.running.clock(&self.given, &mut self.found);
         self.clocks += 1;
     }
 }

@@ -10,4 +10,4 @@ pub mod stalls;
 pub mod stream;
 pub mod zone_core;
 
-pub use machine::{DisplayEngine, DisplayError, Machine};
+pub use machine::{DisplayEngine, Machine};

@@ -1,9 +1,10 @@
 //! A machine with its screen against golden pictures: the pins on every clock.
 
+use super::Machine;
 use super::host::Host;
 use super::request::request;
 use super::stream;
-use super::{DisplayError, Machine};
+use crate::engine::design::DesignError;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
@@ -24,7 +25,7 @@ pub fn run(
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, DisplayError> {
+) -> Result<PinsOutcome, DesignError> {
     if machine.output == Output::Stream {
         return stream::run(machine, images, options, frame_done);
     }

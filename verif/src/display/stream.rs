@@ -1,10 +1,11 @@
 //! A machine without a screen: its pixels over AXI4-Stream against golden pictures, with a receiver that may stall.
 
+use super::Machine;
 use super::host::Host;
 use super::request::request;
 use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
-use super::{DisplayError, Machine};
+use crate::engine::design::DesignError;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
@@ -23,7 +24,7 @@ pub fn run(
     images: &[Image],
     options: &PinsRun,
     mut frame_done: impl FnMut(),
-) -> Result<PinsOutcome, DisplayError> {
+) -> Result<PinsOutcome, DesignError> {
     let mut hardware = Machine::start(&request(machine, ""), options.engine)?;
     let started = Instant::now();
     let mut host = Host::new(images, options);

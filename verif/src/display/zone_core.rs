@@ -3,7 +3,8 @@
 
 use super::request::core_request;
 use super::stalls::Stalls;
-use super::{DisplayEngine, DisplayError, Machine};
+use super::{DisplayEngine, Machine};
+use crate::engine::design::DesignError;
 use crate::report::Report;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
@@ -38,7 +39,7 @@ pub struct CoreRun {
 pub enum CoreError {
     /// The hardware cannot be run.
     #[error(transparent)]
-    Display(#[from] DisplayError),
+    Design(#[from] DesignError),
     /// The stream is none.
     #[error(transparent)]
     Stream(#[from] StreamError),

@@ -3,22 +3,9 @@
 use super::design::{Design, DesignError, Instance, Simulator, Source};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
 use crate::signal::Signal;
-use imogene_contract::RequestError;
 use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
-use thiserror::Error;
-
-/// Why a machine cannot be run as Verilog.
-#[derive(Debug, Error)]
-pub enum BeamError {
-    /// The machine cannot be emitted.
-    #[error(transparent)]
-    Emit(#[from] RequestError),
-    /// It cannot be compiled or loaded.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-}
 
 /// The compiled beam machine of a shape.
 pub struct BeamDesign {
@@ -32,13 +19,10 @@ impl BeamDesign {
     /// # Errors
     ///
     /// When the shape is out of its range, a tool is missing, or a file cannot be written.
-    pub fn compile(simulator: Simulator, shape: &MachineShape) -> Result<BeamDesign, BeamError> {
+    pub fn compile(simulator: Simulator, shape: &MachineShape) -> Result<BeamDesign, DesignError> {
         let emitted = emit_machine(&shape.request())?;
-        Self::of(
-            simulator,
-            &emitted,
-            MachineOutputs::signals(&shape.format.widths()),
-        )
+        let outputs = MachineOutputs::signals(&shape.format.widths());
+        Self::of(simulator, &emitted, outputs)
     }
 
     /// Compiles an emitted machine with these outputs.
@@ -50,7 +34,7 @@ impl BeamDesign {
         simulator: Simulator,
         emitted: &Emitted,
         outputs: Vec<Signal>,
-    ) -> Result<BeamDesign, BeamError> {
+    ) -> Result<BeamDesign, DesignError> {
         let bus = emitted.ports.iter().find(|port| port.name == "load_data");
         let inputs = [
             Signal::bit("go"),

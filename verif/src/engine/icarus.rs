@@ -9,7 +9,7 @@ use imogene_tools::{ICARUS, ToolError, VVP, scratch, write};
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::sync::Arc;
 use tempfile::TempDir;
 
@@ -72,7 +72,6 @@ struct IcarusInstance {
 
 struct Process {
     child: Child,
-    stdin: ChildStdin,
     stdout: BufReader<ChildStdout>,
 }
 
@@ -85,30 +84,24 @@ fn start(folder: &Path) -> Option<Process> {
         .stderr(Stdio::null())
         .spawn()
         .ok()?;
-    let (stdin, stdout) = (child.stdin.take()?, child.stdout.take()?);
-    Some(Process {
-        child,
-        stdin,
-        stdout: BufReader::new(stdout),
-    })
+    let stdout = BufReader::new(child.stdout.take()?);
+    Some(Process { child, stdout })
 }
 
 impl Process {
     fn exchange(&mut self, line: &mut String) -> std::io::Result<()> {
-        self.stdin.write_all(line.as_bytes())?;
+        let stdin = self.child.stdin.as_mut().expect("a pipe was asked for");
+        stdin.write_all(line.as_bytes())?;
         line.clear();
         self.stdout.read_line(line)?;
         Ok(())
     }
 }
 
-impl IcarusInstance {
-    fn end(&mut self) {
-        if let Some(mut process) = self.process.take() {
-            // The bench ends where its input does.
-            drop(process.stdin);
-            let _ = process.child.wait();
-        }
+impl Drop for Process {
+    fn drop(&mut self) {
+        // This closes its input, and the bench ends where that does.
+        let _ = self.child.wait();
     }
 }
 
@@ -127,9 +120,8 @@ impl Instance for IcarusInstance {
         let outcome = process.exchange(&mut self.line);
         let mut fields = self.line.split_ascii_whitespace();
         for (place, signal) in outputs.iter_mut().zip(&*self.outputs) {
-            let field = fields
-                .next()
-                .filter(|bits| bits.len() == signal.width as usize);
+            let field = fields.next();
+            let field = field.filter(|bits| bits.len() == signal.width as usize);
             *place = field.and_then(|bits| u64::from_str_radix(bits, 2).ok());
         }
         if outcome.is_err() || self.line.is_empty() {
@@ -137,14 +129,8 @@ impl Instance for IcarusInstance {
                 "{} ended before its input did; its outputs count as undefined from here",
                 VVP.name
             );
-            self.end();
+            self.process = None;
         }
-    }
-}
-
-impl Drop for IcarusInstance {
-    fn drop(&mut self) {
-        self.end();
     }
 }
 

@@ -135,16 +135,15 @@ pub fn processor_signals(shape: &MachineShape) -> Vec<ProbeSignal> {
     add(Signal::unsigned("root", format.root_rows()), 1 + root);
     add(Signal::signed("near_sum", sum), 2 + root);
     add(Signal::signed("far_sum", sum), 2 + root);
-    add(Signal::signed("interval_zf_a", w), 3 + root);
-    add(Signal::signed("interval_zb_a", w), 3 + root);
-    add(Signal::signed("interval_zf_b", w), 3 + root);
-    add(Signal::signed("interval_zb_b", w), 3 + root);
+    let halves = ["zf_a", "zb_a", "zf_b", "zb_b"];
+    for end in halves {
+        add(Signal::signed(format!("interval_{end}"), w), 3 + root);
+    }
     for i in 0..planes {
         add(Signal::signed(format!("plane_{i}_depth"), w), 3 + root + i);
-        add(Signal::signed(format!("cut_{i}_zf_a"), w), 4 + root + i);
-        add(Signal::signed(format!("cut_{i}_zb_a"), w), 4 + root + i);
-        add(Signal::signed(format!("cut_{i}_zf_b"), w), 4 + root + i);
-        add(Signal::signed(format!("cut_{i}_zb_b"), w), 4 + root + i);
+        for end in halves {
+            add(Signal::signed(format!("cut_{i}_{end}"), w), 4 + root + i);
+        }
     }
     add(Signal::signed("merged_zf", w), 4 + root + planes);
     add(Signal::signed("merged_zb", w), 4 + root + planes);

@@ -2,6 +2,7 @@
 
 use crate::signal::Signal;
 use crate::subject::Subject;
+use imogene_contract::RequestError;
 use imogene_tools::ToolError;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -9,6 +10,9 @@ use thiserror::Error;
 /// Why a design cannot be run.
 #[derive(Debug, Error)]
 pub enum DesignError {
+    /// It cannot be emitted.
+    #[error(transparent)]
+    Emit(#[from] RequestError),
     /// A program is missing or refused the design.
     #[error(transparent)]
     Tool(#[from] ToolError),

@@ -1,6 +1,7 @@
 //! The table of all units.
 
-use super::{EquivalenceError, Verdict, unit};
+use super::{Verdict, unit};
+use crate::engine::design::DesignError;
 use imogene_contract::{Request, Unit};
 use imogene_hdl::Module;
 use imogene_rtl::emit::design;
@@ -21,9 +22,9 @@ impl Row {
     /// # Errors
     ///
     /// When a tool is missing or refuses a text.
-    pub fn of(unit_of_row: Unit, depth_word: u32) -> Result<Row, EquivalenceError> {
+    pub fn of(unit_of_row: Unit, depth_word: u32) -> Result<Row, DesignError> {
         let request = Request::of(unit_of_row, depth_word);
-        let design = design(&request).map_err(EquivalenceError::Emit)?;
+        let design = design(&request)?;
         let register_bits = |module: &Module| {
             let registers = module.registers.iter();
             registers

@@ -1,8 +1,8 @@
 //! Co-simulation of a machine that is fitted to a scene.
 
 use super::{Bands, CosimError, Options, fitted_to, quadric_words};
-use crate::engine::beam::{BeamDesign, BeamError};
-use crate::engine::design::Simulator;
+use crate::engine::beam::BeamDesign;
+use crate::engine::design::{DesignError, Simulator};
 use crate::engine::{Engine, MachineOutputs, slots_of};
 use crate::report::Report;
 use imogene_golden::machine::fitted::FittedMachine;
@@ -29,7 +29,7 @@ pub fn compile(
     simulator: Simulator,
     machine: &FittedMachine,
     emitted: &Emitted,
-) -> Result<BeamDesign, BeamError> {
+) -> Result<BeamDesign, DesignError> {
     BeamDesign::of(simulator, emitted, MachineOutputs::signals(&machine.widths))
 }
 

@@ -4,7 +4,7 @@ use crate::engine::design::DesignError;
 use crate::subject::Subject;
 use crate::unit::subject;
 use crate::unit::words::Loaded;
-use imogene_contract::{Request, RequestError};
+use imogene_contract::Request;
 use imogene_golden::object::quadric::ScreenBox;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -19,10 +19,7 @@ pub type Engine<'a> = &'a (dyn Fn(Subject, &Request) -> Result<Subject, DesignEr
 /// Why a scene's processors cannot be co-simulated.
 #[derive(Debug, Error)]
 pub enum SlotError {
-    /// A processor has no legal parameters.
-    #[error(transparent)]
-    Unit(#[from] RequestError),
-    /// The engine cannot be built.
+    /// A processor has no legal parameters, or the engine cannot be built.
     #[error(transparent)]
     Design(#[from] DesignError),
     /// There is no hardware of the processor.
@@ -109,7 +106,8 @@ impl Subjects {
                 rows_per_stage: rows_per_stage as u32,
                 ..*request
             };
-            place.insert(engine(subject(&request)?, &request)?);
+            let subject = subject(&request).map_err(DesignError::from)?;
+            place.insert(engine(subject, &request)?);
         }
         Ok(Subjects(list))
     }
