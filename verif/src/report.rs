@@ -8,6 +8,11 @@ use std::path::PathBuf;
 /// Mismatches kept in full; all are counted.
 pub const KEPT: usize = 20;
 
+/// Column and line of a pixel, by its place in a picture row by row.
+pub(crate) fn place(at: usize, width: usize) -> Option<(i64, i64)> {
+    Some(((at % width) as i64, (at / width) as i64))
+}
+
 /// One clock at which hardware and golden model differ.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Mismatch {

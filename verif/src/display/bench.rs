@@ -1,6 +1,7 @@
 //! The files with which a test bench of a user's own drives a machine: beats, shading words, expected pixels, their
 //! description, and a bench that is ready to run.
 
+use super::request::mode;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
@@ -149,23 +150,10 @@ impl Bench<'_> {
         self.machine.output == Output::Pins
     }
 
-    /// Columns and lines of the picture.
-    fn size(&self) -> (u64, u64) {
-        let mode = self.machine.video_mode();
-        let mode = mode.expect("a description that was checked");
-        (mode.line.active, mode.frame.active)
-    }
-
     fn beats<'a>(&self, fields: &'a [Field]) -> Words<'a> {
-        let line = |beat: &Beat| {
-            let Beat {
-                kind,
-                unit,
-                address,
-                data,
-                last,
-            } = *beat;
-            vec![last.into(), kind.into(), unit.into(), address.into(), data]
+        let line = |b: &Beat| {
+            let (unit, address) = (b.unit.into(), b.address.into());
+            vec![b.last.into(), b.kind.into(), unit, address, b.data]
         };
         Words {
             file: BEATS,
@@ -211,7 +199,7 @@ impl Bench<'_> {
     }
 
     fn description(&self, words: &[Words]) -> Value {
-        let (width, height) = self.size();
+        let mode = mode(self.machine);
         let mut first = vec![0; 3];
         let mut frame = |number: usize, frame: &BenchFrame| {
             let mut entry = json!({ "scene": frame.scene });
@@ -229,8 +217,8 @@ impl Bench<'_> {
             "verilog": self.verilog(),
             "bench": BENCH,
             "run": self.run(),
-            "width": width,
-            "height": height,
+            "width": mode.line.active,
+            "height": mode.frame.active,
             "clock": "clock, rising edge; no reset: registers start from their initial values",
             "handshake": self.handshake(),
             "words": words.iter().map(Words::description).collect::<Vec<_>>(),
@@ -252,31 +240,19 @@ impl Bench<'_> {
 
     /// What the two sides of every stream and the pins do, one rule a line.
     fn handshake(&self) -> Vec<&'static str> {
-        let kind = match (self.is_beam(), self.has_pins()) {
-            (true, true) => [BEAM, BEAM_PINS, PINS],
-            (true, false) => [BEAM, BEAM_STREAM, STREAM],
-            (false, true) => [ZONE, ZONE_PINS, PINS],
-            (false, false) => [ZONE, ZONE_STREAM, STREAM],
+        let rules = match (self.is_beam(), self.has_pins()) {
+            (true, true) => [HOST, BEAM, BEAM_PINS, PINS],
+            (true, false) => [HOST, BEAM, BEAM_STREAM, STREAM],
+            (false, true) => [HOST, ZONE, ZONE_PINS, PINS],
+            (false, false) => [HOST, ZONE, ZONE_STREAM, STREAM],
         };
-        [HOST]
-            .iter()
-            .chain(&kind)
-            .copied()
-            .flatten()
-            .copied()
-            .collect()
+        rules.concat()
     }
 
     fn bench(&self, data: usize, beats: usize) -> Result<String, BenchError> {
-        let (width, height) = self.size();
-        let mode = self
-            .machine
-            .video_mode()
-            .expect("a description that was checked");
-        let zone = self
-            .machine
-            .zone
-            .map_or(0, |zone| u64::from(zone.width * zone.height));
+        let mode = mode(self.machine);
+        let zone = self.machine.zone;
+        let zone = zone.map_or(0, |zone| u64::from(zone.width * zone.height));
         let colour = self.overlay.map(|plane| plane.colour);
         let colour = colour.map(|[r, g, b]| format!("{r:02x}{g:02x}{b:02x}"));
         let text = Environment::new().render_str(TEMPLATE, context! {
@@ -285,8 +261,8 @@ impl Bench<'_> {
             files => context! { beats => BEATS, pixels => PIXELS, overlay => OVERLAY, description => DESCRIPTION },
             beats,
             frames => self.frames.len(),
-            width,
-            height,
+            width => mode.line.active,
+            height => mode.frame.active,
             data,
             padded => data.next_multiple_of(4),
             patience => 4 * (mode.clocks() + zone + 1000),

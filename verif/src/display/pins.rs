@@ -2,14 +2,14 @@
 
 use super::Machine;
 use super::host::Host;
-use super::request::request;
+use super::request::{mode, request};
 use super::stream;
 use crate::engine::design::DesignError;
+use crate::signal::Delay;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_golden::machine::video_timing::{Shown, VideoTiming};
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
 use imogene_plan::display::Image;
-use std::collections::VecDeque;
 use std::time::Instant;
 
 pub use super::run::{PinsOutcome, PinsRun};
@@ -31,14 +31,12 @@ pub fn run(
     }
     let request = request(machine, "");
     let behind = request.clocks()?.output;
-    let mode = machine
-        .video_mode()
-        .expect("a description that was checked");
+    let mode = mode(machine);
     let mut hardware = Machine::start(&request, options.engine)?;
     let started = Instant::now();
     let mut run = Run {
         golden: VideoTiming::new(mode, 0),
-        late: VecDeque::from(vec![None; behind]),
+        late: Delay::new(behind),
         width: mode.line.active as usize,
         black: vec![0; 3 * (mode.line.active * mode.frame.active) as usize],
         images,
@@ -53,16 +51,13 @@ pub fn run(
         frame: vec![],
     };
     let mut host = Host::new(images, options);
+    let is_beam = machine.machine == MachineKind::Beam;
     let mut plane = options.overlay.map_or(&[][..], |plane| &plane.words);
     let mut seen_last = 0;
     let limit = host.limit(mode.clocks(), options.frames);
     while seen_last < options.frames && hardware.clocks < limit {
         plane = write_plane(&mut hardware, plane, options.overlay);
-        host.offer(
-            &mut hardware,
-            machine.machine == MachineKind::Beam,
-            &mut run.outcome,
-        );
+        host.offer(&mut hardware, is_beam, &mut run.outcome);
         hardware.clock();
         run.see_swap(&hardware, &host);
         if run.see_pins(&hardware) {
@@ -74,14 +69,9 @@ pub fn run(
             frame_done();
         }
     }
+    let (what, seen) = ("frames of the last image", Some(seen_last as i64));
     let report = &mut run.outcome.report;
-    report.compare(
-        hardware.clocks,
-        None,
-        "frames of the last image",
-        Some(seen_last as i64),
-        options.frames as i64,
-    );
+    report.compare(hardware.clocks, None, what, seen, options.frames as i64);
     Ok(run.outcome.finished(&hardware, options, started))
 }
 
@@ -104,7 +94,7 @@ fn write_plane<'a>(
 
 struct Run<'a> {
     golden: VideoTiming,
-    late: VecDeque<Option<(Shown, bool, bool)>>,
+    late: Delay<(Shown, bool, bool)>,
     width: usize,
     black: Vec<u8>,
     images: &'a [Image],
@@ -136,18 +126,12 @@ impl Run<'_> {
             self.on = self.next;
         }
         let timing = self.golden.clock(true);
-        self.late
-            .push_back(Some((timing.now, timing.hsync, timing.vsync)));
-        let Some(Some((shown, hsync, vsync))) = self.late.pop_front() else {
+        let scanned = (timing.now, timing.hsync, timing.vsync);
+        let Some((shown, hsync, vsync)) = self.late.push(scanned) else {
             return false;
         };
-        let expected = match self.on {
-            Some(on) => self
-                .images
-                .get(on)
-                .map_or(&self.black, |image| &image.picture),
-            None => &self.black,
-        };
+        let image = self.on.and_then(|on| self.images.get(on));
+        let expected = image.map_or(&self.black, |image| &image.picture);
         let at = 3 * (usize::from(shown.y) * self.width + usize::from(shown.x));
         let plane = self.overlay.filter(|_| self.is_overlaid);
         let over = plane.and_then(|plane| plane.colour_at(at / 3));
@@ -165,14 +149,10 @@ impl Run<'_> {
             ("blue", colour(2)),
         ];
         for (pin, golden) in pins {
-            let found = hardware.get(pin);
-            self.outcome.report.compare(
-                hardware.clocks,
-                shown.active.then_some((shown.x.into(), shown.y.into())),
-                pin,
-                found,
-                golden,
-            );
+            let pixel = shown.active.then_some((shown.x.into(), shown.y.into()));
+            let (clock, found) = (hardware.clocks, hardware.get(pin));
+            let report = &mut self.outcome.report;
+            report.compare(clock, pixel, pin, found, golden);
         }
         if !hardware.is_set("de") {
             return false;

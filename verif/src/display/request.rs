@@ -99,8 +99,8 @@ pub fn zone_timing(request: &MachineRequest) -> Result<ZoneTiming, RequestError>
     })
 }
 
-fn mode(machine: &MachineDescription) -> VideoMode {
-    machine
-        .video_mode()
-        .expect("a description that was checked")
+/// The screen of a description that was checked.
+pub(super) fn mode(machine: &MachineDescription) -> VideoMode {
+    let mode = machine.video_mode();
+    mode.expect("a description that was checked")
 }

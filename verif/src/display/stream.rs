@@ -2,10 +2,11 @@
 
 use super::Machine;
 use super::host::Host;
-use super::request::request;
+use super::request::{mode, request};
 use super::run::{PinsOutcome, PinsRun};
 use super::stalls::Stalls;
 use crate::engine::design::DesignError;
+use crate::report::place;
 use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
@@ -42,11 +43,8 @@ pub fn run(
         let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
         let now = hardware.is_set("m_tvalid").then(|| Pixel::of(&hardware));
-        taker.check(
-            "m_tdata while the receiver stalls",
-            hardware.clocks,
-            stalled.is_none() || stalled == now,
-        );
+        let stays = stalled.is_none() || stalled == now;
+        taker.check("m_tdata while the receiver stalls", hardware.clocks, stays);
         stalled = now.filter(|_| !takes);
         idle += 1;
         if let Some(pixel) = now.filter(|_| takes) {
@@ -60,11 +58,8 @@ pub fn run(
         hardware.clock();
         taker.see_swap(&hardware, is_beam, &host);
     }
-    taker.check(
-        "frames of the last image",
-        hardware.clocks,
-        seen_last == wanted,
-    );
+    let all = seen_last == wanted;
+    taker.check("frames of the last image", hardware.clocks, all);
     Ok(taker.outcome.finished(&hardware, options, started))
 }
 
@@ -102,16 +97,14 @@ struct Taker<'a> {
 
 impl<'a> Taker<'a> {
     fn new(machine: &MachineDescription, images: &'a [Image]) -> Self {
-        let size = machine
-            .video_mode()
-            .map_or((1, 1), |mode| (mode.line.active, mode.frame.active));
-        let pixels = (size.0 * size.1) as usize;
+        let mode = mode(machine);
+        let pixels = (mode.line.active * mode.frame.active) as usize;
         let is_beam = machine.machine == MachineKind::Beam;
         let first = (!is_beam).then_some(0);
         Taker {
             images,
             is_beam,
-            width: size.0 as usize,
+            width: mode.line.active as usize,
             frame: vec![0; 3 * pixels],
             seen: vec![false; pixels],
             count: 0,
@@ -167,19 +160,13 @@ impl<'a> Taker<'a> {
     fn compare(&mut self, pixel: &Pixel, at: usize, clock: u64) {
         let image = self.on.and_then(|on| self.images.get(on));
         let wanted = image.map_or([0; 3], |image| [0, 1, 2].map(|k| image.picture[3 * at + k]));
-        let golden = wanted
-            .iter()
-            .fold(0, |word, byte| word << 8 | i64::from(*byte));
+        let [red, green, blue] = wanted.map(i64::from);
         for (channel, shift) in [16, 8, 0].into_iter().enumerate() {
             self.frame[3 * at + channel] = (pixel.colour >> shift) as u8;
         }
-        self.outcome.report.compare(
-            clock,
-            Some(((at % self.width) as i64, (at / self.width) as i64)),
-            "m_tdata",
-            Some(pixel.colour),
-            golden,
-        );
+        let (place, golden) = (place(at, self.width), red << 16 | green << 8 | blue);
+        let report = &mut self.outcome.report;
+        report.compare(clock, place, "m_tdata", Some(pixel.colour), golden);
     }
 
     fn finish(&mut self) {

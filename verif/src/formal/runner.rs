@@ -1,7 +1,7 @@
 //! Runs proofs, each in a temporary folder of its own, two at a time.
 
 use super::catalogue;
-use super::driver;
+use super::driver::Run;
 pub use super::driver::Verdict;
 use super::error::FormalError;
 use super::job::{Job, Method};
@@ -132,12 +132,18 @@ pub fn prove(task: &Task, tools: &Toolchain) -> Result<ProofReport, FormalError>
         .tempdir()
         .map_err(FileError::at("temporary folder"))?;
     let begun = Instant::now();
-    let (result, detail) = driver::run(job, method, &text, folder.path(), tools)?;
+    let run = Run {
+        job,
+        method,
+        text: &text,
+        folder: folder.path(),
+        tools,
+    };
+    let (result, detail) = run.prove()?;
     let seconds = begun.elapsed().as_secs_f64();
-    let wanted = if mutant.is_some() {
-        Verdict::Refuted
-    } else {
-        Verdict::Proved
+    let wanted = match mutant {
+        Some(_) => Verdict::Refuted,
+        None => Verdict::Proved,
     };
     let ok = result == wanted;
     Ok(ProofReport {

@@ -2,7 +2,7 @@
 
 use super::golden::{GoldenMachine, probe_values};
 use super::request::{Fault, WaveformRequest, middle_line};
-use crate::engine::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal};
+use crate::engine::{Engine, MachineInputs, MachineOutputs, ProbeSignal};
 use crate::report::Report;
 use crate::signal::{Delay, Signal};
 use crate::waveform::{Group, Sample, Trace};
@@ -29,26 +29,6 @@ pub(super) struct Band<'a> {
     pub lines: usize,
     pub fault: Option<Fault>,
     pub trace: Option<&'a WaveformRequest>,
-}
-
-/// Width of a load word of this machine, if the address exists.
-pub(super) fn word_width(address: u8, shape: &MachineShape) -> Option<u32> {
-    let format = &shape.format;
-    let planes = imogene_contract::object::words(shape.planes);
-    match usize::from(address) {
-        0..=2 => Some(format.pe1_width()),
-        3..=8 => Some(format.pe2_width()),
-        9..=17 => Some(format.normal_linear),
-        18..=20 => Some(format.normal),
-        21 | 22 => Some(24),
-        23 => Some(7),
-        a if a < planes => Some(match (a - 24) % 7 {
-            0 => 2,
-            1..=3 => format.plane,
-            _ => format.normal,
-        }),
-        _ => None,
-    }
 }
 
 /// What a band gives: counts, the hardware's lines and the waveforms.

@@ -5,7 +5,7 @@ use imogene_golden::machine::decider::{Visible, decide};
 use imogene_golden::object::quadric::{Probe, QuadricProcessor, QuadricWords};
 
 /// All objects of a machine over one zone.
-pub(super) struct GoldenMachine {
+pub(crate) struct GoldenMachine {
     processors: Vec<QuadricProcessor>,
     width: usize,
     column: usize,
@@ -13,19 +13,18 @@ pub(super) struct GoldenMachine {
 
 impl GoldenMachine {
     /// Zone start.
-    pub(super) fn new(objects: &[QuadricWords], format: &Format, width: usize) -> GoldenMachine {
+    pub(crate) fn new(objects: &[QuadricWords], format: &Format, width: usize) -> GoldenMachine {
+        let processors = objects.iter();
+        let processors = processors.map(|words| QuadricProcessor::zone_start(words, format));
         GoldenMachine {
-            processors: objects
-                .iter()
-                .map(|words| QuadricProcessor::zone_start(words, format))
-                .collect(),
+            processors: processors.collect(),
             width,
             column: 0,
         }
     }
 
     /// What is seen at the next pixel, and the values inside the processor of `traced`.
-    pub(super) fn pixel(&mut self, traced: Option<usize>) -> (Visible, Option<Probe>) {
+    pub(crate) fn pixel(&mut self, traced: Option<usize>) -> (Visible, Option<Probe>) {
         if self.column == self.width {
             self.column = 0;
             self.processors
@@ -42,12 +41,8 @@ impl GoldenMachine {
             };
             Visible::of(&output, id as u8)
         };
-        let inputs: Vec<Visible> = self
-            .processors
-            .iter_mut()
-            .enumerate()
-            .map(visible)
-            .collect();
+        let processors = self.processors.iter_mut().enumerate();
+        let inputs: Vec<Visible> = processors.map(visible).collect();
         (decide(&inputs), probe)
     }
 }

@@ -5,7 +5,7 @@
 
 mod band;
 pub mod fitted;
-mod golden;
+pub(crate) mod golden;
 mod request;
 pub mod slots;
 pub mod volumes;
@@ -18,6 +18,7 @@ pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest};
 
 use band::{Band, Part};
 use imogene_golden::machine::frame::Frame;
+use imogene_golden::object::load::load_words;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
@@ -82,8 +83,8 @@ pub fn run<E: Engine>(
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
     let shape = shape_of(scene, options.rows_per_stage)?;
-    check_requests(options, &shape)?;
     let all_words = quadric_words(scene)?;
+    check_requests(options, &shape, all_words[0])?;
     // Every slot has the same chain; planes that an object does not use are of kind none.
     let planes = vec![shape.planes; all_words.len()];
     let bands = Bands {
@@ -182,7 +183,12 @@ impl Bands<'_> {
     }
 }
 
-fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimError> {
+/// `words` are those of any object.
+fn check_requests(
+    options: &Options,
+    shape: &MachineShape,
+    words: &QuadricWords,
+) -> Result<(), CosimError> {
     if let Some(request) = &options.trace
         && request.object >= shape.objects
     {
@@ -191,16 +197,17 @@ fn check_requests(options: &Options, shape: &MachineShape) -> Result<(), CosimEr
             objects: shape.objects,
         });
     }
-    let addresses = imogene_contract::object::words(shape.planes);
     if let Some(f) = options.fault {
-        let width = band::word_width(f.address, shape);
-        if usize::from(f.object) >= shape.objects || width.is_none_or(|w| u32::from(f.bit) >= w) {
+        let words = load_words(words, &shape.format, shape.planes);
+        let word = words.get(usize::from(f.address));
+        let is_there = word.is_some_and(|word| u32::from(f.bit) < word.width);
+        if usize::from(f.object) >= shape.objects || !is_there {
             return Err(CosimError::Fault {
                 object: f.object,
                 address: f.address,
                 bit: f.bit,
                 objects: shape.objects,
-                addresses,
+                addresses: words.len(),
             });
         }
     }

@@ -5,26 +5,20 @@
 //! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
 //! the golden machine.
 
-use super::zone::{Engine, SlotError, Subjects, Zone};
-use crate::report::Report;
+use super::zone::{Engine, SlotError, Zone};
+use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
-use crate::unit::words::{Loaded, processor};
-use crate::waveform::Sample;
+use crate::unit::words::processor;
 use imogene_golden::format::Format;
 use imogene_golden::machine::beam::render;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
-use rayon::prelude::*;
 use std::time::Instant;
 
 /// A slot that is on the screen and has hardware.
-struct Job<'a> {
-    slot: &'a Slot,
-    zone: Zone,
-    loaded: Loaded,
-}
+type Job<'a> = super::zone::Job<&'a Slot>;
 
 /// What the hardware says of a pixel.
 struct Drawn {
@@ -59,17 +53,9 @@ pub fn run(
         return Err(SlotError::NoHardware { object });
     }
     let jobs: Vec<Job> = slots.iter().filter_map(|slot| job(slot, scene)).collect();
-    let loaded = jobs.iter().map(|job| &job.loaded);
-    let subjects = Subjects::new(loaded, rows_per_stage, engine)?;
     let width = scene.width as usize;
-    let parts: Vec<(Report, Vec<Drawn>)> = jobs
-        .par_iter()
-        .map(|job| {
-            let part = job.run(subjects.of(&job.loaded), &scene.format, width);
-            pixel_done(part.0.pixels);
-            part
-        })
-        .collect();
+    let run = |job: &Job, subject: &Subject| job.run(subject, &scene.format, width);
+    let parts = Job::run_all(&jobs, rows_per_stage, engine, pixel_done, run)?;
     let mut frame = Frame::background(width, scene.height as usize, scene.format.z_max());
     let mut report = Report::default();
     for (job, (part, drawn)) in jobs.iter().zip(parts) {
@@ -102,7 +88,7 @@ fn job<'a>(slot: &'a Slot, scene: &PreparedScene) -> Option<Job<'a>> {
     let zone = Zone::around(slot.words.screen_box(), scene.width, scene.height)?;
     let words = slot.words.for_zone(zone.x, zone.y, zone.width, zone.height);
     Some(Job {
-        slot,
+        of: slot,
         zone,
         loaded: processor(&words, &scene.format)?,
     })
@@ -112,15 +98,8 @@ impl Job<'_> {
     /// Draws the zone with hardware and golden model.
     fn run(&self, subject: &Subject, format: &Format, width: usize) -> (Report, Vec<Drawn>) {
         let mut drawn = Vec::new();
-        let mut pixel = 0;
-        let latency = subject.latency;
-        let see = |sample: Sample| {
-            if sample.hardware[0] != Some(1) {
-                return;
-            }
-            let at = self.zone.place(pixel, width);
-            pixel += 1;
-            let value = |k: usize| sample.hardware[k].unwrap_or(format.z_max());
+        let see = |at: usize, hardware: &[Option<i64>]| {
+            let value = |k: usize| hardware[k].unwrap_or(format.z_max());
             if value(1) < format.z_max() {
                 drawn.push(Drawn {
                     at,
@@ -130,7 +109,7 @@ impl Job<'_> {
                 });
             }
         };
-        let report = subject.run_each(self.clocks(latency), see);
+        let report = self.drive(subject, self.clocks(subject.latency), width, see);
         (report, drawn)
     }
 
@@ -150,7 +129,7 @@ impl Job<'_> {
     fn decide(&self, pixel: &Drawn, frame: &mut Frame) {
         if pixel.depth < frame.depth[pixel.at] {
             frame.depth[pixel.at] = pixel.depth;
-            frame.id[pixel.at] = self.slot.object as i32;
+            frame.id[pixel.at] = self.of.object as i32;
             frame.number[pixel.at] = pixel.number;
             frame.normal[pixel.at] = pixel.normal;
         }
@@ -167,13 +146,8 @@ fn compare_frames(hardware: &Frame, golden: &Frame, report: &mut Report) {
         };
         let names = ["depth", "id", "number", "nx", "ny", "nz"];
         for ((name, found), wanted) in names.into_iter().zip(of(hardware)).zip(of(golden)) {
-            report.compare(
-                0,
-                Some(((at % golden.width) as i64, (at / golden.width) as i64)),
-                format_args!("frame.{name}"),
-                Some(found),
-                wanted,
-            );
+            let (pixel, signal) = (place(at, golden.width), format!("frame.{name}"));
+            report.compare(0, pixel, signal, Some(found), wanted);
         }
     }
 }

@@ -1,28 +1,22 @@
 //! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
 //! seen, its answers into the flags of the light sources.
 
-use super::zone::{Engine, SlotError, Subjects, Zone};
-use crate::report::Report;
+use super::zone::{Engine, SlotError, Zone};
+use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
-use crate::unit::words::{Loaded, volume};
-use crate::waveform::Sample;
+use crate::unit::words::volume;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
-use rayon::prelude::*;
 use std::time::Instant;
 
 /// Clocks from the visible depth to the answer, whatever the volume.
 const FROM_DEPTH: usize = 3;
 
 /// A volume that is on the screen.
-struct Job<'a> {
-    words: &'a VolumeWords,
-    zone: Zone,
-    loaded: Loaded,
-}
+type Job<'a> = super::zone::Job<&'a VolumeWords>;
 
 /// Runs all volumes of a scene on a frame; `engine` may put another engine under a subject, `pixel_done` is told of
 /// pixels, from any thread.
@@ -39,16 +33,8 @@ pub fn run(
 ) -> Result<Report, SlotError> {
     let started = Instant::now();
     let jobs: Vec<Job> = jobs(scene).collect();
-    let loaded = jobs.iter().map(|job| &job.loaded);
-    let subjects = Subjects::new(loaded, rows_per_stage, engine)?;
-    let parts: Vec<(Report, Vec<usize>)> = jobs
-        .par_iter()
-        .map(|job| {
-            let part = job.run(subjects.of(&job.loaded), frame);
-            pixel_done(part.0.pixels);
-            part
-        })
-        .collect();
+    let run = |job: &Job, subject: &Subject| job.run(subject, frame);
+    let parts = Job::run_all(&jobs, rows_per_stage, engine, pixel_done, run)?;
     let mut flags = vec![ALL_SOURCES; frame.depth.len()];
     // Outside a light volume is dark, also outside its box.
     for light in scene.volumes.iter().map(|v| &v.words) {
@@ -77,7 +63,7 @@ fn jobs(scene: &PreparedScene) -> impl Iterator<Item = Job<'_>> {
         let zone = Zone::around(&words.screen_box, scene.width, scene.height)?;
         let moved = words.for_zone(zone.x, zone.y, zone.width, zone.height);
         Some(Job {
-            words,
+            of: words,
             zone,
             loaded: volume(&moved, &scene.format),
         })
@@ -88,17 +74,13 @@ impl Job<'_> {
     /// Asks hardware and golden model about the zone; the places that the hardware says are inside.
     fn run(&self, subject: &Subject, frame: &Frame) -> (Report, Vec<usize>) {
         let mut inside = Vec::new();
-        let mut pixel = 0;
-        let see = |sample: Sample| {
-            if sample.hardware[0] != Some(1) {
-                return;
+        let see = |at: usize, hardware: &[Option<i64>]| {
+            if hardware[1] == Some(1) {
+                inside.push(at);
             }
-            if sample.hardware[1] == Some(1) {
-                inside.push(self.zone.place(pixel, frame.width));
-            }
-            pixel += 1;
         };
-        let report = subject.run_each(self.clocks(subject.latency, frame), see);
+        let clocks = self.clocks(subject.latency, frame);
+        let report = self.drive(subject, clocks, frame.width, see);
         (report, inside)
     }
 
@@ -122,19 +104,10 @@ impl Job<'_> {
 
     /// Takes the source's flag away where the volume is dark.
     fn apply(&self, inside: &[usize], flags: &mut [u16]) {
-        match self.words.kind {
-            VolumeKind::Shadow => {
-                for &at in inside {
-                    flags[at] = self.words.after(flags[at], true);
-                }
-            }
-            VolumeKind::Light => {
-                let mut lit = vec![false; flags.len()];
-                inside.iter().for_each(|&at| lit[at] = true);
-                for (flag, lit) in flags.iter_mut().zip(lit) {
-                    *flag = self.words.after(*flag, lit);
-                }
-            }
+        let mut is_inside = vec![false; flags.len()];
+        inside.iter().for_each(|&at| is_inside[at] = true);
+        for (flag, is_inside) in flags.iter_mut().zip(is_inside) {
+            *flag = self.of.after(*flag, is_inside);
         }
     }
 }
@@ -142,12 +115,7 @@ impl Job<'_> {
 /// Counts where hardware and golden machine do not agree on which sources reach a point.
 fn compare_flags(hardware: &[u16], golden: &Lighting, frame: &Frame, report: &mut Report) {
     for (at, (&found, &wanted)) in hardware.iter().zip(&golden.flags).enumerate() {
-        report.compare(
-            0,
-            Some(((at % frame.width) as i64, (at / frame.width) as i64)),
-            "source flags",
-            Some(found.into()),
-            wanted.into(),
-        );
+        let (pixel, found) = (place(at, frame.width), Some(found.into()));
+        report.compare(0, pixel, "source flags", found, wanted.into());
     }
 }

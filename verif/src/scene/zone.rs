@@ -1,11 +1,13 @@
 //! Processors that run by themselves on the zone of their screen box.
 
 use crate::engine::design::DesignError;
-use crate::subject::Subject;
+use crate::report::Report;
+use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
 use crate::unit::words::Loaded;
 use imogene_contract::Request;
 use imogene_golden::object::quadric::ScreenBox;
+use rayon::prelude::*;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use thiserror::Error;
@@ -38,6 +40,71 @@ pub enum SlotError {
          a zone machine draws facets with guard bits (imogene machine)"
     )]
     OwnWords,
+}
+
+/// A processor that runs by itself: what it is for, its zone, and its words there.
+pub(super) struct Job<T> {
+    pub of: T,
+    pub zone: Zone,
+    pub loaded: Loaded,
+}
+
+impl<T: Sync> Job<T> {
+    /// Runs all jobs, each on the description of its processor; `pixel_done` is told of pixels, from any thread.
+    pub fn run_all<D: Send>(
+        jobs: &[Job<T>],
+        rows_per_stage: usize,
+        engine: Engine,
+        pixel_done: impl Fn(u64) + Sync,
+        run: impl Fn(&Job<T>, &Subject) -> (Report, D) + Sync,
+    ) -> Result<Vec<(Report, D)>, SlotError> {
+        let subjects = subjects(jobs, rows_per_stage, engine)?;
+        let one = |job: &Job<T>| {
+            let part = run(job, &subjects[&job.loaded.request]);
+            pixel_done(part.0.pixels);
+            part
+        };
+        Ok(jobs.par_iter().map(one).collect())
+    }
+
+    /// Gives hardware and golden model these clocks; `see` takes what the hardware says of each pixel, with its place
+    /// on the screen.
+    pub fn drive(
+        &self,
+        subject: &Subject,
+        clocks: impl Iterator<Item = Inputs>,
+        screen_width: usize,
+        mut see: impl FnMut(usize, &[Option<i64>]),
+    ) -> Report {
+        let mut pixel = 0;
+        subject.run_each(clocks, |sample| {
+            if sample.hardware[0] == Some(1) {
+                see(self.zone.place(pixel, screen_width), &sample.hardware);
+                pixel += 1;
+            }
+        })
+    }
+}
+
+/// The descriptions of all processors of a scene, one for all of the same parameters.
+fn subjects<T>(
+    jobs: &[Job<T>],
+    rows_per_stage: usize,
+    engine: Engine,
+) -> Result<HashMap<Request, Subject>, SlotError> {
+    let mut list = HashMap::new();
+    for Job { loaded, .. } in jobs {
+        let Entry::Vacant(place) = list.entry(loaded.request) else {
+            continue;
+        };
+        let request = Request {
+            rows_per_stage: rows_per_stage as u32,
+            ..loaded.request
+        };
+        let subject = subject(&request).map_err(DesignError::from)?;
+        place.insert(engine(subject, &request)?);
+    }
+    Ok(list)
 }
 
 /// Pixels that a processor draws.
@@ -84,36 +151,5 @@ impl Zone {
     pub fn place(&self, n: i64, screen_width: usize) -> usize {
         let (x, y) = (n % self.width, n / self.width);
         (self.y + y) as usize * screen_width + (self.x + x) as usize
-    }
-}
-
-/// The descriptions of all processors of a scene, one for all of the same parameters.
-pub(super) struct Subjects(HashMap<Request, Subject>);
-
-impl Subjects {
-    /// Those that the words are for.
-    pub fn new<'a>(
-        all: impl Iterator<Item = &'a Loaded>,
-        rows_per_stage: usize,
-        engine: Engine,
-    ) -> Result<Subjects, SlotError> {
-        let mut list = HashMap::new();
-        for Loaded { request, .. } in all {
-            let Entry::Vacant(place) = list.entry(*request) else {
-                continue;
-            };
-            let request = Request {
-                rows_per_stage: rows_per_stage as u32,
-                ..*request
-            };
-            let subject = subject(&request).map_err(DesignError::from)?;
-            place.insert(engine(subject, &request)?);
-        }
-        Ok(Subjects(list))
-    }
-
-    /// The one of these words.
-    pub fn of(&self, loaded: &Loaded) -> &Subject {
-        &self.0[&loaded.request]
     }
 }

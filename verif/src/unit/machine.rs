@@ -4,15 +4,16 @@ use super::decision::flat;
 use super::description::{Description, behind_valid, bit, inputs, late};
 use super::object::plausible;
 use super::zone::{Reader, WORDS};
+use crate::scene::golden::GoldenMachine;
 use crate::signal::Signal;
 use crate::stimulus::{each, word};
 use crate::subject::{Inputs, Subject};
 use imogene_contract::object::{BOX_COLUMNS, PLANES, words};
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
-use imogene_golden::machine::decider::{Visible, decide, latency as tree_latency};
+use imogene_golden::machine::decider::{Visible, latency as tree_latency};
 use imogene_golden::machine::raster::RasterControl;
-use imogene_golden::object::quadric::{QuadricProcessor, latency};
+use imogene_golden::object::quadric::{QuadricWords, latency};
 use proptest::prelude::*;
 
 /// Where the words of the box and the control word begin (`docs/architecture.md`, section 7).
@@ -123,7 +124,7 @@ struct Machine {
     places: Vec<(usize, u32)>,
     slots: Vec<Slot>,
     raster: RasterControl,
-    processors: Vec<QuadricProcessor>,
+    zone: Option<GoldenMachine>,
 }
 
 impl Machine {
@@ -135,7 +136,7 @@ impl Machine {
             places: places(planes),
             slots: vec![Slot::new(planes); objects],
             raster: RasterControl::default(),
-            processors: Vec::new(),
+            zone: None,
         }
     }
 
@@ -147,25 +148,15 @@ impl Machine {
         }
         let pixel = self.raster.clock(bit(i[0]), i[1] as u16, i[2] as u16)?;
         if pixel.start {
-            self.processors = self.slots.iter().map(|slot| self.processor(slot)).collect();
-        } else if pixel.line {
-            self.processors
-                .iter_mut()
-                .for_each(QuadricProcessor::line_step);
+            let words: Vec<_> = self.slots.iter().map(|slot| self.words(slot)).collect();
+            self.zone = Some(GoldenMachine::new(&words, &self.format, i[1] as usize));
         }
-        let seen: Vec<Visible> = self
-            .processors
-            .iter_mut()
-            .enumerate()
-            .map(|(id, processor)| Visible::of(&processor.pixel(), id as u8))
-            .collect();
-        Some(decide(&seen))
+        Some(self.zone.as_mut()?.pixel(None).0)
     }
 
-    fn processor(&self, slot: &Slot) -> QuadricProcessor {
+    fn words(&self, slot: &Slot) -> QuadricWords {
         let values = slot.values(&self.ports, &self.places);
-        let words = Reader::of(&values).quadric_processor(self.planes);
-        QuadricProcessor::zone_start(&words, &self.format)
+        Reader::of(&values).quadric_processor(self.planes)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What changes the pixels of a picture: filter, overlay, accumulator.
 
-use super::description::{Description, bit, late};
+use super::description::{Description, behind_valid, bit, late};
 use crate::subject::{Inputs, Subject};
 use imogene_golden::machine::accumulator;
 use imogene_golden::machine::accumulator::{Accumulator, PassPixel};
@@ -11,12 +11,6 @@ use proptest::prelude::*;
 
 fn colour(words: &[i64]) -> [u8; 3] {
     [words[0] as u8, words[1] as u8, words[2] as u8]
-}
-
-/// A flag that says whether there is a colour, and the colour.
-fn coloured(found: Option<[u8; 3]>) -> [Option<i64>; 4] {
-    let part = |k: usize| found.map(|c| i64::from(c[k]));
-    [Some(found.is_some().into()), part(0), part(1), part(2)]
 }
 
 /// Levels that often are those of an end.
@@ -37,17 +31,11 @@ pub(super) fn post_filter() -> Description {
                 colour: colour(&i[6..]),
             });
             let out = filter.clock(Kernel::from_word(i[0]), pixel);
-            let [valid, r, g, b] = coloured(out.map(|p| p.colour));
-            vec![
-                valid,
-                out.map(|p| p.x.into()),
-                out.map(|p| p.y.into()),
-                out.map(|p| p.line_end.into()),
-                out.map(|p| p.last.into()),
-                r,
-                g,
-                b,
-            ]
+            behind_valid(Some(out.map(|p| {
+                let [r, g, b] = p.colour.map(i64::from);
+                let ends = [p.line_end, p.last].map(i64::from);
+                [p.x.into(), p.y.into(), ends[0], ends[1], r, g, b]
+            })))
         }
     })
 }
@@ -98,19 +86,17 @@ impl Picture {
 
 /// Small pictures one after the other.
 fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
-    let noise = (
-        0i64..4,
-        0i64..4,
-        0i64..3,
-        [0i64..=1, 0..=1],
-        [level(), level(), level()],
-    )
-        .prop_map(|(kernel, x, y, ends, colour)| {
-            let mut inputs = vec![kernel, 0, x, y];
-            inputs.extend(ends);
-            inputs.extend(colour);
-            inputs
-        });
+    let noise = vec![
+        (0i64..4).boxed(),
+        Just(0).boxed(),
+        (0i64..4).boxed(),
+        (0i64..3).boxed(),
+        (0i64..=1).boxed(),
+        (0i64..=1).boxed(),
+        level(),
+        level(),
+        level(),
+    ];
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
     let picture = (
         1usize..8,
@@ -150,7 +136,8 @@ pub(super) fn overlay() -> Description {
                 colour: colour(&i[9..]),
             });
             let shown = bit(i[3]).then(|| colour(&over));
-            coloured(overlay.clock(write, shown, pixel)).to_vec()
+            let over = overlay.clock(write, shown, pixel);
+            behind_valid(Some(over.map(|colour| colour.map(i64::from))))
         }
     })
 }
@@ -193,9 +180,9 @@ pub(super) fn accumulator() -> Description {
             };
             let passes = if bit(i[0]) { 16 } else { 4 };
             let mean = bit(i[1]).then(|| sums.add(&pixel, passes)).flatten();
-            let found = late.push((mean, i[2])).unwrap_or((None, 0));
-            let [valid, r, g, b] = coloured(found.0);
-            vec![valid, found.0.map(|_| found.1), r, g, b]
+            let found = late.push(mean.map(|mean| (i[2], mean.map(i64::from))));
+            let found = found.flatten();
+            behind_valid(Some(found.map(|(at, [r, g, b])| [at, r, g, b])))
         }
     })
 }

@@ -1,6 +1,6 @@
 //! What stands between a pipeline and a stream, and between a stream and a screen.
 
-use super::description::{Description, bit};
+use super::description::{Description, behind_valid, bit};
 use crate::signal::Delay;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::video::LEAD;
@@ -17,12 +17,8 @@ pub(super) fn pixel_fifo() -> Description {
         move |i: &[i64]| {
             let push = bit(i[1]).then_some((i[2] as u32, bit(i[3])));
             let out = fifo.clock(bit(i[0]), push, bit(i[4]));
-            vec![
-                Some(out.room.into()),
-                Some(out.word.is_some().into()),
-                out.word.map(|(data, _)| data.into()),
-                out.word.map(|(_, last)| last.into()),
-            ]
+            let word = out.word.map(|(data, last)| [data.into(), last.into()]);
+            [vec![Some(out.room.into())], behind_valid(Some(word))].concat()
         }
     })
 }

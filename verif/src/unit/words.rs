@@ -2,10 +2,11 @@
 
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::{Format, wrap};
-use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
+use imogene_golden::unit::normal::NormalWords;
 use imogene_golden::unit::pe1::Linear;
 use imogene_golden::unit::pe2::Quadratic;
 
@@ -39,30 +40,19 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
     };
     let (unit, count) = match words {
         ProcessorWords::Quadric(q) => {
-            w.quadric(q);
+            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
             w.words.push(q.class as i64);
-            for plane in &q.planes {
-                w.plane(plane.kind, &plane.depth);
-                w.vector(plane.normal);
-            }
+            w.planes(&q.planes);
             (Unit::QuadricProcessor, q.planes.len())
         }
         ProcessorWords::Patch(q) => {
-            w.quadric(q);
-            for plane in &q.planes {
-                w.plane(plane.kind, &plane.depth);
-            }
+            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
+            let planes = q.planes.iter();
+            planes.for_each(|plane| w.plane(plane.kind, &plane.depth));
             (Unit::PatchProcessor, q.planes.len())
         }
         ProcessorWords::FirstGeneration(q) => {
-            w.quadric(&QuadricWords {
-                class: Default::default(),
-                screen_box: q.screen_box,
-                f1: q.f1,
-                f2: q.f2,
-                normal: q.normal,
-                planes: vec![],
-            });
+            w.quadric(&q.f1, &q.f2, &q.normal, &q.screen_box);
             w.words.push(i64::from(q.patch));
             let planes = [&q.front, &q.back];
             planes.iter().for_each(|p| w.linear(&p.depth, format.plane));
@@ -73,10 +63,7 @@ pub fn processor(words: &ProcessorWords, format: &Format) -> Option<Loaded> {
         }
         ProcessorWords::Polyhedron(p) => {
             w.screen_box(&p.screen_box);
-            for plane in &p.planes {
-                w.plane(plane.kind, &plane.depth);
-                w.vector(plane.normal);
-            }
+            w.planes(&p.planes);
             (Unit::PolyhedronProcessor, p.planes.len())
         }
         ProcessorWords::Facet(f) => {
@@ -183,15 +170,22 @@ impl Writer<'_> {
         self.linear(depth, self.format.plane);
     }
 
-    /// f1, f2, the normal, the box and the shift.
-    fn quadric(&mut self, q: &QuadricWords) {
-        self.linear(&q.f1, self.format.sum);
-        self.quadratic(&q.f2);
-        for g in &q.normal.g {
+    /// Planes with their normals.
+    fn planes(&mut self, planes: &[PlaneWords]) {
+        for plane in planes {
+            self.plane(plane.kind, &plane.depth);
+            self.vector(plane.normal);
+        }
+    }
+
+    fn quadric(&mut self, f1: &Linear, f2: &Quadratic, normal: &NormalWords, b: &ScreenBox) {
+        self.linear(f1, self.format.sum);
+        self.quadratic(f2);
+        for g in &normal.g {
             self.linear(g, self.format.normal_linear);
         }
-        self.vector(q.normal.k);
-        self.screen_box(&q.screen_box);
-        self.words.push(q.normal.shift.into());
+        self.vector(normal.k);
+        self.screen_box(b);
+        self.words.push(normal.shift.into());
     }
 }
