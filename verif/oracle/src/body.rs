@@ -59,12 +59,11 @@ pub struct Lines<T> {
 impl Body {
     /// The bodies of an object of a scene that was read and checked: one, or the facets of a mesh.
     pub fn of(object: &Object, sight: &Sight) -> Vec<Body> {
-        let facet = |one| Body::Facet(Box::new(one));
         match &object.shape {
-            Shape::Mesh(mesh) => triangles(mesh, &placement(&object.place), sight)
-                .into_iter()
-                .map(facet)
-                .collect(),
+            Shape::Mesh(mesh) => {
+                let facets = triangles(mesh, &placement(&object.place), sight).into_iter();
+                facets.map(|one| Body::Facet(Box::new(one))).collect()
+            }
             _ => vec![Body::Cut(Box::new(CutBody::new(object, sight)))],
         }
     }
@@ -140,8 +139,7 @@ fn canonical(object: &Object) -> Canonical {
     };
     let radii = radii.map(from_decimal);
     let plane = |cut: &imogene_scene::Cut| {
-        let normal = cut.normal.map(from_decimal);
-        let point = cut.point.map(from_decimal);
+        let [normal, point] = [cut.normal, cut.point].map(|v| v.map(from_decimal));
         let constant: BigRational = (0..3).map(|k| -&normal[k] * &point[k]).sum();
         let [x, y, z] = [0, 1, 2].map(|k| &normal[k] * &radii[k]);
         [x, y, z, constant]
@@ -239,18 +237,15 @@ fn whole<'a>(values: impl Iterator<Item = &'a BigRational> + Clone) -> Vec<BigIn
     let divisor = values.clone().fold(BigInt::zero(), |gcd, v| {
         gcd.gcd(&(v.numer() * (&unit / v.denom())))
     });
-    let divisor = if divisor.is_zero() {
-        BigInt::one()
-    } else {
-        divisor
-    };
+    // All may be zero.
+    let divisor = divisor.max(BigInt::one());
     values
         .map(|v| v.numer() * (&unit / v.denom()) / &divisor)
         .collect()
 }
 
 /// Beginning and direction with one common factor, which leaves the parameter as it is.
-pub(crate) fn whole_lines(from: Affine, along: Affine) -> [[Whole; 3]; 2] {
+fn whole_lines(from: Affine, along: Affine) -> [[Whole; 3]; 2] {
     let all = whole(from.iter().chain(&along).flatten());
     let vector = |start: usize| -> Whole { std::array::from_fn(|k| all[start + k].clone()) };
     [0, 12].map(|start| [0, 4, 8].map(|offset| vector(start + offset)))
@@ -261,7 +256,7 @@ fn whole_form(form: Matrix) -> [Whole; 4] {
     std::array::from_fn(|row| std::array::from_fn(|k| all[4 * row + k].clone()))
 }
 
-pub(crate) fn whole_vector(vector: Vector) -> Whole {
+fn whole_vector(vector: Vector) -> Whole {
     let all = whole(vector.iter());
     std::array::from_fn(|k| all[k].clone())
 }

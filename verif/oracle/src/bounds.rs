@@ -48,19 +48,17 @@ impl Bounds {
             }
             let round = |radius| PARABOLOID * to_f64(radius) * scale + GUARDED;
             match object {
+                FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
                 FramedObject::Sphere(s) | FramedObject::CurvedSphere(s) => {
                     Bound::Level([round(&s.radius); 2])
                 }
                 FramedObject::Cylinder(c) => {
                     Bound::Level([round(&(&c.radius / &c.level)), GUARDED])
                 }
-                FramedObject::Mesh(_) => Bound::Facets(facets(id, bodies, &prepared.format)),
                 FramedObject::Unseen(_) => Bound::Level([0.0; 2]),
                 // Polyhedra and quotients state their own.
                 _ => match &prepared.objects[id] {
-                    PreparedObject::Parts(parts) => {
-                        Bound::Level([parts.depth_bound.unwrap_or(GUARDED); 2])
-                    }
+                    PreparedObject::Parts(p) => Bound::Level([p.depth_bound.unwrap_or(GUARDED); 2]),
                     _ => unreachable!("prepared for its processor"),
                 },
             }
@@ -83,13 +81,7 @@ impl Bounds {
                 let f2 = quadric.words.f2_at(x, y, &self.format);
                 depth_bound(quadric, number, f2)
             }
-            Bound::Level([of_quadric, of_planes]) => {
-                if number == 0 {
-                    *of_quadric
-                } else {
-                    *of_planes
-                }
-            }
+            Bound::Level(of) => of[usize::from(number != 0)],
             Bound::Facets(facets) => {
                 slope_of(facets, part).map_or(f64::INFINITY, |slope| slope / 32.0 + GUARDED)
             }

@@ -40,12 +40,10 @@ impl Sight {
     /// They go through the places of pixels at which the camera samples.
     pub fn new(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
         let mut sight = Sight::through_whole_places(camera, range, width, height);
-        let lines = if sight.perspective {
-            &mut sight.along
-        } else {
-            &mut sight.from
+        let [column, line, start] = match sight.perspective {
+            true => &mut sight.along,
+            false => &mut sight.from,
         };
-        let [column, line, start] = lines;
         let halves = camera.sample_at.map(|v| from_decimal(v) * integer(2));
         for (axis, halves) in [column, line].into_iter().zip(&halves) {
             for (sum, part) in start.iter_mut().zip(axis) {
@@ -67,45 +65,35 @@ impl Sight {
         } = camera;
         let observer = Observer::placed(eye, target, up, &camera.node.place);
         let [right, down, forward] = screen_axes(observer.view, observer.up);
-        match camera.lens {
+        let half_pixel = from_decimal(*view_height) / (lines * integer(2));
+        let (from, along, perspective) = match camera.lens {
             Lens::Perspective {
                 viewer_distance, ..
             } => {
                 let distance = integer(2) * &range.near;
                 // Of the window at that distance.
-                let half_pixel = from_decimal(*view_height) * &distance
-                    / (from_decimal(viewer_distance) * lines * integer(2));
-                Sight {
-                    width,
-                    height,
-                    from: [zero(), zero(), observer.eye],
-                    along: [
-                        scaled(right, &half_pixel),
-                        scaled(down, &half_pixel),
-                        scaled(forward, &distance),
-                    ],
-                    perspective: true,
-                }
+                let half_pixel = half_pixel * &distance / from_decimal(viewer_distance);
+                let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
+                let along = [right, down, scaled(forward, &distance)];
+                ([zero(), zero(), observer.eye], along, true)
             }
             Lens::Orthographic { .. } => {
-                let half_pixel = from_decimal(*view_height) / (lines * integer(2));
                 let far = range.far.as_ref().expect("a parallel view has a far end");
                 let (middle, half) = ((far + &range.near), (far - &range.near));
                 let [middle, half] = [middle, half].map(|length| length / integer(2));
                 let away = scaled(forward.clone(), &middle);
                 let origin = std::array::from_fn(|k| &observer.target[k] + &away[k]);
-                Sight {
-                    width,
-                    height,
-                    from: [
-                        scaled(right, &half_pixel),
-                        scaled(down, &half_pixel),
-                        origin,
-                    ],
-                    along: [zero(), zero(), scaled(forward, &half)],
-                    perspective: false,
-                }
+                let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
+                let along = [zero(), zero(), scaled(forward, &half)];
+                ([right, down, origin], along, false)
             }
+        };
+        Sight {
+            width,
+            height,
+            from,
+            along,
+            perspective,
         }
     }
 
@@ -162,7 +150,8 @@ fn zero() -> Vector {
     std::array::from_fn(|_| BigRational::zero())
 }
 
-fn point(at: &[f64; 3]) -> Vector {
+/// A point as it is written.
+pub(crate) fn point(at: &[f64; 3]) -> Vector {
     let [x, y, z] = at.map(from_decimal);
     [x, y, z, BigRational::one()]
 }

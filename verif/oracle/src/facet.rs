@@ -1,31 +1,22 @@
 //! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one
 //! sign.
 
-use crate::camera::Sight;
+use crate::camera::{Sight, point};
 use crate::interval::Interval;
 use crate::root::Real;
 use crate::transform::{Matrix, Vector, apply};
 use crate::verdict::{Cell, Ends, Solved, Verdict};
-use imogene_algebra::rational::from_decimal;
 use imogene_golden::object::facet::FACE_FACET;
 use imogene_scene::Mesh;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
-use std::cmp::Ordering;
+use num_traits::{Signed, Zero};
 
 /// A form of first degree in X and Y: factors of X, Y and 1.
 type Form = [BigRational; 3];
 
 /// The facets of a mesh that was checked, at its place.
 pub fn triangles(mesh: &Mesh, place: &Matrix, sight: &Sight) -> Vec<Triangle> {
-    let local: Vec<Vector> = mesh
-        .vertices
-        .iter()
-        .map(|&v| {
-            let [x, y, z] = v.map(from_decimal);
-            [x, y, z, BigRational::one()]
-        })
-        .collect();
+    let local: Vec<Vector> = mesh.vertices.iter().map(point).collect();
     let placed: Vec<Vector> = local.iter().map(|v| apply(place, v)).collect();
     let mut triangles = vec![];
     let mut part = 0;
@@ -85,11 +76,7 @@ impl Triangle {
     fn new([a, b, c]: [&Vector; 3], part: u32, sight: &Sight) -> Triangle {
         let side = |p: &Vector, q: &Vector| Both::new(volume(p, q, sight));
         let plane = plane_through(a, b, c);
-        let along = |affine: &[Vector; 3]| -> Form {
-            affine
-                .each_ref()
-                .map(|v| v.iter().zip(&plane).map(|(x, p)| x * p).sum())
-        };
+        let along = |affine: &[Vector; 3]| affine.each_ref().map(|v| dot(v, &plane));
         Triangle {
             part,
             sides: [side(a, b), side(b, c), side(c, a)],
@@ -110,10 +97,9 @@ impl Triangle {
     pub fn depth_slope(&self) -> [f64; 2] {
         let (start, slope) = (&self.start.exact, &self.slope.exact);
         // t = - start / slope, one of which is the same for all lines.
-        let (of, constant) = if self.perspective {
-            (slope, &start[2])
-        } else {
-            (start, &slope[2])
+        let (of, constant) = match self.perspective {
+            true => (slope, &start[2]),
+            false => (start, &slope[2]),
         };
         if constant.is_zero() {
             return [f64::INFINITY; 2];
@@ -179,14 +165,9 @@ impl Triangle {
 
     /// The parameter at which the line meets the triangle; sides belong to it.
     fn met(&self, x: i64, y: i64) -> Option<BigRational> {
-        let signs = self
-            .sides
-            .each_ref()
-            .map(|s| s.at(x, y).cmp(&BigRational::zero()));
-        let (above, below) = (
-            signs.contains(&Ordering::Greater),
-            signs.contains(&Ordering::Less),
-        );
+        let volumes = self.sides.each_ref().map(|s| s.at(x, y));
+        let above = volumes.iter().any(BigRational::is_positive);
+        let below = volumes.iter().any(BigRational::is_negative);
         let slope = self.slope.at(x, y);
         // Seen edge-on it shows nothing.
         if above == below || slope.is_zero() {
@@ -253,9 +234,13 @@ fn plane_through(a: &Vector, b: &Vector, c: &Vector) -> Vector {
         &u * &z - &w * &v
     };
     let normal = [part(1, 2), part(2, 0), part(0, 1)];
-    let constant: BigRational = normal.iter().zip(a).map(|(n, x)| -(n * x)).sum();
+    let constant = -dot(&normal, &a[..3]);
     let [x, y, z] = normal;
     [x, y, z, constant]
+}
+
+fn dot(u: &[BigRational], v: &[BigRational]) -> BigRational {
+    u.iter().zip(v).map(|(x, y)| x * y).sum()
 }
 
 /// The triangles of a face, and whether each begins a facet of its own.
@@ -266,31 +251,17 @@ fn split(vertices: &[Vector], corners: &[usize]) -> Vec<(bool, [usize; 3])> {
     let &[a, b, c, d] = corners else {
         return vec![(true, [corners[0], corners[1], corners[2]])];
     };
-    let normal = |triangle: [usize; 3]| {
-        let [x, y, z, _] = plane_through_indices(vertices, triangle);
-        [x, y, z]
-    };
-    let whole = {
-        let (one, two) = (normal([a, b, c]), normal([a, c, d]));
-        [0, 1, 2].map(|k| &one[k] + &two[k])
-    };
-    let turns_with = |triangle: [usize; 3]| {
-        let own = normal(triangle);
-        let along: BigRational = own.iter().zip(&whole).map(|(u, v)| u * v).sum();
-        along.is_positive()
-    };
+    let plane = |[a, b, c]: [usize; 3]| plane_through(&vertices[a], &vertices[b], &vertices[c]);
+    let (one, two) = (plane([a, b, c]), plane([a, c, d]));
+    // Normals are the first three words.
+    let whole = [0, 1, 2].map(|k| &one[k] + &two[k]);
+    let turns_with = |triangle: [usize; 3]| dot(&plane(triangle), &whole).is_positive();
     let from_first = turns_with([a, b, c]) && turns_with([a, c, d]);
     let from_second = turns_with([b, c, d]) && turns_with([b, d, a]);
-    let plane = plane_through_indices(vertices, [a, b, c]);
-    let off: BigRational = plane.iter().zip(&vertices[d]).map(|(p, x)| p * x).sum();
-    let flat = off.is_zero() && from_first && from_second;
+    let flat = dot(&one, &vertices[d]).is_zero() && from_first && from_second;
     if from_first {
         vec![(true, [a, b, c]), (!flat, [a, c, d])]
     } else {
         vec![(true, [b, c, d]), (true, [b, d, a])]
     }
-}
-
-fn plane_through_indices(vertices: &[Vector], [a, b, c]: [usize; 3]) -> Vector {
-    plane_through(&vertices[a], &vertices[b], &vertices[c])
 }

@@ -7,7 +7,6 @@
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
-use std::fmt::Write;
 
 /// The text of the scene with this number in the sequence of a seed.
 pub fn scene_text(seed: u64, number: u64) -> String {
@@ -43,16 +42,16 @@ impl Author {
         let mut text = format!(
             "format = 1\ntitle = \"ordinary scene {number} of seed {seed}\"\nimage = {{ width = 64, height = 48 }}\n"
         );
-        self.camera(&mut text);
+        text += &self.camera();
         text += "\n[[lights]]\nkind = \"directional\"\nfrom = [-3, 5, 7]\n";
         text += "\n[[materials]]\nname = \"clay\"\ncolour = [0.8, 0.5, 0.3]\n";
         for index in 0..objects {
-            self.object(index, &mut text);
+            text += &self.object(index);
         }
         text
     }
 
-    fn camera(&mut self, text: &mut String) {
+    fn camera(&mut self) -> String {
         let target = self.vector(0.4);
         let distance = self.between(6.0, 12.0);
         let (turn, up) = (self.between(0.0, TAU), self.between(-0.8, 0.8));
@@ -71,46 +70,33 @@ impl Author {
             let depth = self.between(3.0, 8.0);
             format!("kind = \"orthographic\"\nhalf_depth = {depth}\nview_height = {height}")
         };
-        writeln!(
-            text,
-            "\n[camera]\neye = {}\ntarget = {}\n{seen}",
-            list(&eye),
-            list(&target)
-        )
-        .expect("a string takes all");
+        let (eye, target) = (list(&eye), list(&target));
+        format!("\n[camera]\neye = {eye}\ntarget = {target}\n{seen}\n")
     }
 
-    fn object(&mut self, index: usize, text: &mut String) {
-        let (shape, cuts, is_polyhedron) = match self.random.random_range(0..8) {
-            0 | 1 => (self.closed(), vec![], false),
-            2..=4 => {
-                let (shape, cuts) = self.round_an_axis();
-                (shape, cuts, false)
-            }
-            5 | 6 => {
-                let (shape, cuts) = self.endless();
-                (shape, cuts, false)
-            }
-            _ => ("kind = \"polyhedron\"".to_owned(), self.walls(), true),
+    fn object(&mut self, index: usize) -> String {
+        let sort = self.random.random_range(0..8);
+        let (shape, mut cuts) = match sort {
+            0 | 1 => (self.closed(), vec![]),
+            2..=4 => self.round_an_axis(),
+            5 | 6 => self.endless(),
+            _ => ("kind = \"polyhedron\"".to_owned(), self.walls()),
         };
-        let mut cuts = cuts;
         if self.one_in(3) {
             let (point, normal) = (self.vector(0.3), self.vector(1.0));
             cuts.push(cut(point, normal));
         }
-        let mode = match (is_polyhedron, self.one_in(2)) {
-            (true, _) => "",
+        let mode = match (sort, self.one_in(2)) {
+            (7, _) => "",
             (_, true) => "mode = \"solid\"\n",
             _ if self.one_in(3) => "mode = \"patch\"\nprocessor = \"patch\"\n",
             _ => "mode = \"patch\"\n",
         };
         let place = self.place();
-        writeln!(
-            text,
-            "\n[[objects]]\nname = \"o{index}\"\n{shape}\n{mode}material = \"clay\"\nplace = [{place}]\ncuts = [{}]",
+        format!(
+            "\n[[objects]]\nname = \"o{index}\"\n{shape}\n{mode}material = \"clay\"\nplace = [{place}]\ncuts = [{}]\n",
             cuts.join(", ")
         )
-        .expect("a string takes all");
     }
 
     fn closed(&mut self) -> String {
@@ -139,7 +125,7 @@ impl Author {
         let (kind, count) = ENDLESS[self.random.random_range(0..ENDLESS.len())];
         let parameters = match count {
             0 => {
-                let factors: Vec<f64> = (0..10).map(|_| self.between(-1.0, 1.0)).collect();
+                let factors = [(); 10].map(|()| self.between(-1.0, 1.0));
                 format!("coefficients = {}", list(&factors))
             }
             n => format!("radii = {}", self.sizes(n)),
@@ -162,12 +148,12 @@ impl Author {
     fn place(&mut self) -> String {
         let mut steps = vec![];
         if self.one_in(4) {
-            let factors: Vec<f64> = (0..3).map(|_| self.between(0.6, 1.5)).collect();
+            let factors = [(); 3].map(|()| self.between(0.6, 1.5));
             steps.push(format!("{{ scale = {} }}", list(&factors)));
         }
         for _ in 0..self.random.random_range(0..=2) {
             let degrees = if self.one_in(2) {
-                f64::from(30 * self.random_turn())
+                f64::from(30 * self.random.random_range(0i32..12))
             } else {
                 self.between(-180.0, 180.0)
             };
@@ -178,10 +164,6 @@ impl Author {
         }
         steps.push(format!("{{ translate = {} }}", list(&self.vector(1.5))));
         steps.join(", ")
-    }
-
-    fn random_turn(&mut self) -> i32 {
-        self.random.random_range(0..12)
     }
 
     /// Half of 0.1 to 3.

@@ -60,13 +60,8 @@ pub fn run(
         Ok(bounds) => bounds,
         Err(reason) => return Ok(Outcome::Refused(reason.to_string())),
     };
-    let golden = beam::render(
-        &prepared.slots(),
-        &format,
-        width as usize,
-        height as usize,
-        || (),
-    );
+    let (columns, lines) = (width as usize, height as usize);
+    let golden = beam::render(&prepared.slots(), &format, columns, lines, || ());
     let (comparison, marks) = compare(&tracer, &traced, &golden, &bounds, &prepared);
     Ok(Outcome::Compared(Box::new(Compared {
         comparison,

@@ -138,11 +138,7 @@ impl CutBody {
                 if slope.is_zero() {
                     return !at.is_positive();
                 }
-                let removed = if slope.is_positive() {
-                    Ordering::Greater
-                } else {
-                    Ordering::Less
-                };
+                let removed = slope.cmp(&BigInt::zero());
                 t.cmp_fraction(&BigRational::new(-at, slope)) != removed
             })
     }
