@@ -113,13 +113,7 @@ fn compare(hardware: &Machine, wanted: &ShownPixel, format: &Format, report: &mu
         values.push(("source_flags", wanted.flags.into()));
     }
     for (port, golden) in values {
-        let found = hardware.get(port);
-        report.compare(
-            hardware.clocks,
-            Some((wanted.x.into(), wanted.y.into())),
-            port,
-            found,
-            golden,
-        );
+        let pixel = Some((wanted.x.into(), wanted.y.into()));
+        report.compare(hardware.clocks, pixel, port, hardware.get(port), golden);
     }
 }

@@ -36,7 +36,7 @@ pub const CASES: &[Extreme] = &[
 const FAR: i64 = (1 << 23) - 1;
 
 /// A depth and its neighbours, and both ends of the depth word and theirs.
-const DEPTHS: [i64; 11] = [
+pub(super) const DEPTHS: [i64; 11] = [
     -FAR - 2,
     -FAR - 1,
     -FAR,

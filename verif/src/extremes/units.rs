@@ -1,6 +1,7 @@
 //! Extremes of single units: the words themselves at their ends.
 
 use super::case::{Extreme, driven};
+use super::processors::DEPTHS;
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
@@ -207,21 +208,8 @@ fn normal_words(subject: &Subject) -> Vec<Inputs> {
 }
 
 fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
-    let far = (1i64 << 23) - 1;
-    let depths = [
-        -(1 << 25),
-        -far - 2,
-        -far - 1,
-        -far,
-        -far + 1,
-        -1,
-        0,
-        1,
-        far - 1,
-        far,
-        far + 1,
-        (1 << 25) - 1,
-    ];
+    let sums = [[-(1 << 25)], [(1 << 25) - 1]];
+    let depths = [&sums[0], &DEPTHS[..10], &sums[1]].concat();
     let all = every([&[0, 1, 2, 3], &depths, &depths, &[0, 1]]);
     let ordered = all.filter(|[_, near, far, _]| near <= far);
     let one = |[class, near, far, inside]: [i64; 4]| {

@@ -1,6 +1,6 @@
 //! The list of proofs.
 
-use super::job::{Design, Job, Method, Words};
+use super::job::{Design, Job, Method, decider_inputs};
 use imogene_contract::words::DEPTH_WORDS;
 use imogene_contract::{Request, Unit};
 
@@ -18,11 +18,6 @@ mod base;
 mod root;
 
 use base::{BASE, Definitions, at_format, define, integers, job};
-
-/// Names of all proofs, those for `--full` included.
-pub fn names() -> Vec<String> {
-    jobs().into_iter().map(|job| job.name).collect()
-}
 
 /// All proofs, those for `--full` included; the longest first.
 pub fn jobs() -> Vec<Job> {
@@ -44,7 +39,8 @@ struct Family {
 }
 
 impl Family {
-    fn at(&self, depth_word: usize) -> Job {
+    fn at(&self, depth_word: u32) -> Job {
+        let depth_word = depth_word as usize;
         let widths = (self.widths)(depth_word);
         let name = format!("{}-{}", self.name, widths[0].1);
         let job = job(name, self.statement, self.properties, self.unit);
@@ -101,14 +97,10 @@ const VISIBILITY_NODE: Family = Family {
     ..CUT_PLANE
 };
 
-fn depth_words() -> [usize; 5] {
-    DEPTH_WORDS.map(|word| word as usize)
-}
-
 fn elementary() -> Vec<Job> {
     let mut jobs: Vec<Job> = [PE2, PE1]
         .iter()
-        .flat_map(|family| depth_words().map(|word| family.at(word)))
+        .flat_map(|family| DEPTH_WORDS.map(|word| family.at(word)))
         .collect();
     let pe1 = job(
         "pe1-products".into(),
@@ -151,7 +143,7 @@ fn products(mut job: Job, width: usize, clocks: usize) -> Job {
 }
 
 fn depths() -> Vec<Job> {
-    let at = |word: usize| {
+    let at = |word: u32| {
         let order = Job {
             top: "cut_plane_order",
             method: Method::Induction { depth: 2 },
@@ -161,7 +153,7 @@ fn depths() -> Vec<Job> {
             [CUT_PLANE, DEPTH_INTERVAL, TWO_VOLUME_MERGE].map(|family| family.at(word));
         [cut, order, interval, merge]
     };
-    depth_words().into_iter().flat_map(at).collect()
+    DEPTH_WORDS.into_iter().flat_map(at).collect()
 }
 
 fn raster() -> Vec<Job> {
@@ -238,7 +230,7 @@ fn beam_valid() -> Job {
 }
 
 fn decision() -> Vec<Job> {
-    let nodes = depth_words().map(|word| VISIBILITY_NODE.at(word));
+    let nodes = DEPTH_WORDS.map(|word| VISIBILITY_NODE.at(word));
     nodes.into_iter().chain([4, 2, 3, 5].map(decider)).collect()
 }
 
@@ -255,7 +247,7 @@ fn decider(inputs: usize) -> Job {
             objects: inputs as u32,
             ..Request::new(Unit::Decider)
         }),
-        words: Words::Inputs,
+        words: decider_inputs,
         full: inputs != 4,
         ..late(decider, latency, &[("W", BASE), ("M", inputs)])
     }

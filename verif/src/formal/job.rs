@@ -47,16 +47,8 @@ pub(super) enum Design {
     Text(&'static str),
 }
 
-/// Definitions that depend on the emitted text.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Words {
-    /// None.
-    None,
-    /// The register stages of a root network.
-    Network,
-    /// The inputs of a decider.
-    Inputs,
-}
+/// Names and what they stand for.
+pub(super) type Definitions = Vec<(String, String)>;
 
 /// A proof.
 #[derive(Clone, Debug)]
@@ -73,8 +65,9 @@ pub struct Job {
     pub full: bool,
     pub(super) design: Design,
     pub(super) properties: &'static str,
-    pub(super) definitions: Vec<(String, String)>,
-    pub(super) words: Words,
+    pub(super) definitions: Definitions,
+    /// Definitions that depend on the emitted text.
+    pub(super) words: fn(&Request) -> Definitions,
     pub(super) top: &'static str,
 }
 
@@ -90,12 +83,16 @@ impl Job {
         if let Some(mutant) = mutant {
             design = mutant.apply(&design)?;
         }
-        let mut text = String::new();
-        for (name, value) in self.definitions.iter().chain(&self.text_words()) {
-            let _ = writeln!(text, "`define {name} {value}");
-        }
         if self.method == Method::Integers {
             return Ok(design);
+        }
+        let mut definitions = self.definitions.clone();
+        if let Design::Emitted(request) = &self.design {
+            definitions.extend((self.words)(request));
+        }
+        let mut text = String::new();
+        for (name, value) in definitions {
+            let _ = writeln!(text, "`define {name} {value}");
         }
         Ok(text + &bind::resolve(&self.name, &design, self.properties)?)
     }
@@ -118,17 +115,6 @@ impl Job {
             }
         }
     }
-
-    fn text_words(&self) -> Vec<(String, String)> {
-        match (self.words, &self.design) {
-            (Words::Network, Design::Emitted(request)) => {
-                let [bits, rows] = [request.depth_word, request.rows_per_stage].map(|n| n as usize);
-                stage_words(bits, rows)
-            }
-            (Words::Inputs, Design::Emitted(request)) => decider_inputs(request.objects as usize),
-            _ => Vec::new(),
-        }
-    }
 }
 
 fn emitted(request: &Request) -> Result<String, FormalError> {
@@ -136,28 +122,28 @@ fn emitted(request: &Request) -> Result<String, FormalError> {
 }
 
 /// The words of all inputs side by side, the last input first.
-fn decider_inputs(inputs: usize) -> Vec<(String, String)> {
+pub(super) fn decider_inputs(request: &Request) -> Definitions {
     let words = [
         ("DEPTHS", &["depth"][..]),
         ("IDS", &["id"]),
         ("RESTS", &["number", "nx", "ny", "nz"]),
     ];
     let all = |fields: &[&str]| {
-        let of_input =
-            |i: usize| -> Vec<_> { fields.iter().map(|f| format!("input_{i}_{f}")).collect() };
-        let names: Vec<String> = (0..inputs).rev().flat_map(of_input).collect();
+        let inputs = (0..request.objects).rev();
+        let names = inputs.flat_map(|i| fields.iter().map(move |f| format!("input_{i}_{f}")));
+        let names: Vec<String> = names.collect();
         format!("{{{}}}", names.join(", "))
     };
-    words
-        .map(|(name, fields)| (name.to_owned(), all(fields)))
-        .into()
+    let words = words.map(|(name, fields)| (name.to_owned(), all(fields)));
+    words.into()
 }
 
-/// Definitions for the properties of a root network of `bits` bits: `K`, `STAGES`, `ROWS` and the words of all stages
+/// Definitions for the properties of a root network: `K`, `STAGES`, `ROWS` and the words of all stages
 /// side by side, the last stage first. Element 0 of an array is what the first stage takes.
-fn stage_words(bits: usize, rows_per_stage: usize) -> Vec<(String, String)> {
-    let stages = bits.div_ceil(rows_per_stage);
-    let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows_per_stage)];
+pub(super) fn stage_words(request: &Request) -> Definitions {
+    let (bits, rows) = (request.depth_word, request.rows_per_stage);
+    let stages = bits.div_ceil(rows);
+    let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows)];
     let numbers = numbers.map(|(name, value)| (name.to_owned(), value.to_string()));
     let words = [
         ("PAIRS", "pairs"),
@@ -165,10 +151,8 @@ fn stage_words(bits: usize, rows_per_stage: usize) -> Vec<(String, String)> {
         ("REMAINDERS", "remainder"),
     ];
     let words = words.map(|(name, port)| {
-        let stages = (1..=stages).rev();
-        let list: Vec<String> = stages
-            .map(|stage| format!("stages_{port}[{stage}]"))
-            .collect();
+        let list = (1..=stages).rev();
+        let list: Vec<String> = list.map(|k| format!("stages_{port}[{k}]")).collect();
         (name.to_owned(), format!("{{{}}}", list.join(", ")))
     });
     numbers.into_iter().chain(words).collect()

@@ -67,17 +67,16 @@ pub fn select(name: &str, full: bool) -> Result<Vec<Job>, FormalError> {
         let rest = job.name.strip_prefix(name);
         name == "all" || rest.is_some_and(|rest| rest.starts_with('-'))
     };
-    let family: Vec<Job> = jobs.into_iter().filter(of_family).collect();
+    let (mut family, others): (Vec<Job>, Vec<Job>) = jobs.into_iter().partition(of_family);
     if family.is_empty() {
-        let name = name.to_owned();
-        let names = catalogue::names().join(", ");
+        let names: Vec<String> = others.into_iter().map(|job| job.name).collect();
+        let (name, names) = (name.to_owned(), names.join(", "));
         return Err(FormalError::Unknown { name, names });
     }
-    let short: Vec<Job> = family.iter().filter(|job| !job.full).cloned().collect();
-    if full || short.is_empty() {
-        return Ok(family);
+    if !full && family.iter().any(|job| !job.full) {
+        family.retain(|job| !job.full);
     }
-    Ok(short)
+    Ok(family)
 }
 
 /// Runs tasks and calls `done` after each; reports come in the order of the tasks.

@@ -40,46 +40,31 @@ pub(super) fn post_filter() -> Description {
     })
 }
 
-/// A picture of random colours with a random kernel and random pauses.
-#[derive(Clone, Debug)]
-struct Picture {
-    width: usize,
-    height: usize,
-    kernel: i64,
-    pauses: Vec<usize>,
-    noise: Vec<Vec<i64>>,
-}
+/// A picture of random colours: columns, lines, a random kernel, random pauses, noise.
+type Picture = (usize, usize, i64, Vec<usize>, Vec<Inputs>);
 
-impl Picture {
-    /// Appends the clocks of the picture; what stands on the ports in a pause is noise.
-    fn write(&self, clocks: &mut Vec<Inputs>) {
-        let mut noise = self.noise.iter().cycle();
-        let mut next = || noise.next().expect("a cycle has no end").clone();
-        let mut pauses = self.pauses.iter().cycle();
-        let mut pause = || *pauses.next().expect("a cycle has no end");
-        for y in 0..self.height {
-            for x in 0..self.width {
-                let mut inputs = next();
-                let line_end = x + 1 == self.width;
-                let last = line_end && y + 1 == self.height;
-                if x == 0 && y == 0 {
-                    inputs[0] = self.kernel;
-                }
-                inputs[1..6].copy_from_slice(&[
-                    1,
-                    x as i64,
-                    y as i64,
-                    line_end.into(),
-                    last.into(),
-                ]);
-                clocks.push(inputs);
-                let idle = pause() + usize::from(line_end) + if last { self.width + 1 } else { 0 };
-                clocks.extend((0..idle).map(|_| {
-                    let mut inputs = next();
-                    inputs[1] = 0;
-                    inputs
-                }));
+/// Appends the clocks of a picture; what stands on the ports in a pause is noise.
+fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inputs>) {
+    let mut noise = noise.iter().cycle();
+    let mut next = || noise.next().expect("a cycle has no end").clone();
+    let mut pauses = pauses.iter().cycle();
+    let mut pause = || *pauses.next().expect("a cycle has no end");
+    for y in 0..*height {
+        for x in 0..*width {
+            let mut inputs = next();
+            let line_end = x + 1 == *width;
+            let last = line_end && y + 1 == *height;
+            if x == 0 && y == 0 {
+                inputs[0] = *kernel;
             }
+            inputs[1..6].copy_from_slice(&[1, x as i64, y as i64, line_end.into(), last.into()]);
+            clocks.push(inputs);
+            let idle = pause() + usize::from(line_end) + if last { width + 1 } else { 0 };
+            clocks.extend((0..idle).map(|_| {
+                let mut inputs = next();
+                inputs[1] = 0;
+                inputs
+            }));
         }
     }
 }
@@ -98,24 +83,14 @@ fn pictures(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
         level(),
     ];
     let idle = prop_oneof![5 => Just(0usize), 1 => 1usize..4];
-    let picture = (
-        1usize..8,
-        1usize..6,
-        0i64..4,
-        list(idle, 41),
-        list(noise, 97),
-    )
-        .prop_map(|(width, height, kernel, pauses, noise)| Picture {
-            width,
-            height,
-            kernel,
-            pauses,
-            noise,
-        });
+    let (pauses, noise) = (list(idle, 41), list(noise, 97));
+    let picture = (1usize..8, 1usize..6, 0i64..4, pauses, noise);
     list(picture, clocks / 12 + 1)
         .prop_map(move |pictures| {
             let mut list = Vec::new();
-            pictures.iter().for_each(|picture| picture.write(&mut list));
+            pictures
+                .iter()
+                .for_each(|picture| write(picture, &mut list));
             list.truncate(clocks);
             list
         })

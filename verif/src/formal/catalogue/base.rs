@@ -1,6 +1,6 @@
 //! What the proofs of the list have in common.
 
-use crate::formal::job::{Design, Job, Method, Words};
+use crate::formal::job::{self, Design, Job, Method};
 use imogene_contract::{Request, Unit};
 
 /// The format whose proofs run without `--full`.
@@ -22,7 +22,7 @@ pub(super) fn job(
         design: Design::Emitted(Request::new(unit)),
         properties,
         definitions: Vec::new(),
-        words: Words::None,
+        words: |_| Vec::new(),
         top: unit.name(),
     }
 }
@@ -36,14 +36,13 @@ pub(super) fn at_format(mut job: Job, depth_word: usize, definitions: &[(&str, u
     }
     job.full = depth_word != BASE;
     job.definitions = define(definitions);
-    let widths = definitions
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"));
+    let widths = definitions.iter();
+    let widths = widths.map(|(name, value)| format!("{name} = {value}"));
     job.widths = widths.collect::<Vec<_>>().join(", ");
     job
 }
 
-pub(super) fn define(definitions: &[(&str, usize)]) -> Vec<(String, String)> {
+pub(super) fn define(definitions: &[(&str, usize)]) -> job::Definitions {
     let pair = |(name, value): &(&str, usize)| ((*name).to_owned(), value.to_string());
     definitions.iter().map(pair).collect()
 }

@@ -1,7 +1,7 @@
 //! The proofs of the root networks.
 
 use super::base::{BASE, at_format, integers, job};
-use crate::formal::job::{Design, Job, Method, Words};
+use crate::formal::job::{Design, Job, Method, stage_words};
 use imogene_contract::{Request, Unit};
 
 const REFERENCE_ROWS: &str = concat!(
@@ -70,7 +70,7 @@ fn network(
             rows_per_stage: rows_per_stage as u32,
             ..Request::of(Unit::SquareRoot, depth_word as u32)
         }),
-        words: Words::Network,
+        words: stage_words,
         widths: format!(
             "K = {depth_word}, F = {}, R = {rows_per_stage}",
             2 * depth_word
