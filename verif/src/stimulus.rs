@@ -83,19 +83,8 @@ pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
 /// Depths that meet: a few levels around the ends of the depth word and zero, so that ties are common.
 pub fn depth(width: u32) -> BoxedStrategy<i64> {
     let far = (1i64 << (width - 1)) - 1;
-    let level = select(vec![
-        -far - 1,
-        -far,
-        -far + 1,
-        -2,
-        -1,
-        0,
-        1,
-        2,
-        3,
-        far - 1,
-        far,
-    ]);
+    let levels = (-far - 1..=-far + 1).chain(-2..=3).chain(far - 1..=far);
+    let level = select(levels.collect::<Vec<i64>>());
     let any_word = word(&Signal::signed("depth", width));
     prop_oneof![3 => level, 1 => any_word].boxed()
 }

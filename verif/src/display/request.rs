@@ -5,8 +5,7 @@ use imogene_contract::RequestError;
 use imogene_contract::video::VideoMode;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::ZoneMachine;
-use imogene_plan::description;
-use imogene_plan::description::{MachineDescription, MachineKind, Smoothing};
+use imogene_plan::description::{MachineDescription, MachineKind, Output as Picture, Smoothing};
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_rtl::emit::machine::{Kind, MachineRequest, Output, Slot, ZoneShape};
 
@@ -26,25 +25,14 @@ pub fn request(machine: &MachineDescription, command: &str) -> MachineRequest {
         },
         has_overlay: machine.overlay,
     };
-    let kind = match machine.machine {
-        MachineKind::Zone => {
-            let shape = shape(&machine.zone_machine());
-            match machine.output {
-                description::Output::Pins => Kind::ZoneDisplay(shape, output),
-                description::Output::Stream => Kind::ZoneMachine(shape),
-            }
-        }
-        MachineKind::Beam => {
-            let loader_bits = machine.loader_words().next_power_of_two().trailing_zeros() as usize;
-            match machine.output {
-                description::Output::Pins => Kind::BeamDisplay(loader_bits, output),
-                description::Output::Stream => Kind::BeamStream(
-                    loader_bits,
-                    mode.line.active as usize,
-                    mode.frame.active as usize,
-                ),
-            }
-        }
+    let shape = || shape(&machine.zone_machine());
+    let loader_bits = || machine.loader_words().next_power_of_two().trailing_zeros() as usize;
+    let [width, height] = [mode.line.active, mode.frame.active].map(|n| n as usize);
+    let kind = match (machine.machine, machine.output) {
+        (MachineKind::Zone, Picture::Pins) => Kind::ZoneDisplay(shape(), output),
+        (MachineKind::Zone, Picture::Stream) => Kind::ZoneMachine(shape()),
+        (MachineKind::Beam, Picture::Pins) => Kind::BeamDisplay(loader_bits(), output),
+        (MachineKind::Beam, Picture::Stream) => Kind::BeamStream(loader_bits(), width, height),
     };
     let format = machine.format().expect("a description that was checked");
     MachineRequest {

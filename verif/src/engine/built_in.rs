@@ -13,39 +13,8 @@ const LANES: usize = 8;
 /// A beam machine in its own simulator, in lanes.
 pub struct BuiltIn {
     circuit: Circuit<LANES>,
-    /// Signals inside a slot, and what each is called there.
-    inside: Vec<(ProbeSignal, String)>,
-}
-
-/// Where the processor has the signals that are traced, if not at its ports.
-const POINTS: [(&str, &str); 17] = [
-    ("f2", "quadric.f2.value"),
-    ("f1", "quadric.f1.value"),
-    ("root", "quadric.square_root.root"),
-    ("near_sum", "quadric.near_sum"),
-    ("far_sum", "quadric.far_sum"),
-    ("interval_zf_a", "interval.zf_a"),
-    ("interval_zb_a", "interval.zb_a"),
-    ("interval_zf_b", "interval.zf_b"),
-    ("interval_zb_b", "interval.zb_b"),
-    ("plane_#_depth", "planes_#.depth"),
-    ("cut_#_zf_a", "cut_a_#.cut_zf"),
-    ("cut_#_zb_a", "cut_a_#.cut_zb"),
-    ("cut_#_zf_b", "cut_b_#.cut_zf"),
-    ("cut_#_zb_b", "cut_b_#.cut_zb"),
-    ("merged_zf", "merge.zf"),
-    ("merged_zb", "merge.zb"),
-    ("merged_nf", "merge.nf"),
-];
-
-/// The place of a signal within a processor.
-fn point(signal: &str) -> String {
-    let number = signal.split('_').find(|part| part.parse::<usize>().is_ok());
-    let found = POINTS.iter().find_map(|(name, point)| {
-        let number = number.unwrap_or("#");
-        (name.replace('#', number) == signal).then(|| point.replace('#', number))
-    });
-    found.unwrap_or_else(|| signal.to_owned())
+    /// Signals inside a slot.
+    inside: Vec<ProbeSignal>,
 }
 
 impl BuiltIn {
@@ -55,13 +24,9 @@ impl BuiltIn {
     ///
     /// When the shape is out of its range.
     pub fn new(shape: &MachineShape) -> Result<BuiltIn, RequestError> {
-        let inside = processor_signals(shape).into_iter().map(|probe| {
-            let point = point(&probe.signal.name);
-            (probe, point)
-        });
         Ok(BuiltIn {
             circuit: Circuit::in_lanes(&shape.request().design()?),
-            inside: inside.collect(),
+            inside: processor_signals(shape),
         })
     }
 
@@ -103,13 +68,13 @@ impl Engine for BuiltIn {
     }
 
     fn inside(&self) -> Vec<ProbeSignal> {
-        self.inside.iter().map(|(probe, _)| probe.clone()).collect()
+        self.inside.clone()
     }
 
     fn probe(&mut self, lane: usize, object: usize) -> Vec<i64> {
         let BuiltIn { circuit, inside } = self;
-        let read = |(probe, point): &(ProbeSignal, String)| {
-            let path = format!("processors_{object}.{point}");
+        let read = |probe: &ProbeSignal| {
+            let path = format!("processors_{object}.{}", probe.point);
             let bits = circuit.point(lane, &path);
             let bits = bits.unwrap_or_else(|| panic!("the machine has no point {path}"));
             probe.signal.value(bits)

@@ -120,6 +120,8 @@ pub struct ProbeSignal {
     pub signal: Signal,
     /// Clocks after the flags.
     pub offset: usize,
+    /// Its place within the processor.
+    pub point: String,
 }
 
 /// The traced signals of a quadric processor, in the order of the pipeline.
@@ -129,31 +131,60 @@ pub fn processor_signals(shape: &MachineShape) -> Vec<ProbeSignal> {
     let root = (format.root_rows() as usize).div_ceil(shape.rows_per_stage);
     let planes = shape.planes;
     let mut list = Vec::new();
-    let mut add = |signal: Signal, offset: usize| list.push(ProbeSignal { signal, offset });
-    add(Signal::signed("f2", format.pe2_width()), 1);
-    add(Signal::signed("f1", format.pe1_width()), 1 + root);
-    add(Signal::unsigned("root", format.root_rows()), 1 + root);
-    add(Signal::signed("near_sum", sum), 2 + root);
-    add(Signal::signed("far_sum", sum), 2 + root);
-    let halves = ["zf_a", "zb_a", "zf_b", "zb_b"];
-    for end in halves {
-        add(Signal::signed(format!("interval_{end}"), w), 3 + root);
+    let mut add = |signal: Signal, offset: usize, point: &str| {
+        let point = point.to_owned();
+        list.push(ProbeSignal {
+            signal,
+            offset,
+            point,
+        });
+    };
+    add(
+        Signal::signed("f2", format.pe2_width()),
+        1,
+        "quadric.f2.value",
+    );
+    add(
+        Signal::signed("f1", format.pe1_width()),
+        1 + root,
+        "quadric.f1.value",
+    );
+    let width = format.root_rows();
+    add(
+        Signal::unsigned("root", width),
+        1 + root,
+        "quadric.square_root.root",
+    );
+    for name in ["near_sum", "far_sum"] {
+        add(
+            Signal::signed(name, sum),
+            2 + root,
+            &format!("quadric.{name}"),
+        );
+    }
+    let ends = [("zf", "a"), ("zb", "a"), ("zf", "b"), ("zb", "b")];
+    for (end, half) in ends {
+        let [name, point] = ["_", "."].map(|joint| format!("interval{joint}{end}_{half}"));
+        add(Signal::signed(name, w), 3 + root, &point);
     }
     for i in 0..planes {
-        add(Signal::signed(format!("plane_{i}_depth"), w), 3 + root + i);
-        for end in halves {
-            add(Signal::signed(format!("cut_{i}_{end}"), w), 4 + root + i);
+        let depth = Signal::signed(format!("plane_{i}_depth"), w);
+        add(depth, 3 + root + i, &format!("planes_{i}.depth"));
+        for (end, half) in ends {
+            let cut = Signal::signed(format!("cut_{i}_{end}_{half}"), w);
+            add(cut, 4 + root + i, &format!("cut_{half}_{i}.cut_{end}"));
         }
     }
-    add(Signal::signed("merged_zf", w), 4 + root + planes);
-    add(Signal::signed("merged_zb", w), 4 + root + planes);
-    add(Signal::unsigned("merged_nf", 4), 4 + root + planes);
-    for name in ["zf", "zb"] {
-        add(Signal::signed(name, w), 7 + root + planes);
-    }
-    add(Signal::unsigned("number", 4), 7 + root + planes);
-    for name in ["nx", "ny", "nz"] {
-        add(Signal::signed(name, format.normal), 7 + root + planes);
+    let merged = 4 + root + planes;
+    add(Signal::signed("merged_zf", w), merged, "merge.zf");
+    add(Signal::signed("merged_zb", w), merged, "merge.zb");
+    add(Signal::unsigned("merged_nf", 4), merged, "merge.nf");
+    let [zf, zb] = ["zf", "zb"].map(|name| Signal::signed(name, w));
+    let normal = ["nx", "ny", "nz"].map(|name| Signal::signed(name, format.normal));
+    let outputs = [zf, zb, Signal::unsigned("number", 4)];
+    for port in outputs.into_iter().chain(normal) {
+        let name = port.name.clone();
+        add(port, 7 + root + planes, &name);
     }
     list
 }

@@ -10,16 +10,15 @@ use super::score::{Design, Fate, Mutant, MutationError, Options, Outcome};
 use crate::subject::Subject;
 use imogene_tools::{ToolError, read, write, yosys};
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Steps of the induction at most.
 const STEPS: u32 = 40;
 
 /// Judges what the campaign left.
-pub(super) struct Judge {
-    folder: PathBuf,
-    top: String,
-    latency: usize,
+pub(super) struct Judge<'a> {
+    folder: &'a Path,
+    design: &'a Design<'a>,
     /// Text of the netlist with the facts.
     netlist: String,
     begins_at_zero: bool,
@@ -29,13 +28,13 @@ pub(super) struct Judge {
 /// The netlist with the facts and cut registers.
 const CUT: &str = "cut.il";
 
-impl Judge {
+impl<'a> Judge<'a> {
     pub(super) fn new(
-        folder: &Path,
-        design: &Design,
+        folder: &'a Path,
+        design: &'a Design,
         subject: &Subject,
         options: &Options,
-    ) -> Result<Judge, MutationError> {
+    ) -> Result<Judge<'a>, MutationError> {
         assume(folder, design.top, &subject.name)?;
         let netlist = read(&folder.join(ASSUMED))?;
         write(&folder.join(CUT), &cut(&netlist))?;
@@ -47,9 +46,8 @@ impl Judge {
             !bits.contains(|c: char| c.is_ascii_digit() && c != '0')
         });
         Ok(Judge {
-            folder: folder.to_path_buf(),
-            top: design.top.to_owned(),
-            latency: design.latency,
+            folder,
+            design,
             begins_at_zero,
             netlist,
             seconds: options.proof_seconds,
@@ -91,7 +89,7 @@ impl Judge {
         // Nothing is stated of the outputs before the first result is there.
         let time = format!(
             "sat -tempinduct -set-init-zero -seq {} -maxsteps {STEPS}",
-            self.latency
+            self.design.latency
         );
         let time = if self.begins_at_zero {
             self.prove(mutant.number, ASSUMED, &mutant.command, &time)?
@@ -122,7 +120,7 @@ impl Judge {
         command: &str,
         sat: &str,
     ) -> Result<String, ToolError> {
-        let Judge { top, seconds, .. } = self;
+        let (top, seconds) = (self.design.top, self.seconds);
         // Merging leaves one copy of all that the mutation does not touch.
         let script = format!(
             "read_rtlil {netlist}\nsetattr -unset init w:*\ncopy {top} gate\ndelete gate/t:$assume\n\
@@ -130,6 +128,6 @@ impl Judge {
              opt_merge -share_all\nopt_clean\n\
              {sat} -prove-asserts -set-assumes -timeout {seconds} miter\n"
         );
-        yosys(&self.folder, &format!("{netlist}_{number}.ys"), &script)
+        yosys(self.folder, &format!("{netlist}_{number}.ys"), &script)
     }
 }

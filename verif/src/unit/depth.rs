@@ -40,20 +40,9 @@ pub(super) fn depth_interval(format: Format) -> Description {
 /// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.
 fn sums(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let far = (1i64 << (subject.inputs[0].width - 3)) - 1;
-    let level = proptest::sample::select(vec![
-        -3 * far,
-        -far - 2,
-        -far - 1,
-        -far,
-        -far + 1,
-        -1,
-        0,
-        1,
-        far - 1,
-        far,
-        far + 1,
-        3 * far,
-    ]);
+    let low = [-3 * far].into_iter().chain(-far - 2..=-far + 1);
+    let levels = low.chain(-1..=1).chain(far - 1..=far + 1).chain([3 * far]);
+    let level = proptest::sample::select(levels.collect::<Vec<i64>>());
     let any_sum = crate::stimulus::word(&subject.inputs[0]);
     // Next to an end of the depth word but for one bit: a comparator that neglects that bit takes it for the end.
     let near_end = (

@@ -10,14 +10,12 @@ mod memory;
 mod normal;
 mod object;
 mod patch;
-mod programmable;
 mod raster;
 mod root;
 mod root_family;
 mod shading;
 mod solid;
 mod transparency;
-mod video;
 mod video_filter;
 mod video_stream;
 mod volume;
@@ -91,7 +89,7 @@ fn describe(p: &Request) -> Description {
         Unit::TwoVolumeMerge => depth::two_volume_merge(),
         Unit::NormalUnit => normal::normal_unit(planes),
         Unit::QuadricProcessor => object::quadric_processor(format, planes, rows),
-        Unit::ProgrammablePe => programmable::programmable_pe(format),
+        Unit::ProgrammablePe => elementary::programmable_pe(format),
         Unit::MemoryPe2 => memory::memory_pe2(format),
         Unit::PatchDecider => patch::patch_decider(format),
         Unit::PatchProcessor => object::patch_processor(format, planes, rows),
@@ -106,7 +104,7 @@ fn describe(p: &Request) -> Description {
         Unit::RasterControl => raster::raster_control(),
         Unit::CoefficientStore => machine::coefficient_store(format, planes),
         Unit::Beam => machine::beam(format, objects, planes, rows),
-        Unit::VideoTiming => video::video_timing(n(p.mode)),
+        Unit::VideoTiming => raster::video_timing(n(p.mode)),
         Unit::PixelFifo => video_stream::pixel_fifo(),
         Unit::FrameStore => video_stream::frame_store(),
         Unit::PostFilter => video_filter::post_filter(),

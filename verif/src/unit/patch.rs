@@ -34,17 +34,13 @@ fn decisions(subject: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let often = || prop_oneof![6 => Just(1i64), 1 => Just(0)];
     let planes = (subject.inputs.len() - DECIDER_PORTS) / 2;
     let plane = || (0i64..4, depth(width));
-    let one = (
-        sum(),
-        sum(),
-        often(),
-        often(),
-        proptest::collection::vec(plane(), planes),
-    )
-        .prop_map(|(a, b, inside, there, planes)| {
+    let planes = proptest::collection::vec(plane(), planes);
+    let one = ([sum(), sum()], [often(), often()], planes).prop_map(
+        |([a, b], [inside, there], planes)| {
             let mut inputs = vec![a.min(b), a.max(b), inside, there];
             inputs.extend(planes.into_iter().flat_map(|(kind, zp)| [kind, zp]));
             inputs
-        });
+        },
+    );
     proptest::collection::vec(one, clocks).boxed()
 }
