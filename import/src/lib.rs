@@ -22,6 +22,8 @@
 //! # Ok::<(), imogene_import::ImportError>(())
 //! ```
 
+#[cfg(test)]
+mod cases;
 mod compressed;
 mod error;
 #[cfg(feature = "cad")]

@@ -4,7 +4,7 @@ use super::curve::{Curve, Ellipse, Tolerance};
 use super::keys::EdgeKeys;
 use super::model::{COINCIDENT, Edge};
 use super::source::Source;
-use super::vector::{Vector, across, distance, frame, hull, length, minus, unit};
+use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
 use crate::ImportError;
 use std::collections::{BTreeMap, HashMap};
 use toml::Spanned;
@@ -207,8 +207,7 @@ impl EdgeBuilder<'_> {
                 "at least three for a closed edge, with the ends at least two otherwise, and at most 2000 are possible",
             ));
         }
-        let distances = points.iter().map(|p| distance(*p, points[0]));
-        let size = distances.fold(0.0, f64::max);
+        let size = reach(points.iter().copied(), points[0]);
         for k in 0..points.len() - usize::from(!closed) {
             if distance(points[k], points[(k + 1) % points.len()]) <= 1e-9 * size.max(1e-9) {
                 return Err(self.error(

@@ -7,7 +7,8 @@
 use super::bezier::{Bernstein, Patch};
 use super::surface::{Form, Surface};
 use super::vector::{
-    Vector, across, along, cross, distance, dot, frame, length, minus, opposite, plus, times, unit,
+    Vector, across, along, cross, distance, dot, frame, length, minus, opposite, plus, reach,
+    times, unit,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
 
@@ -26,19 +27,21 @@ const ANGLES: [f64; 2] = [
 /// A place of a surface and its unit normal.
 type Place = (Vector, Vector);
 
-/// What a surface is.
+/// What a surface is taken for.
 #[derive(Clone, Debug)]
-pub struct Canonical {
-    /// The quadric, plane or torus.
+pub struct Found {
+    /// The surface.
     pub surface: Surface,
-    /// No place of the surface is farther off it, scene units.
-    pub deviation: f64,
-    /// Its own normal is opposite to that of the free-form surface.
+    /// Why it is not drawn although it is a quadric.
+    pub refused: Option<String>,
+    /// No place of the surface of the file is farther off it, scene units.
+    pub off: f64,
+    /// Its own normal is opposite to that of the surface of the file.
     pub opposite: bool,
 }
 
 /// The quadric, plane or torus that a surface of patches is within a length of.
-pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Canonical> {
+pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Found> {
     let places = places(patches);
     let middle = mean(places.iter().map(|(p, _)| *p));
     let candidates = [plane, cylinder, sphere, cone, torus];
@@ -53,20 +56,21 @@ pub fn canonical(patches: &[Patch], tolerance: f64) -> Option<Canonical> {
             return None;
         }
         let bounds = patches.iter().map(|patch| bound(patch, &surface));
-        let deviation = bounds.fold(0.0, f64::max);
-        (deviation <= tolerance).then_some((surface, deviation))
+        let off = bounds.fold(0.0, f64::max);
+        (off <= tolerance).then_some((surface, off))
     });
     // The simpler kind of two that are as good.
-    let (mut surface, deviation) = found.min_by(|a, b| (a.1 - 1e-12).total_cmp(&b.1))?;
+    let (mut surface, off) = found.min_by(|a, b| (a.1 - 1e-12).total_cmp(&b.1))?;
     let agree = |(p, n): &Place| Some(dot(surface.normal_at(*p)?, *n));
     let opposite_normal = places.iter().filter_map(agree).sum::<f64>() < 0.0;
     let turned = surface.is_plane() && opposite_normal;
     if turned {
         surface.axis = opposite(surface.axis);
     }
-    Some(Canonical {
+    Some(Found {
         surface,
-        deviation,
+        refused: None,
+        off,
         opposite: opposite_normal && !turned,
     })
 }
@@ -192,8 +196,7 @@ fn torus(places: &[Place], middle: Vector) -> Option<Surface> {
 
 /// How far places are from a point at most.
 fn size(places: &[Place], from: Vector) -> f64 {
-    let distances = places.iter().map(|(p, _)| distance(*p, from));
-    distances.fold(0.0, f64::max)
+    reach(places.iter().map(|(p, _)| *p), from)
 }
 
 /// The numbers of a surface, for the search.

@@ -205,7 +205,7 @@ impl Chart {
     /// The v at which a separator passes zero on the line u, ascending.
     pub fn crossings(&self, u: f64, separator: &Separator) -> Vec<f64> {
         match (&self.surface.form, self.line(u), separator) {
-            (_, Some((from, along)), Separator::Plane { normal, offset }) => {
+            (_, Some((from, along)), Separator::Plane((normal, offset))) => {
                 let slope = dot(*normal, along);
                 if slope.abs() <= 1e-13 {
                     return vec![];
@@ -216,7 +216,7 @@ impl Chart {
                 let [a, b, c] = implicit.on_line(from, along);
                 quadratic(a, b, c)
             }
-            (Form::Sphere(radius), None, Separator::Plane { normal, offset }) => {
+            (Form::Sphere(radius), None, Separator::Plane((normal, offset))) => {
                 let rest = (offset - dot(*normal, self.surface.origin)) / radius;
                 let [out, up] = [self.radial(u), self.surface.axis].map(|d| dot(*normal, d));
                 let turned = |v: f64| if v > PI { v - TAU } else { v };
@@ -277,7 +277,7 @@ pub fn free_pole(surface: &Surface, separators: &[Separator]) -> Option<Vector> 
         return None;
     };
     let far = |axis: &Vector, separator: &Separator| match separator {
-        Separator::Plane { normal, offset } => {
+        Separator::Plane((normal, offset)) => {
             let rest = (offset - dot(*normal, surface.origin)) / radius;
             let up = dot(*normal, *axis);
             (up - rest).abs().min((up + rest).abs())

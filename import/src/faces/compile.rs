@@ -12,7 +12,7 @@ use super::slabs::{Band, Slabs};
 use super::surface::Surface;
 use super::terms::{Rules, terms};
 use super::vector::{
-    Vector, across, cross, distance, length, mean, minus, onto_plane, plus, times, unit,
+    Vector, cross, distance, farthest, length, mean, minus, off_line, onto_plane, plus, times, unit,
 };
 use imogene_scene::MAX_CUTS;
 
@@ -57,18 +57,12 @@ impl<'a> Task<'a> {
     /// How far the border is off the straight line between the two of its places that are farthest apart.
     fn thickness(&self) -> f64 {
         let points = self.model.places(&self.face().border(), 16);
-        let farthest = |from: Vector| {
-            let all = points.iter().copied();
-            all.max_by(|p, q| distance(*p, from).total_cmp(&distance(*q, from)))
-        };
-        let Some(from) = points.first().and_then(|first| farthest(*first)) else {
+        let from_place = |place: Vector| farthest(&points, |p| distance(p, place));
+        let Some(from) = points.first().and_then(|first| from_place(*first)) else {
             return f64::INFINITY;
         };
-        let course = unit(minus(farthest(from).unwrap_or(from), from));
-        let off = points
-            .iter()
-            .map(|p| length(across(minus(*p, from), course)));
-        off.fold(0.0, f64::max)
+        let course = unit(minus(from_place(from).unwrap_or(from), from));
+        off_line(&points, from, course)
     }
 
     /// How far the border is off: by its edges that are not planar, and where its edges leave the surface.

@@ -1,8 +1,8 @@
 //! Curves of edges.
 
 use super::vector::{
-    Vector, along, cross, distance, dot, length, minus, onto_plane, opposite, plus, positive_angle,
-    times, unit,
+    Vector, along, cross, distance, dot, farthest, length, minus, onto_plane, opposite, plus,
+    positive_angle, times, unit,
 };
 use std::f64::consts::TAU;
 
@@ -301,13 +301,9 @@ impl Curve {
 /// The plane in which all points lie within a length; `None` if they do not, or lie in a line.
 pub fn common_plane(points: &[Vector], tolerance: f64) -> Option<PlaneOf> {
     let first = *points.first()?;
-    let farthest = |measure: &dyn Fn(Vector) -> f64| {
-        let all = points.iter().copied();
-        all.max_by(|p, q| measure(*p).total_cmp(&measure(*q)))
-    };
-    let second = farthest(&|p| distance(p, first))?;
+    let second = farthest(points, |p| distance(p, first))?;
     let line = unit(minus(second, first));
-    let third = farthest(&|p| length(cross(minus(p, first), line)))?;
+    let third = farthest(points, |p| length(cross(minus(p, first), line)))?;
     let normal = cross(line, minus(third, first));
     if length(normal) <= 100.0 * tolerance {
         return None;

@@ -12,7 +12,7 @@ impl Chart {
     pub fn turns(&self, separator: &Separator) -> Vec<f64> {
         let Surface { origin, axis, .. } = self.surface;
         let (normal, offset) = match separator {
-            Separator::Plane { normal, offset } => (*normal, *offset),
+            Separator::Plane(plane) => *plane,
             Separator::Quadric(implicit) => return self.turns_of_conic(implicit),
         };
         let [n1, n2] = self.e.map(|e| dot(normal, e));
@@ -58,17 +58,11 @@ impl Chart {
     /// All u at which two separators cross each other on the surface.
     pub fn meetings(&self, one: &Separator, other: &Separator) -> Vec<f64> {
         match (one, other) {
-            (
-                Separator::Plane { normal, offset },
-                Separator::Plane {
-                    normal: n,
-                    offset: o,
-                },
-            ) => self.two_planes((*normal, *offset), (*n, *o)),
+            (Separator::Plane(one), Separator::Plane(other)) => self.two_planes(*one, *other),
             (Separator::Quadric(one), Separator::Quadric(other)) => self.two_conics(one, other),
-            (Separator::Plane { normal, offset }, Separator::Quadric(implicit))
-            | (Separator::Quadric(implicit), Separator::Plane { normal, offset }) => {
-                self.plane_and_conic((*normal, *offset), implicit)
+            (Separator::Plane(plane), Separator::Quadric(implicit))
+            | (Separator::Quadric(implicit), Separator::Plane(plane)) => {
+                self.plane_and_conic(*plane, implicit)
             }
         }
     }
@@ -188,7 +182,7 @@ mod tests {
     fn through(chart: &Chart, more: f64) -> Separator {
         let normal = unit([0.3, 0.9, 0.2]);
         let offset = dot(normal, chart.point(1.0, 0.3)) + more;
-        Separator::Plane { normal, offset }
+        Separator::Plane((normal, offset))
     }
 
     #[test]
@@ -208,7 +202,7 @@ mod tests {
     fn crossings_lie_on_the_separator() {
         for chart in charts() {
             let separator = through(&chart, 0.0);
-            let Separator::Plane { normal, offset } = separator else {
+            let Separator::Plane((normal, offset)) = separator else {
                 unreachable!()
             };
             let mut found = 0;

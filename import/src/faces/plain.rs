@@ -3,7 +3,9 @@
 
 use super::curve::{Curve, PlaneOf, Polyline, arc_through, common_plane};
 use super::model::Model;
-use super::vector::{Vector, across, cross, distance, dot, length, minus, onto_plane, plus, unit};
+use super::vector::{
+    Vector, cross, distance, dot, length, minus, off_line, onto_plane, plus, unit,
+};
 
 /// Takes every edge that is given by points for the simplest that it is within a share of the part's size.
 pub fn plain(model: &mut Model) {
@@ -17,10 +19,8 @@ pub fn plain(model: &mut Model) {
             let plane = plane_of_face(model, index, points, tolerance)
                 .or(own.plane)
                 .or_else(|| common_plane(points, tolerance))?;
-            let off = points
-                .iter()
-                .map(|p| off_plane(*p, plane))
-                .fold(0.0, f64::max);
+            let off = points.iter().map(|p| off_plane(*p, plane));
+            let off = off.fold(0.0, f64::max);
             circle(own, plane, tolerance).or_else(|| {
                 let points = points.iter().map(|p| onto_plane(*p, plane.0, plane.1));
                 let line = Polyline {
@@ -48,11 +48,7 @@ fn line(own: &Polyline, tolerance: f64) -> Option<(Curve, f64)> {
         return None;
     }
     let course = unit(minus(to, from));
-    let off = own
-        .points
-        .iter()
-        .map(|p| length(across(minus(*p, from), course)));
-    let off = off.fold(0.0, f64::max);
+    let off = off_line(&own.points, from, course);
     (off <= tolerance).then_some((Curve::Line { from, to }, off))
 }
 

@@ -74,7 +74,7 @@ fn cell(parting: &Parting, term: &Term, flat: usize) -> Cell {
             .first()
             .and_then(|(k, positive)| match parting.separators[*k] {
                 Separator::Quadric(implicit) => Some(implicit.kept(*positive)),
-                Separator::Plane { .. } => None,
+                Separator::Plane(_) => None,
             });
     Cell {
         quadric,

@@ -6,8 +6,8 @@ use super::vector::{Vector, cross, dot, length, minus};
 /// Something whose sign divides a surface in two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Separator {
-    /// The sign of `normal . p - offset`, of a unit normal.
-    Plane { normal: Vector, offset: f64 },
+    /// The sign of `normal . p - offset`: a unit normal, and the offset.
+    Plane((Vector, f64)),
     /// The sign of a quadric; divides planes alone.
     Quadric(Implicit),
 }
@@ -16,7 +16,7 @@ impl Separator {
     /// Whether a point is on the positive side.
     pub fn is_positive(&self, p: Vector) -> bool {
         match self {
-            Self::Plane { normal, offset } => dot(*normal, p) > *offset,
+            Self::Plane((normal, offset)) => dot(*normal, p) > *offset,
             Self::Quadric(implicit) => implicit.value(p) > 0.0,
         }
     }
@@ -74,10 +74,7 @@ impl Planes {
     /// A plane as a separator.
     pub fn separator(&self, index: usize) -> Separator {
         let SharedPlane { point, normal } = self.all[index];
-        Separator::Plane {
-            normal,
-            offset: dot(normal, point),
-        }
+        Separator::Plane((normal, dot(normal, point)))
     }
 }
 

@@ -90,60 +90,52 @@ impl Report {
         }
         for (position, face) in solid.faces.iter().enumerate() {
             let face = &model.faces[*face];
-            let mut line = FaceReport {
-                name: face.name.clone(),
-                solid: solid.name.clone(),
-                surface: face.surface.name().to_owned(),
-                verdict: "exact",
-                deviation: None,
-                reason: None,
-                form: Some("volume"),
-                objects: 0,
-                planes: 0,
-                edges: face.loops.iter().flatten().count(),
+            let (form, verdict, cells) = match compilation {
+                Compilation::Volume(_) => ("volume", &Verdict::Exact, &[][..]),
+                Compilation::Faces(faces) => {
+                    let form = if face.surface.is_plane() {
+                        "flat"
+                    } else {
+                        "patch"
+                    };
+                    (form, &faces[position].verdict, &faces[position].cells[..])
+                }
             };
-            if let Compilation::Faces(faces) = compilation {
-                let compiled = &faces[position];
-                let planes: BTreeSet<usize> = compiled
-                    .cells
-                    .iter()
-                    .flat_map(|cell| cell.cuts.iter().map(|(plane, _)| *plane))
-                    .collect();
-                line.objects = compiled.cells.len();
-                line.planes = planes.len();
-                line.form = Some(if face.surface.is_plane() {
-                    "flat"
-                } else {
-                    "patch"
-                });
-                match &compiled.verdict {
-                    Verdict::Exact => {}
-                    Verdict::Approximated(off) => {
-                        line.verdict = "approximated";
-                        line.deviation = Some(*off);
-                    }
-                    Verdict::Rejected(reason) => {
-                        line.verdict = "rejected";
-                        line.reason = Some(reason.clone());
-                        line.form = None;
-                    }
-                }
-                if line.form.is_some() {
-                    *self.planes_per_face.entry(line.planes).or_default() += 1;
-                }
-                for cell in &compiled.cells {
-                    let cuts = cell.cuts.len() + if cell.flat.is_some() { 2 } else { 0 };
-                    *self.cuts_per_object.entry(cuts).or_default() += 1;
-                }
-            }
-            let counts = self.counts.entry(line.surface.clone()).or_default();
+            let planes = cells.iter().flat_map(|cell| &cell.cuts);
+            let planes: BTreeSet<usize> = planes.map(|(plane, _)| *plane).collect();
+            let surface = face.surface.name();
+            let counts = self.counts.entry(surface.to_owned()).or_default();
+            let (verdict, deviation, reason) = match verdict {
+                Verdict::Exact => ("exact", None, None),
+                Verdict::Approximated(off) => ("approximated", Some(*off), None),
+                Verdict::Rejected(reason) => ("rejected", None, Some(reason.clone())),
+            };
             for counts in [counts, &mut self.total] {
-                match line.verdict {
+                match verdict {
                     "exact" => counts.exact += 1,
                     "approximated" => counts.approximated += 1,
                     _ => counts.rejected += 1,
                 }
             }
+            if form != "volume" && reason.is_none() {
+                *self.planes_per_face.entry(planes.len()).or_default() += 1;
+            }
+            for cell in cells {
+                let cuts = cell.cuts.len() + if cell.flat.is_some() { 2 } else { 0 };
+                *self.cuts_per_object.entry(cuts).or_default() += 1;
+            }
+            let line = FaceReport {
+                name: face.name.clone(),
+                solid: solid.name.clone(),
+                surface: surface.to_owned(),
+                verdict,
+                deviation,
+                form: reason.is_none().then_some(form),
+                reason,
+                objects: cells.len(),
+                planes: planes.len(),
+                edges: face.loops.iter().flatten().count(),
+            };
             self.faces.push(line);
         }
     }

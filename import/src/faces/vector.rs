@@ -108,6 +108,24 @@ pub fn mean(points: &[Vector]) -> Vector {
     points.iter().fold([0.0; 3], |sum, p| along(sum, share, *p))
 }
 
+/// The greatest distance of points from a place; 0 without points.
+pub fn reach(points: impl IntoIterator<Item = Vector>, from: Vector) -> f64 {
+    let distances = points.into_iter().map(|p| distance(p, from));
+    distances.fold(0.0, f64::max)
+}
+
+/// The greatest distance of points from the line through a place along a unit vector.
+pub fn off_line(points: &[Vector], from: Vector, course: Vector) -> f64 {
+    let off = points.iter().map(|p| across(minus(*p, from), course));
+    reach(off, [0.0; 3])
+}
+
+/// The point of which a measure is greatest.
+pub fn farthest(points: &[Vector], measure: impl Fn(Vector) -> f64) -> Option<Vector> {
+    let all = points.iter().copied();
+    all.max_by(|p, q| measure(*p).total_cmp(&measure(*q)))
+}
+
 /// Least and greatest of some numbers.
 pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let none = [f64::INFINITY, f64::NEG_INFINITY];

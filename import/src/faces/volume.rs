@@ -157,7 +157,7 @@ fn carrier(model: &Model, curve: &Curve, separators: &[Separator], body: &Body) 
         Some(distance(*p, surface.nearest(*p)?))
     };
     separators.iter().position(|separator| match separator {
-        Separator::Plane { normal, offset } => {
+        Separator::Plane((normal, offset)) => {
             let off = |p: &[f64; 3]| (dot(*normal, *p) - offset).abs();
             points.iter().all(|p| off(p) <= tolerance)
         }

@@ -126,117 +126,72 @@ fn one_location(atoms: &[Atom], members: &[usize], asked: Option<Word>, keep: &m
 mod tests {
     use crate::pdb::choose::choose;
     use crate::pdb::lines::read;
-    use crate::pdb::options::{Alternates, Options};
+    use crate::pdb::options::Options;
 
-    fn lines(atoms: &[(&str, char, &str, f64)]) -> String {
-        let line = |(name, alternate, residue, occupancy): &(&str, char, &str, f64)| {
-            format!(
-                "ATOM      1 {name:<4}{alternate}{residue:<3} A   7      11.104  13.207   9.327  {occupancy:.2}  0.00           C\n"
-            )
+    /// The line of an atom: its name, its alternate or `-`, residue and occupancy.
+    fn line(atom: &str) -> String {
+        let [name, alternate, residue, occupancy] = atom.split(' ').collect::<Vec<_>>()[..] else {
+            panic!("{atom}")
         };
-        atoms.iter().map(line).collect()
+        let alternate = alternate.replace('-', " ");
+        format!(
+            "ATOM      1  {name:<3}{alternate}{residue:<3} A   7      11.104  13.207   9.327  {occupancy}0  0.00           C\n"
+        )
     }
 
-    fn kept_of(atoms: &[(&str, char, &str, f64)], alternates: Alternates) -> String {
-        let text = lines(atoms);
+    /// What is kept of atoms by an option, in the order of the file: names with their alternates.
+    fn kept_of(atoms: &str, alternates: &str) -> String {
+        let text: String = atoms.split(", ").map(line).collect();
         let mut structure = read(text.as_bytes(), "x").expect("atoms");
         let options = Options {
-            alternates,
+            alternates: alternates.parse().expect("alternates"),
             ..Options::default()
         };
         let (chosen, left_out) = choose(&mut structure, "x", &options).expect("atoms left");
-        let names: Vec<String> = chosen[0]
-            .atoms
-            .iter()
-            .map(|a| {
-                [a.name, a.alternate]
-                    .map(|w| structure.words.text(w))
-                    .concat()
-            })
+        let name = |word| structure.words.text(word);
+        let kept = chosen[0].atoms.iter();
+        let names: Vec<String> = kept
+            .map(|a| [a.name, a.alternate].map(name).concat())
             .collect();
-        assert_eq!(names.len() + left_out.alternate_locations, atoms.len());
+        let count = names.len() + left_out.alternate_locations;
+        assert_eq!(count, text.lines().count());
         names.join(" ")
     }
 
+    const SIDE: &str = "N - SER 1.0, CA A SER 0.4, CA B SER 0.6, CB A SER 0.7, CB B SER 0.6, OG A SER 0.4, OG B SER 0.6";
+    /// Of a published file: the first location of CZ has no letter, and belongs to A.
+    const ARGININE: &str =
+        "CZ - ARG 0.5, CZ B ARG 0.5, NH1 A ARG 0.5, NH1 B ARG 0.5, NH2 A ARG 0.5, NH2 B ARG 0.5";
+    /// Two residues at one place.
+    const BOTH: &str =
+        "N - SER 1.0, CA A SER 0.3, CA B THR 0.7, OG A SER 0.3, OG1 B THR 0.7, CG2 B THR 0.7";
+
     #[test]
     fn a_residue_keeps_one_alternate() {
-        let side = [
-            (" N", ' ', "SER", 1.0),
-            (" CA", 'A', "SER", 0.4),
-            (" CA", 'B', "SER", 0.6),
-            (" CB", 'A', "SER", 0.7),
-            (" CB", 'B', "SER", 0.6),
-            (" OG", 'A', "SER", 0.4),
-            (" OG", 'B', "SER", 0.6),
-        ];
-        // B has the mean 0.6, A that of 0.5; atom by atom CB would be A's.
-        assert_eq!(kept_of(&side, Alternates::Best), "N CAB CBB OGB");
-        assert_eq!(
-            kept_of(&side, Alternates::Named("A".into())),
-            "N CAA CBA OGA"
-        );
-        assert_eq!(
-            kept_of(&side, Alternates::Named("Z".into())),
-            "N CAB CBB OGB"
-        );
-        assert_eq!(kept_of(&side, Alternates::All), "N CAA CAB CBA CBB OGA OGB");
-    }
-
-    #[test]
-    fn of_equal_occupancies_the_first_is_kept() {
-        assert_eq!(
-            kept_of(
-                &[("CA", 'B', "SER", 0.5), ("CA", 'A', "SER", 0.5)],
-                Alternates::Best
+        let cases = [
+            // B has the mean 0.6, A that of 0.5; atom by atom CB would be A's.
+            (SIDE, "best", "N CAB CBB OGB"),
+            (SIDE, "A", "N CAA CBA OGA"),
+            (SIDE, "Z", "N CAB CBB OGB"),
+            (SIDE, "all", "N CAA CAB CBA CBB OGA OGB"),
+            // Of equal occupancies the first.
+            ("CA B SER 0.5, CA A SER 0.5", "best", "CAB"),
+            (ARGININE, "best", "CZ NH1A NH2A"),
+            (ARGININE, "B", "CZB NH1B NH2B"),
+            (BOTH, "best", "N CAB OG1B CG2B"),
+            (BOTH, "A", "N CAA OGA"),
+            // An atom that only the other alternate has stays.
+            (
+                "CA A SER 0.6, CA B SER 0.4, HG B SER 0.4",
+                "best",
+                "CAA HGB",
             ),
-            "CAB"
-        );
-        // A published file: the first location of CZ has no letter, and belongs to A.
-        let arginine = [
-            ("CZ", ' ', "ARG", 0.5),
-            ("CZ", 'B', "ARG", 0.5),
-            ("NH1", 'A', "ARG", 0.5),
-            ("NH1", 'B', "ARG", 0.5),
-            ("NH2", 'A', "ARG", 0.5),
-            ("NH2", 'B', "ARG", 0.5),
+            // A molecule of water that is there half of the time, and two atoms of the same name and letter.
+            ("O A HOH 0.5", "best", "OA"),
+            ("C A LIG 0.5, C A LIG 0.5", "best", "CA CA"),
         ];
-        assert_eq!(kept_of(&arginine, Alternates::Best), "CZ NH1A NH2A");
-        assert_eq!(
-            kept_of(&arginine, Alternates::Named("B".into())),
-            "CZB NH1B NH2B"
-        );
-    }
-
-    #[test]
-    fn of_two_residues_at_one_place_one_is_kept() {
-        let both = [
-            ("N", ' ', "SER", 1.0),
-            ("CA", 'A', "SER", 0.3),
-            ("CA", 'B', "THR", 0.7),
-            ("OG", 'A', "SER", 0.3),
-            ("OG1", 'B', "THR", 0.7),
-            ("CG2", 'B', "THR", 0.7),
-        ];
-        assert_eq!(kept_of(&both, Alternates::Best), "N CAB OG1B CG2B");
-        assert_eq!(kept_of(&both, Alternates::Named("A".into())), "N CAA OGA");
-    }
-
-    #[test]
-    fn an_atom_that_only_the_other_alternate_has_stays() {
-        let atoms = [
-            ("CA", 'A', "SER", 0.6),
-            ("CA", 'B', "SER", 0.4),
-            ("HG", 'B', "SER", 0.4),
-        ];
-        assert_eq!(kept_of(&atoms, Alternates::Best), "CAA HGB");
-        // A molecule of water that is there half of the time, and two atoms of the same name and letter.
-        assert_eq!(kept_of(&[("O", 'A', "HOH", 0.5)], Alternates::Best), "OA");
-        assert_eq!(
-            kept_of(
-                &[("C", 'A', "LIG", 0.5), ("C", 'A', "LIG", 0.5)],
-                Alternates::Best
-            ),
-            "CA CA"
-        );
+        for (atoms, asked, kept) in cases {
+            assert_eq!(kept_of(atoms, asked), kept, "{asked} of {atoms}");
+        }
     }
 }

@@ -33,7 +33,7 @@ impl Reading {
         if let Some(names) = after("BIOMOLECULE") {
             self.molecules = items(names);
         } else if let Some(chains) = after("APPLY THE FOLLOWING TO CHAINS") {
-            self.begin(columns.file());
+            self.begin(columns.file);
             self.chains(chains);
         } else if let Some(chains) = after("AND CHAINS") {
             self.chains(chains);
@@ -69,7 +69,7 @@ impl Reading {
 
     fn row(&mut self, columns: &Columns, row: usize) {
         if self.parts.is_empty() {
-            self.begin(columns.file());
+            self.begin(columns.file);
         }
         let part = self.parts.last_mut().expect("begun");
         let name = columns.field(20, 23);
@@ -123,11 +123,11 @@ impl Reading {
 
 fn no_number(columns: &Columns, first: usize, last: usize) -> ImportError {
     let place = Place {
-        line: columns.line(),
+        line: columns.number,
         column: columns.end().min(first),
     };
     ImportError::new(
-        columns.file(),
+        columns.file,
         Some(place),
         format!(
             "`{}` of an operator is not a number",

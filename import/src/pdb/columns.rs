@@ -5,8 +5,10 @@ use std::borrow::Cow;
 
 /// One line of a file: a character in each column, where anything that is not ASCII counts as one.
 pub struct Columns<'a> {
-    file: &'a str,
-    number: usize,
+    /// Name of the file.
+    pub file: &'a str,
+    /// Number of the line, counted from 1.
+    pub number: usize,
     text: Cow<'a, [u8]>,
 }
 
@@ -22,19 +24,9 @@ impl<'a> Columns<'a> {
         Columns { file, number, text }
     }
 
-    /// Number of the line, counted from 1.
-    pub fn line(&self) -> usize {
-        self.number
-    }
-
     /// The column behind the last.
     pub fn end(&self) -> usize {
         self.text.len() + 1
-    }
-
-    /// Name of the file.
-    pub fn file(&self) -> &str {
-        self.file
     }
 
     /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.

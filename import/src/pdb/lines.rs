@@ -2,8 +2,7 @@
 
 use super::biomt;
 use super::columns::Columns;
-use super::element::{self, Element, UNKNOWN};
-use super::structure::{Atom, End, Model, Remark, Structure};
+use super::structure::{Atom, End, Model, Structure};
 use super::words::{Serial, Word};
 use crate::error::{ImportError, unusable};
 
@@ -90,8 +89,13 @@ impl Reading {
             columns.coordinate('y', 39, 46)?,
             columns.coordinate('z', 47, 54)?,
         ];
-        let occupancy = self.occupancy(columns);
-        let element = self.element(columns);
+        let is_given = !columns.bytes(55, 60).trim_ascii().is_empty();
+        let structure = &mut self.structure;
+        let occupancy = structure.occupancy(is_given, columns.number(55, 60));
+        let element = structure.element(columns.bytes(77, 78).trim_ascii(), || {
+            let name = std::array::from_fn(|k| columns.character(13 + k));
+            (name, columns.field(18, 20))
+        });
         let words = &mut self.structure.words;
         let mut again = |known: &mut (Vec<u8>, Word), first, last| {
             let bytes = columns.bytes(first, last);
@@ -125,31 +129,6 @@ impl Reading {
         Ok(())
     }
 
-    fn occupancy(&mut self, columns: &Columns) -> f32 {
-        if columns.bytes(55, 60).trim_ascii().is_empty() {
-            return 1.0;
-        }
-        let number = columns.number(55, 60).unwrap_or_else(|| {
-            self.structure.remark(Remark::NoOccupancy);
-            1.0
-        });
-        number as f32
-    }
-
-    fn element(&mut self, columns: &Columns) -> &'static Element {
-        // A charge may have slipped into the columns of the symbol; in files before 1996 there are digits.
-        if let Some(element) = element::of_symbol(letters(columns.bytes(77, 78).trim_ascii())) {
-            return element;
-        }
-        let name = std::array::from_fn(|k| columns.character(13 + k));
-        let found = element::of_name(name, &columns.field(18, 20));
-        self.structure.remark(match found {
-            Some(_) => Remark::NamedElement,
-            None => Remark::NoElement,
-        });
-        found.unwrap_or(&UNKNOWN)
-    }
-
     fn connections(&mut self, columns: &Columns) {
         let from = columns.bytes(7, 11).trim_ascii();
         for first in [12, 17, 22, 27] {
@@ -161,12 +140,6 @@ impl Reading {
             }
         }
     }
-}
-
-/// The letters that a text begins with.
-pub fn letters(text: &[u8]) -> &str {
-    let end = text.iter().take_while(|c| c.is_ascii_alphabetic()).count();
-    std::str::from_utf8(&text[..end]).expect("letters")
 }
 
 /// The serial number, with a sixth digit in front or behind if there is one.

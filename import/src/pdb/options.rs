@@ -84,17 +84,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            style: Style::default(),
-            colouring: Colouring::default(),
-            model: ModelChoice::default(),
-            alternates: Alternates::default(),
-            hydrogens: true,
-            water: true,
-            chains: vec![],
-            residues: vec![],
-            assembly: None,
-        }
+        Self::of(&Molecule::default()).expect("a scene's own words")
     }
 }
 

@@ -94,108 +94,84 @@ pub fn report(
         ),
         None => format!("{} of {atoms} drawn, {of_all}{bonds}", drawn.spheres),
     }];
-    let mut note = |count: usize, text: String| {
-        if count > 0 {
-            notes.push(text);
-        }
-    };
-    let other = left_out.other_models;
-    note(
-        other,
-        format!(
-            "{} of other models left out; --model N or --model all draws them",
-            counted(other, "atom")
+    let of_atoms = [
+        (
+            left_out.other_models,
+            "atom",
+            "of other models left out; --model N or --model all draws them",
         ),
-    );
-    for (other, of) in [
-        (left_out.other_chains, "chains"),
-        (left_out.other_residues, "residues"),
-    ] {
-        note(
-            other,
-            format!("{} of other {of} left out", counted(other, "atom")),
-        );
-    }
+        (left_out.other_chains, "atom", "of other chains left out"),
+        (
+            left_out.other_residues,
+            "atom",
+            "of other residues left out",
+        ),
+    ];
+    notes.extend(of_atoms.into_iter().filter_map(told));
     if options.assembly.is_none() && !read.assemblies.is_empty() {
         let names = listed(read.assemblies.iter().cloned());
-        note(
-            1,
-            format!(
-                "the coordinates as they stand; --assembly {names} draws what it makes of them"
-            ),
-        );
+        notes.push(format!(
+            "the coordinates as they stand; --assembly {names} draws what it makes of them"
+        ));
     }
-    note(
-        remark(Remark::OtherBlocks),
-        "further data blocks left out: the first that has atoms is drawn".to_owned(),
-    );
-    let other = remark(Remark::OtherCells);
-    note(
-        other,
-        format!(
-            "{} to other cells of the crystal left out",
-            counted(other, "bond")
+    if remark(Remark::OtherBlocks) > 0 {
+        let note = "further data blocks left out: the first that has atoms is drawn";
+        notes.push(note.to_owned());
+    }
+    let of_places = [
+        (
+            remark(Remark::OtherCells),
+            "bond",
+            "to other cells of the crystal left out",
         ),
-    );
-    let other = left_out.alternate_locations;
-    note(
-        other,
-        format!(
-            "{} left out; --alternates all draws them",
-            counted(other, "alternate location")
+        (
+            left_out.alternate_locations,
+            "alternate location",
+            "left out; --alternates all draws them",
         ),
-    );
-    let other = left_out.hydrogens;
-    note(other, format!("{} left out", counted(other, "hydrogen")));
-    let other = left_out.water;
-    note(
-        other,
-        format!("{} of water left out", counted(other, "atom")),
-    );
-    let other = remark(Remark::NamedElement);
-    note(
-        other,
-        format!(
-            "{} without an element's symbol: element from the atom's name",
-            counted(other, "atom")
+        (left_out.hydrogens, "hydrogen", "left out"),
+        (left_out.water, "atom", "of water left out"),
+        (
+            remark(Remark::NamedElement),
+            "atom",
+            "without an element's symbol: element from the atom's name",
         ),
-    );
-    let other = remark(Remark::NoElement);
-    note(
-        other,
-        format!(
-            "{} of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
-            counted(other, "atom")
+        (
+            remark(Remark::NoElement),
+            "atom",
+            "of no known element: drawn with a van der Waals radius of 2.0 and a covalent one of 1.5 angstroms, in pink",
         ),
-    );
+    ];
+    notes.extend(of_places.into_iter().filter_map(told));
     let other = remark(Remark::NoOccupancy);
-    note(
-        other,
-        format!("occupancies that are no numbers, taken as 1: {other}"),
-    );
-    let names: Vec<&str> = guessed.into_iter().collect();
-    note(
-        names.len(),
-        format!(
+    if other > 0 {
+        notes.push(format!(
+            "occupancies that are no numbers, taken as 1: {other}"
+        ));
+    }
+    if !guessed.is_empty() {
+        let names: Vec<&str> = guessed.into_iter().collect();
+        notes.push(format!(
             "no published radius of {}: 2.0 angstroms, or 1.5 covalent, instead",
             names.join(", ")
-        ),
+        ));
+    }
+    let farther = format!(
+        "that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for"
     );
-    let other = drawn.bonds.connected;
-    note(
-        other,
-        format!(
-            "{} that only the file says: farther apart than the covalent radii and {TOLERANCE} angstroms, or of a kind that is not looked for",
-            counted(other, "bond")
+    let of_bonds = [
+        (drawn.bonds.connected, "bond", farther.as_str()),
+        (
+            drawn.bonds.left_out,
+            "bond",
+            "left out at atoms that have sixteen already",
         ),
-    );
-    let other = drawn.bonds.left_out;
-    note(
-        other,
-        format!(
-            "{} left out at atoms that have sixteen already",
-            counted(other, "bond")
-        ),
-    );
+    ];
+    notes.extend(of_bonds.into_iter().filter_map(told));
     (value, notes)
+}
+
+/// How many there are of something, and what became of them.
+fn told((count, one, rest): (usize, &str, &str)) -> Option<String> {
+    (count > 0).then(|| format!("{} {rest}", counted(count, one)))
 }

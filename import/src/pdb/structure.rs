@@ -1,7 +1,7 @@
 //! The atoms of a file, as they stand in it, whatever its format.
 
 use super::assembly::Assemblies;
-use super::element::Element;
+use super::element::{Element, UNKNOWN, of_name, of_symbol};
 use super::words::{Serial, Word, Words};
 use std::collections::HashMap;
 
@@ -97,6 +97,38 @@ impl Structure {
     /// Counts something unusual.
     pub fn remark(&mut self, remark: Remark) {
         *self.remarks.entry(remark).or_default() += 1;
+    }
+
+    /// The occupancy of an atom; 1 if the file does not give it, or no number.
+    pub fn occupancy(&mut self, is_given: bool, number: Option<f64>) -> f32 {
+        if is_given && number.is_none() {
+            self.remark(Remark::NoOccupancy);
+        }
+        number.unwrap_or(1.0) as f32
+    }
+
+    /// The element of a symbol, or else of an atom's name in its columns and that of its residue.
+    pub fn element(
+        &mut self,
+        symbol: &[u8],
+        name: impl FnOnce() -> ([u8; 4], String),
+    ) -> &'static Element {
+        // A charge may stand behind the symbol; in files before 1996 there are digits.
+        let end = symbol
+            .iter()
+            .take_while(|c| c.is_ascii_alphabetic())
+            .count();
+        let letters = std::str::from_utf8(&symbol[..end]).expect("letters");
+        if let Some(element) = of_symbol(letters) {
+            return element;
+        }
+        let (columns, residue) = name();
+        let found = of_name(columns, &residue);
+        self.remark(match found {
+            Some(_) => Remark::NamedElement,
+            None => Remark::NoElement,
+        });
+        found.unwrap_or(&UNKNOWN)
     }
 
     /// How often it was met.

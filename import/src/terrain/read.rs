@@ -288,6 +288,7 @@ impl<'a> Reader<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::cases;
     use proptest::prelude::*;
 
     fn message(text: &str) -> String {
@@ -307,50 +308,32 @@ mod tests {
 
     #[test]
     fn mistakes_are_shown_where_they_are() {
-        let cases = [
-            (
-                "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x4\n",
-                "hills:5:3: `x4` is no height",
-            ),
-            (
-                "ncols 2\nnrows 2\ncellsize 0\n1 2 3 4",
-                "hills:3:10: a distance of two nodes of `0`",
-            ),
-            (
-                "ncols 2\nnrows 2\ncellsize 1\n1 2 3",
-                "hills:4:5: the file ends after 3 of 2 x 2",
-            ),
-            (
-                "ncols 2\nnrows 2\ncellsize 1\n1 2 3 4 5",
-                "hills:4:9: more than 2 x 2",
-            ),
-            ("ncols 2\nncols 2\n", "hills:2:1: ncols for the second time"),
-            ("ncols 2\nnrow 2\n", "hills:2:1: `nrow` is no keyword"),
-            ("ncols 1\n", "hills:1:7: `1` is no number of nodes"),
-            ("ncols 2\ncellsize 1\n1", "has no nrows"),
-            ("ncols 2\nnrows 2\n1 2 3 4", "cellsize"),
-            ("ncols 2\nnrows 2\ncellsize 1\ndx 1\n1 2 3 4", "cellsize"),
-            (
-                "ncols 4000000000\nnrows 4000000000\ncellsize 1\n1",
-                "4000000000 x 4000000000 nodes",
-            ),
-            (
-                "1 2\n3 4 5\n",
-                "hills:2:5: a row of 3 heights after rows of 2",
-            ),
-            ("1 2\nstep 1 1\n3 4\n", "hills:2:1: `step` out of place"),
-            ("step 1\n1 2\n3 4\n", "hills:1:1: a distance is missing"),
-            ("step 1 2 3\n1 2\n3 4\n", "hills:1:10: `3` too many"),
-            ("1 2\n3 1e9\n", "hills:2:3: `1e9` is no height"),
-            ("1 2\n3 nan\n", "hills:2:3: `nan` is no height"),
-            ("1 2\n", "1 rows of 2 heights"),
-            ("", "0 rows of 0 heights"),
-            ("- -\n- -\n", "no node has a height"),
-            ("1 \u{fc}bel\n", "hills:1:3: `\u{fc}bel` is no height"),
-        ];
-        for (text, says) in cases {
-            let message = message(text);
-            assert!(message.contains(says), "{text:?}: {message}");
+        let table = r"
+ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x4\n | hills:5:3: `x4` is no height
+ncols 2\nnrows 2\ncellsize 0\n1 2 3 4 | hills:3:10: a distance of two nodes of `0`
+ncols 2\nnrows 2\ncellsize 1\n1 2 3 | hills:4:5: the file ends after 3 of 2 x 2
+ncols 2\nnrows 2\ncellsize 1\n1 2 3 4 5 | hills:4:9: more than 2 x 2
+ncols 2\nncols 2\n | hills:2:1: ncols for the second time
+ncols 2\nnrow 2\n | hills:2:1: `nrow` is no keyword
+ncols 1\n | hills:1:7: `1` is no number of nodes
+ncols 2\ncellsize 1\n1 | has no nrows
+ncols 2\nnrows 2\n1 2 3 4 | cellsize
+ncols 2\nnrows 2\ncellsize 1\ndx 1\n1 2 3 4 | cellsize
+ncols 4000000000\nnrows 4000000000\ncellsize 1\n1 | 4000000000 x 4000000000 nodes
+1 2\n3 4 5\n | hills:2:5: a row of 3 heights after rows of 2
+1 2\nstep 1 1\n3 4\n | hills:2:1: `step` out of place
+step 1\n1 2\n3 4\n | hills:1:1: a distance is missing
+step 1 2 3\n1 2\n3 4\n | hills:1:10: `3` too many
+1 2\n3 1e9\n | hills:2:3: `1e9` is no height
+1 2\n3 nan\n | hills:2:3: `nan` is no height
+1 2\n | 1 rows of 2 heights
+ | 0 rows of 0 heights
+- -\n- -\n | no node has a height
+1 übel\n | hills:1:3: `übel` is no height
+";
+        for [text, says] in cases(table) {
+            let message = message(&text);
+            assert!(message.contains(&says), "{text:?}: {message}");
         }
         let binary = read(b"1 2\n3 \xff4\n", "hills").unwrap_err().to_string();
         assert!(binary.contains("hills:2:3: this is not UTF-8"), "{binary}");

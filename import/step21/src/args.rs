@@ -111,7 +111,7 @@ impl<'a> Args<'a> {
         let values = &self.record.values;
         let place = values.iter().position(|v| v.at >= value.at);
         let place = place.map_or(values.len(), |p| p + 1);
-        let problem = format!("parameter {place} is {}", value.name());
+        let problem = format!("parameter {place} is {}", value.kind.name());
         let whole = self.error(problem, format!("{needed} is needed"));
         Error::at(
             self.entity.file.bytes,

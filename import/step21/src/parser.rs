@@ -117,7 +117,7 @@ impl<'a> Parser<'a> {
 
     /// `#12 = NAME(...);` or `#12 = ( A(...) B(...) );`
     fn entity(&mut self) -> Result<Instance<'a>, Error> {
-        let Token::Reference(id) = self.token else {
+        let Token::Value(Kind::Reference(id)) = self.token else {
             return Err(self.unexpected("an entity such as `#1 = NAME(...);` or `ENDSEC;`"));
         };
         let at = self.tokens.at;
@@ -187,15 +187,11 @@ impl<'a> Parser<'a> {
                 let typed = self.record(depth + 1)?;
                 Kind::Typed(typed.name, typed.values)
             }
-            simple => {
+            ref simple => {
                 let kind = match simple {
                     Token::Sign(b'$') => Kind::Omitted,
                     Token::Sign(b'*') => Kind::Derived,
-                    Token::Number(value, whole) => Kind::Number(value, whole),
-                    Token::Text(text) => Kind::Text(text),
-                    Token::Word(word) => Kind::Word(word),
-                    Token::Bits => Kind::Bits,
-                    Token::Reference(id) => Kind::Reference(id),
+                    Token::Value(kind) => kind.clone(),
                     _ => return Err(self.unexpected("a parameter")),
                 };
                 self.step()?;

@@ -1,24 +1,17 @@
 //! Words of a STEP file (ISO 10303-21, clause 6).
 
 use super::error::Error;
+use super::value::Kind;
 
 /// What a word is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Token<'a> {
     /// `( ) , ; = $ *`
     Sign(u8),
     /// The name of an entity or of a section, and `ISO-10303-21`.
     Keyword(&'a str),
-    /// `#12`
-    Reference(u64),
-    /// A number, and whether it is written as a whole one.
-    Number(f64, bool),
-    /// What stands between the quotes of a string.
-    Text(&'a [u8]),
-    /// `.NAME.`, without the points.
-    Word(&'a str),
-    /// `"1F"`: bits, of which nothing is read.
-    Bits,
+    /// Any other parameter.
+    Value(Kind<'a>),
     /// The end of the file.
     End,
 }
@@ -29,11 +22,8 @@ impl Token<'_> {
         match self {
             Self::Sign(sign) => format!("`{}`", char::from(*sign)),
             Self::Keyword(word) => format!("`{}`", shortened(word)),
-            Self::Reference(id) => format!("`#{id}`"),
-            Self::Number(..) => "a number".into(),
-            Self::Text(_) => "a string".into(),
-            Self::Word(word) => format!("`.{}.`", shortened(word)),
-            Self::Bits => "a binary value".into(),
+            Self::Value(Kind::Number(..)) => "a number".into(),
+            Self::Value(kind) => kind.name(),
             Self::End => "the end of the file".into(),
         }
     }
@@ -83,7 +73,7 @@ impl<'a> Tokens<'a> {
             b'\'' => self.text(),
             b'"' => {
                 self.quoted(b'"', "a binary value")?;
-                Ok(Token::Bits)
+                Ok(Token::Value(Kind::Bits))
             }
             b'.' => self.word(),
             b'+' | b'-' | b'0'..=b'9' => self.number(),
@@ -128,13 +118,14 @@ impl<'a> Tokens<'a> {
 
     fn reference(&mut self) -> Result<Token<'a>, Error> {
         let digits = self.take_while(1, |byte| byte.is_ascii_digit());
-        digits.parse().map(Token::Reference).map_err(|_| {
+        let id = digits.parse().map_err(|_| {
             let problem = match digits {
                 "" => "`#` without a number".to_owned(),
                 _ => format!("the number of `#{}` is too large", shortened(digits)),
             };
             self.error(problem, &format!("references are `#1` to `#{}`", u64::MAX))
-        })
+        })?;
+        Ok(Token::Value(Kind::Reference(id)))
     }
 
     fn number(&mut self) -> Result<Token<'a>, Error> {
@@ -143,7 +134,7 @@ impl<'a> Tokens<'a> {
         match digits.parse::<f64>() {
             Ok(value) if value.is_finite() => {
                 let whole = !digits.contains(['.', 'e', 'E']);
-                Ok(Token::Number(value, whole))
+                Ok(Token::Value(Kind::Number(value, whole)))
             }
             _ => Err(self.error(
                 format!("`{}` is not a number of this program", shortened(digits)),
@@ -162,7 +153,7 @@ impl<'a> Tokens<'a> {
             ));
         }
         self.next += 1;
-        Ok(Token::Word(word))
+        Ok(Token::Value(Kind::Word(word)))
     }
 
     /// Up to the closing quote; two quotes are one.
@@ -172,7 +163,8 @@ impl<'a> Tokens<'a> {
         while self.rest().first() == Some(&b'\'') {
             self.quoted(b'\'', "a string")?;
         }
-        Ok(Token::Text(&self.bytes[start..self.next - 1]))
+        let text = &self.bytes[start..self.next - 1];
+        Ok(Token::Value(Kind::Text(text)))
     }
 
     fn quoted(&mut self, quote: u8, what: &str) -> Result<(), Error> {

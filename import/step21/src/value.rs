@@ -4,7 +4,7 @@ use super::text::with_article;
 use super::token::shortened;
 
 /// A parameter.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Value<'a> {
     /// Where it begins.
     pub at: usize,
@@ -13,7 +13,7 @@ pub struct Value<'a> {
 }
 
 /// Kinds of parameters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Kind<'a> {
     /// `$`: not given.
     Omitted,
@@ -35,19 +35,19 @@ pub enum Kind<'a> {
     Typed(&'a str, Vec<Value<'a>>),
 }
 
-impl Value<'_> {
+impl Kind<'_> {
     /// For a message.
     pub fn name(&self) -> String {
-        match &self.kind {
-            Kind::Omitted => "`$`".into(),
-            Kind::Derived => "`*`".into(),
-            Kind::Number(value, _) => format!("the number {value}"),
-            Kind::Text(_) => "a string".into(),
-            Kind::Word(word) => format!("`.{}.`", shortened(word)),
-            Kind::Bits => "a binary value".into(),
-            Kind::Reference(id) => format!("`#{id}`"),
-            Kind::List(values) => format!("a list of {}", values.len()),
-            Kind::Typed(name, _) => with_article(&shortened(name)),
+        match self {
+            Self::Omitted => "`$`".into(),
+            Self::Derived => "`*`".into(),
+            Self::Number(value, _) => format!("the number {value}"),
+            Self::Text(_) => "a string".into(),
+            Self::Word(word) => format!("`.{}.`", shortened(word)),
+            Self::Bits => "a binary value".into(),
+            Self::Reference(id) => format!("`#{id}`"),
+            Self::List(values) => format!("a list of {}", values.len()),
+            Self::Typed(name, _) => with_article(&shortened(name)),
         }
     }
 }

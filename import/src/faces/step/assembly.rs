@@ -33,6 +33,9 @@ struct Link {
     id: u64,
 }
 
+/// The group that has another inside.
+type Inside = (usize, Link);
+
 /// The representations of a file. Those that a relationship without a placement joins are one group.
 #[derive(Debug)]
 pub struct Assembly<'a> {
@@ -209,16 +212,20 @@ impl<'a> Assembly<'a> {
             }
         }
         for placed in file.all(&PLACING) {
+            let ends = relation(placed.entity).ok();
+            let child = ends.and_then(|ends| self.find(ends[0]));
             let link = self.component(&placed, &wholes);
-            if link.is_err()
-                && let Ok(ends) = relation(placed.entity)
-                && let Some(child) = self.find(ends[0])
-            {
-                self.lost.insert(child);
-            }
-            if let Some(Some((parent, link))) = self.keep("a component is left out", link) {
-                self.links.entry(parent).or_default().push(link);
-            }
+            self.link("a component is left out", link, child);
+        }
+    }
+
+    /// Keeps where something is placed; a child whose place is not known is lost.
+    fn link(&mut self, what: &str, found: Result<Option<Inside>, Error>, child: Option<usize>) {
+        if found.is_err() {
+            self.lost.extend(child);
+        }
+        if let Some(Some((parent, link))) = self.keep(what, found) {
+            self.links.entry(parent).or_default().push(link);
         }
     }
 
@@ -237,7 +244,7 @@ impl<'a> Assembly<'a> {
         &self,
         placed: &Args<'a>,
         wholes: &HashMap<u64, u64>,
-    ) -> Result<Option<(usize, Link)>, Error> {
+    ) -> Result<Option<Inside>, Error> {
         let ends = relation(placed.entity)?;
         let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
             return Ok(None);
@@ -273,21 +280,17 @@ impl<'a> Assembly<'a> {
                 let Some(item) = item.find(&["MAPPED_ITEM"]) else {
                     continue;
                 };
-                let link = self.mapped(&own, &item);
-                if link.is_err()
-                    && let Ok(map) = item.named(1, &["REPRESENTATION_MAP"])
-                    && let Ok(Some(child)) = map.entity(1).map(|entity| self.find(entity))
-                {
-                    self.lost.insert(child);
-                }
-                if let Some(Some(link)) = self.keep("a mapped item is left out", link) {
-                    self.links.entry(self.group[index]).or_default().push(link);
-                }
+                let map = item.named(1, &["REPRESENTATION_MAP"]);
+                let source = map.and_then(|map| map.entity(1)).ok();
+                let child = source.and_then(|entity| self.find(entity));
+                let link = self.mapped(index, &item);
+                self.link("a mapped item is left out", link, child);
             }
         }
     }
 
-    fn mapped(&self, own: &Args<'a>, item: &Args<'a>) -> Result<Option<Link>, Error> {
+    fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Inside>, Error> {
+        let own = &self.representations[index];
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
             return Ok(None);
@@ -295,11 +298,12 @@ impl<'a> Assembly<'a> {
         let inner = self.context(&self.representations[source])?;
         let origin = placement(map.entity(0)?, &inner)?;
         let target = placement(item.entity(2)?, &self.context(own)?)?;
-        Ok(Some(Link {
+        let link = Link {
             child: self.group[source],
             place: target.after(&origin.inverse()),
             id: item.entity.id,
-        }))
+        };
+        Ok(Some((self.group[index], link)))
     }
 
     /// The number of the product of a group.

@@ -7,7 +7,7 @@ use crate::faces::build_edge::MISSED;
 use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
 use crate::faces::model::COINCIDENT;
 use crate::faces::source::MAX_NUMBER;
-use crate::faces::vector::{Vector, across, distance, dot, length, minus, opposite, unit};
+use crate::faces::vector::{Vector, across, distance, dot, length, minus, opposite, reach, unit};
 use step21::{Args, Entity, Error, with_article};
 
 /// Most curves that are defined by each other.
@@ -35,7 +35,7 @@ pub struct Span<'a> {
 
 impl<'a> Span<'a> {
     /// The part of a curve between the ends.
-    pub fn of(mut self, mut entity: Entity<'a>) -> Result<Found, Error> {
+    pub fn of(mut self, mut entity: Entity<'a>) -> Found {
         for _ in 0..LONGEST_CHAIN {
             let on_surface = ["SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"];
             if let Some(args) = entity.find(&on_surface) {
@@ -55,16 +55,15 @@ impl<'a> Span<'a> {
                 let names = entity.name();
                 if !names.contains("CURVE") && !names.contains("POLYLINE") {
                     entity.need(&["LINE", "CIRCLE", "ELLIPSE", "curve"])?;
-                    return Ok(Err(names));
+                    return Err(names);
                 }
-                return Ok(Err(format!("{} is not read", with_article(&names))));
+                return Err(format!("{} is not read", with_article(&names)));
             }
         }
         let (id, name) = (entity.id, entity.name());
-        Err(entity.error(
-            format!("`#{id}` {name}: it is defined by itself, or by too many others"),
-            format!("at most {LONGEST_CHAIN} curves defined by each other are possible"),
-        ))
+        let problem = format!("`#{id}` {name}: it is defined by itself, or by too many others");
+        let accepted = format!("at most {LONGEST_CHAIN} curves defined by each other are possible");
+        Err(entity.error(problem, accepted).into())
     }
 
     /// What numbers of this size are off by, and what the file takes for the same place.
@@ -78,29 +77,26 @@ impl<'a> Span<'a> {
         }
     }
 
-    fn line(&self, args: &Args<'a>) -> Result<Found, Error> {
+    fn line(&self, args: &Args<'a>) -> Found {
         let origin = point(args.entity(1)?, self.context)?;
         let vector = args.named(2, &["VECTOR"])?;
         let course = direction(vector.entity(1)?)?;
         let [from, to] = self.ends;
         let tolerance = self.tolerance(distance(from, to));
         if distance(from, to) <= tolerance.shortest {
-            return Ok(Err("it is straight and has no length".into()));
+            return Err("it is straight and has no length".into());
         }
         let off = |p: Vector| length(across(minus(p, origin), course));
         let missed = off(from).max(off(to));
-        Ok(if missed > tolerance.missed {
-            Err(format!("an end is {missed:e} off the curve"))
-        } else {
-            Ok(("line", Curve::Line { from, to }))
-        })
+        on_curve(missed, tolerance)?;
+        Ok(("line", Curve::Line { from, to }))
     }
 
     fn radius(&self, args: &Args, index: usize) -> Result<f64, Error> {
         radius(args, index, self.context)
     }
 
-    fn ellipse(&self, args: &Args<'a>) -> Result<Found, Error> {
+    fn ellipse(&self, args: &Args<'a>) -> Found {
         let place = placement(args.entity(1)?, self.context)?;
         let [x, _, z] = place.axes;
         let first = self.radius(args, 2)?;
@@ -119,11 +115,11 @@ impl<'a> Span<'a> {
         let tolerance = self.tolerance(first.max(second));
         let arc = ellipse.arc(Some(self.ends), self.closed, tolerance);
         let kind = if circle { "circle" } else { "ellipse" };
-        Ok(arc.map(|arc| (kind, arc)).map_err(|(problem, _)| problem))
+        arc.map(|arc| (kind, arc)).map_err(|(problem, _)| problem)
     }
 
     /// A hyperbola or a parabola: points on it, evenly in its parameter.
-    fn open_conic(&self, args: &Args<'a>) -> Result<Found, Error> {
+    fn open_conic(&self, args: &Args<'a>) -> Found {
         let place = placement(args.entity(1)?, self.context)?;
         let first = self.radius(args, 2)?;
         let hyperbola = args.record.name == "HYPERBOLA";
@@ -151,23 +147,19 @@ impl<'a> Span<'a> {
         let [from, to] = self.ends.map(parameter);
         let tolerance = self.tolerance(distance(self.ends[0], self.ends[1]));
         let [off, other] = [0, 1].map(|k| distance(at([from, to][k]), self.ends[k]));
-        if off.max(other) > tolerance.missed {
-            return Ok(Err(format!("an end is {:e} off the curve", off.max(other))));
-        }
+        on_curve(off.max(other), tolerance)?;
         let step = |k: usize| from + (to - from) * k as f64 / CONIC_STEPS as f64;
         let points = (0..=CONIC_STEPS).map(|k| at(step(k))).collect();
-        Ok(self.through(points, false))
+        self.through(points, false)
     }
 
-    fn spline(&self, entity: Entity) -> Result<Found, Error> {
+    fn spline(&self, entity: Entity) -> Found {
         let spline = Spline::read(entity, self.context)?;
         let [low, high] = spline.domain();
         let [(start, off), (end, other)] = self.ends.map(|p| spline.nearest(p));
         let reach = self.reach(&spline);
         let tolerance = self.tolerance(reach);
-        if off.max(other) > tolerance.missed {
-            return Ok(Err(format!("an end is {:e} off the curve", off.max(other))));
-        }
+        on_curve(off.max(other), tolerance)?;
         let comes_back = distance(spline.at(low), spline.at(high)) <= tolerance.missed;
         let (mut from, mut to) = if self.forward {
             (start, end)
@@ -176,9 +168,7 @@ impl<'a> Span<'a> {
         };
         if self.closed || to <= from {
             if !comes_back {
-                return Ok(Err(
-                    "its spline does not run from its start to its end".into()
-                ));
+                return Err("its spline does not run from its start to its end".into());
             }
             // Both ends of the parameter are one place.
             if from >= high {
@@ -207,25 +197,20 @@ impl<'a> Span<'a> {
                 points.rotate_right(1);
             }
         }
-        Ok(self.through(points, self.closed))
+        self.through(points, self.closed)
     }
 
     /// How far the curve goes from the start of the edge.
     fn reach(&self, spline: &Spline) -> f64 {
         let [low, high] = spline.domain();
-        (0..=32)
-            .map(|k| low + (high - low) * f64::from(k) / 32.0)
-            .map(|u| distance(spline.at(u), self.ends[0]))
-            .fold(0.0, f64::max)
+        let place = |k| spline.at(low + (high - low) * f64::from(k) / 32.0);
+        reach((0..=32).map(place), self.ends[0])
     }
 
     /// The curve through points, of which those that repeat the one before are left out.
     fn through(&self, mut points: Vec<Vector>, closed: bool) -> Found {
         let first = points[0];
-        let size = points
-            .iter()
-            .map(|p| distance(*p, first))
-            .fold(0.0, f64::max);
+        let size = reach(points.iter().copied(), first);
         let least = self.tolerance(size).shortest;
         if !closed {
             let last = points.len() - 1;
@@ -239,6 +224,14 @@ impl<'a> Span<'a> {
             return Err("it has no length".into());
         }
         Ok(("points", Curve::through(points, closed, COINCIDENT * size)))
+    }
+}
+
+/// Refuses ends that are farther off their curve than they may be.
+fn on_curve(off: f64, tolerance: Tolerance) -> Result<(), String> {
+    match off > tolerance.missed {
+        true => Err(format!("an end is {off:e} off the curve")),
+        false => Ok(()),
     }
 }
 

@@ -6,7 +6,7 @@ use super::placement::{Placement, direction, placement, point};
 use super::spline::Spline;
 use super::units::Context;
 use crate::faces::bezier::{Patch, Pole, patches, plain};
-use crate::faces::vector::{Vector, across, along, cross, distance, dot, minus, plus, times};
+use crate::faces::vector::{Vector, across, along, cross, dot, minus, plus, reach, times};
 use step21::{Args, Entity, Error};
 
 /// Highest degree.
@@ -176,9 +176,7 @@ fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>
 }
 
 fn extent(curve: &[Vec<Pole>]) -> f64 {
-    let first = plain(&curve[0][0]);
-    let points = curve.iter().flatten().map(plain);
-    points.map(|p| distance(p, first)).fold(0.0, f64::max)
+    reach(curve.iter().flatten().map(plain), plain(&curve[0][0]))
 }
 
 fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>, Error> {

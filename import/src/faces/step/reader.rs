@@ -102,11 +102,11 @@ impl<'f, 'a> Reader<'f, 'a> {
         let name = self.name_of(self.assembly.name(part.group), item);
         let own = self.colours.get(&item.id).copied();
         let material = self.found.palette.material(own);
-        let first = self.topology.faces.len();
+        let first = self.topology.model.faces.len();
         self.topology.solid(space, &shells, name, material)?;
         self.colour(own, &shells, first);
         self.placed
-            .insert(item.id, self.topology.faces.len() - first);
+            .insert(item.id, self.topology.model.faces.len() - first);
         Ok(())
     }
 
@@ -124,25 +124,21 @@ impl<'f, 'a> Reader<'f, 'a> {
         self.summary.unplaced_faces = of_shells.len().saturating_sub(self.summary.faces);
         let model = &mut self.found.model;
         let (first_edge, first_face) = (model.edges.len(), model.faces.len());
-        let loops = self
-            .topology
+        let mut own = self.topology.model;
+        for edge_use in own
             .faces
             .iter_mut()
-            .flat_map(|face| &mut face.loops);
-        for edge_use in loops.flatten() {
+            .flat_map(|face| &mut face.loops)
+            .flatten()
+        {
             edge_use.edge += first_edge;
         }
-        for face in self
-            .topology
-            .solids
-            .iter_mut()
-            .flat_map(|solid| &mut solid.faces)
-        {
+        for face in own.solids.iter_mut().flat_map(|solid| &mut solid.faces) {
             *face += first_face;
         }
-        model.edges.append(&mut self.topology.edges);
-        model.faces.append(&mut self.topology.faces);
-        model.solids.append(&mut self.topology.solids);
+        model.edges.append(&mut own.edges);
+        model.faces.append(&mut own.faces);
+        model.solids.append(&mut own.solids);
         self.summary
     }
 
@@ -172,12 +168,12 @@ impl<'f, 'a> Reader<'f, 'a> {
     /// The colours of faces that are not that of their solid: their own, or that of their shell.
     fn colour(&mut self, own: Option<Colour>, shells: &[Entity], first: usize) {
         let of = |id: u64| self.colours.get(&id).copied();
-        for index in first..self.topology.faces.len() {
+        for index in first..self.topology.model.faces.len() {
             let (face, shell) = self.topology.origins[index];
             let colour = of(face).or_else(|| of(shells[shell].id));
             if colour.is_some() && colour != own {
                 let material = self.found.palette.material(colour);
-                self.topology.faces[index].material = Some(material);
+                self.topology.model.faces[index].material = Some(material);
             }
         }
     }

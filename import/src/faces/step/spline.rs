@@ -135,6 +135,7 @@ impl Spline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::cases;
 
     /// A quarter of a circle of radius 2 as a rational curve of degree 2: weights 1, sqrt(1/2), 1.
     fn quarter() -> Spline {
@@ -215,39 +216,19 @@ mod tests {
 
     #[test]
     fn knots_and_weights_that_do_not_fit_are_refused() {
-        for (text, part) in [
-            (
-                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,2),(0.,1.),.U.)",
-                "2 knots, 5 with",
-            ),
-            (
-                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,3),(1.,1.),.U.)",
-                "2 knots, 6 with",
-            ),
-            (
-                "B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(1000000000,3),(0.,1.),.U.)",
-                "1000000003 with",
-            ),
-            (
-                "BEZIER_CURVE('',3,(#2,#3,#4,#5,#6),.U.,.F.,.F.)",
-                "pieces of degree 3",
-            ),
-            (
-                "BEZIER_CURVE('',9,(#2,#3),.U.,.F.,.F.)",
-                "2 control points for degree 9",
-            ),
-            (
-                "( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.,0.)) )",
-                "a weight of 0",
-            ),
-            (
-                "( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.)) )",
-                "1 weights",
-            ),
-            ("( BEZIER_CURVE() )", "a B_SPLINE_CURVE is needed"),
-        ] {
-            let message = read(text).unwrap_err();
-            assert!(message.contains(part), "{message}");
+        let table = r"
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,2),(0.,1.),.U.) | 2 knots, 5 with
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(3,3),(1.,1.),.U.) | 2 knots, 6 with
+B_SPLINE_CURVE_WITH_KNOTS('',2,(#2,#3,#4),.U.,.F.,.F.,(1000000000,3),(0.,1.),.U.) | 1000000003 with
+BEZIER_CURVE('',3,(#2,#3,#4,#5,#6),.U.,.F.,.F.) | pieces of degree 3
+BEZIER_CURVE('',9,(#2,#3),.U.,.F.,.F.) | 2 control points for degree 9
+( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.,0.)) ) | a weight of 0
+( B_SPLINE_CURVE(1,(#2,#3),.U.,.F.,.F.) BEZIER_CURVE() RATIONAL_B_SPLINE_CURVE((1.)) ) | 1 weights
+( BEZIER_CURVE() ) | a B_SPLINE_CURVE is needed
+";
+        for [text, part] in cases(table) {
+            let message = read(&text).unwrap_err();
+            assert!(message.contains(&part), "{message}");
         }
     }
 }

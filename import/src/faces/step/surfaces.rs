@@ -4,23 +4,10 @@ use super::curves::radius;
 use super::freeform::{freeform, placed};
 use super::placement::{Placement, placement};
 use super::units::Context;
-use crate::faces::canonical::canonical;
+use crate::faces::canonical::{Found, canonical};
 use crate::faces::surface::{Form, Surface, clean_tangent};
 use crate::faces::vector::{along, opposite};
 use step21::{Args, Entity, Error};
-
-/// The surface of a face.
-#[derive(Clone, Debug)]
-pub struct Found {
-    /// The surface.
-    pub surface: Surface,
-    /// Why it is not drawn although it is a quadric.
-    pub refused: Option<String>,
-    /// How far the surface of the file is off it at most, millimetres.
-    pub off: f64,
-    /// Its own normal is opposite to that of the surface of the file.
-    pub opposite: bool,
-}
 
 impl Found {
     fn exact(surface: Surface) -> Found {
@@ -55,17 +42,9 @@ const PARTS: [&str; 2] = ["RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE"
 const DEEPEST: usize = 8;
 
 /// The surface of a face, placed. The axis of a cone goes into the nappe that its radius is on. A free-form surface
-/// that is a quadric, a plane or a torus within `tolerance`, millimetres, is taken for it.
+/// that is a quadric, a plane or a torus within `tolerance`, millimetres, is taken for it; `depth` others are defined
+/// by it.
 pub fn surface(
-    entity: Entity,
-    context: &Context,
-    place: &Placement,
-    tolerance: f64,
-) -> Result<Found, Error> {
-    surface_at(entity, context, place, tolerance, 0)
-}
-
-fn surface_at(
     entity: Entity,
     context: &Context,
     place: &Placement,
@@ -82,7 +61,7 @@ fn surface_at(
                 format!("at most {DEEPEST} surfaces defined by each other are possible"),
             ));
         }
-        surface_at(args.entity(1)?, context, place, tolerance, depth + 1)
+        surface(args.entity(1)?, context, place, tolerance, depth + 1)
     };
     if let Some(args) = entity.find(&PARTS) {
         let mut found = inner(&args)?;
@@ -103,12 +82,7 @@ fn surface_at(
     if let Some(patches) = freeform(entity, context)?
         && let Some(found) = canonical(&placed(patches, place), tolerance)
     {
-        return Ok(Found {
-            surface: found.surface,
-            refused: None,
-            off: found.deviation,
-            opposite: found.opposite,
-        });
+        return Ok(found);
     }
     other(entity).map(|name| Found::exact(Surface::other(name)))
 }

@@ -2,11 +2,12 @@
 
 use super::curves::{Span, placed};
 use super::placement::{Placement, point};
-use super::surfaces::{Found, surface};
+use super::surfaces::surface;
 use super::units::Context;
 use crate::faces::build::MAX_PARTS;
+use crate::faces::canonical::Found;
 use crate::faces::curve::Curve;
-use crate::faces::model::{Edge, EdgeUse, Face, Solid, border, reversed};
+use crate::faces::model::{Edge, EdgeUse, Face, Model, Solid, border, reversed};
 use crate::faces::surface::{Form, Surface};
 use crate::faces::vector::{Vector, distance, dot, length, minus};
 use std::collections::HashMap;
@@ -52,14 +53,10 @@ pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET
 /// What has been read of the part.
 #[derive(Debug, Default)]
 pub struct Topology {
-    /// Edges.
-    pub edges: Vec<Edge>,
-    /// Faces.
-    pub faces: Vec<Face>,
+    /// Its edges, faces and solids.
+    pub model: Model,
     /// For each face the number of its entity, and its shell among those of its solid.
     pub origins: Vec<(u64, usize)>,
-    /// Solids.
-    pub solids: Vec<Solid>,
     /// Places of vertices in the spaces of their representations.
     vertices: Vec<Vector>,
     uses: usize,
@@ -81,14 +78,14 @@ impl Topology {
         name: String,
         material: String,
     ) -> Result<(), Error> {
-        let first = self.faces.len();
+        let first = self.model.faces.len();
         for (index, shell) in shells.iter().enumerate() {
             self.shell(space, *shell, index)?;
         }
-        self.solids.push(Solid {
+        self.model.solids.push(Solid {
             name,
             material,
-            faces: (first..self.faces.len()).collect(),
+            faces: (first..self.model.faces.len()).collect(),
         });
         Ok(())
     }
@@ -100,7 +97,7 @@ impl Topology {
             None => (entity.need(&SHELLS)?, true),
         };
         for value in shell.list(1)? {
-            if self.faces.len() == MAX_PARTS {
+            if self.model.faces.len() == MAX_PARTS {
                 return Err(too_many("faces", MAX_PARTS));
             }
             let (id, face) = match shell.as_entity(value) {
@@ -114,7 +111,7 @@ impl Topology {
                 refused: Some(error.to_string()),
                 ..Face::default()
             });
-            self.faces.push(face);
+            self.model.faces.push(face);
             self.origins.push((id, index));
         }
         Ok(())
@@ -200,20 +197,16 @@ impl Topology {
             return Ok(known.clone());
         }
         let tolerance = CANONICAL * space.context.extent;
-        let found = surface(entity, &space.context, &space.place, tolerance)?;
+        let found = surface(entity, &space.context, &space.place, tolerance, 0)?;
         space.surfaces.insert(entity.id, found.clone());
         Ok(found)
     }
 
-    /// Points of edges.
-    fn places<'u>(&self, edges: impl IntoIterator<Item = &'u EdgeUse>) -> Vec<Vector> {
-        let curves = edges.into_iter().map(|own| &self.edges[own.edge].curve);
-        curves.flat_map(|curve| curve.sampled(8)).collect()
-    }
-
     /// Whether edges are on the side of an apex from which the axis comes.
     fn is_behind(&self, loops: &[Vec<EdgeUse>], cone: &Surface) -> bool {
-        let points = self.places(&border(loops.iter().flatten().copied()));
+        let points = self
+            .model
+            .places(&border(loops.iter().flatten().copied()), 8);
         let heights = points
             .iter()
             .map(|p| dot(minus(*p, cone.origin), cone.axis));
@@ -224,7 +217,7 @@ impl Topology {
     fn nearer_part(&self, torus: &Surface, major: f64, minor: f64, loops: &[Vec<EdgeUse>]) -> Form {
         let inner = Surface::new(torus.origin, torus.axis, Form::Torus(-major, minor));
         let off = |surface: &Surface| -> f64 {
-            let points = self.places(loops.iter().flatten()).into_iter();
+            let points = self.model.places(loops.iter().flatten(), 8).into_iter();
             points
                 .filter_map(|p| Some(distance(p, surface.nearest(p)?)))
                 .sum()
@@ -280,7 +273,7 @@ impl Topology {
         let mut uses = vec![];
         for (index, from) in points.iter().enumerate() {
             let to = points[(index + 1) % points.len()];
-            if self.edges.len() == MAX_PARTS {
+            if self.model.edges.len() == MAX_PARTS {
                 return Err(too_many("edges", MAX_PARTS));
             }
             let place = |entity| point(entity, &space.context);
@@ -291,7 +284,7 @@ impl Topology {
             let key = [from.id.min(to.id), from.id.max(to.id)];
             let forward = from.id == key[0];
             let [low, high] = if forward { ends } else { [ends[1], ends[0]] };
-            let edges = &mut self.edges;
+            let edges = &mut self.model.edges;
             let edge = *space.sides.entry(key).or_insert_with(|| {
                 edges.push(Edge {
                     name: format!("#{}-#{}", key[0], key[1]),
@@ -319,7 +312,7 @@ impl Topology {
             ));
         }
         let ends = |own: EdgeUse| {
-            let [from, to] = self.edges[own.edge].vertices.unwrap_or_default();
+            let [from, to] = self.model.edges[own.edge].vertices.unwrap_or_default();
             if own.forward { [from, to] } else { [to, from] }
         };
         for (index, (edge_use, id)) in uses.iter().enumerate() {
@@ -358,7 +351,7 @@ impl Topology {
         if let Some(known) = space.edges.get(&entity.id) {
             return Ok(known.clone());
         }
-        if self.edges.len() == MAX_PARTS {
+        if self.model.edges.len() == MAX_PARTS {
             return Err(too_many("edges", MAX_PARTS));
         }
         let args = entity.need(&["EDGE_CURVE"])?;
@@ -370,18 +363,18 @@ impl Topology {
             forward: args.flag(4)?,
         };
         // Other faces of the edge are refused with the same words.
-        let found = args.entity(3).and_then(|curve| span.of(curve));
-        let found = found.unwrap_or_else(|error| Err(error.to_string()));
+        let curve = args.entity(3).map_err(String::from);
+        let found = curve.and_then(|curve| span.of(curve));
         let edge = found
             .map(|(kind, curve)| {
-                self.edges.push(Edge {
+                self.model.edges.push(Edge {
                     name: format!("#{}", entity.id),
                     kind,
                     curve: placed(curve, &space.place),
                     off: 0.0,
                     vertices: Some(vertices),
                 });
-                self.edges.len() - 1
+                self.model.edges.len() - 1
             })
             .map_err(|reason| format!("edge `#{}`: {reason}", entity.id));
         space.edges.insert(entity.id, edge.clone());

@@ -60,32 +60,16 @@ pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context, Erro
     Ok(context)
 }
 
-/// A kind of unit.
-#[derive(Clone, Copy)]
-struct Quantity {
-    /// The part that says so.
-    part: &'static str,
-    /// Its name in the SI.
-    name: &'static str,
-    /// How many of what is returned one of it is, as a power of ten.
-    power: i32,
-}
+/// A kind of unit: the part that says so, its name in the SI, and how many of what is returned one of it is, as a power
+/// of ten.
+type Quantity = (&'static str, &'static str, i32);
 
-const LENGTH: Quantity = Quantity {
-    part: "LENGTH_UNIT",
-    name: "METRE",
-    power: 3,
-};
-
-const ANGLE: Quantity = Quantity {
-    part: "PLANE_ANGLE_UNIT",
-    name: "RADIAN",
-    power: 0,
-};
+const LENGTH: Quantity = ("LENGTH_UNIT", "METRE", 3);
+const ANGLE: Quantity = ("PLANE_ANGLE_UNIT", "RADIAN", 0);
 
 /// How many millimetres or radians a unit is; `None` if it is one of another quantity.
 fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f64>, Error> {
-    if entity.find(&[quantity.part]).is_none() {
+    if entity.find(&[quantity.0]).is_none() {
         return Ok(None);
     }
     if let Some(args) = entity.find(&["SI_UNIT"]) {
@@ -113,7 +97,7 @@ fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f6
     let Some(base) = unit_of(measure.entity(1)?, quantity, chain + 1)? else {
         return Err(measure.error(
             "its unit is of another quantity",
-            format!("a {} is needed", quantity.part),
+            format!("a {} is needed", quantity.0),
         ));
     };
     let value = factor * base;
@@ -126,13 +110,13 @@ fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f6
     Ok(Some(value))
 }
 
-fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, Error> {
+fn si_unit(args: &Args, (part, name, own_power): Quantity) -> Result<f64, Error> {
     // As a part of a complex entity it has its own two parameters, alone also that of `NAMED_UNIT`.
     let first = if args.record.values.len() > 2 { 1 } else { 0 };
-    if args.word(first + 1)? != Some(quantity.name) {
+    if args.word(first + 1)? != Some(name) {
         return Err(args.error(
-            format!("it is no unit of a {}", quantity.part),
-            format!("`.{}.` is needed", quantity.name),
+            format!("it is no unit of a {part}"),
+            format!("`.{name}.` is needed"),
         ));
     }
     let prefix = args.word(first)?.unwrap_or("");
@@ -143,7 +127,7 @@ fn si_unit(args: &Args, quantity: Quantity) -> Result<f64, Error> {
         ));
     };
     // A power of ten divides exactly where it would not multiply so.
-    let power = power + quantity.power;
+    let power = power + own_power;
     let ten = 10_f64.powi(power.abs());
     Ok(if power < 0 { 1.0 / ten } else { ten })
 }
@@ -163,6 +147,7 @@ const PREFIXES: [(&str, i32); 9] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cases::cases;
     use step21::Exchange;
 
     fn read(units: &str) -> Result<Context, String> {
@@ -203,30 +188,16 @@ GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#9)) REPRESENTATION_CONTEXT('',''));
 
     #[test]
     fn units_that_make_no_sense_are_refused() {
-        for (units, part) in [
-            (
-                "#2=(LENGTH_UNIT()SI_UNIT(.YOTTO.,.METRE.));#3=A();",
-                "`.YOTTO.`",
-            ),
-            (
-                "#2=(LENGTH_UNIT()SI_UNIT($,.SECOND.));#3=A();",
-                "`.METRE.` is needed",
-            ),
-            (
-                "#2=(LENGTH_UNIT()NAMED_UNIT(*));#3=A();",
-                "CONVERSION_BASED_UNIT",
-            ),
-            (
-                "#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(1.,#2);",
-                "defined by itself",
-            ),
-            (
-                "#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(0.,#4);#4=(LENGTH_UNIT()SI_UNIT($,.METRE.));",
-                "out of range",
-            ),
-        ] {
-            let message = read(units).unwrap_err();
-            assert!(message.contains(part), "{message}");
+        let table = r"
+#2=(LENGTH_UNIT()SI_UNIT(.YOTTO.,.METRE.));#3=A(); | `.YOTTO.`
+#2=(LENGTH_UNIT()SI_UNIT($,.SECOND.));#3=A(); | `.METRE.` is needed
+#2=(LENGTH_UNIT()NAMED_UNIT(*));#3=A(); | CONVERSION_BASED_UNIT
+#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(1.,#2); | defined by itself
+#2=(LENGTH_UNIT()CONVERSION_BASED_UNIT('x',#3));#3=LENGTH_MEASURE_WITH_UNIT(0.,#4);#4=(LENGTH_UNIT()SI_UNIT($,.METRE.)); | out of range
+";
+        for [units, part] in cases(table) {
+            let message = read(&units).unwrap_err();
+            assert!(message.contains(&part), "{message}");
         }
     }
 }

@@ -1,8 +1,6 @@
 //! Rows of `_atom_site`.
 
-use super::super::element::{self, Element, UNKNOWN};
-use super::super::lines::letters;
-use super::super::structure::{Atom, Model, Remark, Structure};
+use super::super::structure::{Atom, Model, Structure};
 use super::super::words::{Serial, Word, plain};
 use std::collections::HashMap;
 
@@ -87,8 +85,8 @@ impl Atoms {
         let model = self.model(structure, model)?;
         let name = given(name, own_name);
         let residue = given(own_residue, residue);
-        let element = element(structure, symbol, name, residue);
-        let occupancy = share(structure, occupancy);
+        let element = structure.element(symbol, || (in_columns(name), plain(residue)));
+        let occupancy = structure.occupancy(!occupancy.is_empty(), self::number(occupancy));
         let words = &mut structure.words;
         let mut again = |known: &mut (Vec<u8>, Word), text: &[u8]| {
             if known.0 != text {
@@ -186,37 +184,11 @@ fn coordinate(text: &[u8], column: usize, axis: char) -> Result<f64, Defect> {
     })
 }
 
-fn share(structure: &mut Structure, text: &[u8]) -> f32 {
-    if text.is_empty() {
-        return 1.0;
-    }
-    let number = number(text).unwrap_or_else(|| {
-        structure.remark(Remark::NoOccupancy);
-        1.0
-    });
-    number as f32
-}
-
-fn element(
-    structure: &mut Structure,
-    symbol: &[u8],
-    name: &[u8],
-    residue: &[u8],
-) -> &'static Element {
-    // A charge may stand behind the symbol.
-    if let Some(element) = element::of_symbol(letters(symbol)) {
-        return element;
-    }
-    // As a short name stands in the columns of the other format.
+/// A name as it stands, if it is short, in the columns of the other format.
+fn in_columns(name: &[u8]) -> [u8; 4] {
     let first = usize::from(name.len() < 4);
-    let columns = std::array::from_fn(|k| {
+    std::array::from_fn(|k| {
         let letter = k.checked_sub(first).and_then(|k| name.get(k));
         letter.copied().filter(u8::is_ascii).unwrap_or(b' ')
-    });
-    let found = element::of_name(columns, &plain(residue));
-    structure.remark(match found {
-        Some(_) => Remark::NamedElement,
-        None => Remark::NoElement,
-    });
-    found.unwrap_or(&UNKNOWN)
+    })
 }
