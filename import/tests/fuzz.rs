@@ -5,15 +5,17 @@
 //! under `IMOGENE_FULL=1`, or as many as `IMOGENE_FUZZ_CHANGES` says. `IMOGENE_FUZZ_FILES` names a folder of
 //! further files to change, `IMOGENE_FUZZ_READERS=mmcif,bcif` some of the readers.
 
+mod memory;
+
 use imogene_import::{ImportError, faces, is_compressed, pdb, terrain, unpack};
 use imogene_plan::description::MachineDescription;
 use imogene_scene::SceneFile;
+use memory::MOST;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Random bytes for each reader.
@@ -23,31 +25,6 @@ const RANDOM_BYTES: usize = 10_000_000;
 const PATIENCE: Duration = Duration::from_secs(600);
 /// Most memory at once, for two files at a time.
 const MOST_MEMORY: usize = 1 << 30;
-
-/// The system's memory, counted.
-struct Counted;
-
-static NOW: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call goes to the system's allocator as it came.
-unsafe impl GlobalAlloc for Counted {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let now = NOW.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
-        MOST.fetch_max(now, Ordering::Relaxed);
-        // SAFETY: as above.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        NOW.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: as above.
-        unsafe { System.dealloc(block, layout) }
-    }
-}
-
-#[global_allocator]
-static MEMORY: Counted = Counted;
 
 /// A reader: what it says of bytes, with the place if they are malformed.
 struct Reader {

@@ -1,36 +1,13 @@
 //! Structures of many atoms: memory for each atom, and under `IMOGENE_FULL=1` two million of them in less than five
 //! seconds and one gigabyte.
 
+mod memory;
+
 use imogene_import::pdb::{Format, contents};
-use std::alloc::{GlobalAlloc, Layout, System};
+use memory::{MOST, NOW};
 use std::fmt::Write;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
-
-/// The system's memory, counted.
-struct Counted;
-
-static NOW: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call goes to the system's allocator as it came.
-unsafe impl GlobalAlloc for Counted {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let now = NOW.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
-        MOST.fetch_max(now, Ordering::Relaxed);
-        // SAFETY: as above.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        NOW.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: as above.
-        unsafe { System.dealloc(block, layout) }
-    }
-}
-
-#[global_allocator]
-static MEMORY: Counted = Counted;
 
 /// Place of an atom: copies of ten residues in a grid.
 fn place(k: usize) -> [f64; 3] {

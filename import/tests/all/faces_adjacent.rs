@@ -4,8 +4,9 @@
 //! The naive compiler takes one half-space for each neighbour, its whole surface, on the side on which the face
 //! begins, and joins them by one AND or one OR.
 
+use crate::common::points;
 use crate::common::winding::Oracle;
-use imogene_import::faces::vector::{Vector, dot, minus};
+use imogene_import::faces::vector::Vector;
 use imogene_import::faces::{Compilation, FaceOptions, Part, Verdict, compile};
 
 const HEAD: &str = "format = 1\ntitle = \"t\"\n[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
@@ -24,12 +25,7 @@ fn kept(part: &Part, p: Vector) -> bool {
         panic!("volumes are switched off")
     };
     assert_eq!(faces[0].verdict, Verdict::Exact);
-    faces[0].cells.iter().any(|cell| {
-        cell.cuts.iter().all(|(plane, positive)| {
-            let plane = part.planes.get(*plane);
-            (dot(minus(p, plane.point), plane.normal) > 0.0) == *positive
-        }) && (cell.flat.is_none() || cell.quadric.is_none_or(|q| q.value(p) <= 0.0))
-    })
+    points::kept(part, &faces[0].cells, p)
 }
 
 /// A face in the plane z = 0 whose border runs along the plane A (y = 0) and the cylinder B (radius 1) twice: left of

@@ -1,5 +1,6 @@
 //! Texts of face lists: what is refused and where, and that no text makes the reader panic.
 
+use crate::common::cases::cases;
 use imogene_import::faces::{FaceOptions, read};
 use proptest::prelude::*;
 
@@ -84,76 +85,28 @@ fn the_shared_plane_has_one_description() {
 
 #[test]
 fn slips_are_reported_where_they_are() {
-    let cases: [(&str, &str, &str); 16] = [
-        ("format = 1", "format = 2", ":1:10: version 2"),
-        ("format = 1", "", "missing field `format`"),
-        (
-            "axis = [0, 1, 0]\nradius = 1\nstart",
-            "axis = [0, 0, 0]\nradius = 1\nstart",
-            ":25:8: [0.0, 0.0, 0.0] has no direction",
-        ),
-        (
-            "axis = [0, 1, 0], radius = 1 }",
-            "axis = [0, 1, 0], radius = -1 }",
-            ":31:79: -1 is not above 0",
-        ),
-        (
-            "axis = [0, 1, 0], radius = 1 }",
-            "axis = [0, 1, 0] }",
-            ":31:11: a cylinder needs `radius`",
-        ),
-        (
-            "kind = \"plane\", origin",
-            "kind = \"plane\", radius = 3, origin",
-            ":35:11: a plane has no `radius`",
-        ),
-        (
-            "kind = \"plane\", origin",
-            "kind = \"plain\", origin",
-            ":35:20: `plain` is not a kind of surface",
-        ),
-        (
-            "loops = [[\"-low\"]]",
-            "loops = [[\"-lob\"]]",
-            ":36:11: `lob` is not an edge",
-        ),
-        (
-            "loops = [[\"-low\"]]",
-            "loops = [[\"half\"]]",
-            ":36:11: `half` does not end where `half` begins",
-        ),
-        (
-            "loops = [[\"-low\"]]",
-            "loops = []",
-            ":34:8: face `floor` has no loop",
-        ),
-        (
-            "loops = [[\"-low\"]]",
-            "loops = [[]]",
-            ":36:10: the loop has no edge",
-        ),
-        ("end = \"b\"", "end = \"c\"", ":28:7: `c` is not a vertex"),
-        ("end = \"b\"", "", "it has one of `start` and `end`"),
-        (
-            "b = [-1, 0, 0]",
-            "b = [-1.5, 0, 0]",
-            ":22:8: edge `half`: an end is 5e-1 off the curve",
-        ),
-        (
-            "b = [-1, 0, 0]",
-            "b = [inf, 0, 0]",
-            ":8:5: inf is out of range",
-        ),
-        (
-            "faces = [\"side\", \"floor\"]",
-            "faces = [\"side\"]",
-            ":34:8: face `floor` belongs to no solid",
-        ),
-    ];
-    for (from, to, expected) in cases {
-        assert!(LIST.contains(from), "{from}");
-        let message = message(&LIST.replacen(from, to, 1));
-        assert!(message.contains(expected), "{expected} in {message}");
+    let table = r#"
+format = 1 | format = 2 | :1:10: version 2
+format = 1 |  | missing field `format`
+axis = [0, 1, 0]\nradius = 1\nstart | axis = [0, 0, 0]\nradius = 1\nstart | :25:8: [0.0, 0.0, 0.0] has no direction
+axis = [0, 1, 0], radius = 1 } | axis = [0, 1, 0], radius = -1 } | :31:79: -1 is not above 0
+axis = [0, 1, 0], radius = 1 } | axis = [0, 1, 0] } | :31:11: a cylinder needs `radius`
+kind = "plane", origin | kind = "plane", radius = 3, origin | :35:11: a plane has no `radius`
+kind = "plane", origin | kind = "plain", origin | :35:20: `plain` is not a kind of surface
+loops = [["-low"]] | loops = [["-lob"]] | :36:11: `lob` is not an edge
+loops = [["-low"]] | loops = [["half"]] | :36:11: `half` does not end where `half` begins
+loops = [["-low"]] | loops = [] | :34:8: face `floor` has no loop
+loops = [["-low"]] | loops = [[]] | :36:10: the loop has no edge
+end = "b" | end = "c" | :28:7: `c` is not a vertex
+end = "b" |  | it has one of `start` and `end`
+b = [-1, 0, 0] | b = [-1.5, 0, 0] | :22:8: edge `half`: an end is 5e-1 off the curve
+b = [-1, 0, 0] | b = [inf, 0, 0] | :8:5: inf is out of range
+faces = ["side", "floor"] | faces = ["side"] | :34:8: face `floor` belongs to no solid
+"#;
+    for [from, to, expected] in cases(table) {
+        assert!(LIST.contains(&from), "{from}");
+        let message = message(&LIST.replacen(&from, &to, 1));
+        assert!(message.contains(&expected), "{expected} in {message}");
         assert!(
             message.contains("needed")
                 || message.contains("possible")

@@ -3,15 +3,15 @@
 
 use crate::common::points::{Even, kept, point_of};
 use crate::common::winding::Oracle;
-use imogene_import::faces::vector::{
-    Vector, along, cross, distance, dot, frame, minus, plus, times, unit,
-};
+use imogene_import::faces::vector::{Vector, along, cross, dot, frame, minus, plus, times, unit};
 use imogene_import::faces::{Cell, Compilation, FaceOptions, Part, Verdict, compile};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
+/// A point of an axis, or the centre of a sphere.
+const ORIGIN: Vector = [0.3, -0.7, 1.1];
 const MATERIAL: &str = "[[materials]]\nname = \"m\"\ncolour = [1, 1, 1]\n";
 
 fn part(text: &str, max_deviation: f64) -> Part {
@@ -47,16 +47,9 @@ fn compare(part: &Part, points: usize, kinds: &mut BTreeMap<String, usize>) {
             Verdict::Approximated(off) => off,
         };
         let oracle = Oracle::new(&part.model, face);
-        let [low, high] = oracle.bounds();
-        let (middle, size) = (times(0.5, plus(low, high)), distance(low, high));
-        let mut even = Even(face.name.len() as u64);
         let mut inside = 0;
-        for _ in 0..points {
-            let p = point_of(&face.surface, middle, size, &mut even);
-            // Of an exact face only the sagitta of the oracle's own polylines is left out.
-            if oracle.distance_to_edge(p) <= off + oracle.coarseness() {
-                continue;
-            }
+        // Of an exact face only the sagitta of the oracle's own polylines is left out.
+        for p in oracle.points(points, face.name.len() as u64, off) {
             let expected = oracle.has(p);
             inside += usize::from(expected);
             *kinds.entry(face.surface.name().to_owned()).or_default() += 1;
@@ -147,6 +140,16 @@ fn line(name: &str, from: &str, to: &str) -> String {
     format!("[[edges]]\nname = \"{name}\"\nkind = \"line\"\nstart = \"{from}\"\nend = \"{to}\"\n")
 }
 
+/// Writes the sides of a polygon with the corners `p0`, `p1`, ..; their names.
+fn sides(text: &mut String, count: u32) -> String {
+    let side = |k: u32| {
+        let ends = [k, (k + 1) % count].map(|k| format!("p{k}"));
+        *text += &line(&format!("e{k}"), &ends[0], &ends[1]);
+        format!("\"e{k}\"")
+    };
+    (0..count).map(side).collect::<Vec<_>>().join(", ")
+}
+
 fn face(surface: &str, loops: &str) -> String {
     format!(
         "[[faces]]\nname = \"face\"\nsurface = {{ {surface} }}\nloops = {loops}\n[[solids]]\nname = \"s\"\nmaterial = \"m\"\nfaces = [\"face\"]\n"
@@ -156,7 +159,6 @@ fn face(surface: &str, loops: &str) -> String {
 /// A sector of a cylinder or cone between two heights on it, from the angle `from` over `sweep`.
 fn sector(
     [e, f, axis]: [Vector; 3],
-    origin: Vector,
     at: impl Fn(f64) -> f64,
     [low, high]: [f64; 2],
     from: f64,
@@ -165,7 +167,7 @@ fn sector(
 ) -> String {
     let point = |angle: f64, height: f64| {
         let out = plus(times(angle.cos(), e), times(angle.sin(), f));
-        along(along(origin, height, axis), at(height), out)
+        along(along(ORIGIN, height, axis), at(height), out)
     };
     let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
     for (name, angle, height) in [
@@ -176,17 +178,50 @@ fn sector(
     ] {
         write_vertex(&mut text, name, point(angle, height));
     }
-    text += &arc("low", "a", "b", along(origin, low, axis), axis, at(low));
-    text += &arc("high", "d", "c", along(origin, high, axis), axis, at(high));
+    text += &arc("low", "a", "b", along(ORIGIN, low, axis), axis, at(low));
+    text += &arc("high", "d", "c", along(ORIGIN, high, axis), axis, at(high));
     text += &line("left", "a", "d");
     text += &line("right", "b", "c");
     text + &face(surface, "[[\"low\", \"right\", \"-high\", \"-left\"]]")
 }
 
-/// Angle and height of a point.
-fn cylindrical([e, f, axis]: [Vector; 3], origin: Vector, p: Vector) -> (f64, f64) {
-    let from = minus(p, origin);
-    (dot(from, f).atan2(dot(from, e)), dot(from, axis))
+/// The cells of the only face of a part, which keep of its surface what is between two heights and over an angle.
+fn sector_cells(
+    part: &Part,
+    [e, f, axis]: [Vector; 3],
+    [low, high]: [f64; 2],
+    [from, sweep]: [f64; 2],
+    size: f64,
+    mut even: Even,
+) -> Result<Vec<Cell>, TestCaseError> {
+    let (verdict, cells) = cells(part, "face");
+    prop_assert_eq!(verdict, Verdict::Exact);
+    for _ in 0..1000 {
+        let p = point_of(&part.model.faces[0].surface, ORIGIN, size, &mut even);
+        let [x, y, height] = [e, f, axis].map(|d| dot(minus(p, ORIGIN), d));
+        let turned = (y.atan2(x) - from).rem_euclid(TAU);
+        let near = [
+            turned,
+            turned - sweep,
+            turned - TAU,
+            height - low,
+            height - high,
+        ];
+        if near.iter().any(|d| d.abs() < 1e-9) {
+            continue;
+        }
+        // On the other nappe of a cone the height is negative.
+        let expected = turned < sweep && (low..high).contains(&height);
+        prop_assert_eq!(
+            kept(part, &cells, p),
+            expected,
+            "{:?} {} {}",
+            p,
+            turned,
+            height
+        );
+    }
+    Ok(cells)
 }
 
 fn angles() -> impl Strategy<Value = [f64; 3]> {
@@ -203,19 +238,12 @@ fn convex_polygons_of_many_corners() {
             let angle = TAU * f64::from(k) / f64::from(count);
             write_vertex(&mut text, &format!("p{k}"), [angle.cos(), angle.sin(), 0.5]);
         }
-        for k in 0..count {
-            text += &line(
-                &format!("e{k}"),
-                &format!("p{k}"),
-                &format!("p{}", (k + 1) % count),
-            );
-        }
+        let sides = sides(&mut text, count);
         text += "[[edges]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [0.1, 0.2, 0.5]\naxis = [0, 0, 1]\nradius = 0.3\n";
-        let names: Vec<String> = (0..count).map(|k| format!("\"e{k}\"")).collect();
         let inner = if hole { ", [\"-hole\"]" } else { "" };
         text += &face(
             "kind = \"plane\", origin = [0, 0, 0.5], normal = [0, 0, 1]",
-            &format!("[[{}]{inner}]", names.join(", ")),
+            &format!("[[{sides}]{inner}]"),
         );
         let part = part(&text, 0.0);
         let (verdict, cells) = cells(&part, "face");
@@ -253,25 +281,11 @@ proptest! {
     #[test]
     fn sectors_of_cylinders(angles in angles(), from in 0.0..TAU, sweep in 0.2..6.0_f64, low in -3.0..0.0, high in 0.5..4.0_f64) {
         let frame = turned(angles);
-        let origin = [0.3, -0.7, 1.1];
-        let surface = format!("kind = \"cylinder\", origin = {origin:?}, axis = {:?}, radius = 1.5", frame[2]);
-        let part = part(&sector(frame, origin, |_| 1.5, [low, high], from, sweep, &surface), 0.0);
-        let (verdict, cells) = cells(&part, "face");
-        prop_assert_eq!(verdict, Verdict::Exact);
+        let surface = format!("kind = \"cylinder\", origin = {ORIGIN:?}, axis = {:?}, radius = 1.5", frame[2]);
+        let part = part(&sector(frame, |_| 1.5, [low, high], from, sweep, &surface), 0.0);
+        let cells = sector_cells(&part, frame, [low, high], [from, sweep], 6.0, Even(1))?;
         prop_assert_eq!(cells.len(), 1);
         prop_assert_eq!(cells[0].cuts.len(), 3);
-        let mut even = Even(1);
-        let surface = part.model.faces[0].surface.clone();
-        for _ in 0..1000 {
-            let p = point_of(&surface, origin, 6.0, &mut even);
-            let (angle, height) = cylindrical(frame, origin, p);
-            let turned = (angle - from).rem_euclid(TAU);
-            if [turned, turned - sweep, turned - TAU, height - low, height - high].iter().any(|d| d.abs() < 1e-9) {
-                continue;
-            }
-            let expected = turned < sweep && (low..high).contains(&height);
-            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
-        }
     }
 
     /// A plane through the apex and two generators flips its side on the other nappe: a plane between the nappes keeps
@@ -279,28 +293,13 @@ proptest! {
     #[test]
     fn sectors_of_cones(angles in angles(), from in 0.0..TAU, sweep in 0.2..6.0_f64, low in 0.1..1.0_f64, length in 0.5..4.0_f64, degrees in 5.0..80.0_f64) {
         let frame = turned(angles);
-        let origin = [0.3, -0.7, 1.1];
         let slope = degrees.to_radians().tan();
         let high = low + length;
-        let surface = format!("kind = \"cone\", apex = {origin:?}, axis = {:?}, half_angle = {degrees:?}", frame[2]);
-        let part = part(&sector(frame, origin, |h| h * slope, [low, high], from, sweep, &surface), 0.0);
-        let (verdict, cells) = cells(&part, "face");
-        prop_assert_eq!(verdict, Verdict::Exact);
+        let surface = format!("kind = \"cone\", apex = {ORIGIN:?}, axis = {:?}, half_angle = {degrees:?}", frame[2]);
+        let part = part(&sector(frame, |h| h * slope, [low, high], from, sweep, &surface), 0.0);
+        let cells = sector_cells(&part, frame, [low, high], [from, sweep], 4.0, Even(2))?;
         prop_assert_eq!(cells.len(), 1);
         prop_assert!(cells[0].cuts.len() <= 4);
-        let mut even = Even(2);
-        let surface = part.model.faces[0].surface.clone();
-        for _ in 0..1000 {
-            let p = point_of(&surface, origin, 4.0, &mut even);
-            let (angle, height) = cylindrical(frame, origin, p);
-            let turned = (angle - from).rem_euclid(TAU);
-            if [turned, turned - sweep, turned - TAU, height - low, height - high].iter().any(|d| d.abs() < 1e-9) {
-                continue;
-            }
-            // On the other nappe the height is negative.
-            let expected = turned < sweep && (low..high).contains(&height);
-            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
-        }
     }
 
     /// A zone between two latitudes and a lune between two meridians, together: AND up to 180 degrees, two patches
@@ -308,46 +307,32 @@ proptest! {
     #[test]
     fn spherical_quadrangles(angles in angles(), from in 0.0..TAU, sweep in 0.3..6.0_f64, low in -1.2..0.0, high in 0.2..1.3_f64) {
         let [e, f, axis] = turned(angles);
-        let centre = [0.3, -0.7, 1.1];
         let radius = 2.0;
         let point = |u: f64, v: f64| {
             let out = plus(times(u.cos(), e), times(u.sin(), f));
-            plus(centre, times(radius, plus(times(v.cos(), out), times(v.sin(), axis))))
+            plus(ORIGIN, times(radius, plus(times(v.cos(), out), times(v.sin(), axis))))
         };
         let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
         for (name, u, v) in [("a", from, low), ("b", from + sweep, low), ("c", from + sweep, high), ("d", from, high)] {
             write_vertex(&mut text, name, point(u, v));
         }
         for (name, ends, v) in [("low", ("a", "b"), low), ("high", ("d", "c"), high)] {
-            text += &arc(name, ends.0, ends.1, along(centre, radius * v.sin(), axis), axis, radius * v.cos());
+            text += &arc(name, ends.0, ends.1, along(ORIGIN, radius * v.sin(), axis), axis, radius * v.cos());
         }
         for (name, ends, u) in [("left", ("a", "d"), from), ("right", ("b", "c"), from + sweep)] {
             let out = plus(times(u.cos(), e), times(u.sin(), f));
-            text += &arc(name, ends.0, ends.1, centre, cross(out, axis), radius);
+            text += &arc(name, ends.0, ends.1, ORIGIN, cross(out, axis), radius);
         }
         text += &face(
-            &format!("kind = \"sphere\", centre = {centre:?}, radius = {radius:?}"),
+            &format!("kind = \"sphere\", centre = {ORIGIN:?}, radius = {radius:?}"),
             "[[\"low\", \"right\", \"-high\", \"-left\"]]",
         );
         let part = part(&text, 0.0);
-        let (verdict, cells) = cells(&part, "face");
-        prop_assert_eq!(verdict, Verdict::Exact);
+        let heights = [low, high].map(|v: f64| radius * v.sin());
+        let cells = sector_cells(&part, [e, f, axis], heights, [from, sweep], 4.0, Even(3))?;
         if sweep < PI - 0.01 {
             prop_assert_eq!(cells.len(), 1);
             prop_assert_eq!(cells[0].cuts.len(), 4);
-        }
-        let mut even = Even(3);
-        let surface = part.model.faces[0].surface.clone();
-        for _ in 0..1000 {
-            let p = point_of(&surface, centre, 4.0, &mut even);
-            let (angle, height) = cylindrical([e, f, axis], centre, p);
-            let turned = (angle - from).rem_euclid(TAU);
-            let [bottom, top] = [low, high].map(|v| radius * v.sin());
-            if [turned, turned - sweep, turned - TAU, height - bottom, height - top].iter().any(|d| d.abs() < 1e-9) {
-                continue;
-            }
-            let expected = turned < sweep && (bottom..top).contains(&height);
-            prop_assert_eq!(kept(&part, &cells, p), expected, "{:?} {} {}", p, turned, height);
         }
     }
 
@@ -355,7 +340,6 @@ proptest! {
     #[test]
     fn polygons(angles in angles(), radii in proptest::collection::vec(0.4..3.0_f64, 3..16)) {
         let [e, f, axis] = turned(angles);
-        let origin = [0.3, -0.7, 1.1];
         let count = radii.len();
         let corner = |k: usize| {
             let u = TAU * (k % count) as f64 / count as f64;
@@ -364,13 +348,10 @@ proptest! {
         let mut text = format!("format = 1\ntitle = \"t\"\n{MATERIAL}[vertices]\n");
         for k in 0..count {
             let (x, y) = corner(k);
-            write_vertex(&mut text, &format!("p{k}"), along(along(origin, x, e), y, f));
+            write_vertex(&mut text, &format!("p{k}"), along(along(ORIGIN, x, e), y, f));
         }
-        for k in 0..count {
-            text += &line(&format!("e{k}"), &format!("p{k}"), &format!("p{}", (k + 1) % count));
-        }
-        let names: Vec<String> = (0..count).map(|k| format!("\"e{k}\"")).collect();
-        text += &face(&format!("kind = \"plane\", origin = {origin:?}, normal = {axis:?}"), &format!("[[{}]]", names.join(", ")));
+        let sides = sides(&mut text, count as u32);
+        text += &face(&format!("kind = \"plane\", origin = {ORIGIN:?}, normal = {axis:?}"), &format!("[[{sides}]]"));
         let part = part(&text, 0.0);
         let (verdict, cells) = cells(&part, "face");
         prop_assert_eq!(verdict, Verdict::Exact);
@@ -387,7 +368,7 @@ proptest! {
             if side.abs() < 1e-7 || wedge < 1e-7 {
                 continue;
             }
-            let p = along(along(origin, x, e), y, f);
+            let p = along(along(ORIGIN, x, e), y, f);
             prop_assert_eq!(kept(&part, &cells, p), side > 0.0, "{} {}", x, y);
         }
     }

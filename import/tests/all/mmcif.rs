@@ -1,7 +1,8 @@
 //! Texts in the PDBx/mmCIF format: their forms, what each item means, what is refused and where, and that no words
 //! make the reader panic.
 
-use crate::common::structure::{cif, names, places};
+use crate::common::cases::cases;
+use crate::common::structure::{cif, names, places, with};
 use imogene_import::pdb::{ModelChoice, Options, Style};
 use proptest::prelude::*;
 
@@ -40,10 +41,7 @@ S SG CYS B HH 3 ? 10 0 0
 
 #[test]
 fn bonds_of_the_file_are_drawn_where_they_are_in_the_cell() {
-    let options = Options {
-        style: Style::BallAndStick,
-        ..Options::default()
-    };
+    let options = with(|o| o.style = Style::BallAndStick);
     let imported = cif(FAR, &options).expect("readable");
     assert_eq!(
         names(&imported),
@@ -109,10 +107,7 @@ _atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z _atom_site.occupancy _a
 3 N  N1    B LIG XXX A ?   1 .  . 3 0 0 0.7 2
 4 ?  O2    . LIG XXX A .   . ?  ? 4 0 0 ?   5
 ";
-    let all = Options {
-        model: ModelChoice::All,
-        ..Options::default()
-    };
+    let all = with(|o| o.model = ModelChoice::All);
     let imported = cif(text, &all).expect("readable");
     assert_eq!(
         names(&imported),
@@ -121,74 +116,36 @@ _atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z _atom_site.occupancy _a
     assert_eq!(imported.report["models"], serde_json::json!([5, 2]));
     assert_eq!(imported.report["elements_from_names"], 1);
     assert_eq!(imported.scene.objects[1].material, "O");
-    let own = Options {
-        residues: vec!["XXX".parse().expect("a name")],
-        chains: vec!["AAA".into()],
-        ..Options::default()
-    };
+    let own = with(|o| {
+        o.residues = vec!["XXX".parse().expect("a name")];
+        o.chains = vec!["AAA".into()];
+    });
     assert_eq!(names(&cif(text, &own).expect("readable")), ["AAA/-7B/C1'"]);
 }
 
 #[test]
 fn what_is_wrong_is_refused_where_it_stands() {
     let row = "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
-    let cases = [
-        (
-            format!("{row}1 2 x3"),
-            "f.cif:6:5: the z coordinate `x3` is not a number",
-        ),
-        (
-            format!("{row}1 ? 3"),
-            "f.cif:6:3: the atom has no y coordinate",
-        ),
-        (format!("{row}1 nan 3"), "f.cif:6:3: the y coordinate `nan`"),
-        (
-            format!("{row}1 2 1e300"),
-            "f.cif:6:5: the z coordinate `1e300`",
-        ),
-        (
-            format!("{row}1 2 3 4"),
-            "f.cif:6:7: the last row of the loop has 1 of 3 values",
-        ),
-        (format!("{row}1 2 '3"), "f.cif:6:5: the quote is not closed"),
-        (
-            format!("{row};1\n2 3"),
-            "f.cif:6:1: the text that begins here is not closed",
-        ),
-        (
-            row.replace("_atom_site.Cartn_z\n", "_atom_site.pdbx_PDB_model_num\n")
-                + "_atom_site.Cartn_z\n1 2 x 3",
-            "f.cif:7:5: the number `x` of the model",
-        ),
-        (
-            "data_x\nloop_\n1 2".into(),
-            "f.cif:2:1: a loop without names",
-        ),
-        (
-            "data_x\n_entry.id\n_struct.title a".into(),
-            "f.cif:2:1: the item `_entry.id` has no value",
-        ),
-        (
-            "data_x\n\u{e9}\u{e9} y".into(),
-            "f.cif:2:1: a value without a name",
-        ),
-        (
-            "data_x\n_entry.id 1\n_atom_site.id 2".into(),
-            "no atom in the category _atom_site",
-        ),
-        (
-            "data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5".into(),
-            "the CIF of a small molecule",
-        ),
-        ("data_x\n_refln.id 1".into(), "these are structure factors"),
-        (
-            "data_x\n_chem_comp_atom.atom_id 1".into(),
-            "the definition of a chemical component",
-        ),
-    ];
-    for (text, start) in cases {
-        let error = cif(&text, &Options::default()).unwrap_err();
-        assert!(error.contains(start), "{error}\nis not\n{start}");
+    let table = r"
+{row}1 2 x3 | f.cif:6:5: the z coordinate `x3` is not a number
+{row}1 ? 3 | f.cif:6:3: the atom has no y coordinate
+{row}1 nan 3 | f.cif:6:3: the y coordinate `nan`
+{row}1 2 1e300 | f.cif:6:5: the z coordinate `1e300`
+{row}1 2 3 4 | f.cif:6:7: the last row of the loop has 1 of 3 values
+{row}1 2 '3 | f.cif:6:5: the quote is not closed
+{row};1\n2 3 | f.cif:6:1: the text that begins here is not closed
+data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_z\n1 2 x 3 | f.cif:7:5: the number `x` of the model
+data_x\nloop_\n1 2 | f.cif:2:1: a loop without names
+data_x\n_entry.id\n_struct.title a | f.cif:2:1: the item `_entry.id` has no value
+data_x\néé y | f.cif:2:1: a value without a name
+data_x\n_entry.id 1\n_atom_site.id 2 | no atom in the category _atom_site
+data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5 | the CIF of a small molecule
+data_x\n_refln.id 1 | these are structure factors
+data_x\n_chem_comp_atom.atom_id 1 | the definition of a chemical component
+";
+    for [text, start] in cases(table) {
+        let error = cif(&text.replace("{row}", row), &Options::default()).unwrap_err();
+        assert!(error.contains(&start), "{error}\nis not\n{start}");
         assert!(
             error.contains("would be accepted") || error.contains("would close it"),
             "{error}"

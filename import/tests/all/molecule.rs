@@ -1,5 +1,7 @@
 //! Molecules from text to scene: what real files have, and that no bytes make the reader panic.
 
+use crate::common::cases::cases;
+use crate::common::structure::{names, with};
 use imogene_golden::format::Format;
 use imogene_import::pdb::{
     self, Alternates, Colouring, Format as Kind, ModelChoice, Options, Style,
@@ -22,15 +24,6 @@ fn import(text: &str, options: Options) -> Imported {
 
 fn refusal(text: &[u8], options: Options) -> String {
     read(text, "f.pdb", &options).unwrap_err().to_string()
-}
-
-fn names(imported: &Imported) -> Vec<&str> {
-    imported
-        .scene
-        .objects
-        .iter()
-        .map(|o| o.name.as_str())
-        .collect()
 }
 
 const ONE: &str = "ATOM      1  CA  ALA A   1      11.104  13.207   9.327  1.00  0.00           C";
@@ -80,41 +73,22 @@ fn what_other_programs_write_is_read() {
 
 #[test]
 fn a_bad_coordinate_is_refused_where_it_stands() {
-    let bad = [
-        (
-            "  11.104",
-            "  11.x04",
-            33,
-            "the x coordinate `11.x04` is not a number",
-        ),
-        (
-            "  13.207",
-            "     nan",
-            44,
-            "the y coordinate `nan` is not a number",
-        ),
-        (
-            "  13.207",
-            "     inf",
-            44,
-            "the y coordinate `inf` is not a number",
-        ),
-        ("   9.327", "        ", 47, "the atom has no z coordinate"),
-        (
-            "   9.327",
-            "   1e300",
-            50,
-            "the z coordinate `1e300` is not a number",
-        ),
-    ];
-    for (good, wrong, column, problem) in bad {
-        let text = format!("REMARK\n{}", ONE.replace(good, wrong));
+    let table = "
+  11.104 |   11.x04 | 33 | the x coordinate `11.x04` is not a number
+  13.207 |      nan | 44 | the y coordinate `nan` is not a number
+  13.207 |      inf | 44 | the y coordinate `inf` is not a number
+   9.327 |          | 47 | the atom has no z coordinate
+   9.327 |    1e300 | 50 | the z coordinate `1e300` is not a number
+";
+    for [good, wrong, column, problem] in cases(table) {
+        let column = column.parse().expect("a number");
+        let text = format!("REMARK\n{}", ONE.replace(&good, &wrong));
         let error = read(text.as_bytes(), "f.pdb", &Options::default()).unwrap_err();
         let ImportError::Malformed { place, .. } = &error else {
             panic!("{error}")
         };
         assert_eq!(*place, Place { line: 2, column }, "{wrong}");
-        assert!(error.to_string().contains(problem), "{error}");
+        assert!(error.to_string().contains(&problem), "{error}");
         assert!(error.to_string().contains("would be accepted"), "{error}");
     }
     // A file that was cut off does not move its last atom.
@@ -148,10 +122,7 @@ fn what_is_no_structure_is_refused_by_name() {
             "{error}"
         );
     }
-    let nothing = Options {
-        water: false,
-        ..Options::default()
-    };
+    let nothing = with(|o| o.water = false);
     let error = refusal(ONE.replace("ALA", "HOH").as_bytes(), nothing);
     assert!(error.contains("the options leave no atom"), "{error}");
 }
@@ -160,15 +131,9 @@ fn what_is_no_structure_is_refused_by_name() {
 fn models_are_chosen_by_number() {
     let model = |n: i32, x: &str| format!("MODEL {n:>8}\n{}\nENDMDL\n", ONE.replace("  11.104", x));
     let text = model(3, "   1.000") + &model(7, "   2.000") + "END\n";
-    let first = |imported: &Imported| imported.scene.objects[0].place.clone();
     let at = |model| {
-        first(&import(
-            &text,
-            Options {
-                model,
-                ..Options::default()
-            },
-        ))
+        let imported = import(&text, with(|o| o.model = model));
+        imported.scene.objects[0].place.clone()
     };
     assert_eq!(
         at(ModelChoice::First),
@@ -178,24 +143,17 @@ fn models_are_chosen_by_number() {
         at(ModelChoice::Number(7)),
         [Step::Translate([2.0, 13.207, 9.327])]
     );
-    let error = refusal(
-        text.as_bytes(),
-        Options {
-            model: ModelChoice::Number(2),
-            ..Options::default()
-        },
-    );
+    let error = refusal(text.as_bytes(), with(|o| o.model = ModelChoice::Number(2)));
     assert!(
         error.contains("it has no model 2; 3, 7 or all would be accepted"),
         "{error}"
     );
     let all = import(
         &text,
-        Options {
-            model: ModelChoice::All,
-            colouring: Colouring::Model,
-            ..Options::default()
-        },
+        with(|o| {
+            o.model = ModelChoice::All;
+            o.colouring = Colouring::Model;
+        }),
     );
     assert_eq!(names(&all), ["3/A/1/CA", "7/A/1/CA"]);
     let materials: Vec<&str> = all
@@ -224,10 +182,7 @@ fn sticks_join_the_middles_of_their_atoms() {
     let text = atom(1, " C1 ", 0.0, 0.0, 0.0)
         + &atom(2, " C2 ", 0.9, 1.2, 0.0)
         + &atom(3, " O1 ", 0.9, 1.2, -1.4);
-    let options = Options {
-        style: Style::BallAndStick,
-        ..Options::default()
-    };
+    let options = with(|o| o.style = Style::BallAndStick);
     let imported = import(&text, options);
     assert_eq!(imported.report["bonds"], 2);
     assert_eq!(
@@ -319,13 +274,7 @@ fn no_direction_of_a_bond_is_refused() {
             );
         }
     }
-    let imported = import(
-        &text,
-        Options {
-            style: Style::BallAndStick,
-            ..Options::default()
-        },
-    );
+    let imported = import(&text, with(|o| o.style = Style::BallAndStick));
     assert_eq!(imported.report["cylinders"], 90);
     let tilted = imported.scene.objects.iter().filter(|o| {
         o.cuts
@@ -345,10 +294,7 @@ fn no_direction_of_a_bond_is_refused() {
 
 #[test]
 fn the_shipped_scene_is_what_the_reader_writes() {
-    let options = Options {
-        style: Style::BallAndStick,
-        ..Options::default()
-    };
+    let options = with(|o| o.style = Style::BallAndStick);
     let imported = read(HELIX, "helix.pdb", &options).expect("readable");
     let shipped = include_str!("../../../scenes/molecules/helix.toml");
     assert!(

@@ -330,15 +330,8 @@ fn step_files_and_face_lists_of_the_same_part_agree() {
                 others => panic!("{place}: {others:?}"),
             };
             let oracle = Oracle::new(&one.model, face);
-            let [low, high] = oracle.bounds();
-            let mut even = Even(7);
             let mut inside = 0;
-            for _ in 0..3000 {
-                let middle = times(0.5, plus(low, high));
-                let p = point_of(&face.surface, middle, distance(low, high), &mut even);
-                if oracle.distance_to_edge(p) <= off + oracle.coarseness() {
-                    continue;
-                }
+            for p in oracle.points(3000, 7, off) {
                 let mine = kept(&one, cells, p);
                 inside += usize::from(mine);
                 assert_eq!(kept(&other, twin_cells, p), mine, "{place} at {p:?}");
@@ -359,19 +352,9 @@ fn step_files_agree_with_the_winding_of_their_loops() {
             for (face, verdict, cells) in compiled(&part, solid) {
                 assert_eq!(*verdict, Verdict::Exact);
                 let oracle = Oracle::new(&part.model, face);
-                let [low, high] = oracle.bounds();
-                let mut even = Even(3);
-                for _ in 0..1000 {
-                    let middle = times(0.5, plus(low, high));
-                    let p = point_of(&face.surface, middle, distance(low, high), &mut even);
-                    if oracle.distance_to_edge(p) > oracle.coarseness() {
-                        assert_eq!(
-                            kept(&part, cells, p),
-                            oracle.has(p),
-                            "{name} {} {p:?}",
-                            face.name
-                        );
-                    }
+                for p in oracle.points(1000, 3, 0.0) {
+                    let place = format!("{name} {} {p:?}", face.name);
+                    assert_eq!(kept(&part, cells, p), oracle.has(p), "{place}");
                 }
             }
         }

@@ -1,9 +1,9 @@
 //! Structure files in all their formats: published ones against what another program counts, and what each format may
 //! hold.
 
-use crate::common::structure::{cif, names, places};
+use crate::common::structure::{cif, names, places, with};
 use imogene_import::pdb::{self, Alternates, Colouring, Format, Options, Style};
-use imogene_import::{Imported, Kind, is_compressed, unpack};
+use imogene_import::{ImportError, Imported, Kind, is_compressed, unpack};
 use imogene_prepare::Framing;
 use imogene_scene::SceneFile;
 use std::path::Path;
@@ -19,11 +19,15 @@ fn bytes(name: &str) -> Vec<u8> {
     }
 }
 
-fn import(name: &str, options: &Options) -> Imported {
+fn try_import(name: &str, options: &Options) -> Result<Imported, ImportError> {
     let bytes = bytes(name);
     let kind = Kind::of(&bytes, "no ending").expect("known by what it holds");
     let format = kind.format().expect("a structure");
-    pdb::read(&bytes, format, name, options).unwrap_or_else(|error| panic!("{error}"))
+    pdb::read(&bytes, format, name, options)
+}
+
+fn import(name: &str, options: &Options) -> Imported {
+    try_import(name, options).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn all_of(style: Style) -> Options {
@@ -89,12 +93,11 @@ fn published_files_hold_what_another_program_counts() {
 /// formats have their own of.
 #[test]
 fn formats_of_an_entry_agree() {
-    let options = Options {
-        style: Style::BallAndStick,
-        colouring: Colouring::Chain,
-        assembly: Some("1".into()),
-        ..Options::default()
-    };
+    let options = with(|o| {
+        o.style = Style::BallAndStick;
+        o.colouring = Colouring::Chain;
+        o.assembly = Some("1".into());
+    });
     let scene = |file: &str| import(file, &options).scene;
     assert_eq!(scene("3JQH.cif"), scene("3jqh.bcif.gz"));
     let (text, lines) = (scene("1A8O.cif"), scene("1A8O.pdb"));
@@ -105,11 +108,10 @@ fn formats_of_an_entry_agree() {
 
 #[test]
 fn copies_of_chains_are_named_and_coloured_by_their_operator() {
-    let options = Options {
-        colouring: Colouring::Chain,
-        assembly: Some("1".into()),
-        ..Options::default()
-    };
+    let options = with(|o| {
+        o.colouring = Colouring::Chain;
+        o.assembly = Some("1".into());
+    });
     let imported = import("1A8O.cif", &options);
     assert_eq!(imported.report["chains"], serde_json::json!(["A", "A-2"]));
     assert!(names(&imported).contains(&"A-2/151/CA"));
@@ -123,18 +125,10 @@ fn copies_of_chains_are_named_and_coloured_by_their_operator() {
     for (own, expected) in moved.iter().zip([41.98 - y, 41.98 - x, 44.46 - z]) {
         assert!((own - expected).abs() < 1e-9, "{moved:?}");
     }
-    let unknown = Options {
-        assembly: Some("7".into()),
-        ..Options::default()
-    };
+    let unknown = with(|o| o.assembly = Some("7".into()));
     let error = |file: &str| {
-        let bytes = bytes(file);
-        let format = Kind::of(&bytes, "")
-            .and_then(Kind::format)
-            .expect("a structure");
-        pdb::read(&bytes, format, file, &unknown)
-            .unwrap_err()
-            .to_string()
+        let refused = try_import(file, &unknown).unwrap_err();
+        refused.to_string()
     };
     assert_eq!(
         error("1A8O.pdb"),
@@ -160,11 +154,7 @@ fn chains_and_residues_are_chosen() {
             },
             ..Options::default()
         };
-        let bytes = bytes(file);
-        let format = Kind::of(&bytes, "")
-            .and_then(Kind::format)
-            .expect("a structure");
-        pdb::read(&bytes, format, file, &options)
+        try_import(file, &options)
             .map(|imported| imported.scene.objects.len())
             .map_err(|error| error.to_string())
     };
@@ -202,10 +192,7 @@ fn chains_and_residues_are_chosen() {
 #[test]
 fn wrong_operators_are_refused_when_they_are_asked_for() {
     let whole = String::from_utf8(bytes("1A8O.cif")).expect("text");
-    let asked = Options {
-        assembly: Some("1".into()),
-        ..Options::default()
-    };
+    let asked = with(|o| o.assembly = Some("1".into()));
     let line = whole
         .lines()
         .position(|l| l.starts_with("0.0000000000 0.0000000000 41.98"))
@@ -294,10 +281,7 @@ fn kinds_are_known_by_what_files_hold() {
 /// A scene that names the file gets the same objects, with the names and in the group that it asks for.
 #[test]
 fn a_scene_is_filled_from_the_file_that_it_names() {
-    let options = Options {
-        style: Style::BallAndStick,
-        ..Options::default()
-    };
+    let options = with(|o| o.style = Style::BallAndStick);
     let whole = import("1A8O.cif", &options).scene;
     let mut scene = SceneFile {
         objects: vec![],

@@ -1,6 +1,7 @@
 //! Bands of cones against the torus that they stand for: every place of a face has one of its cells within the
 //! deviation, and no other place has.
 
+use crate::common::points::kept;
 use imogene_import::faces::{Compilation, Compiled, FaceOptions, Part, Verdict, compile};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -50,14 +51,7 @@ fn covering(part: &Part, compiled: &Compiled, u: f64, v: f64, off: f64) -> usize
                 high = middle;
             }
         }
-        let p = place(u, v, low);
-        cell.cuts.iter().all(|(plane, positive)| {
-            let plane = part.planes.get(*plane);
-            let above: f64 = (0..3)
-                .map(|k| (p[k] - plane.point[k]) * plane.normal[k])
-                .sum();
-            (above > 0.0) == *positive
-        })
+        kept(part, std::slice::from_ref(*cell), place(u, v, low))
     };
     compiled.cells.iter().filter(has).count()
 }
@@ -168,19 +162,7 @@ fn an_elbow_and_the_discs_that_close_it_have_the_same_border() {
     };
     for k in 0..720 {
         let v = TAU * (f64::from(k) + 0.3) / 720.0;
-        let kept = |r: f64| {
-            let p = place(0.0, v, r);
-            disc.cells.iter().any(|cell| {
-                let sides = cell.cuts.iter().all(|(plane, positive)| {
-                    let plane = elbow.planes.get(*plane);
-                    let above: f64 = (0..3)
-                        .map(|i| (p[i] - plane.point[i]) * plane.normal[i])
-                        .sum();
-                    (above > 0.0) == *positive
-                });
-                sides && cell.quadric.is_none_or(|q| q.value(p) <= 0.0)
-            })
-        };
+        let kept = |r: f64| kept(&elbow, &disc.cells, place(0.0, v, r));
         assert!(kept(TUBE - off - 1e-6) && !kept(TUBE + 1e-6), "v {v}");
     }
 }

@@ -25,3 +25,10 @@ pub fn places(imported: &Imported) -> Vec<[f64; 3]> {
     };
     spheres.map(|object| place(&object.place[0])).collect()
 }
+
+/// The options with a change.
+pub fn with(change: impl FnOnce(&mut Options)) -> Options {
+    let mut options = Options::default();
+    change(&mut options);
+    options
+}

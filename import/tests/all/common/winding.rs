@@ -1,8 +1,9 @@
 //! Point in face by winding: the loops as polylines in parameters of the surface, no plane and no half-space.
 
+use super::points::{Even, point_of};
 use imogene_import::faces::model::{Face, Model};
 use imogene_import::faces::vector::{
-    Vector, along, cross, distance, dot, frame, length, minus, times, unit,
+    Vector, along, cross, distance, dot, frame, length, minus, plus, times, unit,
 };
 use imogene_import::faces::{Curve, Form, Surface};
 use std::f64::consts::TAU;
@@ -21,6 +22,15 @@ pub struct Oracle {
 }
 
 impl Oracle {
+    /// Of some points in and near the face those that are farther than a length from every edge.
+    pub fn points(&self, count: usize, seed: u64, off: f64) -> impl Iterator<Item = Vector> {
+        let [low, high] = self.bounds();
+        let (middle, size) = (times(0.5, plus(low, high)), distance(low, high));
+        let mut even = Even(seed);
+        let all = (0..count).map(move |_| point_of(&self.surface, middle, size, &mut even));
+        all.filter(move |p| self.distance_to_edge(*p) > off + self.coarseness())
+    }
+
     /// Of a face.
     pub fn new(model: &Model, face: &Face) -> Oracle {
         let mut chains = vec![];
