@@ -1,6 +1,6 @@
 //! Files compressed with gzip.
 
-use crate::error::{ImportError, unusable};
+use crate::error::{Result, unusable};
 use flate2::read::MultiGzDecoder;
 use std::io::Read;
 
@@ -11,7 +11,7 @@ pub fn is_compressed(bytes: &[u8]) -> bool {
 
 /// What was compressed, if it takes at most so many bytes; several members are one file. `file` is the name that
 /// messages give it.
-pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>, ImportError> {
+pub fn unpack(bytes: &[u8], limit: u64, file: &str) -> Result<Vec<u8>> {
     let mut unpacked = vec![];
     let mut decoder = MultiGzDecoder::new(bytes).take(limit + 1);
     match decoder.read_to_end(&mut unpacked) {
@@ -46,19 +46,19 @@ mod tests {
     fn what_is_unpacked_has_a_limit() {
         let zeros = packed(&[0; 1_000_000]);
         assert!(is_compressed(&zeros) && zeros.len() < 2_000);
-        assert_eq!(
-            unpack(&zeros, 1_000_000, "f").expect("whole").len(),
-            1_000_000
-        );
-        let error = unpack(&zeros, 999_999, "f").unwrap_err().to_string();
-        assert!(
-            error.starts_with("f: it unpacks to more than 999999 bytes"),
-            "{error}"
-        );
-        let error = unpack(&zeros[..900], 1_000_000, "f")
-            .unwrap_err()
-            .to_string();
-        assert!(error.starts_with("f: it cannot be unpacked"), "{error}");
+        let whole = unpack(&zeros, 1_000_000, "f").expect("whole");
+        assert_eq!(whole.len(), 1_000_000);
+        for (bytes, limit, says) in [
+            (
+                &zeros[..],
+                999_999,
+                "f: it unpacks to more than 999999 bytes",
+            ),
+            (&zeros[..900], 1_000_000, "f: it cannot be unpacked"),
+        ] {
+            let error = unpack(bytes, limit, "f").unwrap_err().to_string();
+            assert!(error.starts_with(says), "{error}");
+        }
         let two = [packed(b"one "), packed(b"two")].concat();
         assert_eq!(unpack(&two, 100, "f").expect("two members"), b"one two");
     }

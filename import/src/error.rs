@@ -63,10 +63,11 @@ impl ImportError {
     pub(crate) fn new(
         file: &str,
         place: Option<Place>,
-        problem: impl Into<String>,
-        accepted: impl Into<String>,
+        problem: impl ToString,
+        accepted: impl ToString,
     ) -> ImportError {
-        let (file, problem, accepted) = (file.to_owned(), problem.into(), accepted.into());
+        let (file, problem, accepted) =
+            (file.to_owned(), problem.to_string(), accepted.to_string());
         match place {
             Some(place) => Self::Malformed {
                 file,
@@ -83,11 +84,10 @@ impl ImportError {
     }
 }
 
+/// What comes of reading a file.
+pub type Result<T, E = ImportError> = std::result::Result<T, E>;
+
 /// A refusal of a file as a whole.
-pub(crate) fn unusable(
-    file: &str,
-    problem: impl Into<String>,
-    accepted: impl Into<String>,
-) -> ImportError {
+pub(crate) fn unusable(file: &str, problem: impl ToString, accepted: impl ToString) -> ImportError {
     ImportError::new(file, None, problem, accepted)
 }

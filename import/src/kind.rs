@@ -74,7 +74,8 @@ const LOOKED_AT: usize = 1 << 16;
 impl Kind {
     /// The name that the command line has for it.
     pub fn name(self) -> &'static str {
-        self.row().1
+        let row = KINDS.iter().find(|(kind, ..)| *kind == self);
+        row.expect("every kind has a row").1
     }
 
     /// The format, if it is a structure.
@@ -86,11 +87,6 @@ impl Kind {
             Kind::Bcif => Some(Format::Bcif),
             _ => None,
         }
-    }
-
-    fn row(self) -> &'static (Kind, &'static str, &'static str, &'static [&'static str]) {
-        let row = KINDS.iter().find(|(kind, ..)| *kind == self);
-        row.expect("every kind has a row")
     }
 
     /// What the bytes of a file, not compressed, and its name say; the bytes count for more.

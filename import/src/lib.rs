@@ -35,10 +35,12 @@ pub mod pdb;
 pub mod terrain;
 
 pub use compressed::{is_compressed, unpack};
-pub use error::{ImportError, Place};
+pub use error::{ImportError, Place, Result};
 pub use kind::{Kind, Kinds, is_scene};
 
 use imogene_scene::SceneFile;
+#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
+use imogene_scene::{Object, Shape, Surface};
 
 /// What a reader made of a file.
 #[derive(Debug)]
@@ -49,4 +51,21 @@ pub struct Imported {
     pub report: serde_json::Value,
     /// What a person should know, one line each: what was left out, approximated or rejected.
     pub notes: Vec<String>,
+}
+
+/// A solid where its coordinates put it, without cuts.
+#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
+pub(crate) fn object(name: String, shape: Shape, material: String) -> Object {
+    Object {
+        name,
+        shape,
+        processor: None,
+        mode: Surface::Solid,
+        material,
+        place: vec![],
+        cuts: vec![],
+        group: None,
+        visible: true,
+        casts_shadow: true,
+    }
 }

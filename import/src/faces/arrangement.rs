@@ -246,7 +246,7 @@ impl Division<'_> {
         let [low, high] = chart.reach();
         let mut from = low;
         for crossing in crossings {
-            self.strip(chart, u, [from, crossing.w], inside, samples);
+            samples.extend(self.strip(chart, u, [from, crossing.w], inside));
             if crossing.edges % 2 == 1 {
                 inside = !inside;
                 if sphere && inside != crossing.inside_above {
@@ -255,21 +255,18 @@ impl Division<'_> {
             }
             from = crossing.w;
         }
-        self.strip(chart, u, [from, high], inside, samples);
+        samples.extend(self.strip(chart, u, [from, high], inside));
         Ok(())
     }
 
-    fn strip(
-        &self,
-        chart: &Chart,
-        u: f64,
-        [from, to]: [f64; 2],
-        inside: bool,
-        samples: &mut Vec<Sample>,
-    ) {
-        let unit = if chart.is_ball() { 1.0 } else { self.size };
+    fn strip(&self, chart: &Chart, u: f64, [from, to]: [f64; 2], inside: bool) -> Option<Sample> {
+        let unit = if chart.surface.is_sphere() {
+            1.0
+        } else {
+            self.size
+        };
         if to - from <= SMALLEST_PIECE * unit {
-            return;
+            return None;
         }
         let w = match (from.is_finite(), to.is_finite()) {
             (true, true) => 0.5 * (from + to),
@@ -283,10 +280,10 @@ impl Division<'_> {
         for (index, separator) in self.separators.iter().enumerate() {
             sides |= u128::from(separator.is_positive(point)) << index;
         }
-        samples.push(Sample {
+        Some(Sample {
             sides,
             inside: inside && nappe,
             point,
-        });
+        })
     }
 }

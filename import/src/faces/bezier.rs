@@ -1,7 +1,7 @@
 //! Rational Bezier patches, and polynomials over them in the Bernstein basis: what bounds a polynomial over a whole
 //! patch is its greatest coefficient.
 
-use super::vector::{Vector, cross};
+use super::vector::Vector;
 
 /// A point times its weight, and the weight.
 pub type Pole = [f64; 4];
@@ -41,23 +41,9 @@ impl Patch {
         (point, [slope(du), slope(dv)])
     }
 
-    /// A normal, not of length 1; that of growing u times that of growing v.
-    pub fn normal(&self, u: f64, v: f64) -> Vector {
-        let (_, [du, dv]) = self.at(u, v);
-        cross(du, dv)
-    }
-
     /// Control points without their weights; the patch is in their convex hull.
     pub fn hull(&self) -> impl Iterator<Item = Vector> {
         self.poles.iter().map(plain)
-    }
-
-    /// The least weight of a control point, which no place is below.
-    pub fn least_weight(&self) -> f64 {
-        self.poles
-            .iter()
-            .map(|p| p[3])
-            .fold(f64::INFINITY, f64::min)
     }
 }
 

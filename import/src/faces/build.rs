@@ -5,17 +5,17 @@ use super::build_surface::surface;
 use super::keys::{EdgeKeys, FORMAT_VERSION, FaceKeys, ListKeys, Name};
 use super::model::{Edge, EdgeUse, Face, Model, Solid};
 use super::source::Source;
-use crate::ImportError;
+use crate::Result;
 use crate::error::unusable;
 use imogene_scene::Material;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use toml::Spanned;
 
 /// Most faces, and most edges, of a list.
 pub const MAX_PARTS: usize = 20_000;
 
 /// Reads the text of a face list.
-pub fn build(source: Source) -> Result<Model, ImportError> {
+pub fn build(source: Source) -> Result<Model> {
     let keys: ListKeys = toml::from_str(source.text).map_err(|error| {
         source.error_at(
             error.span().unwrap_or(0..0).start,
@@ -52,7 +52,7 @@ pub fn build(source: Source) -> Result<Model, ImportError> {
 }
 
 /// Refuses a list of too many parts, of which one beyond the last possible has a name.
-fn few(source: &Source, extra: Option<&Name>, what: &str, count: usize) -> Result<(), ImportError> {
+fn few(source: &Source, extra: Option<&Name>, what: &str, count: usize) -> Result<()> {
     let accepted = format!("at most {MAX_PARTS} are possible; a larger assembly is several lists");
     extra.map_or(Ok(()), |name| {
         Err(source.error(name, format!("{count} {what}"), accepted))
@@ -60,12 +60,7 @@ fn few(source: &Source, extra: Option<&Name>, what: &str, count: usize) -> Resul
 }
 
 /// Refuses an empty name and one that is taken.
-fn unique(
-    source: &Source,
-    names: &mut HashMap<String, usize>,
-    name: &Name,
-    what: &str,
-) -> Result<(), ImportError> {
+fn unique(source: &Source, names: &mut HashSet<String>, name: &Name, what: &str) -> Result<()> {
     let text = name.as_ref();
     if text.trim().is_empty() || text.starts_with('-') {
         return Err(source.error(
@@ -74,18 +69,17 @@ fn unique(
             "a name that is not empty and does not begin with `-` is needed",
         ));
     }
-    let index = names.len();
-    if names.insert(text.clone(), index).is_some() {
+    if !names.insert(text.clone()) {
         let problem = format!("the name `{text}` is taken by an earlier {what}");
         return Err(source.error(name, problem, "every name must be unique"));
     }
     Ok(())
 }
 
-fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Edge>, ImportError> {
+fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Edge>> {
     let extra = keys.edges.get(MAX_PARTS).map(|key| &key.name);
     few(source, extra, "edges", keys.edges.len())?;
-    let mut names = HashMap::new();
+    let mut names = HashSet::new();
     let edge = |keys: &EdgeKeys| {
         unique(source, &mut names, &keys.name, "edge")?;
         let builder = EdgeBuilder {
@@ -98,7 +92,7 @@ fn edges(source: &Source, keys: &ListKeys, vertices: &Vertices) -> Result<Vec<Ed
     keys.edges.iter().map(edge).collect()
 }
 
-fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>, ImportError> {
+fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>> {
     let extra = keys.get(MAX_PARTS).map(|key| &key.name);
     few(source, extra, "faces", keys.len())?;
     let by_name: HashMap<&str, usize> = edges
@@ -106,7 +100,7 @@ fn faces(source: &Source, keys: &[FaceKeys], edges: &[Edge]) -> Result<Vec<Face>
         .map(|edge| edge.name.as_str())
         .zip(0..)
         .collect();
-    let mut names = HashMap::new();
+    let mut names = HashSet::new();
     let mut faces = vec![];
     for key in keys {
         unique(source, &mut names, &key.name, "face")?;
@@ -142,7 +136,7 @@ fn edge_loop(
     list: &Spanned<Vec<Name>>,
     by_name: &HashMap<&str, usize>,
     edges: &[Edge],
-) -> Result<Vec<EdgeUse>, ImportError> {
+) -> Result<Vec<EdgeUse>> {
     let names = list.as_ref();
     let mut uses = vec![];
     for name in names {
@@ -188,8 +182,8 @@ fn edge_loop(
     Ok(uses)
 }
 
-fn materials(source: &Source, keys: &[Spanned<Material>]) -> Result<Vec<Material>, ImportError> {
-    let mut names = HashMap::new();
+fn materials(source: &Source, keys: &[Spanned<Material>]) -> Result<Vec<Material>> {
+    let mut names = HashSet::new();
     for material in keys {
         let m = material.as_ref();
         let name = Spanned::new(material.span(), m.name.clone());
@@ -208,15 +202,11 @@ fn materials(source: &Source, keys: &[Spanned<Material>]) -> Result<Vec<Material
     Ok(keys.iter().map(|m| m.as_ref().clone()).collect())
 }
 
-fn solids(
-    source: &Source,
-    keys: &ListKeys,
-    materials: &[Material],
-) -> Result<Vec<Solid>, ImportError> {
+fn solids(source: &Source, keys: &ListKeys, materials: &[Material]) -> Result<Vec<Solid>> {
     let faces = keys.faces.iter().map(|face| face.name.as_ref().as_str());
     let index: HashMap<&str, usize> = faces.zip(0..).collect();
     let mut owned = vec![false; keys.faces.len()];
-    let mut names = HashMap::new();
+    let mut names = HashSet::new();
     let mut solids = vec![];
     for key in &keys.solids {
         unique(source, &mut names, &key.name, "solid")?;

@@ -5,7 +5,7 @@ use super::keys::EdgeKeys;
 use super::model::{COINCIDENT, Edge};
 use super::source::Source;
 use super::vector::{Vector, across, distance, frame, hull, length, minus, reach, unit};
-use crate::ImportError;
+use crate::{ImportError, Result};
 use std::collections::{BTreeMap, HashMap};
 use toml::Spanned;
 
@@ -31,10 +31,7 @@ pub struct Vertices {
 }
 
 impl Vertices {
-    pub fn of(
-        source: &Source,
-        keys: &BTreeMap<String, Spanned<Vector>>,
-    ) -> Result<Vertices, ImportError> {
+    pub fn of(source: &Source, keys: &BTreeMap<String, Spanned<Vector>>) -> Result<Vertices> {
         let points: Result<Vec<Vector>, _> = keys.values().map(|p| source.point(p)).collect();
         let points = points?;
         Ok(Vertices {
@@ -44,7 +41,7 @@ impl Vertices {
         })
     }
 
-    fn find(&self, source: &Source, name: &Spanned<String>) -> Result<usize, ImportError> {
+    fn find(&self, source: &Source, name: &Spanned<String>) -> Result<usize> {
         self.index.get(name.as_ref()).copied().ok_or_else(|| {
             source.error(
                 name,
@@ -68,7 +65,7 @@ fn needed<T>(value: &Option<T>) -> &T {
 
 impl EdgeBuilder<'_> {
     /// The edge.
-    pub fn edge(&self) -> Result<Edge, ImportError> {
+    pub fn edge(&self) -> Result<Edge> {
         let vertices = self.vertices()?;
         let kind = self.keys.kind.as_ref();
         let Some((kind, allowed)) = KINDS.iter().find(|(name, _)| name == kind) else {
@@ -125,7 +122,7 @@ impl EdgeBuilder<'_> {
         self.source.error(name, problem, accepted)
     }
 
-    fn vertices(&self) -> Result<Option<[usize; 2]>, ImportError> {
+    fn vertices(&self) -> Result<Option<[usize; 2]>> {
         let find = |name| self.vertices.find(self.source, name);
         match (&self.keys.start, &self.keys.end) {
             (None, None) => Ok(None),
@@ -137,7 +134,7 @@ impl EdgeBuilder<'_> {
         }
     }
 
-    fn line(&self, ends: Option<[Vector; 2]>) -> Result<Curve, ImportError> {
+    fn line(&self, ends: Option<[Vector; 2]>) -> Result<Curve> {
         let Some([from, to]) = ends else {
             return Err(self.error("a line has two ends", "`start` and `end` are needed"));
         };
@@ -150,7 +147,7 @@ impl EdgeBuilder<'_> {
         Ok(Curve::Line { from, to })
     }
 
-    fn circle(&self, ends: Option<[Vector; 2]>) -> Result<Ellipse, ImportError> {
+    fn circle(&self, ends: Option<[Vector; 2]>) -> Result<Ellipse> {
         let centre = self.source.point(needed(&self.keys.centre))?;
         let normal = self.source.direction(needed(&self.keys.axis))?;
         let radius = needed(&self.keys.radius);
@@ -174,7 +171,7 @@ impl EdgeBuilder<'_> {
         })
     }
 
-    fn ellipse(&self) -> Result<Ellipse, ImportError> {
+    fn ellipse(&self) -> Result<Ellipse> {
         let centre = self.source.point(needed(&self.keys.centre))?;
         let normal = self.source.direction(needed(&self.keys.axis))?;
         let x = across(self.source.direction(needed(&self.keys.x))?, normal);
@@ -191,7 +188,7 @@ impl EdgeBuilder<'_> {
         })
     }
 
-    fn points(&self, ends: Option<[Vector; 2]>) -> Result<Curve, ImportError> {
+    fn points(&self, ends: Option<[Vector; 2]>) -> Result<Curve> {
         let list = needed(&self.keys.points);
         self.source.checked(list, list.as_ref().as_flattened())?;
         let mut points = list.as_ref().clone();

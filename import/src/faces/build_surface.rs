@@ -3,7 +3,7 @@
 use super::keys::SurfaceKeys;
 use super::source::Source;
 use super::surface::{Form, Surface};
-use crate::ImportError;
+use crate::Result;
 use toml::Spanned;
 
 /// Surfaces that are named and not drawn: they are no quadrics.
@@ -26,7 +26,7 @@ const KINDS: [(&str, &[&str], &[&str]); 5] = [
 ];
 
 /// The surface of a face.
-pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface, ImportError> {
+pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface> {
     let own = keys.as_ref();
     let kind = own.kind.as_ref().as_str();
     let known = KINDS.iter().find(|(name, ..)| *name == kind);
@@ -85,7 +85,7 @@ pub fn surface(source: &Source, keys: &Spanned<SurfaceKeys>) -> Result<Surface, 
 }
 
 /// A length above 0, or the angle of a cone in radians.
-fn size(source: &Source, key: &str, value: &Spanned<f64>) -> Result<f64, ImportError> {
+fn size(source: &Source, key: &str, value: &Spanned<f64>) -> Result<f64> {
     let number = *value.as_ref();
     if key != "half_angle" {
         source.lengths(value, &[number])?;

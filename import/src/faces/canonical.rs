@@ -82,9 +82,10 @@ fn places(patches: &[Patch]) -> Vec<Place> {
         for k in 0..PLACES * PLACES {
             let share = |k: usize| (k as f64 + 0.5) / PLACES as f64;
             let (u, v) = (share(k % PLACES), share(k / PLACES));
-            let normal = patch.normal(u, v);
+            let (place, [du, dv]) = patch.at(u, v);
+            let normal = cross(du, dv);
             if length(normal) > 0.0 {
-                all.push((patch.at(u, v).0, unit(normal)));
+                all.push((place, unit(normal)));
             }
         }
     }
@@ -275,7 +276,9 @@ fn improved(surface: Surface, places: &[Place]) -> Surface {
 
 /// No place of a patch is farther off a surface.
 pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
-    let weight = patch.least_weight();
+    // No place is below the least weight of a control point.
+    let weights = patch.poles.iter().map(|pole| pole[3]);
+    let weight = weights.fold(f64::INFINITY, f64::min);
     if weight <= 0.0 {
         return f64::INFINITY;
     }

@@ -35,6 +35,9 @@ impl Cell {
     }
 }
 
+/// Something of a face, or why the face is not drawn.
+pub type Made<T> = Result<T, String>;
+
 /// A compiled face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compiled {

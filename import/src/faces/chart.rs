@@ -55,19 +55,9 @@ impl Chart {
         !self.surface.is_plane()
     }
 
-    /// v is an angle without ends.
-    pub fn is_tube(&self) -> bool {
-        self.surface.is_torus()
-    }
-
-    /// Planes may cross a line u = constant more than once on it.
-    pub fn is_ball(&self) -> bool {
-        self.surface.is_sphere()
-    }
-
     /// The ends of v, of both nappes of a cone.
     pub fn reach(&self) -> [f64; 2] {
-        let end = if self.is_ball() {
+        let end = if self.surface.is_sphere() {
             FRAC_PI_2
         } else {
             f64::INFINITY
@@ -235,7 +225,10 @@ impl Chart {
         for p in points {
             let mut next = self.coordinates(*p);
             if let Some(last) = path.last() {
-                for (k, turns) in [self.is_round(), self.is_tube()].into_iter().enumerate() {
+                for (k, turns) in [self.is_round(), self.surface.is_torus()]
+                    .into_iter()
+                    .enumerate()
+                {
                     if turns {
                         next[k] = nearest_turn(next[k], last[k]);
                     }

@@ -1,7 +1,7 @@
 //! From a face to cells: what all faces need, and faces on quadrics.
 
 use super::arrangement::Sample;
-use super::cell::{Cell, Compiled, Verdict};
+use super::cell::{Cell, Compiled, Made, Verdict};
 use super::courses::Courses;
 use super::cover::Term;
 use super::curve::{Curve, PlaneOf, arc_through};
@@ -33,11 +33,7 @@ impl<'a> Task<'a> {
     }
 
     /// The face with its cells, or why it has none.
-    pub fn compiled(
-        &self,
-        cells: Result<Vec<Cell>, String>,
-        deviation: f64,
-    ) -> Result<Compiled, String> {
+    pub fn compiled(&self, cells: Made<Vec<Cell>>, deviation: f64) -> Made<Compiled> {
         let (cells, deviation) = match cells {
             Ok(cells) => (cells, deviation),
             // A face as thin as the tolerance has nothing to draw.
@@ -66,7 +62,7 @@ impl<'a> Task<'a> {
     }
 
     /// How far the border is off: by its edges that are not planar, and where its edges leave the surface.
-    pub fn deviation(&self) -> Result<f64, String> {
+    pub fn deviation(&self) -> Made<f64> {
         let (face, model) = (self.face(), self.model);
         if face.off > model.canonical() {
             return Err(format!(
@@ -96,7 +92,7 @@ impl<'a> Task<'a> {
     }
 
     /// The separators of a face on a quadric: the planes of its edges, and of a cone the plane between its nappes.
-    pub fn parting(&self, planes: &mut Planes) -> Result<Parting, String> {
+    pub fn parting(&self, planes: &mut Planes) -> Made<Parting> {
         let surface = &self.face().surface;
         let mut parting = Parting::default();
         for edge_use in self.face().border() {
@@ -114,12 +110,7 @@ impl<'a> Task<'a> {
         Ok(parting)
     }
 
-    fn plane_of(
-        &self,
-        edge_use: EdgeUse,
-        curve: &Curve,
-        planes: &mut Planes,
-    ) -> Result<usize, String> {
+    fn plane_of(&self, edge_use: EdgeUse, curve: &Curve, planes: &mut Planes) -> Made<usize> {
         let surface = &self.face().surface;
         if let Some((point, normal)) = curve.plane() {
             return Ok(planes.find_or_add(point, normal));
@@ -142,7 +133,7 @@ impl<'a> Task<'a> {
         bands: &[Band],
         flat: Option<usize>,
         planes: &mut Planes,
-    ) -> Result<Vec<Cell>, String> {
+    ) -> Made<Vec<Cell>> {
         let slabs = Slabs {
             surface: &self.face().surface,
             parting,
@@ -155,7 +146,7 @@ impl<'a> Task<'a> {
 }
 
 /// Compiles a face that lies on a quadric.
-pub fn quadric_face(task: Task, planes: &mut Planes) -> Result<Compiled, String> {
+pub fn quadric_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let surface = &task.face().surface;
     let name = surface.name();
     let implicit = surface

@@ -72,7 +72,9 @@ pub fn cover(
     if !conflicts.is_empty() {
         return Err(conflicts);
     }
-    let parts: Vec<u8> = ranks.iter().map(|rank| parts_rank(*rank)).collect();
+    // For parts of a term: its conics go first as before, then its edges, so that the planes that take it apart stay.
+    let of_part = |rank: &u8| if *rank == 0 { 0 } else { u8::MAX - rank };
+    let parts: Vec<u8> = ranks.iter().map(of_part).collect();
     let mut candidates = candidates(&kept, &lost, ranks);
     if let Some(fits) = fits {
         candidates.extend(self::candidates(&kept, &lost, &parts));
@@ -99,15 +101,6 @@ pub fn cover(
         terms.push(best);
     }
     Ok(terms)
-}
-
-/// Ranks for parts of a term: its conics go first as before, then its edges, so that the planes that take it apart
-/// stay.
-fn parts_rank(rank: u8) -> u8 {
-    match rank {
-        0 => 0,
-        rank => u8::MAX - rank,
-    }
 }
 
 fn sides(samples: &[Sample], inside: bool) -> BTreeSet<u128> {

@@ -243,12 +243,9 @@ impl Curve {
             Self::Line { from, to } => [*from, *to],
             Self::Arc(arc) => [arc.start, arc.start + arc.sweep].map(|a| arc.ellipse.at(a)),
             Self::Points(line) => {
-                let last = if line.closed {
-                    0
-                } else {
-                    line.points.len() - 1
-                };
-                [line.points[0], line.points[last]]
+                let first = line.points[0];
+                let last = line.points.last().filter(|_| !line.closed);
+                [first, *last.unwrap_or(&first)]
             }
         }
     }

@@ -45,7 +45,7 @@ pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
 use crate::error::unusable;
-use crate::{ImportError, Imported, Place};
+use crate::{ImportError, Imported, Place, Result};
 use compile::{Task, quadric_face};
 use courses::Courses;
 use imogene_files::text::counted;
@@ -79,7 +79,7 @@ const DEFAULT_DEVIATION: f64 = 1e-3;
 const DEFAULT_BANDS: f64 = 2e-4;
 
 /// Reads a face list and compiles it to a scene.
-pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported, ImportError> {
+pub fn read(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Imported> {
     imported(&compile(bytes, file, options)?, file, &[])
 }
 
@@ -90,7 +90,7 @@ pub fn read_step(
     file: &str,
     options: &FaceOptions,
     beside: Beside,
-) -> Result<Imported, ImportError> {
+) -> Result<Imported> {
     let (model, summary) = step::build(bytes, file, beside)?;
     let part = compile_model(model, options);
     debug_assert_eq!(summary.placed_faces, part.model.faces.len());
@@ -101,7 +101,7 @@ pub fn read_step(
     Ok(imported)
 }
 
-fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported, ImportError> {
+fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
     let (report, mut notes) = report::report(&part.model, &part.courses, &part.solids);
     let scene = scene::scene(&part.model, &part.planes, &part.solids);
     let mut scene = scene.ok_or_else(|| {
@@ -134,7 +134,7 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported, Imp
 }
 
 /// Reads a face list and compiles each of its solids.
-pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let place = Place::of(bytes, error.valid_up_to(), b'\n');
         let accepted = "a face list is a TOML text in UTF-8";
@@ -145,7 +145,7 @@ pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, 
 }
 
 /// Reads a STEP file without others beside it and compiles each of its solids.
-pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part, ImportError> {
+pub fn compile_step(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
     let (model, _) = step::build(bytes, file, &|_| None)?;
     Ok(compile_model(model, options))
 }

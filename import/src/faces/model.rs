@@ -104,19 +104,13 @@ pub struct Solid {
     pub faces: Vec<usize>,
 }
 
-impl EdgeUse {
-    /// The same edge the other way.
-    pub fn reversed(self) -> EdgeUse {
-        EdgeUse {
-            forward: !self.forward,
-            ..self
-        }
-    }
-}
-
 /// A loop the other way round.
 pub fn reversed(uses: &[EdgeUse]) -> Vec<EdgeUse> {
-    uses.iter().rev().map(|own| own.reversed()).collect()
+    let turned = |own: &EdgeUse| EdgeUse {
+        forward: !own.forward,
+        ..*own
+    };
+    uses.iter().rev().map(turned).collect()
 }
 
 impl Face {

@@ -2,7 +2,7 @@
 //! exactly.
 
 use super::arrangement::Sample;
-use super::cell::{Cell, Compiled};
+use super::cell::{Cell, Compiled, Made};
 use super::compile::Task;
 use super::conics::{Conic, between};
 use super::courses::MAX_PIECES;
@@ -24,7 +24,7 @@ const SIDES: usize = MAX_CUTS - 2;
 const TOO_FLAT: f64 = 0.99;
 
 /// Compiles a face in a plane.
-pub fn plane_face(task: Task, planes: &mut Planes) -> Result<Compiled, String> {
+pub fn plane_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     let surface = &task.face().surface;
     let flat = planes.find_or_add(surface.origin, surface.axis);
     let border = border(task, true, planes)?;
@@ -52,7 +52,7 @@ pub fn plane_face(task: Task, planes: &mut Planes) -> Result<Compiled, String> {
 }
 
 /// The border of a face, with conics or with chords in their place.
-fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Result<Border<'a>, String> {
+fn border<'a>(task: Task<'a>, conics: bool, planes: &mut Planes) -> Made<Border<'a>> {
     let mut border = Border {
         task,
         with_conics: conics,
@@ -142,7 +142,7 @@ impl Border<'_> {
         (from, unit(cross(minus(to, from), self.normal())))
     }
 
-    fn edge(&mut self, edge_use: EdgeUse, planes: &mut Planes) -> Result<(), String> {
+    fn edge(&mut self, edge_use: EdgeUse, planes: &mut Planes) -> Made<()> {
         let course = self.task.courses.of(edge_use.edge)?;
         let pieces = match &course.chords {
             Some((chords, off)) => {
@@ -221,12 +221,7 @@ impl Border<'_> {
     }
 
     /// A curve in the plane that is no conic becomes a chain of chords within the accepted deviation.
-    fn chords_of(
-        &mut self,
-        edge_use: EdgeUse,
-        curve: &Curve,
-        planes: &mut Planes,
-    ) -> Result<(), String> {
+    fn chords_of(&mut self, edge_use: EdgeUse, curve: &Curve, planes: &mut Planes) -> Made<()> {
         let most = self.task.courses.max_deviation;
         let (chain, off) = chain(&curve.sampled(64), most);
         if chain.len() > MAX_PIECES || off > most {

@@ -93,27 +93,19 @@ fn object(name: &str, material: &str, cell: &Cell, planes: &Planes, volume: bool
     let cuts = cuts
         .map(|(plane, positive)| cut(planes.get(plane), positive))
         .collect();
-    let solid = cell.flat.is_some() || volume;
     let shape = cell
         .quadric
         .map_or(Shape::Polyhedron, |implicit| Shape::Quadric {
             coefficients: implicit.0,
         });
+    let mode = match cell.flat.is_some() || volume {
+        true => Surface::Solid,
+        false => Surface::Patch,
+    };
     Object {
-        name: name.to_owned(),
-        shape,
-        processor: None,
-        mode: if solid {
-            Surface::Solid
-        } else {
-            Surface::Patch
-        },
-        material: material.to_owned(),
-        place: vec![],
+        mode,
         cuts,
-        group: None,
-        visible: true,
-        casts_shadow: true,
+        ..crate::object(name.to_owned(), shape, material.to_owned())
     }
 }
 

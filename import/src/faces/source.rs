@@ -1,7 +1,7 @@
 //! The text of a face list, and how errors in it are reported.
 
 use super::vector::{Vector, length, unit};
-use crate::{ImportError, Place};
+use crate::{ImportError, Place, Result};
 use toml::Spanned;
 
 /// Largest coordinate and radius, scene units: beyond it double precision has no micrometres left in a metre.
@@ -19,8 +19,8 @@ impl Source<'_> {
     pub fn error_at(
         &self,
         at: usize,
-        problem: impl Into<String>,
-        accepted: impl Into<String>,
+        problem: impl ToString,
+        accepted: impl ToString,
     ) -> ImportError {
         let place = Place::of(self.text.as_bytes(), at, b'\n');
         ImportError::new(self.file, Some(place), problem, accepted)
@@ -30,14 +30,14 @@ impl Source<'_> {
     pub fn error<T>(
         &self,
         value: &Spanned<T>,
-        problem: impl Into<String>,
-        accepted: impl Into<String>,
+        problem: impl ToString,
+        accepted: impl ToString,
     ) -> ImportError {
         self.error_at(value.span().start, problem, accepted)
     }
 
     /// Numbers of a value, which have to be finite and not too large.
-    pub fn checked<T>(&self, value: &Spanned<T>, numbers: &[f64]) -> Result<(), ImportError> {
+    pub fn checked<T>(&self, value: &Spanned<T>, numbers: &[f64]) -> Result<()> {
         let Some(wrong) = numbers.iter().find(|v| v.is_nan() || v.abs() > MAX_NUMBER) else {
             return Ok(());
         };
@@ -47,13 +47,13 @@ impl Source<'_> {
     }
 
     /// A point.
-    pub fn point(&self, value: &Spanned<Vector>) -> Result<Vector, ImportError> {
+    pub fn point(&self, value: &Spanned<Vector>) -> Result<Vector> {
         self.checked(value, value.as_ref())?;
         Ok(*value.as_ref())
     }
 
     /// A vector of length 1 along a written one.
-    pub fn direction(&self, value: &Spanned<Vector>) -> Result<Vector, ImportError> {
+    pub fn direction(&self, value: &Spanned<Vector>) -> Result<Vector> {
         let vector = self.point(value)?;
         if length(vector) < 1e-9 {
             return Err(self.error(
@@ -66,7 +66,7 @@ impl Source<'_> {
     }
 
     /// Lengths above 0.
-    pub fn lengths<T>(&self, value: &Spanned<T>, lengths: &[f64]) -> Result<(), ImportError> {
+    pub fn lengths<T>(&self, value: &Spanned<T>, lengths: &[f64]) -> Result<()> {
         for length in lengths {
             self.checked(value, &[*length])?;
             if *length < 1e-9 {

@@ -1,13 +1,13 @@
 //! Faces on a torus: the cells of its bands of cones.
 
-use super::cell::Compiled;
+use super::cell::{Compiled, Made};
 use super::chart::Chart;
 use super::compile::Task;
 use super::planes::Planes;
 use super::rings::{MOST, Rings};
 
 /// Compiles a face that lies on a torus.
-pub fn torus_face(task: Task, planes: &mut Planes) -> Result<Compiled, String> {
+pub fn torus_face(task: Task, planes: &mut Planes) -> Made<Compiled> {
     if task.courses.max_deviation == 0.0 {
         return Err("a torus is not exact, and a deviation of 0 is accepted".into());
     }

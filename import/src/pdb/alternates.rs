@@ -9,15 +9,11 @@ use std::collections::{BTreeMap, HashMap};
 /// be of different residues.
 type Residue = (Word, Word);
 
-/// Leaves one location of each atom, all of a residue from the same alternate as far as it has them.
-pub fn located(
-    mut atoms: Vec<Atom>,
-    choice: &Alternates,
-    words: &Words,
-    left_out: &mut usize,
-) -> Vec<Atom> {
+/// Leaves one location of each atom, all of a residue from the same alternate as far as it has them; how many others
+/// there were.
+pub fn locate(atoms: &mut Vec<Atom>, choice: &Alternates, words: &Words) -> usize {
     let asked = match choice {
-        Alternates::All => return atoms,
+        Alternates::All => return 0,
         Alternates::Best => None,
         // A name that no atom has is no alternate's.
         Alternates::Named(name) => words.find(name),
@@ -27,7 +23,7 @@ pub fn located(
     let mut residues: HashMap<Residue, Vec<usize>> =
         disordered.map(|atom| (residue(atom), vec![])).collect();
     if residues.is_empty() {
-        return atoms;
+        return 0;
     }
     for (index, atom) in atoms.iter().enumerate() {
         if let Some(members) = residues.get_mut(&residue(atom)) {
@@ -36,13 +32,12 @@ pub fn located(
     }
     let mut keep = vec![true; atoms.len()];
     for members in residues.into_values() {
-        one_location(&atoms, &members, asked, &mut keep);
+        one_location(atoms, &members, asked, &mut keep);
     }
     let before = atoms.len();
     let mut flags = keep.into_iter();
     atoms.retain(|_| flags.next().expect("one for each atom"));
-    *left_out += before - atoms.len();
-    atoms
+    before - atoms.len()
 }
 
 /// What speaks for an alternate of a residue.

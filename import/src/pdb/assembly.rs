@@ -1,7 +1,7 @@
 //! Assemblies: the molecules of a file as copies of its chains, moved by operators.
 
 use super::words::{Word, listed};
-use crate::error::{ImportError, unusable};
+use crate::error::{ImportError, Result, unusable};
 use std::collections::HashMap;
 
 /// Most operators of a part of an assembly; the largest virus shells have some thousand.
@@ -103,12 +103,12 @@ impl Assemblies {
     }
 
     /// Chains and operators of the parts of one of them.
-    pub fn find(&mut self, name: &str, file: &str) -> Result<Vec<Moved>, ImportError> {
+    pub fn find(&mut self, name: &str, file: &str) -> Result<Vec<Moved>> {
         if let Some(problem) = self.problem.take() {
             return Err(problem);
         }
         let parts = self.parts.iter().filter(|part| part.assembly == name);
-        let found: Result<Vec<_>, ImportError> = parts
+        let found: Result<Vec<_>> = parts
             .map(|part| {
                 let operators = match &part.copies {
                     Copies::List(operators) => Ok(operators.clone()),

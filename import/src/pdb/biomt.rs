@@ -15,11 +15,11 @@ pub struct Reading {
 }
 
 /// Chains and operators of some molecules.
+#[derive(Default)]
 struct Lines {
     molecules: Vec<String>,
     chains: Vec<String>,
     operators: Vec<(Operator, [bool; 3])>,
-    file: String,
 }
 
 impl Reading {
@@ -33,7 +33,7 @@ impl Reading {
         if let Some(names) = after("BIOMOLECULE") {
             self.molecules = items(names);
         } else if let Some(chains) = after("APPLY THE FOLLOWING TO CHAINS") {
-            self.begin(columns.file);
+            self.begin();
             self.chains(chains);
         } else if let Some(chains) = after("AND CHAINS") {
             self.chains(chains);
@@ -45,18 +45,13 @@ impl Reading {
         }
     }
 
-    fn begin(&mut self, file: &str) {
-        let molecules = if self.molecules.is_empty() {
-            vec!["1".to_owned()]
-        } else {
-            self.molecules.clone()
-        };
-        self.parts.push(Lines {
-            molecules,
-            chains: vec![],
-            operators: vec![],
-            file: file.to_owned(),
-        });
+    fn begin(&mut self) {
+        let mut molecules = self.molecules.clone();
+        if molecules.is_empty() {
+            molecules.push("1".to_owned());
+        }
+        let lines = Lines::default();
+        self.parts.push(Lines { molecules, ..lines });
     }
 
     fn chains(&mut self, text: &str) {
@@ -69,7 +64,7 @@ impl Reading {
 
     fn row(&mut self, columns: &Columns, row: usize) {
         if self.parts.is_empty() {
-            self.begin(columns.file);
+            self.begin();
         }
         let part = self.parts.last_mut().expect("begun");
         let name = columns.field(20, 23);
@@ -93,13 +88,13 @@ impl Reading {
     }
 
     /// What the remarks say.
-    pub fn assemblies(mut self, words: &mut Words) -> Assemblies {
+    pub fn assemblies(mut self, words: &mut Words, file: &str) -> Assemblies {
         let mut parts = vec![];
         for lines in self.parts {
             let whole = lines.operators.iter().all(|(_, seen)| *seen == [true; 3]);
             if !whole && self.problem.is_none() {
                 self.problem = Some(unusable(
-                    &lines.file,
+                    file,
                     "REMARK 350 has an operator without its lines BIOMT1, BIOMT2 and BIOMT3",
                     "the coordinates as they stand are drawn without --assembly",
                 ));

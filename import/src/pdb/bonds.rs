@@ -1,7 +1,7 @@
 //! Which atoms are bonded: those near enough for their covalent radii, and those that the file says are.
 
 use super::structure::{Atom, End};
-use crate::error::{ImportError, unusable};
+use crate::error::{Result, unusable};
 use std::collections::{HashMap, HashSet};
 
 /// A bond is at most this much longer than the sum of the covalent radii, in angstroms (the tolerance of Open Babel
@@ -35,7 +35,7 @@ pub fn find(
     copies: &[usize],
     connections: &[[End; 2]],
     file: &str,
-) -> Result<Bonds, ImportError> {
+) -> Result<Bonds> {
     let mut pairs = by_distance(atoms, file)?;
     let mut said: Vec<[usize; 2]> = vec![];
     if !connections.is_empty() {
@@ -71,7 +71,7 @@ pub fn find(
 }
 
 /// Pairs by distance, found in a grid of cells that are as wide as the longest bond.
-fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>, ImportError> {
+fn by_distance(atoms: &[Atom], file: &str) -> Result<Vec<[usize; 2]>> {
     let widest = atoms
         .iter()
         .map(|a| a.element.covalent())
@@ -198,10 +198,8 @@ mod tests {
             ]
         };
         let count = |atoms: &[Atom]| bonds_of(atoms, &[]).pairs.len();
-        assert_eq!(
-            [1.91, 1.93, 0.41, 0.39].map(|x| count(&at(x))),
-            [1, 0, 1, 0]
-        );
+        let counts = [1.91, 1.93, 0.41, 0.39].map(|x| count(&at(x)));
+        assert_eq!(counts, [1, 0, 1, 0]);
         let two = |s: &str, a, b| [atom(s, "1", a, [0.0; 3]), atom(s, "2", b, [0.8, 0.0, 0.0])];
         assert_eq!(count(&two("H", "", "")), 0);
         assert_eq!(count(&two("C", "A", "B")), 0);
@@ -217,12 +215,8 @@ mod tests {
             atom("C", "3", "", [10.0, 0.0, 0.0]),
             atom("C", "3", "", [15.0, 0.0, 0.0]),
         ];
-        let said = [
-            serials("1", "A0000"),
-            serials("A0000", "1"),
-            serials("1", "3"),
-            serials("1", "9"),
-        ];
+        let said = [("1", "A0000"), ("A0000", "1"), ("1", "3"), ("1", "9")];
+        let said = said.map(|(a, b)| serials(a, b));
         let bonds = bonds_of(&far, &said);
         assert_eq!((bonds.pairs, bonds.connected), (vec![[0, 1]], 1));
     }

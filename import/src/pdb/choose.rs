@@ -1,12 +1,12 @@
 //! Which atoms of a file are drawn: models, chains, residues, alternate locations, hydrogens, water, copies.
 
-use super::alternates::located;
+use super::alternates::locate;
 use super::assembly::Moved;
 use super::options::{ModelChoice, Options};
 use super::select::Selection;
 use super::structure::{Atom, Structure, is_water};
 use super::words::{Word, Words, listed};
-use crate::error::{ImportError, unusable};
+use crate::error::{ImportError, Result, unusable};
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 
@@ -45,7 +45,7 @@ pub fn choose(
     structure: &mut Structure,
     file: &str,
     options: &Options,
-) -> Result<(Vec<Chosen>, LeftOut), ImportError> {
+) -> Result<(Vec<Chosen>, LeftOut)> {
     let mut left_out = LeftOut::default();
     let wanted = models(structure, file, options.model)?;
     let (chains, residues) = (&options.chains, &options.residues);
@@ -63,14 +63,10 @@ pub fn choose(
             continue;
         }
         let words = &mut structure.words;
-        let atoms = selected(model.atoms, &mut selection, words, &mut left_out);
-        let atoms = located(
-            atoms,
-            &options.alternates,
-            words,
-            &mut left_out.alternate_locations,
-        );
-        let atoms = kept(atoms, options, words, &mut left_out);
+        let mut atoms = model.atoms;
+        select(&mut atoms, &mut selection, words, &mut left_out);
+        left_out.alternate_locations += locate(&mut atoms, &options.alternates, words);
+        keep(&mut atoms, options, words, &mut left_out);
         let (atoms, copies) = match &parts {
             Some(parts) => copied(&atoms, parts, words, file)?,
             None => {
@@ -111,11 +107,7 @@ fn nothing_left(left_out: &LeftOut, options: &Options, file: &str) -> ImportErro
 }
 
 /// Places of the models asked for.
-fn models(
-    structure: &Structure,
-    file: &str,
-    choice: ModelChoice,
-) -> Result<Vec<usize>, ImportError> {
+fn models(structure: &Structure, file: &str, choice: ModelChoice) -> Result<Vec<usize>> {
     match choice {
         ModelChoice::First => Ok(vec![0]),
         ModelChoice::All => Ok((0..structure.models.len()).collect()),
@@ -134,30 +126,19 @@ fn models(
     }
 }
 
-fn selected(
-    mut atoms: Vec<Atom>,
-    selection: &mut Selection,
-    words: &Words,
-    left_out: &mut LeftOut,
-) -> Vec<Atom> {
+fn select(atoms: &mut Vec<Atom>, asked: &mut Selection, words: &Words, left_out: &mut LeftOut) {
     atoms.retain(|atom| {
-        if !selection.has_chain(atom) {
+        if !asked.has_chain(atom) {
             left_out.other_chains += 1;
             return false;
         }
-        let asked = selection.has_residue(atom, words);
-        left_out.other_residues += usize::from(!asked);
-        asked
+        let is_asked = asked.has_residue(atom, words);
+        left_out.other_residues += usize::from(!is_asked);
+        is_asked
     });
-    atoms
 }
 
-fn kept(
-    mut atoms: Vec<Atom>,
-    options: &Options,
-    words: &Words,
-    left_out: &mut LeftOut,
-) -> Vec<Atom> {
+fn keep(atoms: &mut Vec<Atom>, options: &Options, words: &Words, left_out: &mut LeftOut) {
     let mut known: HashMap<Word, bool> = HashMap::new();
     let mut of_water = |residue: Word| {
         let known = known.entry(residue);
@@ -174,7 +155,6 @@ fn kept(
         }
         true
     });
-    atoms
 }
 
 /// The copies of an assembly, and where each ends. Their chains are called as the archive calls them: `A-2` is what
@@ -184,7 +164,7 @@ fn copied(
     parts: &[Moved],
     words: &mut Words,
     file: &str,
-) -> Result<(Vec<Atom>, Vec<usize>), ImportError> {
+) -> Result<(Vec<Atom>, Vec<usize>)> {
     let (mut copies, mut ends) = (vec![], vec![]);
     for (chains, operators) in parts {
         let chains: HashSet<Word> = chains.iter().copied().collect();

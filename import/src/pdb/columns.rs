@@ -1,6 +1,6 @@
 //! Lines of fixed columns.
 
-use crate::error::{ImportError, Place};
+use crate::error::{ImportError, Place, Result};
 use std::borrow::Cow;
 
 /// One line of a file: a character in each column, where anything that is not ASCII counts as one.
@@ -75,7 +75,7 @@ impl<'a> Columns<'a> {
 
     /// One coordinate of an atom. A line that ends within it has been cut off, and what is left of the number is not
     /// to be trusted.
-    pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64, ImportError> {
+    pub fn coordinate(&self, axis: char, first: usize, last: usize) -> Result<f64> {
         let whole = self.text.len() >= last;
         let number = self.number(first, last).filter(|_| whole);
         number.ok_or_else(|| {
@@ -115,10 +115,7 @@ mod tests {
         let columns = Columns::new("x", 7, line);
         assert_eq!(columns.field(1, 4), "ab?d");
         assert_eq!(columns.number(5, 10), Some(-1.5));
-        assert_eq!(
-            (columns.number(11, 14), columns.number(15, 18)),
-            (None, None)
-        );
+        assert_eq!(columns.number(11, 14).or(columns.number(15, 18)), None);
         assert_eq!((columns.character(4), columns.character(99)), (b'd', b' '));
         assert_eq!(columns.field(30, 40), "");
         let error = columns.coordinate('x', 11, 18).unwrap_err().to_string();

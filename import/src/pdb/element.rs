@@ -283,11 +283,8 @@ mod tests {
         ];
         for (symbol, covalent, van_der_waals) in cases {
             let element = of_symbol(symbol).expect(symbol);
-            assert_eq!(
-                (element.covalent(), element.van_der_waals()),
-                (covalent, van_der_waals),
-                "{symbol}"
-            );
+            let radii = (element.covalent(), element.van_der_waals());
+            assert_eq!(radii, (covalent, van_der_waals), "{symbol}");
             assert!(!element.is_guessed());
         }
         assert!(of_symbol("Pm").expect("promethium").is_guessed());
@@ -298,13 +295,8 @@ mod tests {
     #[test]
     fn colours_keep_their_eight_bits() {
         for element in &ELEMENTS {
-            let back = element.colour().map(|v| (v * 255.0).round() as u32);
-            assert_eq!(
-                back[0] << 16 | back[1] << 8 | back[2],
-                element.colour,
-                "{}",
-                element.symbol
-            );
+            let [r, g, b] = element.colour().map(|v| (v * 255.0).round() as u32);
+            assert_eq!(r << 16 | g << 8 | b, element.colour, "{element:?}");
         }
     }
 }

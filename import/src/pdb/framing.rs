@@ -69,13 +69,6 @@ pub struct Framing {
     pub axes: [[f64; 3]; 3],
 }
 
-impl Framing {
-    /// Where the viewer is.
-    pub fn eye(&self) -> [f64; 3] {
-        self.camera.eye
-    }
-}
-
 /// A camera of which the balls fill the picture. It looks along the shortest side of the bounding box, with the
 /// longest across the picture: along a coordinate axis, so that the camera frame is exact.
 pub fn frame(balls: &[Ball]) -> Framing {

@@ -4,7 +4,7 @@ use super::biomt;
 use super::columns::Columns;
 use super::structure::{Atom, End, Model, Structure};
 use super::words::{Serial, Word};
-use crate::error::{ImportError, unusable};
+use crate::error::{Result, unusable};
 
 /// State of a reading.
 #[derive(Default)]
@@ -25,7 +25,7 @@ struct Known {
 }
 
 /// Reads the lines of a file.
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
+pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let mut reading = Reading {
         next_model: Some(1),
         ..Reading::default()
@@ -47,12 +47,12 @@ pub fn read(bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
             "a structure in the PDB format with at least one atom would be accepted",
         ));
     }
-    structure.assemblies = reading.biomt.assemblies(&mut structure.words);
+    structure.assemblies = reading.biomt.assemblies(&mut structure.words, file);
     Ok(structure)
 }
 
 impl Reading {
-    fn line(&mut self, columns: &Columns, line: &[u8]) -> Result<(), ImportError> {
+    fn line(&mut self, columns: &Columns, line: &[u8]) -> Result<()> {
         let record = columns.record();
         // Serial numbers of six digits reach into the record's name or into the column behind their own.
         let digits = || record[4..].trim_ascii().iter().all(u8::is_ascii_digit);
@@ -83,7 +83,7 @@ impl Reading {
         last.map_or(1, |m| m.number.saturating_add(1))
     }
 
-    fn atom(&mut self, columns: &Columns) -> Result<(), ImportError> {
+    fn atom(&mut self, columns: &Columns) -> Result<()> {
         let place = [
             columns.coordinate('x', 31, 38)?,
             columns.coordinate('y', 39, 46)?,

@@ -26,7 +26,7 @@ pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;
 
 use crate::Imported;
-use crate::error::{ImportError, unusable};
+use crate::error::{Result, unusable};
 use imogene_scene::{Molecule, SceneFile};
 use structure::Structure;
 
@@ -42,7 +42,7 @@ pub enum Format {
 }
 
 impl Format {
-    fn read(self, bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
+    fn read(self, bytes: &[u8], file: &str) -> Result<Structure> {
         if self == Format::Bcif {
             return bcif::read(bytes, file);
         }
@@ -59,12 +59,7 @@ impl Format {
 }
 
 /// Reads the bytes of a structure; `file` is the name that messages give it.
-pub fn read(
-    bytes: &[u8],
-    format: Format,
-    file: &str,
-    options: &Options,
-) -> Result<Imported, ImportError> {
+pub fn read(bytes: &[u8], format: Format, file: &str, options: &Options) -> Result<Imported> {
     let mut structure = format.read(bytes, file)?;
     let count = Contents::of(&structure);
     let (chosen, left_out) = choose::choose(&mut structure, file, options)?;
@@ -78,7 +73,7 @@ pub fn read(
 }
 
 /// What the bytes of a structure hold; `file` is the name that messages give it.
-pub fn contents(bytes: &[u8], format: Format, file: &str) -> Result<Contents, ImportError> {
+pub fn contents(bytes: &[u8], format: Format, file: &str) -> Result<Contents> {
     Ok(Contents::of(&format.read(bytes, file)?))
 }
 
@@ -89,7 +84,7 @@ pub fn add(
     bytes: &[u8],
     format: Format,
     file: &str,
-) -> Result<(), ImportError> {
+) -> Result<()> {
     let options = Options::of(molecule).map_err(|problem| {
         let accepted = "see docs/scene-format.md for the keys of [[molecules]]";
         unusable(file, problem, accepted)

@@ -25,15 +25,11 @@ pub struct Contents {
 impl Contents {
     /// Counts of a structure.
     pub fn of(structure: &Structure) -> Contents {
+        let assemblies = structure.assemblies.names().into_iter();
         Contents {
             atoms: structure.models.iter().map(|m| m.atoms.len()).sum(),
             models: structure.models.iter().map(|m| m.number).collect(),
-            assemblies: structure
-                .assemblies
-                .names()
-                .into_iter()
-                .map(str::to_owned)
-                .collect(),
+            assemblies: assemblies.map(str::to_owned).collect(),
         }
     }
 }

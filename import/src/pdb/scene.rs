@@ -7,10 +7,9 @@ use super::names::Names;
 use super::options::{Colouring, Options, Style};
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words};
-use crate::error::ImportError;
-use imogene_scene::{
-    Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step, Surface,
-};
+use crate::error::Result;
+use crate::object;
+use imogene_scene::{Axis, Cut, Light, Material, Object, Rotation, SceneFile, Shape, Step};
 use std::collections::HashMap;
 
 /// Radius of a ball in a ball-and-stick picture, as a share of the van der Waals radius.
@@ -109,7 +108,7 @@ pub fn build(
     chosen: &[Chosen],
     file: &str,
     options: &Options,
-) -> Result<Drawn, ImportError> {
+) -> Result<Drawn> {
     let mut names = Names::default();
     let mut materials = Materials {
         colouring: options.colouring,
@@ -139,7 +138,7 @@ pub fn build(
         let found = bonds::find(&model.atoms, &model.copies, &structure.connections, file)?;
         for pair in &found.pairs {
             let ends = pair.map(|k| (&model.atoms[k], &balls[k]));
-            sticks.extend(cylinders(ends, framing.eye(), &mut names));
+            sticks.extend(cylinders(ends, framing.camera.eye, &mut names));
         }
         all.pairs.extend(found.pairs);
         all.connected += found.connected;
@@ -176,31 +175,12 @@ fn title(structure: &Structure, file: &str) -> String {
     }
 }
 
-fn object(
-    name: String,
-    shape: Shape,
-    material: String,
-    place: Vec<Step>,
-    cuts: Vec<Cut>,
-) -> Object {
-    Object {
-        name,
-        shape,
-        processor: None,
-        mode: Surface::Solid,
-        material,
-        place,
-        cuts,
-        group: None,
-        visible: true,
-        casts_shadow: true,
-    }
-}
-
 fn sphere(name: String, place: [f64; 3], radius: f64, material: String) -> Object {
-    // The sum turns -0 into 0.
-    let steps = vec![Step::Translate(place.map(|v| v + 0.0))];
-    object(name, Shape::Sphere { radius }, material, steps, vec![])
+    Object {
+        // The sum turns -0 into 0.
+        place: vec![Step::Translate(place.map(|v| v + 0.0))],
+        ..object(name, Shape::Sphere { radius }, material)
+    }
 }
 
 /// The stick of a bond: one cylinder, or two halves that meet in one plane if its ends have different colours.
@@ -223,15 +203,12 @@ fn cylinders(ends: [(&Atom, &Object); 2], eye: [f64; 3], names: &mut Names) -> V
             point: [0.0, y, 0.0],
             normal: normal.map(|v| side * v + 0.0),
         };
-        let cuts = vec![cut(from, -1.0), cut(to, 1.0)];
         let shape = Shape::EllipticCylinder { radii: [STICK; 2] };
-        object(
-            name,
-            shape,
-            material.to_owned(),
-            placed(along, length, low.place),
-            cuts,
-        )
+        Object {
+            place: placed(along, length, low.place),
+            cuts: vec![cut(from, -1.0), cut(to, 1.0)],
+            ..object(name, shape, material.to_owned())
+        }
     };
     // Ends lie in the middles of the balls, to a thousandth of the stick's radius.
     let short = |v: f64| (v * 1e4).round() / 1e4;

@@ -3,7 +3,7 @@
 use super::options::Residues;
 use super::structure::{Atom, Structure};
 use super::words::{Word, Words, listed};
-use crate::error::{ImportError, unusable};
+use crate::error::{ImportError, Result, unusable};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Chains and residues that are drawn.
@@ -22,14 +22,14 @@ impl<'a> Selection<'a> {
         chains: &[String],
         residues: &'a [Residues],
         file: &str,
-    ) -> Result<Selection<'a>, ImportError> {
+    ) -> Result<Selection<'a>> {
         let words = &structure.words;
         let atoms = || models.iter().flat_map(|m| &structure.models[*m].atoms);
         let mut there: HashSet<Word> = HashSet::new();
         if !chains.is_empty() {
             there.extend(atoms().map(|atom| atom.chain));
         }
-        let chains: Result<Vec<Word>, ImportError> = chains
+        let chains: Result<Vec<Word>> = chains
             .iter()
             .map(|name| {
                 let word = words.find(name).filter(|word| there.contains(word));
@@ -50,7 +50,7 @@ impl<'a> Selection<'a> {
         words: &Words,
         atoms: impl Fn() -> I,
         file: &str,
-    ) -> Result<(), ImportError> {
+    ) -> Result<()> {
         if self.residues.is_empty() {
             return Ok(());
         }

@@ -134,16 +134,8 @@ mod tests {
         assert_eq!(words.text(word), "caf\u{e9}");
         let odd = words.keep_bytes(b"a\x01\xff");
         assert_eq!((words.text(odd), words.find("none")), ("a??", None));
-        for text in [
-            "0",
-            "1",
-            "999999999",
-            "9999999999",
-            "007",
-            "A0000",
-            "*****",
-            "",
-        ] {
+        // The last of them is empty.
+        for text in "0 1 999999999 9999999999 007 A0000 ***** ".split(' ') {
             let serial = Serial::of(text.as_bytes(), &mut words);
             assert_eq!(serial.text(&words), text);
         }

@@ -3,7 +3,7 @@
 use super::cell::Cells;
 use super::grid::{Corners, HeightGrid, is_plane, twist};
 use super::map::{Map, VIEW};
-use crate::ImportError;
+use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_golden::format::Format;
@@ -34,7 +34,7 @@ pub(super) fn count(cells: &[Cell], form: Form) -> usize {
 
 impl Map<'_> {
     /// The cells with four heights.
-    pub(super) fn cells(&self, grid: &HeightGrid) -> Vec<Cell> {
+    pub fn cells(&self, grid: &HeightGrid) -> Vec<Cell> {
         let factor = from_decimal(self.options.height_factor);
         let mut cells = vec![];
         for row in 0..grid.rows - 1 {
@@ -58,7 +58,7 @@ impl Map<'_> {
     }
 
     /// Facets for the cells that are flat on the screen, if that is asked for; how many they are.
-    pub(super) fn choose_facets(&self, cells: &mut [Cell]) -> usize {
+    pub fn choose_facets(&self, cells: &mut [Cell]) -> usize {
         if self.options.cells != Cells::Auto {
             return 0;
         }
@@ -105,10 +105,7 @@ impl Map<'_> {
 
     /// Facets for the cells whose surfaces the base format refuses, and nothing for those that lie behind the eye; how
     /// many of each.
-    pub(super) fn replace_refused(
-        &self,
-        cells: &mut [Cell],
-    ) -> Result<(usize, usize), ImportError> {
+    pub fn replace_refused(&self, cells: &mut [Cell]) -> Result<(usize, usize)> {
         let facets_before = count(cells, Form::Facets);
         for cell in cells.iter_mut() {
             // A cell is within the hull of its corners.

@@ -2,7 +2,7 @@
 
 use super::grid::HeightGrid;
 use super::options::TerrainOptions;
-use crate::ImportError;
+use crate::Result;
 use crate::error::unusable;
 use imogene_algebra::rational::{fraction, from_decimal, integer, to_f64};
 use imogene_scene::{Camera, ImageSize, Light, Material, SceneFile};
@@ -37,11 +37,7 @@ pub(super) struct Map<'a> {
 }
 
 impl<'a> Map<'a> {
-    pub(super) fn new(
-        grid: &HeightGrid,
-        file: &'a str,
-        options: &'a TerrainOptions,
-    ) -> Result<Map<'a>, ImportError> {
+    pub fn new(grid: &HeightGrid, file: &'a str, options: &'a TerrainOptions) -> Result<Map<'a>> {
         let factor = options.height_factor;
         let (low, high) = grid.range().ok_or_else(|| {
             unusable(

@@ -6,8 +6,9 @@ use super::form::{Cell, Form};
 use super::grid::is_plane;
 use super::map::{BANDS, Map};
 use super::ruled::pieces_for;
-use crate::ImportError;
 use crate::error::unusable;
+use crate::object;
+use crate::{ImportError, Result};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_scene::{Object, Scale, Shape, Step, Surface};
 
@@ -41,7 +42,7 @@ fn outwards(cell: &Cell, cells: &[Cell]) -> [f64; 4] {
 
 impl Map<'_> {
     /// The objects of a cell, one of `cells`.
-    pub(super) fn objects(&self, cell: &Cell, cells: &[Cell]) -> Result<Vec<Object>, ImportError> {
+    pub(super) fn objects(&self, cell: &Cell, cells: &[Cell]) -> Result<Vec<Object>> {
         let shapes: Vec<(Shape, Vec<_>)> = match cell.form {
             Form::LeftOut => return Ok(vec![]),
             Form::Facets => {
@@ -71,20 +72,16 @@ impl Map<'_> {
             } else {
                 format!("-{index}")
             };
+            let name = format!("cell-{}-{}{part}", cell.column, cell.row);
+            let material = format!("altitude-{}", self.band(cell));
             Object {
-                name: format!("cell-{}-{}{part}", cell.column, cell.row),
-                shape,
-                processor: None,
                 mode: Surface::Patch,
-                material: format!("altitude-{}", self.band(cell)),
                 place: vec![
                     Step::Scale(Scale::PerAxis([sx, 1.0, sz])),
                     Step::Translate([x, 0.0, z]),
                 ],
                 cuts,
-                group: None,
-                visible: true,
-                casts_shadow: true,
+                ..object(name, shape, material)
             }
         };
         Ok(shapes.into_iter().enumerate().map(object).collect())

@@ -348,44 +348,32 @@ mod tests {
             for level in 5..8 {
                 let [edge, centre] = deviations(&made, level);
                 let [next, _] = deviations(&made, level + 1);
-                let ratio = next / edge / (-smoothness).exp2();
-                assert!(
-                    (ratio - 1.0).abs() < 0.05,
-                    "h {smoothness}, level {level}: {ratio}"
-                );
-                // The mean of two estimates.
-                let ratio = centre / edge * 2f64.sqrt();
-                assert!(
-                    (ratio - 1.0).abs() < 0.05,
-                    "h {smoothness}, level {level}: {ratio}"
-                );
                 let expected = 100.0 * (-smoothness * f64::from(level + 1)).exp2();
-                assert!(
-                    (edge / expected - 1.0).abs() < 0.05,
-                    "{edge}, not {expected}"
-                );
+                let ratio = next / edge / (-smoothness).exp2();
+                // The mean of two estimates.
+                let of_centre = centre / edge * 2f64.sqrt();
+                for ratio in [ratio, of_centre, edge / expected] {
+                    let place = format!("h {smoothness}, level {level}: {ratio}");
+                    assert!((ratio - 1.0).abs() < 0.05, "{place}");
+                }
             }
         }
     }
 
     #[test]
     fn options_out_of_range_are_refused() {
-        assert_eq!(field(&options(0, 1)), Err(FieldError::Levels(0)));
-        assert_eq!(field(&options(11, 1)), Err(FieldError::Levels(11)));
-        let rough = FieldOptions {
-            smoothness: -0.1,
-            ..options(3, 1)
+        let refused = |levels, smoothness, relief| {
+            let changed = FieldOptions {
+                smoothness,
+                relief,
+                ..options(levels, 1)
+            };
+            field(&changed).unwrap_err()
         };
-        assert_eq!(field(&rough), Err(FieldError::Smoothness(-0.1)));
-        let flat = FieldOptions {
-            relief: 0.0,
-            ..options(3, 1)
-        };
-        assert_eq!(field(&flat), Err(FieldError::Relief(0.0)));
-        let unknown = FieldOptions {
-            smoothness: f64::NAN,
-            ..options(3, 1)
-        };
-        assert!(field(&unknown).is_err());
+        assert_eq!(refused(0, 0.6, 100.0), FieldError::Levels(0));
+        assert_eq!(refused(11, 0.6, 100.0), FieldError::Levels(11));
+        assert_eq!(refused(3, -0.1, 100.0), FieldError::Smoothness(-0.1));
+        assert_eq!(refused(3, 0.6, 0.0), FieldError::Relief(0.0));
+        refused(3, f64::NAN, 100.0);
     }
 }

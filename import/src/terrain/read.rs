@@ -4,36 +4,21 @@ use super::grid::{HeightGrid, MAX_NODES};
 use super::text::{Word, decoded, shown, words};
 use crate::error::unusable;
 use crate::kind::{KEYS, is_grid_keyword};
-use crate::{ImportError, Place};
+use crate::{ImportError, Place, Result};
 
 /// Largest magnitude of a height or a distance.
 const MAX_NUMBER: f64 = 1e8;
 
-/// The two formats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// A header of keywords, then heights (.asc).
-    EsriAscii,
-    /// A row of heights on each line (.heights).
-    Plain,
-}
-
 /// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the
 /// header is an ESRI ASCII grid.
-pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid, ImportError> {
+pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
     let text = decoded(bytes, file)?;
-    match format_of(text) {
-        Format::EsriAscii => Reader { file, text }.esri(),
-        Format::Plain => Reader { file, text }.plain(),
-    }
-}
-
-fn format_of(text: &str) -> Format {
-    let first = text.lines().find_map(|line| words(line, 1).next());
+    let reader = Reader { file, text };
+    let first = reader.words().next();
     if first.is_some_and(|word| is_grid_keyword(word.text)) {
-        Format::EsriAscii
+        reader.esri()
     } else {
-        Format::Plain
+        reader.plain()
     }
 }
 
@@ -46,11 +31,19 @@ struct Reader<'a> {
 type Header = [Option<f64>; KEYS.len()];
 
 impl<'a> Reader<'a> {
-    fn malformed(&self, place: Place, problem: impl Into<String>, accepted: &str) -> ImportError {
+    fn malformed(&self, place: Place, problem: impl ToString, accepted: &str) -> ImportError {
         ImportError::new(self.file, Some(place), problem, accepted)
     }
 
-    fn unusable(&self, problem: impl Into<String>, accepted: &str) -> ImportError {
+    fn refused(&self, word: Word, problem: &str, accepted: &str) -> ImportError {
+        self.malformed(
+            word.place,
+            format!("{} {problem}", shown(word.text)),
+            accepted,
+        )
+    }
+
+    fn unusable(&self, problem: impl ToString, accepted: &str) -> ImportError {
         unusable(self.file, problem, accepted)
     }
 
@@ -60,23 +53,17 @@ impl<'a> Reader<'a> {
         lines.flat_map(|(index, line)| words(line, index + 1))
     }
 
-    fn number(&self, word: Word, what: &str) -> Result<f64, ImportError> {
-        let accepted = "a decimal number of magnitude up to 1e8 is expected";
-        let plain = word
-            .text
-            .bytes()
-            .all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
-        let value = word.text.parse::<f64>().ok().filter(|_| plain);
-        match value.filter(|v| v.abs() <= MAX_NUMBER) {
-            Some(value) => Ok(value),
-            None => {
-                let problem = format!("{} is no {what}", shown(word.text));
-                Err(self.malformed(word.place, problem, accepted))
-            }
-        }
+    fn number(&self, word: Word, what: &str) -> Result<f64> {
+        let plain = |b: u8| b.is_ascii_digit() || b"+-.eE".contains(&b);
+        let value = word.text.parse::<f64>().ok();
+        let value = value.filter(|v| word.text.bytes().all(plain) && v.abs() <= MAX_NUMBER);
+        value.ok_or_else(|| {
+            let accepted = "a decimal number of magnitude up to 1e8 is expected";
+            self.refused(word, &format!("is no {what}"), accepted)
+        })
     }
 
-    fn positive(&self, word: Word, what: &str) -> Result<f64, ImportError> {
+    fn positive(&self, word: Word, what: &str) -> Result<f64> {
         let value = self.number(word, what)?;
         if value > 0.0 {
             return Ok(value);
@@ -85,7 +72,7 @@ impl<'a> Reader<'a> {
         Err(self.malformed(word.place, problem, "it must be greater than zero"))
     }
 
-    fn esri(&self) -> Result<HeightGrid, ImportError> {
+    fn esri(&self) -> Result<HeightGrid> {
         let mut all = self.words().peekable();
         let mut header: Header = [None; KEYS.len()];
         while let Some(word) = all.peek().copied() {
@@ -125,14 +112,14 @@ impl<'a> Reader<'a> {
     }
 
     /// A height; nothing where it is the mark of missing data, whatever its magnitude.
-    fn number_or(&self, word: Word, missing: Option<f64>) -> Result<Option<f64>, ImportError> {
+    fn number_or(&self, word: Word, missing: Option<f64>) -> Result<Option<f64>> {
         if missing.is_some() && word.text.parse::<f64>().ok() == missing {
             return Ok(None);
         }
         Ok(Some(self.number(word, "height")?))
     }
 
-    fn key(&self, word: Word, header: &Header) -> Result<usize, ImportError> {
+    fn key(&self, word: Word, header: &Header) -> Result<usize> {
         let name = word.text.to_lowercase();
         let accepted = "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy) and NODATA_value are expected once each";
         match KEYS.iter().position(|key| *key == name) {
@@ -142,42 +129,37 @@ impl<'a> Reader<'a> {
                 Err(self.malformed(word.place, problem, accepted))
             }
             None => {
-                let problem = format!(
-                    "{} is no keyword of the header and no height",
-                    shown(word.text)
-                );
-                Err(self.malformed(word.place, problem, accepted))
+                let problem = "is no keyword of the header and no height";
+                Err(self.refused(word, problem, accepted))
             }
         }
     }
 
-    fn header_value(&self, key: usize, word: Word) -> Result<f64, ImportError> {
+    fn header_value(&self, key: usize, word: Word) -> Result<f64> {
         match KEYS[key] {
             "ncols" | "nrows" => {
                 let count = word.text.parse::<u32>().ok().filter(|n| *n >= 2);
-                let problem = || format!("{} is no number of nodes", shown(word.text));
                 let accepted = format!("2 to {MAX_NODES} nodes in all are expected");
-                let count = count.ok_or_else(|| self.malformed(word.place, problem(), &accepted));
-                count.map(f64::from)
+                let refused = || self.refused(word, "is no number of nodes", &accepted);
+                count.map(f64::from).ok_or_else(refused)
             }
             "cellsize" | "dx" | "dy" => self.positive(word, "distance of two nodes"),
             // Missing data is often marked by the least number of a format, beyond every height; the place on the
             // globe is not used.
             _ => {
                 let value = word.text.parse::<f64>().ok().filter(|v| v.is_finite());
-                let problem = || format!("{} is no number", shown(word.text));
-                value.ok_or_else(|| self.malformed(word.place, problem(), "a number is expected"))
+                value.ok_or_else(|| self.refused(word, "is no number", "a number is expected"))
             }
         }
     }
 
-    fn count(&self, header: &Header, key: usize) -> Result<usize, ImportError> {
+    fn count(&self, header: &Header, key: usize) -> Result<usize> {
         let problem = || format!("the header has no {}", KEYS[key]);
         let value = header[key].map(|n| n as usize);
         value.ok_or_else(|| self.unusable(problem(), "`ncols N` and `nrows N` are needed"))
     }
 
-    fn esri_step(&self, header: &Header) -> Result<[f64; 2], ImportError> {
+    fn esri_step(&self, header: &Header) -> Result<[f64; 2]> {
         match (header[6], header[7], header[8]) {
             (Some(size), None, None) => Ok([size, size]),
             (None, Some(dx), Some(dy)) => Ok([dx, dy]),
@@ -188,7 +170,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn check_count(&self, columns: usize, rows: usize) -> Result<(), ImportError> {
+    fn check_count(&self, columns: usize, rows: usize) -> Result<()> {
         if columns.saturating_mul(rows) > MAX_NODES {
             let accepted = format!("at most {MAX_NODES} are read");
             return Err(self.unusable(format!("{columns} x {rows} nodes"), &accepted));
@@ -196,7 +178,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn plain(&self) -> Result<HeightGrid, ImportError> {
+    fn plain(&self) -> Result<HeightGrid> {
         let mut step = None;
         let mut heights: Vec<Option<f64>> = vec![];
         let (mut columns, mut rows) = (0, 0);
@@ -245,7 +227,7 @@ impl<'a> Reader<'a> {
         &self,
         mut values: impl Iterator<Item = Word<'w>>,
         place: Place,
-    ) -> Result<[f64; 2], ImportError> {
+    ) -> Result<[f64; 2]> {
         let accepted = "`step EAST SOUTH`, two distances of nodes, is expected";
         let mut next = || {
             let word = values.next();
@@ -256,10 +238,7 @@ impl<'a> Reader<'a> {
         let step = [next()?, next()?];
         match values.next() {
             None => Ok(step),
-            Some(word) => {
-                let problem = format!("{} too many", shown(word.text));
-                Err(self.malformed(word.place, problem, accepted))
-            }
+            Some(word) => Err(self.refused(word, "too many", accepted)),
         }
     }
 
@@ -269,7 +248,7 @@ impl<'a> Reader<'a> {
         rows: usize,
         step: [f64; 2],
         heights: Vec<Option<f64>>,
-    ) -> Result<HeightGrid, ImportError> {
+    ) -> Result<HeightGrid> {
         if heights.iter().all(Option::is_none) {
             return Err(self.unusable(
                 "no node has a height",

@@ -5,7 +5,7 @@ use super::grid::HeightGrid;
 use super::map::Map;
 use super::options::{Region, TerrainOptions};
 use crate::error::unusable;
-use crate::{ImportError, Imported};
+use crate::{Imported, Result};
 use imogene_scene::SceneFile;
 use serde_json::json;
 
@@ -13,11 +13,7 @@ use serde_json::json;
 pub const MAX_CELLS: usize = 1 << 14;
 
 /// The scene of a grid; `file` is the name that messages give it.
-pub fn scene_of(
-    grid: &HeightGrid,
-    file: &str,
-    options: &TerrainOptions,
-) -> Result<Imported, ImportError> {
+pub fn scene_of(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<Imported> {
     let grid = chosen(grid, file, options)?;
     let map = Map::new(&grid, file, options)?;
     let mut cells = map.cells(&grid);
@@ -71,11 +67,7 @@ fn notes(holes: usize, flat: usize, by_facets: usize, left_out: usize) -> Vec<St
 }
 
 /// The nodes that are asked for.
-fn chosen(
-    grid: &HeightGrid,
-    file: &str,
-    options: &TerrainOptions,
-) -> Result<HeightGrid, ImportError> {
+fn chosen(grid: &HeightGrid, file: &str, options: &TerrainOptions) -> Result<HeightGrid> {
     let whole = [grid.columns, grid.rows];
     let Region { first, nodes } = options.region.unwrap_or(Region {
         first: [0, 0],
@@ -110,7 +102,7 @@ fn chosen(
 }
 
 impl Map<'_> {
-    fn scene(&self, cells: &[Cell]) -> Result<SceneFile, ImportError> {
+    fn scene(&self, cells: &[Cell]) -> Result<SceneFile> {
         let mut scene = self.empty_scene();
         for cell in cells {
             scene.objects.extend(self.objects(cell, cells)?);
@@ -137,7 +129,7 @@ mod tests {
 
     const HILLS: &str = "step 60 90\n10 20 30 20\n15 40.5 60 20\n10 30 - 10\n";
 
-    fn imported(options: &TerrainOptions) -> Result<Imported, ImportError> {
+    fn imported(options: &TerrainOptions) -> Result<Imported> {
         scene_of(&read(HILLS.as_bytes(), "hills").unwrap(), "hills", options)
     }
 

@@ -1,6 +1,6 @@
 //! Words of a text with their places.
 
-use crate::{ImportError, Place};
+use crate::{ImportError, Place, Result};
 
 /// A word and where it begins.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub fn words(line: &str, number: usize) -> impl Iterator<Item = Word<'_>> {
 }
 
 /// The text of a file, or where it stops being text.
-pub fn decoded<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, ImportError> {
+pub fn decoded<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
     std::str::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
         let line = good.lines().count().max(1);

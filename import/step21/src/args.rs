@@ -1,6 +1,6 @@
 //! Entities by their names, and parameters by what they have to be.
 
-use super::error::Error;
+use super::error::{Error, Result};
 use super::exchange::Exchange;
 use super::text::{decoded, with_article};
 use super::token::shortened;
@@ -29,7 +29,7 @@ impl<'a> Entity<'a> {
     }
 
     /// An error at the entity.
-    pub fn error(&self, problem: impl Into<String>, accepted: impl Into<String>) -> Error {
+    pub fn error(&self, problem: impl ToString, accepted: impl ToString) -> Error {
         Error::at(self.file.bytes, self.at, problem, accepted)
     }
 
@@ -45,7 +45,7 @@ impl<'a> Entity<'a> {
     }
 
     /// The same, and an error if there is none.
-    pub fn need(&self, names: &[&str]) -> Result<Args<'a>, Error> {
+    pub fn need(&self, names: &[&str]) -> Result<Args<'a>> {
         self.find(names).ok_or_else(|| {
             let problem = format!("`#{}` is {}", self.id, with_article(&self.name()));
             let others = names.iter().skip(1).map(|name| format!(" or {name}"));
@@ -97,14 +97,14 @@ pub struct Args<'a> {
 
 impl<'a> Args<'a> {
     /// An error of the whole entity.
-    pub fn error(&self, problem: impl Display, accepted: impl Into<String>) -> Error {
-        let entity = self.entity;
-        let problem = format!(
-            "`#{}` {}: {problem}",
-            entity.id,
-            shortened(self.record.name)
-        );
-        entity.error(problem, accepted)
+    pub fn error(&self, problem: impl Display, accepted: impl ToString) -> Error {
+        self.error_at(self.entity.at, problem, accepted)
+    }
+
+    fn error_at(&self, at: usize, problem: impl Display, accepted: impl ToString) -> Error {
+        let (id, name) = (self.entity.id, shortened(self.record.name));
+        let problem = format!("`#{id}` {name}: {problem}");
+        Error::at(self.entity.file.bytes, at, problem, accepted)
     }
 
     fn wrong(&self, value: &Value, needed: &str) -> Error {
@@ -112,13 +112,7 @@ impl<'a> Args<'a> {
         let place = values.iter().position(|v| v.at >= value.at);
         let place = place.map_or(values.len(), |p| p + 1);
         let problem = format!("parameter {place} is {}", value.kind.name());
-        let whole = self.error(problem, format!("{needed} is needed"));
-        Error::at(
-            self.entity.file.bytes,
-            value.at,
-            whole.problem,
-            whole.accepted,
-        )
+        self.error_at(value.at, problem, format!("{needed} is needed"))
     }
 
     /// The place of the first parameter behind the name, which only a simple entity has.
@@ -127,7 +121,7 @@ impl<'a> Args<'a> {
     }
 
     /// A parameter.
-    pub fn value(&self, index: usize) -> Result<&'a Value<'a>, Error> {
+    pub fn value(&self, index: usize) -> Result<&'a Value<'a>> {
         self.record.values.get(index).ok_or_else(|| {
             self.error(
                 format!("it has {} parameters", self.record.values.len()),
@@ -136,7 +130,7 @@ impl<'a> Args<'a> {
         })
     }
 
-    fn as_number(&self, value: &Value) -> Result<f64, Error> {
+    fn as_number(&self, value: &Value) -> Result<f64> {
         match &value.kind {
             Kind::Number(number, _) => Ok(*number),
             Kind::Typed(_, values) if values.len() == 1 => match values[0].kind {
@@ -148,23 +142,23 @@ impl<'a> Args<'a> {
     }
 
     /// A number.
-    pub fn number(&self, index: usize) -> Result<f64, Error> {
+    pub fn number(&self, index: usize) -> Result<f64> {
         self.as_number(self.value(index)?)
     }
 
     /// A list of numbers.
-    pub fn numbers(&self, index: usize) -> Result<Vec<f64>, Error> {
+    pub fn numbers(&self, index: usize) -> Result<Vec<f64>> {
         self.numbers_of(self.value(index)?)
     }
 
     /// The numbers of a list in a list.
-    pub fn numbers_of(&self, value: &Value) -> Result<Vec<f64>, Error> {
+    pub fn numbers_of(&self, value: &Value) -> Result<Vec<f64>> {
         let list = self.members(value)?.iter();
         list.map(|value| self.as_number(value)).collect()
     }
 
     /// A whole number that is not negative.
-    fn as_whole(&self, value: &Value) -> Result<usize, Error> {
+    fn as_whole(&self, value: &Value) -> Result<usize> {
         match value.kind {
             Kind::Number(number, true) if (0.0..=1e9).contains(&number) => Ok(number as usize),
             _ => Err(self.wrong(value, "a whole number from 0 to 1000000000")),
@@ -172,18 +166,18 @@ impl<'a> Args<'a> {
     }
 
     /// A whole number that is not negative.
-    pub fn whole(&self, index: usize) -> Result<usize, Error> {
+    pub fn whole(&self, index: usize) -> Result<usize> {
         self.as_whole(self.value(index)?)
     }
 
     /// A list of them.
-    pub fn wholes(&self, index: usize) -> Result<Vec<usize>, Error> {
+    pub fn wholes(&self, index: usize) -> Result<Vec<usize>> {
         let list = self.list(index)?;
         list.iter().map(|value| self.as_whole(value)).collect()
     }
 
     /// `.T.` or `.F.`
-    pub fn flag(&self, index: usize) -> Result<bool, Error> {
+    pub fn flag(&self, index: usize) -> Result<bool> {
         let value = self.value(index)?;
         match value.kind {
             Kind::Word("T") => Ok(true),
@@ -193,7 +187,7 @@ impl<'a> Args<'a> {
     }
 
     /// An enumerated value; nothing for `$`.
-    pub fn word(&self, index: usize) -> Result<Option<&'a str>, Error> {
+    pub fn word(&self, index: usize) -> Result<Option<&'a str>> {
         let value = self.value(index)?;
         match value.kind {
             Kind::Word(word) => Ok(Some(word)),
@@ -211,11 +205,11 @@ impl<'a> Args<'a> {
     }
 
     /// A list.
-    pub fn list(&self, index: usize) -> Result<&'a [Value<'a>], Error> {
+    pub fn list(&self, index: usize) -> Result<&'a [Value<'a>]> {
         self.members(self.value(index)?)
     }
 
-    fn members<'v>(&self, value: &'v Value<'a>) -> Result<&'v [Value<'a>], Error> {
+    fn members<'v>(&self, value: &'v Value<'a>) -> Result<&'v [Value<'a>]> {
         match &value.kind {
             Kind::List(values) => Ok(values),
             _ => Err(self.wrong(value, "a list")),
@@ -223,31 +217,25 @@ impl<'a> Args<'a> {
     }
 
     /// The entity that a value names.
-    pub fn as_entity(&self, value: &Value) -> Result<Entity<'a>, Error> {
+    pub fn as_entity(&self, value: &Value) -> Result<Entity<'a>> {
         let Kind::Reference(id) = value.kind else {
             return Err(self.wrong(value, "a reference such as `#12`"));
         };
         self.entity.file.get(id).ok_or_else(|| {
-            let own = (self.entity.id, shortened(self.record.name));
-            Error::at(
-                self.entity.file.bytes,
-                value.at,
-                format!(
-                    "`#{}` {} names `#{id}`, which is not in the file",
-                    own.0, own.1
-                ),
-                "the number of an entity of this file is needed",
-            )
+            let (own, name) = (self.entity.id, shortened(self.record.name));
+            let problem = format!("`#{own}` {name} names `#{id}`, which is not in the file");
+            let accepted = "the number of an entity of this file is needed";
+            Error::at(self.entity.file.bytes, value.at, problem, accepted)
         })
     }
 
     /// The entity that is named.
-    pub fn entity(&self, index: usize) -> Result<Entity<'a>, Error> {
+    pub fn entity(&self, index: usize) -> Result<Entity<'a>> {
         self.as_entity(self.value(index)?)
     }
 
     /// The entity that is named; nothing for `$` and `*`.
-    pub fn maybe(&self, index: usize) -> Result<Option<Entity<'a>>, Error> {
+    pub fn maybe(&self, index: usize) -> Result<Option<Entity<'a>>> {
         let value = self.value(index)?;
         match value.kind {
             Kind::Omitted | Kind::Derived => Ok(None),
@@ -256,18 +244,18 @@ impl<'a> Args<'a> {
     }
 
     /// A list of entities.
-    pub fn entities(&self, index: usize) -> Result<Vec<Entity<'a>>, Error> {
+    pub fn entities(&self, index: usize) -> Result<Vec<Entity<'a>>> {
         self.entities_of(self.value(index)?)
     }
 
     /// The entities of a list in a list.
-    pub fn entities_of(&self, value: &Value<'a>) -> Result<Vec<Entity<'a>>, Error> {
+    pub fn entities_of(&self, value: &Value<'a>) -> Result<Vec<Entity<'a>>> {
         let list = self.members(value)?.iter();
         list.map(|value| self.as_entity(value)).collect()
     }
 
     /// The record that the entity named has, of these names.
-    pub fn named(&self, index: usize, names: &[&str]) -> Result<Args<'a>, Error> {
+    pub fn named(&self, index: usize, names: &[&str]) -> Result<Args<'a>> {
         self.entity(index)?.need(names)
     }
 }

@@ -13,23 +13,21 @@ pub struct Error {
     pub accepted: String,
 }
 
+/// What comes of reading a file.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
 impl Error {
     /// Of the file as a whole.
-    pub fn whole(problem: impl Into<String>, accepted: impl Into<String>) -> Error {
+    pub fn whole(problem: impl ToString, accepted: impl ToString) -> Error {
         Error {
             place: None,
-            problem: problem.into(),
-            accepted: accepted.into(),
+            problem: problem.to_string(),
+            accepted: accepted.to_string(),
         }
     }
 
     /// At a byte of a file.
-    pub fn at(
-        bytes: &[u8],
-        at: usize,
-        problem: impl Into<String>,
-        accepted: impl Into<String>,
-    ) -> Error {
+    pub fn at(bytes: &[u8], at: usize, problem: impl ToString, accepted: impl ToString) -> Error {
         let before = &bytes[..at.min(bytes.len())];
         let newline = before.iter().rposition(|byte| *byte == b'\n');
         let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;

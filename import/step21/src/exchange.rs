@@ -1,6 +1,6 @@
 //! A file that has been taken apart.
 
-use super::error::Error;
+use super::error::{Error, Result};
 use super::parser::Parser;
 use super::value::{Instance, Record};
 use std::collections::HashMap;
@@ -20,7 +20,7 @@ pub struct Exchange<'a> {
 
 impl<'a> Exchange<'a> {
     /// Takes a file apart.
-    pub fn parse(bytes: &'a [u8]) -> Result<Self, Error> {
+    pub fn parse(bytes: &'a [u8]) -> Result<Self> {
         let (header, instances, index) = Parser::read(bytes)?;
         if instances.is_empty() {
             let accepted = "a data section with a solid is needed";

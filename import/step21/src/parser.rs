@@ -1,6 +1,6 @@
 //! From the words of a file to its records (ISO 10303-21, clauses 5 to 10).
 
-use super::error::Error;
+use super::error::{Error, Result};
 use super::token::{Token, Tokens};
 use super::value::{Instance, Kind, Record, Value};
 use std::collections::HashMap;
@@ -10,7 +10,6 @@ const DEEPEST: usize = 32;
 
 /// Reads a file from its start.
 pub struct Parser<'a> {
-    bytes: &'a [u8],
     tokens: Tokens<'a>,
     /// The word that is next.
     token: Token<'a>,
@@ -23,9 +22,8 @@ type Parts<'a> = (Vec<Record<'a>>, Vec<Instance<'a>>, HashMap<u64, usize>);
 
 impl<'a> Parser<'a> {
     /// Reads a whole file.
-    pub fn read(bytes: &'a [u8]) -> Result<Parts<'a>, Error> {
+    pub fn read(bytes: &'a [u8]) -> Result<Parts<'a>> {
         let mut parser = Parser {
-            bytes,
             tokens: Tokens::new(bytes),
             token: Token::End,
             instances: vec![],
@@ -53,7 +51,7 @@ impl<'a> Parser<'a> {
         Ok((header, parser.instances, parser.index))
     }
 
-    fn section(&mut self) -> Result<(), Error> {
+    fn section(&mut self) -> Result<()> {
         let is_data = match self.token {
             Token::Keyword("DATA") => true,
             Token::Keyword("ANCHOR" | "REFERENCE" | "SIGNATURE") => false,
@@ -74,7 +72,7 @@ impl<'a> Parser<'a> {
                 if self.index.insert(entity.id, place).is_some() {
                     let problem = format!("`#{}` is there already", entity.id);
                     let accepted = "every entity needs a number of its own";
-                    return Err(Error::at(self.bytes, entity.at, problem, accepted));
+                    return Err(Error::at(self.tokens.bytes, entity.at, problem, accepted));
                 }
                 self.instances.push(entity);
             } else if self.token == Token::End {
@@ -87,28 +85,24 @@ impl<'a> Parser<'a> {
         self.sign(b';')
     }
 
-    fn step(&mut self) -> Result<(), Error> {
+    fn step(&mut self) -> Result<()> {
         self.token = self.tokens.read()?;
         Ok(())
     }
 
-    fn error(&self, problem: impl Into<String>, accepted: String) -> Error {
-        Error::at(self.bytes, self.tokens.at, problem, accepted)
-    }
-
     fn unexpected(&self, needed: &str) -> Error {
         let problem = format!("{} is not expected here", self.token.name());
-        self.error(problem, format!("{needed} is needed"))
+        self.tokens.error(problem, format!("{needed} is needed"))
     }
 
-    fn sign(&mut self, sign: u8) -> Result<(), Error> {
+    fn sign(&mut self, sign: u8) -> Result<()> {
         if self.token != Token::Sign(sign) {
             return Err(self.unexpected(&format!("`{}`", char::from(sign))));
         }
         self.step()
     }
 
-    fn keyword(&mut self, word: &str) -> Result<(), Error> {
+    fn keyword(&mut self, word: &str) -> Result<()> {
         if self.token != Token::Keyword(word) {
             return Err(self.unexpected(&format!("`{word};`")));
         }
@@ -116,7 +110,7 @@ impl<'a> Parser<'a> {
     }
 
     /// `#12 = NAME(...);` or `#12 = ( A(...) B(...) );`
-    fn entity(&mut self) -> Result<Instance<'a>, Error> {
+    fn entity(&mut self) -> Result<Instance<'a>> {
         let Token::Value(Kind::Reference(id)) = self.token else {
             return Err(self.unexpected("an entity such as `#1 = NAME(...);` or `ENDSEC;`"));
         };
@@ -143,7 +137,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    fn record(&mut self, depth: usize) -> Result<Record<'a>, Error> {
+    fn record(&mut self, depth: usize) -> Result<Record<'a>> {
         let Token::Keyword(name) = self.token else {
             return Err(self.unexpected("the name of an entity"));
         };
@@ -153,9 +147,9 @@ impl<'a> Parser<'a> {
     }
 
     /// `(` parameters `)`
-    fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>, Error> {
+    fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>> {
         if depth > DEEPEST {
-            return Err(self.error(
+            return Err(self.tokens.error(
                 "a list inside too many others",
                 format!("at most {DEEPEST} lists inside each other are possible"),
             ));
@@ -179,7 +173,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn value(&mut self, depth: usize) -> Result<Value<'a>, Error> {
+    fn value(&mut self, depth: usize) -> Result<Value<'a>> {
         let at = self.tokens.at;
         let kind = match self.token {
             Token::Sign(b'(') => Kind::List(self.list(depth + 1)?),

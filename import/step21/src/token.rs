@@ -1,6 +1,6 @@
 //! Words of a STEP file (ISO 10303-21, clause 6).
 
-use super::error::Error;
+use super::error::{Error, Result};
 use super::value::Kind;
 
 /// What a word is.
@@ -32,7 +32,8 @@ impl Token<'_> {
 /// Reads words one after the other.
 #[derive(Debug)]
 pub struct Tokens<'a> {
-    bytes: &'a [u8],
+    /// The file.
+    pub bytes: &'a [u8],
     next: usize,
     /// Where the word that was read last begins.
     pub at: usize,
@@ -53,12 +54,13 @@ impl<'a> Tokens<'a> {
         &self.bytes[self.next..]
     }
 
-    fn error(&self, problem: impl Into<String>, accepted: &str) -> Error {
+    /// An error at the word that was read last.
+    pub fn error(&self, problem: impl ToString, accepted: impl ToString) -> Error {
         Error::at(self.bytes, self.at, problem, accepted)
     }
 
     /// The next word.
-    pub fn read(&mut self) -> Result<Token<'a>, Error> {
+    pub fn read(&mut self) -> Result<Token<'a>> {
         self.skip()?;
         self.at = self.next;
         let Some(first) = self.rest().first().copied() else {
@@ -89,7 +91,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// White space, comments and the print directives `\N\` and `\F\`.
-    fn skip(&mut self) -> Result<(), Error> {
+    fn skip(&mut self) -> Result<()> {
         loop {
             let rest = self.rest();
             match rest {
@@ -116,19 +118,19 @@ impl<'a> Tokens<'a> {
         std::str::from_utf8(taken).unwrap_or("")
     }
 
-    fn reference(&mut self) -> Result<Token<'a>, Error> {
+    fn reference(&mut self) -> Result<Token<'a>> {
         let digits = self.take_while(1, |byte| byte.is_ascii_digit());
         let id = digits.parse().map_err(|_| {
             let problem = match digits {
                 "" => "`#` without a number".to_owned(),
                 _ => format!("the number of `#{}` is too large", shortened(digits)),
             };
-            self.error(problem, &format!("references are `#1` to `#{}`", u64::MAX))
+            self.error(problem, format!("references are `#1` to `#{}`", u64::MAX))
         })?;
         Ok(Token::Value(Kind::Reference(id)))
     }
 
-    fn number(&mut self) -> Result<Token<'a>, Error> {
+    fn number(&mut self) -> Result<Token<'a>> {
         let is_part = |byte: u8| byte.is_ascii_digit() || b"+-.Ee".contains(&byte);
         let digits = self.take_while(0, is_part);
         match digits.parse::<f64>() {
@@ -143,7 +145,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    fn word(&mut self) -> Result<Token<'a>, Error> {
+    fn word(&mut self) -> Result<Token<'a>> {
         let is_part = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
         let word = self.take_while(1, is_part);
         if word.is_empty() || self.rest().first() != Some(&b'.') {
@@ -157,7 +159,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// Up to the closing quote; two quotes are one.
-    fn text(&mut self) -> Result<Token<'a>, Error> {
+    fn text(&mut self) -> Result<Token<'a>> {
         let start = self.next + 1;
         self.quoted(b'\'', "a string")?;
         while self.rest().first() == Some(&b'\'') {
@@ -167,11 +169,11 @@ impl<'a> Tokens<'a> {
         Ok(Token::Value(Kind::Text(text)))
     }
 
-    fn quoted(&mut self, quote: u8, what: &str) -> Result<(), Error> {
+    fn quoted(&mut self, quote: u8, what: &str) -> Result<()> {
         let inside = &self.rest()[1..];
         let Some(end) = inside.iter().position(|byte| *byte == quote) else {
             let accepted = format!("`{}` ends {what}", char::from(quote));
-            return Err(self.error(format!("{what} has no end"), &accepted));
+            return Err(self.error(format!("{what} has no end"), accepted));
         };
         self.next += end + 2;
         Ok(())

@@ -56,78 +56,36 @@ RATIONAL_B_SPLINE_CURVE((1.,0.7071067811865476,1.,0.7071067811865476,1.,0.707106
 
 #[test]
 fn other_words_for_the_same_bar() {
-    let circle = "#62=CIRCLE('',#80,1.);";
     let spline = rational_circle(0.0);
-    let backwards =
-        "#62=CIRCLE('',#82,1.);#82=AXIS2_PLACEMENT_3D('',#92,#96,$);#96=DIRECTION('',(0.,0.,-2.));";
-    let forward = "#60=EDGE_CURVE('',#70,#70,#62,.T.)";
-    let against = "#60=EDGE_CURVE('',#70,#70,#62,.F.)";
-    let spellings: [&[(&str, &str)]; 13] = [
-        &[("\n", "\r\n"), ("=", " = /* a ; comment ' */ ")],
-        &[
-            ("\n", ""),
-            ("'bar'", "'it''s \\X2\\00E4\\X0\\ /* no comment */'"),
-        ],
-        &[(
-            circle,
-            "#62=SURFACE_CURVE('',#64,(),.CURVE_3D.);#64=CIRCLE('',#80,1.);",
-        )],
-        &[(
-            circle,
-            "#62=TRIMMED_CURVE('',#64,(#90),(#90),.T.,.CARTESIAN.);#64=CIRCLE('',#80,1.);",
-        )],
-        &[
-            (
-                circle,
-                "#62=TRIMMED_CURVE('',#64,(#90),(#90),.F.,.CARTESIAN.);#64=CIRCLE('',#80,1.);",
-            ),
-            (forward, against),
-        ],
-        &[(circle, "#62=ELLIPSE('',#80,1.,1.);")],
-        &[(circle, &spline)],
-        &[
-            (circle, &spline),
-            (forward, against),
-            ("#60,.T.)", "#60,.X.)"),
-            ("#60,.F.)", "#60,.T.)"),
-            ("#60,.X.)", "#60,.F.)"),
-        ],
-        &[(circle, backwards), (forward, against)],
-        // A bound that is passed the other way round.
-        &[
-            (
-                "#20=FACE_OUTER_BOUND('',#40,.T.)",
-                "#20=FACE_BOUND('',#40,.F.)",
-            ),
-            ("#60,.T.);\n#51", "#60,.F.);\n#51"),
-        ],
-        // A plane with its normal outwards.
-        &[
-            (
-                "#31=PLANE('',#80);",
-                "#31=PLANE('',#82);#82=AXIS2_PLACEMENT_3D('',#92,#96,$);#96=DIRECTION('',(0.,0.,-1.));",
-            ),
-            ("#31,.F.)", "#31,.T.)"),
-        ],
-        // Shells and faces that are turned, and turned back.
-        &[
-            (
-                "#2=MANIFOLD_SOLID_BREP('bar',#10);",
-                "#2=MANIFOLD_SOLID_BREP('bar',#9);#9=ORIENTED_CLOSED_SHELL('',*,#10,.F.);",
-            ),
-            ("(#11,#12,#13)", "(#14,#15,#16)"),
-            (
-                "#20=FACE",
-                "#14=ORIENTED_FACE('',*,#11,.F.);#15=ORIENTED_FACE('',*,#12,.F.);#16=ORIENTED_FACE('',*,#13,.F.);\n#20=FACE",
-            ),
-        ],
-        &[(
-            "#1=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#2),#3);",
-            "#1=( REPRESENTATION('',(#2),#3) SHAPE_REPRESENTATION() );",
-        )],
-    ];
-    for spelling in spellings {
-        is_whole(&changed(spelling), [-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]);
+    // Among them: a bound that is passed the other way round, a plane with its normal outwards, and shells and faces
+    // that are turned, and turned back.
+    let table = r"
+\n |  | 'bar' | 'it''s \X2\00E4\X0\ /* no comment */'
+#62=CIRCLE('',#80,1.); | #62=SURFACE_CURVE('',#64,(),.CURVE_3D.);#64=CIRCLE('',#80,1.);
+#62=CIRCLE('',#80,1.); | #62=TRIMMED_CURVE('',#64,(#90),(#90),.T.,.CARTESIAN.);#64=CIRCLE('',#80,1.);
+#62=CIRCLE('',#80,1.); | #62=TRIMMED_CURVE('',#64,(#90),(#90),.F.,.CARTESIAN.);#64=CIRCLE('',#80,1.); | #60=EDGE_CURVE('',#70,#70,#62,.T.) | #60=EDGE_CURVE('',#70,#70,#62,.F.)
+#62=CIRCLE('',#80,1.); | #62=ELLIPSE('',#80,1.,1.);
+#62=CIRCLE('',#80,1.); | SPLINE
+#62=CIRCLE('',#80,1.); | SPLINE | #60=EDGE_CURVE('',#70,#70,#62,.T.) | #60=EDGE_CURVE('',#70,#70,#62,.F.) | #60,.T.) | #60,.X.) | #60,.F.) | #60,.T.) | #60,.X.) | #60,.F.)
+#62=CIRCLE('',#80,1.); | #62=CIRCLE('',#82,1.);#82=AXIS2_PLACEMENT_3D('',#92,#96,$);#96=DIRECTION('',(0.,0.,-2.)); | #60=EDGE_CURVE('',#70,#70,#62,.T.) | #60=EDGE_CURVE('',#70,#70,#62,.F.)
+#20=FACE_OUTER_BOUND('',#40,.T.) | #20=FACE_BOUND('',#40,.F.) | #60,.T.);\n#51 | #60,.F.);\n#51
+#31=PLANE('',#80); | #31=PLANE('',#82);#82=AXIS2_PLACEMENT_3D('',#92,#96,$);#96=DIRECTION('',(0.,0.,-1.)); | #31,.F.) | #31,.T.)
+#2=MANIFOLD_SOLID_BREP('bar',#10); | #2=MANIFOLD_SOLID_BREP('bar',#9);#9=ORIENTED_CLOSED_SHELL('',*,#10,.F.); | (#11,#12,#13) | (#14,#15,#16) | #20=FACE | #14=ORIENTED_FACE('',*,#11,.F.);#15=ORIENTED_FACE('',*,#12,.F.);#16=ORIENTED_FACE('',*,#13,.F.);\n#20=FACE
+#1=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#2),#3); | #1=( REPRESENTATION('',(#2),#3) SHAPE_REPRESENTATION() );
+";
+    let comments = changed(&[("\n", "\r\n"), ("=", " = /* a ; comment ' */ ")]);
+    let table = table.trim_matches('\n').lines().map(|line| {
+        let fields = line.split(" | ").map(|field| field.replace("\\n", "\n"));
+        let fields: Vec<String> = fields
+            .map(|field| field.replace("SPLINE", &spline))
+            .collect();
+        let pairs = fields
+            .chunks(2)
+            .map(|pair| (pair[0].as_str(), pair[1].as_str()));
+        changed(&pairs.collect::<Vec<_>>())
+    });
+    for text in table.chain([comments]) {
+        is_whole(&text, [-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]);
     }
 }
 

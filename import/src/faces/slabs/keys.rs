@@ -30,7 +30,11 @@ impl Work<'_> {
     /// The bands that a strip has a part of, with their ends at its turn, and a v of it in each.
     pub fn bands_of(&self, slab: usize, strip: &Strip) -> Vec<Part> {
         let [low, high] = self.extent(slab, strip);
-        let turns = if self.chart.is_tube() { -1..=2 } else { 0..=0 };
+        let turns = if self.face.surface.is_torus() {
+            -1..=2
+        } else {
+            0..=0
+        };
         let mut found = vec![];
         for (band, own) in self.face.bands.iter().enumerate() {
             for turn in turns.clone() {

@@ -9,7 +9,7 @@ use crate::faces::planes::Planes;
 impl Work<'_> {
     /// Whether cells are strips, without a doubt.
     fn is_exact(&self) -> bool {
-        !self.chart.is_ball() && self.face.flat.is_none()
+        !self.face.surface.is_sphere() && self.face.flat.is_none()
     }
 
     /// Slabs with places of the face that no cell has.

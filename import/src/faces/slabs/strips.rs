@@ -30,8 +30,8 @@ impl Work<'_> {
         let crossings: Vec<Vec<Crossing>> = (0..self.slabs())
             .map(|slab| self.crossings(self.middle(slab)))
             .collect();
-        let oriented = self.chart.is_ball() || self.chart.is_tube();
-        let has_end = self.face.surface.is_cone() || self.chart.is_ball();
+        let oriented = self.face.surface.is_sphere() || self.face.surface.is_torus();
+        let has_end = self.face.surface.is_cone() || self.face.surface.is_sphere();
         if !has_end && crossings.iter().any(|all| all.len() % 2 == 1) {
             return Err("its loops are not closed on the surface".into());
         }
@@ -52,7 +52,7 @@ impl Work<'_> {
         let mut all = vec![];
         for (index, rail) in self.rails.iter().enumerate() {
             for (v, east) in rail.crossings(u, self.chart.is_round()) {
-                let v = if self.chart.is_tube() {
+                let v = if self.face.surface.is_torus() {
                     v.rem_euclid(TAU)
                 } else {
                     v
@@ -82,7 +82,7 @@ impl Work<'_> {
         };
         let said = crossings.iter().map(|all| votes(all));
         let said: Vec<Option<bool>> = said.map(|sum| (sum != 0).then_some(sum > 0)).collect();
-        if self.chart.is_ball() {
+        if self.face.surface.is_sphere() {
             // All lines begin at one pole.
             let sum: i64 = said
                 .iter()
@@ -133,7 +133,7 @@ impl Work<'_> {
         } else {
             end
         };
-        if self.chart.is_tube() {
+        if self.face.surface.is_torus() {
             let count = all.len();
             if count == 0 {
                 return vec![Strip {
@@ -185,7 +185,7 @@ impl Work<'_> {
             let v = branch
                 .filter(|(_, east)| *east == crossing.east)
                 .map(|(v, _)| {
-                    if self.chart.is_tube() {
+                    if self.face.surface.is_torus() {
                         nearest_turn(v, at)
                     } else {
                         v

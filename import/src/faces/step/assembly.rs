@@ -4,7 +4,7 @@ use super::measure::Measure;
 use super::placement::{Placement, placement};
 use super::units::{Context, context};
 use std::collections::{HashMap, HashSet};
-use step21::{Args, Entity, Error, Exchange};
+use step21::{Args, Entity, Error, Exchange, Result};
 
 /// Most representations inside each other.
 const DEEPEST: usize = 64;
@@ -67,7 +67,7 @@ const DEFINING: [&str; 2] = [
 ];
 
 /// The two representations of a relationship, whichever of its subtypes says so.
-fn relation(entity: Entity) -> Result<[Entity; 2], Error> {
+fn relation(entity: Entity) -> Result<[Entity; 2]> {
     let own: Vec<&str> = entity.records.iter().map(|r| r.name).collect();
     let whole = entity.complex.then(|| vec!["REPRESENTATION_RELATIONSHIP"]);
     let args = entity.need(&whole.unwrap_or(own))?;
@@ -116,7 +116,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Keeps what was found, and says why something was not.
-    fn keep<T>(&mut self, what: &str, found: Result<T, Error>) -> Option<T> {
+    fn keep<T>(&mut self, what: &str, found: Result<T>) -> Option<T> {
         found
             .map_err(|error| self.notes.push(format!("{what}: {error}")))
             .ok()
@@ -181,7 +181,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The number and the name of the product whose shape a representation is.
-    fn product(&self, args: &Args<'a>) -> Result<Option<(u64, String)>, Error> {
+    fn product(&self, args: &Args<'a>) -> Result<Option<(u64, String)>> {
         let Some(shape) = args.entity(0)?.find(&["PRODUCT_DEFINITION_SHAPE"]) else {
             return Ok(None);
         };
@@ -197,7 +197,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The context of a representation.
-    pub fn context(&self, representation: &Args) -> Result<Context, Error> {
+    pub fn context(&self, representation: &Args) -> Result<Context> {
         context(representation.maybe(2)?, self.measure)
     }
 
@@ -220,7 +220,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Keeps where something is placed; a child whose place is not known is lost.
-    fn link(&mut self, what: &str, found: Result<Option<Inside>, Error>, child: Option<usize>) {
+    fn link(&mut self, what: &str, found: Result<Option<Inside>>, child: Option<usize>) {
         if found.is_err() {
             self.lost.extend(child);
         }
@@ -230,7 +230,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The relationship that places a usage, and the product that uses.
-    fn usage(&self, args: &Args<'a>) -> Result<Option<(u64, u64)>, Error> {
+    fn usage(&self, args: &Args<'a>) -> Result<Option<(u64, u64)>> {
         let shape = args.named(1, &["PRODUCT_DEFINITION_SHAPE"])?;
         let names = ["NEXT_ASSEMBLY_USAGE_OCCURRENCE"];
         let usage = shape.entity(2)?.find(&names);
@@ -240,11 +240,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The group that has a component, and where.
-    fn component(
-        &self,
-        placed: &Args<'a>,
-        wholes: &HashMap<u64, u64>,
-    ) -> Result<Option<Inside>, Error> {
+    fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Inside>> {
         let ends = relation(placed.entity)?;
         let [Some(first), Some(second)] = ends.map(|end| self.index.get(&end.id).copied()) else {
             return Ok(None);
@@ -289,7 +285,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Inside>, Error> {
+    fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Inside>> {
         let own = &self.representations[index];
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
         let Some(source) = self.index.get(&map.entity(1)?.id).copied() else {
@@ -335,7 +331,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// All representations where they are placed, whole assemblies first.
-    pub fn placed(&self) -> Result<Vec<Placed<'a>>, Error> {
+    pub fn placed(&self) -> Result<Vec<Placed<'a>>> {
         let roots = self.roots().into_iter().rev();
         let mut waiting: Vec<(usize, Placement, usize, u64)> = roots
             .map(|group| (group, Placement::IN_PLACE, 0, 0))

@@ -2,7 +2,7 @@
 
 use imogene_scene::Material;
 use std::collections::HashMap;
-use step21::{Args, Entity, Error, Exchange, Kind, Value};
+use step21::{Args, Entity, Exchange, Kind, Result, Value};
 
 /// From red, green and blue, 0 to 1.
 pub type Colour = [f64; 3];
@@ -50,7 +50,7 @@ pub fn colours(file: &Exchange) -> (HashMap<u64, Colour>, Vec<String>) {
 }
 
 /// What a style is of, and its colour.
-fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, Error> {
+fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>> {
     // A complex one has the name of its item in another record, and its target in this.
     let first = item.first();
     let Some(target) = item.maybe(first + 1)? else {
@@ -66,7 +66,7 @@ fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>, Error> 
 }
 
 /// The first colour of a surface that an entity leads to.
-fn colour_of(file: &Exchange, entity: Entity, steps: &mut usize) -> Result<Option<Colour>, Error> {
+fn colour_of(file: &Exchange, entity: Entity, steps: &mut usize) -> Result<Option<Colour>> {
     if let Some(args) = entity.find(&["DRAUGHTING_PRE_DEFINED_COLOUR"]) {
         let name = args.text(0);
         let known = PREDEFINED.iter().find(|(word, _)| *word == name);
@@ -114,29 +114,20 @@ fn references(values: &[Value], found: &mut Vec<u64>) {
     }
 }
 
-/// The materials of a scene, one for every colour.
-#[derive(Debug, Default)]
-pub struct Palette {
-    /// The materials.
-    pub materials: Vec<Material>,
-}
-
-impl Palette {
-    /// The name of the material of a colour; grey without one.
-    pub fn material(&mut self, colour: Option<Colour>) -> String {
-        let rgb = colour.unwrap_or(GREY);
-        let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
-        let name = colour.map_or("grey".to_owned(), |_| format!("#{r:02x}{g:02x}{b:02x}"));
-        if !self.materials.iter().any(|m| m.name == name) {
-            self.materials.push(Material {
-                name: name.clone(),
-                colour: rgb,
-                ambient: 0.15,
-                diffuse: 0.8,
-                specular: 0.5,
-                exponent: 40,
-            });
-        }
-        name
+/// The name of the material of a colour, one for every colour; grey without one.
+pub fn material(materials: &mut Vec<Material>, colour: Option<Colour>) -> String {
+    let rgb = colour.unwrap_or(GREY);
+    let [r, g, b] = rgb.map(|share| (255.0 * share).round() as u8);
+    let name = colour.map_or("grey".to_owned(), |_| format!("#{r:02x}{g:02x}{b:02x}"));
+    if !materials.iter().any(|m| m.name == name) {
+        materials.push(Material {
+            name: name.clone(),
+            colour: rgb,
+            ambient: 0.15,
+            diffuse: 0.8,
+            specular: 0.5,
+            exponent: 40,
+        });
     }
+    name
 }

@@ -8,7 +8,7 @@ use crate::faces::curve::{Arc, Curve, Ellipse, Polyline, Tolerance};
 use crate::faces::model::COINCIDENT;
 use crate::faces::source::MAX_NUMBER;
 use crate::faces::vector::{Vector, across, distance, dot, length, minus, opposite, reach, unit};
-use step21::{Args, Entity, Error, with_article};
+use step21::{Args, Entity, Result, with_article};
 
 /// Most curves that are defined by each other.
 const LONGEST_CHAIN: usize = 8;
@@ -92,7 +92,7 @@ impl<'a> Span<'a> {
         Ok(("line", Curve::Line { from, to }))
     }
 
-    fn radius(&self, args: &Args, index: usize) -> Result<f64, Error> {
+    fn radius(&self, args: &Args, index: usize) -> Result<f64> {
         radius(args, index, self.context)
     }
 
@@ -236,7 +236,7 @@ fn on_curve(off: f64, tolerance: Tolerance) -> Result<(), String> {
 }
 
 /// A length above 0 and up to the largest coordinate, millimetres.
-pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64, Error> {
+pub fn radius(args: &Args, index: usize, context: &Context) -> Result<f64> {
     let written = args.number(index)?;
     let radius = written * context.length;
     if (1e-9..=MAX_NUMBER).contains(&radius) {

@@ -7,7 +7,7 @@ use super::spline::Spline;
 use super::units::Context;
 use crate::faces::bezier::{Patch, Pole, patches, plain};
 use crate::faces::vector::{Vector, across, along, cross, dot, minus, plus, reach, times};
-use step21::{Args, Entity, Error};
+use step21::{Args, Entity, Result};
 
 /// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
@@ -25,7 +25,7 @@ const KINDS: [&str; 4] = [
 ];
 
 /// The patches of a free-form surface; nothing for one of another kind.
-pub fn freeform(entity: Entity, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
+pub fn freeform(entity: Entity, context: &Context) -> Result<Option<Vec<Patch>>> {
     if let Some(kind) = entity.find(&KINDS) {
         return spline_surface(entity, &kind, context).map(Some);
     }
@@ -40,7 +40,7 @@ fn spline_surface<'a>(
     entity: Entity<'a>,
     kind: &Args<'a>,
     context: &Context,
-) -> Result<Vec<Patch>, Error> {
+) -> Result<Vec<Patch>> {
     let whole = entity
         .complex
         .then(|| entity.need(&["B_SPLINE_SURFACE"]))
@@ -57,7 +57,7 @@ fn spline_surface<'a>(
         if count > MOST_POLES {
             break;
         }
-        let pole = |entity| -> Result<Pole, Error> {
+        let pole = |entity| -> Result<Pole> {
             let [x, y, z] = point(entity, context)?;
             Ok([x, y, z, 1.0])
         };
@@ -110,7 +110,7 @@ fn profile<'a>(
     mut entity: Entity<'a>,
     context: &Context,
     reach: f64,
-) -> Result<Option<Vec<Vec<Pole>>>, Error> {
+) -> Result<Option<Vec<Vec<Pole>>>> {
     for _ in 0..8 {
         let Some(args) = entity.find(&["TRIMMED_CURVE", "SURFACE_CURVE", "SEAM_CURVE"]) else {
             break;
@@ -157,7 +157,7 @@ fn arcs(centre: Vector, x: Vector, y: Vector) -> Vec<Vec<Pole>> {
     turns.windows(2).map(quarter).collect()
 }
 
-fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
+fn extrusion<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>> {
     let course = direction(args.named(2, &["VECTOR"])?.entity(1)?)?;
     let Some(curve) = profile(args.entity(1)?, context, 1.0)? else {
         return Ok(None);
@@ -179,7 +179,7 @@ fn extent(curve: &[Vec<Pole>]) -> f64 {
     reach(curve.iter().flatten().map(plain), plain(&curve[0][0]))
 }
 
-fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>, Error> {
+fn revolution<'a>(args: &Args<'a>, context: &Context) -> Result<Option<Vec<Patch>>> {
     let placed = args.named(2, &["AXIS1_PLACEMENT"])?;
     let origin = point(placed.entity(1)?, context)?;
     let axis = match placed.maybe(2)? {

@@ -1,9 +1,9 @@
 //! Knots and weights of B-spline curves and surfaces.
 
-use step21::{Args, Error};
+use step21::{Args, Result};
 
 /// Weights of control points, checked.
-pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>, Error> {
+pub fn weights(args: &Args, weights: &[f64], count: usize) -> Result<Vec<f64>> {
     if weights.len() != count {
         return Err(args.error(
             format!("{} weights for {count} control points", weights.len()),
@@ -28,7 +28,7 @@ pub fn written_knots(
     places: [usize; 2],
     degree: usize,
     count: usize,
-) -> Result<Vec<f64>, Error> {
+) -> Result<Vec<f64>> {
     let times = args.wholes(places[0])?;
     let values = args.numbers(places[1])?;
     let total: usize = times.iter().sum();
@@ -61,12 +61,7 @@ pub fn written_knots(
 }
 
 /// Knots that follow from the kind of the curve or surface.
-pub fn implied_knots(
-    args: &Args,
-    name: &str,
-    degree: usize,
-    count: usize,
-) -> Result<Vec<f64>, Error> {
+pub fn implied_knots(args: &Args, name: &str, degree: usize, count: usize) -> Result<Vec<f64>> {
     let total = count + degree + 1;
     let clamped = |index: usize, last: usize| index.clamp(degree, last) - degree;
     let is = |kind: &str| name.starts_with(kind);

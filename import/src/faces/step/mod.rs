@@ -20,7 +20,7 @@ mod units;
 
 use super::model::{Model, Up};
 use crate::error::unusable;
-use crate::{ImportError, Place};
+use crate::{ImportError, Place, Result};
 use assembly::Assembly;
 use colours::colours;
 use external::external;
@@ -37,7 +37,7 @@ const DEEPEST_FILE: usize = 8;
 pub type Beside<'b> = &'b dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Reads a STEP file.
-pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary), ImportError> {
+pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary)> {
     let mut found = Found::default();
     let summary = read(&mut found, bytes, Placement::IN_PLACE, beside, 0);
     let mut summary = summary.map_err(|error| of_file(file, error))?;
@@ -54,7 +54,6 @@ pub fn build(bytes: &[u8], file: &str, beside: Beside) -> Result<(Model, Summary
         model.title = "A part".into();
     }
     model.up = Up::Z;
-    model.materials = found.palette.materials;
     let model = model.assembled().ok_or_else(|| {
         let accepted = "a box around them of at least a millionth of a millimetre is needed";
         unusable(file, "the faces have no size", accepted)

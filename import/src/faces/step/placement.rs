@@ -4,7 +4,7 @@ use super::units::Context;
 use crate::faces::planes::clean;
 use crate::faces::source::MAX_NUMBER;
 use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, times, unit};
-use step21::{Args, Entity, Error};
+use step21::{Args, Entity, Result};
 
 /// Turned and moved: coordinates along three axes become those of the space around.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Placement {
 }
 
 /// The numbers of a point or a direction.
-fn triple(args: &Args, index: usize) -> Result<Vector, Error> {
+fn triple(args: &Args, index: usize) -> Result<Vector> {
     let numbers = args.numbers(index)?;
     let count = numbers.len();
     numbers.try_into().map_err(|_| {
@@ -77,7 +77,7 @@ fn triple(args: &Args, index: usize) -> Result<Vector, Error> {
 }
 
 /// A point, millimetres.
-pub fn point(entity: Entity, context: &Context) -> Result<Vector, Error> {
+pub fn point(entity: Entity, context: &Context) -> Result<Vector> {
     let args = entity.need(&["CARTESIAN_POINT"])?;
     let point = triple(&args, 1)?.map(|value| value * context.length);
     if point.iter().any(|value| value.abs() > MAX_NUMBER) {
@@ -89,7 +89,7 @@ pub fn point(entity: Entity, context: &Context) -> Result<Vector, Error> {
 }
 
 /// A direction of length 1.
-pub fn direction(entity: Entity) -> Result<Vector, Error> {
+pub fn direction(entity: Entity) -> Result<Vector> {
     let args = entity.need(&["DIRECTION"])?;
     let numbers = triple(&args, 1)?;
     if !(1e-9..=MAX_NUMBER).contains(&length(numbers)) {
@@ -102,10 +102,10 @@ pub fn direction(entity: Entity) -> Result<Vector, Error> {
 }
 
 /// An `AXIS2_PLACEMENT_3D` in the space of its own representation, millimetres.
-pub fn placement(entity: Entity, context: &Context) -> Result<Placement, Error> {
+pub fn placement(entity: Entity, context: &Context) -> Result<Placement> {
     let args = entity.need(&["AXIS2_PLACEMENT_3D"])?;
     let origin = point(args.entity(1)?, context)?;
-    let given = |index| -> Result<Option<Vector>, Error> {
+    let given = |index| -> Result<Option<Vector>> {
         let entity = args.maybe(index)?;
         entity.map(direction).transpose()
     };

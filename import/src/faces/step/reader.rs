@@ -1,13 +1,13 @@
 //! From the items of representations to solids.
 
 use super::assembly::{Assembly, Placed};
-use super::colours::{Colour, Palette};
+use super::colours::{Colour, material};
 use super::placement::Placement;
 use super::summary::Summary;
 use super::topology::{SHELLS, Space, Topology};
 use crate::faces::model::Model;
 use std::collections::{HashMap, HashSet};
-use step21::{Entity, Error, Exchange, Kind, decoded};
+use step21::{Entity, Error, Exchange, Kind, Result};
 
 /// Items that have no faces of their own and are expected beside solids.
 const SILENT: [&str; 3] = ["AXIS2_PLACEMENT_3D", "MAPPED_ITEM", "CARTESIAN_POINT"];
@@ -16,7 +16,6 @@ const SILENT: [&str; 3] = ["AXIS2_PLACEMENT_3D", "MAPPED_ITEM", "CARTESIAN_POINT
 #[derive(Default)]
 pub struct Found {
     pub model: Model,
-    pub palette: Palette,
     /// Names of solids that are taken, and how often.
     names: HashMap<String, usize>,
 }
@@ -85,7 +84,7 @@ impl<'f, 'a> Reader<'f, 'a> {
         self.summary.missing.push(format!("{part}: {error}"));
     }
 
-    fn item(&mut self, part: &Placed, space: &mut Space, item: Entity) -> Result<(), Error> {
+    fn item(&mut self, part: &Placed, space: &mut Space, item: Entity) -> Result<()> {
         if !self.seen.insert((part.occurrence, item.id)) {
             return Ok(());
         }
@@ -101,7 +100,7 @@ impl<'f, 'a> Reader<'f, 'a> {
         model.precision = model.precision.max(space.context.precision);
         let name = self.name_of(self.assembly.name(part.group), item);
         let own = self.colours.get(&item.id).copied();
-        let material = self.found.palette.material(own);
+        let material = material(&mut self.found.model.materials, own);
         let first = self.topology.model.faces.len();
         self.topology.solid(space, &shells, name, material)?;
         self.colour(own, &shells, first);
@@ -144,14 +143,10 @@ impl<'f, 'a> Reader<'f, 'a> {
 
     /// A name that no other solid has: that of the product, or the item's own.
     fn name_of(&mut self, product: &str, item: Entity) -> String {
-        let label = match &item.records[..] {
-            [record] => match record.values.first().map(|value| &value.kind) {
-                Some(Kind::Text(label)) => decoded(label),
-                _ => String::new(),
-            },
-            _ => String::new(),
-        };
-        let words = [product.trim(), label.trim()];
+        let record = item.records.first().filter(|_| item.records.len() == 1);
+        let args = record.and_then(|record| item.find(&[record.name]));
+        let label = args.map_or(String::new(), |args| args.text(0));
+        let words = [product.trim(), &label];
         let plain = words.into_iter().find(|word| !word.is_empty());
         let plain = plain.map_or(format!("#{}", item.id), str::to_owned);
         let names = &mut self.found.names;
@@ -172,7 +167,7 @@ impl<'f, 'a> Reader<'f, 'a> {
             let (face, shell) = self.topology.origins[index];
             let colour = of(face).or_else(|| of(shells[shell].id));
             if colour.is_some() && colour != own {
-                let material = self.found.palette.material(colour);
+                let material = material(&mut self.found.model.materials, colour);
                 self.topology.model.faces[index].material = Some(material);
             }
         }
@@ -180,7 +175,7 @@ impl<'f, 'a> Reader<'f, 'a> {
 }
 
 /// The shells of an item; none if it is of another kind.
-fn shells(item: Entity) -> Result<Vec<Entity>, Error> {
+fn shells(item: Entity) -> Result<Vec<Entity>> {
     if let Some(args) = item.find(&["SHELL_BASED_SURFACE_MODEL"]) {
         return args.entities(args.first());
     }

@@ -5,7 +5,7 @@ use super::placement::point;
 use super::units::Context;
 use crate::faces::bezier::{Pole, de_boor, pieces};
 use crate::faces::vector::{Vector, distance};
-use step21::{Entity, Error};
+use step21::{Entity, Result};
 
 /// Highest degree.
 const HIGHEST_DEGREE: usize = 25;
@@ -40,7 +40,7 @@ impl Spline {
     }
 
     /// From its words.
-    pub fn read(entity: Entity, context: &Context) -> Result<Spline, Error> {
+    pub fn read(entity: Entity, context: &Context) -> Result<Spline> {
         let kind = entity.need(&KINDS)?;
         // In a complex entity every part has its own parameters, in a simple one they follow a name.
         let (curve, first) = if entity.complex {

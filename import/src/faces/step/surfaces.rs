@@ -7,7 +7,7 @@ use super::units::Context;
 use crate::faces::canonical::{Found, canonical};
 use crate::faces::surface::{Form, Surface, clean_tangent};
 use crate::faces::vector::{along, opposite};
-use step21::{Args, Entity, Error};
+use step21::{Args, Entity, Result};
 
 impl Found {
     fn exact(surface: Surface) -> Found {
@@ -50,11 +50,11 @@ pub fn surface(
     place: &Placement,
     tolerance: f64,
     depth: usize,
-) -> Result<Found, Error> {
+) -> Result<Found> {
     if let Some(args) = entity.find(&KNOWN) {
         return known(&args, context, place);
     }
-    let inner = |args: &Args| -> Result<Found, Error> {
+    let inner = |args: &Args| -> Result<Found> {
         if depth == DEEPEST {
             return Err(args.error(
                 "it is defined by itself, or by too many others",
@@ -87,7 +87,7 @@ pub fn surface(
     other(entity).map(|name| Found::exact(Surface::other(name)))
 }
 
-fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found, Error> {
+fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found> {
     let own = placement(args.entity(1)?, context)?;
     let own = place.after(&own);
     let sized = |index| radius(args, index, context);
@@ -101,7 +101,7 @@ fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found, Err
     Ok(Found::exact(Surface::new(own.origin, own.axes[2], form)))
 }
 
-fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found, Error> {
+fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found> {
     let radius = args.number(2)? * context.length;
     let angle = args.number(3)? * context.angle;
     if !(0.0..=1e9).contains(&radius) {
@@ -130,7 +130,7 @@ fn cone(args: &Args, context: &Context, own: &Placement) -> Result<Found, Error>
 }
 
 /// The name of a surface that is no quadric, as in a face list where that has one.
-fn other(entity: Entity) -> Result<String, Error> {
+fn other(entity: Entity) -> Result<String> {
     const NAMES: [(&str, &str); 6] = [
         ("TOROIDAL_SURFACE", "torus"),
         ("B_SPLINE_SURFACE", "bspline"),

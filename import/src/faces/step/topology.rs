@@ -11,7 +11,7 @@ use crate::faces::model::{Edge, EdgeUse, Face, Model, Solid, border, reversed};
 use crate::faces::surface::{Form, Surface};
 use crate::faces::vector::{Vector, distance, dot, length, minus};
 use std::collections::HashMap;
-use step21::{Args, Entity, Error};
+use step21::{Args, Entity, Error, Result};
 
 /// Share of the extent of all points of a file within which a surface may be a quadric; what a part allows is known
 /// when it has been read.
@@ -77,7 +77,7 @@ impl Topology {
         shells: &[Entity],
         name: String,
         material: String,
-    ) -> Result<(), Error> {
+    ) -> Result<()> {
         let first = self.model.faces.len();
         for (index, shell) in shells.iter().enumerate() {
             self.shell(space, *shell, index)?;
@@ -90,7 +90,7 @@ impl Topology {
         Ok(())
     }
 
-    fn shell(&mut self, space: &mut Space, entity: Entity, index: usize) -> Result<(), Error> {
+    fn shell(&mut self, space: &mut Space, entity: Entity, index: usize) -> Result<()> {
         let oriented = ["ORIENTED_CLOSED_SHELL", "ORIENTED_OPEN_SHELL"];
         let (shell, outwards) = match entity.find(&oriented) {
             Some(args) => (args.named(2, &SHELLS)?, args.flag(3)?),
@@ -117,12 +117,7 @@ impl Topology {
         Ok(())
     }
 
-    fn oriented_face(
-        &mut self,
-        space: &mut Space,
-        entity: Entity,
-        outwards: bool,
-    ) -> Result<Face, Error> {
+    fn oriented_face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face> {
         match entity.find(&["ORIENTED_FACE"]) {
             Some(args) => {
                 let own = args.flag(3)?;
@@ -133,7 +128,7 @@ impl Topology {
     }
 
     /// A face; `outwards` says that its normal leaves the solid.
-    fn face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face, Error> {
+    fn face(&mut self, space: &mut Space, entity: Entity, outwards: bool) -> Result<Face> {
         let args = entity.need(&["ADVANCED_FACE", "FACE_SURFACE"])?;
         let same_sense = args.flag(3)?;
         let Found {
@@ -192,7 +187,7 @@ impl Topology {
     }
 
     /// A surface; each is looked at once in a representation.
-    fn surface(&mut self, space: &mut Space, entity: Entity) -> Result<Found, Error> {
+    fn surface(&mut self, space: &mut Space, entity: Entity) -> Result<Found> {
         if let Some(known) = space.surfaces.get(&entity.id) {
             return Ok(known.clone());
         }
@@ -230,11 +225,7 @@ impl Topology {
     }
 
     /// The edges of a border, with its face on their left; none for a border that is a point.
-    fn bound(
-        &mut self,
-        space: &mut Space,
-        args: &Args,
-    ) -> Result<Result<Vec<EdgeUse>, String>, Error> {
+    fn bound(&mut self, space: &mut Space, args: &Args) -> Result<Result<Vec<EdgeUse>, String>> {
         let entity = args.entity(1)?;
         let forward = args.flag(2)?;
         if let Some(vertex) = entity.find(&["VERTEX_LOOP"]) {
@@ -268,7 +259,7 @@ impl Topology {
     }
 
     /// The sides of a polygon; those that two polygons share are one edge.
-    fn polygon(&mut self, space: &mut Space, args: &Args) -> Result<Vec<EdgeUse>, Error> {
+    fn polygon(&mut self, space: &mut Space, args: &Args) -> Result<Vec<EdgeUse>> {
         let points = args.entities(1)?;
         let mut uses = vec![];
         for (index, from) in points.iter().enumerate() {
@@ -335,7 +326,7 @@ impl Topology {
         distance(p, q) <= SAME_PLACE * size
     }
 
-    fn vertex(&mut self, space: &mut Space, args: &Args, index: usize) -> Result<usize, Error> {
+    fn vertex(&mut self, space: &mut Space, args: &Args, index: usize) -> Result<usize> {
         let vertex = args.named(index, &["VERTEX_POINT"])?;
         if let Some(known) = space.vertices.get(&vertex.entity.id) {
             return Ok(*known);
@@ -347,7 +338,7 @@ impl Topology {
         Ok(index)
     }
 
-    fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Result<usize, String>, Error> {
+    fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Result<usize, String>> {
         if let Some(known) = space.edges.get(&entity.id) {
             return Ok(known.clone());
         }

@@ -1,7 +1,7 @@
 //! Units of a representation (ISO 10303-41, clause 21).
 
 use super::measure::Measure;
-use step21::{Args, Entity, Error};
+use step21::{Args, Entity, Result};
 
 /// Most conversions of a unit by another.
 const LONGEST_CHAIN: usize = 8;
@@ -37,7 +37,7 @@ impl Default for Context {
 const MOST_UNCERTAIN: f64 = 0.01;
 
 /// The context that a representation names, if it does; without units lengths are millimetres and angles radians.
-pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context, Error> {
+pub fn context(entity: Option<Entity>, measure: Measure) -> Result<Context> {
     let mut context = Context::default();
     let args = |name| entity.and_then(|entity| entity.find(&[name]));
     if let Some(args) = args("GLOBAL_UNIT_ASSIGNED_CONTEXT") {
@@ -68,7 +68,7 @@ const LENGTH: Quantity = ("LENGTH_UNIT", "METRE", 3);
 const ANGLE: Quantity = ("PLANE_ANGLE_UNIT", "RADIAN", 0);
 
 /// How many millimetres or radians a unit is; `None` if it is one of another quantity.
-fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f64>, Error> {
+fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f64>> {
     if entity.find(&[quantity.0]).is_none() {
         return Ok(None);
     }
@@ -110,7 +110,7 @@ fn unit_of(entity: Entity, quantity: Quantity, chain: usize) -> Result<Option<f6
     Ok(Some(value))
 }
 
-fn si_unit(args: &Args, (part, name, own_power): Quantity) -> Result<f64, Error> {
+fn si_unit(args: &Args, (part, name, own_power): Quantity) -> Result<f64> {
     // As a part of a complex entity it has its own two parameters, alone also that of `NAMED_UNIT`.
     let first = if args.record.values.len() > 2 { 1 } else { 0 };
     if args.word(first + 1)? != Some(name) {

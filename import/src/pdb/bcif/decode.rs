@@ -134,11 +134,13 @@ fn chain<'a>(
             return Err(format!("its encoding `{kind}` is not of whole numbers"));
         };
         values = match kind {
-            "FixedPoint" => fixed_point(&numbers, number(encoding, "factor")?)?,
-            "IntervalQuantization" => interval(&numbers, encoding)?,
-            "RunLength" => run_length(&numbers, count(encoding, "srcSize", budget)?)?,
-            "Delta" => delta(&numbers, whole(encoding, "origin")?),
-            "IntegerPacking" => packed(&numbers, encoding, budget)?,
+            "FixedPoint" => Values::Numbers(fixed_point(&numbers, number(encoding, "factor")?)?),
+            "IntervalQuantization" => Values::Numbers(interval(&numbers, encoding)?),
+            "RunLength" => {
+                Values::Whole(run_length(&numbers, count(encoding, "srcSize", budget)?)?)
+            }
+            "Delta" => Values::Whole(delta(&numbers, whole(encoding, "origin")?)),
+            "IntegerPacking" => Values::Whole(packed(&numbers, encoding, budget)?),
             other => return Err(format!("its encoding `{other}` is not known")),
         };
     }
@@ -182,16 +184,9 @@ fn string_array<'a>(
     budget: &mut Budget,
 ) -> Result<Values<'a>, String> {
     let all = text(get(encoding, "stringData")?)?;
-    let offsets = chain(
-        get(encoding, "offsets")?,
-        array(get(encoding, "offsetEncoding")?)?,
-        budget,
-    )?;
-    let places = chain(
-        &ValueRef::Binary(bytes),
-        array(get(encoding, "dataEncoding")?)?,
-        budget,
-    )?;
+    let mut decoded = |bytes: &_, key| chain(bytes, array(get(encoding, key)?)?, budget);
+    let offsets = decoded(get(encoding, "offsets")?, "offsetEncoding")?;
+    let places = decoded(&ValueRef::Binary(bytes), "dataEncoding")?;
     let (Values::Whole(offsets), Values::Whole(places)) = (offsets, places) else {
         return Err("its texts have no whole offsets".to_owned());
     };
@@ -206,15 +201,14 @@ fn string_array<'a>(
     Ok(Values::Texts(texts, places))
 }
 
-fn fixed_point<'a>(numbers: &[i64], factor: f64) -> Result<Values<'a>, String> {
+fn fixed_point(numbers: &[i64], factor: f64) -> Result<Vec<f64>, String> {
     if factor == 0.0 {
         return Err("its `factor` is zero".to_owned());
     }
-    let values = numbers.iter().map(|n| *n as f64 / factor);
-    Ok(Values::Numbers(values.collect()))
+    Ok(numbers.iter().map(|n| *n as f64 / factor).collect())
 }
 
-fn interval<'a>(numbers: &[i64], encoding: &ValueRef) -> Result<Values<'a>, String> {
+fn interval(numbers: &[i64], encoding: &ValueRef) -> Result<Vec<f64>, String> {
     let (low, high) = (number(encoding, "min")?, number(encoding, "max")?);
     let steps = whole(encoding, "numSteps")? as f64 - 1.0;
     let step = if steps > 0.0 {
@@ -222,11 +216,10 @@ fn interval<'a>(numbers: &[i64], encoding: &ValueRef) -> Result<Values<'a>, Stri
     } else {
         0.0
     };
-    let values = numbers.iter().map(|n| low + step * *n as f64);
-    Ok(Values::Numbers(values.collect()))
+    Ok(numbers.iter().map(|n| low + step * *n as f64).collect())
 }
 
-fn run_length<'a>(numbers: &[i64], size: usize) -> Result<Values<'a>, String> {
+fn run_length(numbers: &[i64], size: usize) -> Result<Vec<i64>, String> {
     let mut values = Vec::with_capacity(size);
     for pair in numbers.chunks(2) {
         let [value, times] = *pair else {
@@ -237,23 +230,19 @@ fn run_length<'a>(numbers: &[i64], size: usize) -> Result<Values<'a>, String> {
         let times = times.ok_or("its runs are longer than it")?;
         values.extend(std::iter::repeat_n(value, times));
     }
-    Ok(Values::Whole(values))
+    Ok(values)
 }
 
-fn delta<'a>(numbers: &[i64], origin: i64) -> Values<'a> {
+fn delta(numbers: &[i64], origin: i64) -> Vec<i64> {
     let sums = numbers.iter().scan(origin, |sum, n| {
         *sum = sum.wrapping_add(*n);
         Some(*sum)
     });
-    Values::Whole(sums.collect())
+    sums.collect()
 }
 
 /// Small numbers; the least and the greatest of their size say that the next one is added.
-fn packed<'a>(
-    numbers: &[i64],
-    encoding: &ValueRef,
-    budget: &mut Budget,
-) -> Result<Values<'a>, String> {
+fn packed(numbers: &[i64], encoding: &ValueRef, budget: &mut Budget) -> Result<Vec<i64>, String> {
     let is_unsigned = matches!(get(encoding, "isUnsigned")?, ValueRef::Boolean(true));
     let size = count(encoding, "srcSize", budget)?;
     let ends = match (whole(encoding, "byteCount")?, is_unsigned) {
@@ -272,7 +261,7 @@ fn packed<'a>(
             sum = 0;
         }
     }
-    Ok(Values::Whole(values))
+    Ok(values)
 }
 
 #[cfg(test)]
@@ -289,33 +278,22 @@ mod tests {
     /// The examples of the format's description.
     #[test]
     fn the_examples_of_the_description_are_decoded() {
-        assert_eq!(
-            run_length(&[1, 3, 2, 1, 3, 2], 6),
-            Ok(Values::Whole(vec![1, 1, 1, 2, 3, 3]))
-        );
-        assert_eq!(
-            delta(&[0, 3, 2, 1], 1000),
-            Values::Whole(vec![1000, 1003, 1005, 1006])
-        );
-        assert_eq!(
-            fixed_point(&[120, 123, 12], 100.0),
-            Ok(Values::Numbers(vec![1.2, 1.23, 0.12]))
-        );
+        let runs = run_length(&[1, 3, 2, 1, 3, 2], 6);
+        assert_eq!(runs, Ok(vec![1, 1, 1, 2, 3, 3]));
+        assert_eq!(delta(&[0, 3, 2, 1], 1000), [1000, 1003, 1005, 1006]);
+        let fixed = fixed_point(&[120, 123, 12], 100.0);
+        assert_eq!(fixed, Ok(vec![1.2, 1.23, 0.12]));
         let quantized = map(&[("min", 1.into()), ("max", 2.into()), ("numSteps", 3.into())]);
-        assert_eq!(
-            interval(&[0, 0, 1, 2, 2, 1], &quantized),
-            Ok(Values::Numbers(vec![1.0, 1.0, 1.5, 2.0, 2.0, 1.5]))
-        );
+        let levels = interval(&[0, 0, 1, 2, 2, 1], &quantized);
+        assert_eq!(levels, Ok(vec![1.0, 1.0, 1.5, 2.0, 2.0, 1.5]));
         let signed = map(&[
             ("byteCount", 1.into()),
             ("isUnsigned", ValueRef::Boolean(false)),
             ("srcSize", 6.into()),
         ]);
         let bytes = [1, 2, -3, 127, 1, -128, -1, 127, 0];
-        assert_eq!(
-            packed(&bytes, &signed, &mut Budget(100)),
-            Ok(Values::Whole(vec![1, 2, -3, 128, -129, 127]))
-        );
+        let values = packed(&bytes, &signed, &mut Budget(100));
+        assert_eq!(values, Ok(vec![1, 2, -3, 128, -129, 127]));
         let plain = |kind: i64| vec![map(&[("kind", "ByteArray".into()), ("type", kind.into())])];
         let texts = map(&[
             ("kind", "StringArray".into()),

@@ -6,7 +6,7 @@ use super::cif::{
     ATOMS, Atoms, Table, Tables, WANTED, columns, finish, instead_of_atoms, kept, no_atoms,
 };
 use super::structure::{Remark, Structure};
-use crate::error::{ImportError, unusable};
+use crate::error::{Result, unusable};
 use decode::{Budget, Values, array, decode, get, text};
 use rmpv::ValueRef;
 
@@ -33,7 +33,7 @@ impl Column<'_> {
 }
 
 /// Reads the first block that has atoms.
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
+pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let accepted = "a whole file in the BinaryCIF format, version 0.3, would be accepted";
     let refuse = |problem: String| unusable(file, problem, accepted);
     let mut rest = bytes;
@@ -150,13 +150,9 @@ fn push_atoms(given: &[Column], rows: usize, structure: &mut Structure) -> Resul
         let cells = texts.each_ref().map(|text| text.as_bytes());
         let pushed = atoms.push(structure, &cells);
         pushed.map_err(|defect| {
-            let item = WANTED[defect.column];
-            format!(
-                "{ATOMS}.{item}, row {}: {}; {}",
-                row + 1,
-                defect.problem,
-                defect.accepted
-            )
+            let (item, row) = (WANTED[defect.column], row + 1);
+            let (problem, accepted) = (defect.problem, defect.accepted);
+            format!("{ATOMS}.{item}, row {row}: {problem}; {accepted}")
         })?;
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::super::words::{Words, plain};
 use super::atoms::number;
 use super::table::Row;
 use super::{Table, Tables};
-use crate::error::ImportError;
+use crate::error::{ImportError, Result};
 
 /// Kinds of bonds that are drawn; hydrogen bonds and mismatched bases are not.
 const BONDS: [&str; 4] = ["covale", "disulf", "metalc", "modres"];
@@ -21,13 +21,8 @@ pub fn finish(structure: &mut Structure, tables: &Tables, blame: Blame) {
     let rows = |name| tables.get(name).into_iter().flat_map(Table::rows);
     let text = |name, item| {
         let found = rows(name).map(|row| row.text(item)).next();
-        plain(
-            found
-                .unwrap_or_default()
-                .replace(['\r', '\n'], " ")
-                .trim()
-                .as_bytes(),
-        )
+        let line = found.unwrap_or_default().replace(['\r', '\n'], " ");
+        plain(line.trim().as_bytes())
     };
     structure.entry = text("_entry", "id");
     structure.title = text("_struct", "title");
@@ -89,7 +84,7 @@ fn part(row: Row, words: &mut Words) -> Part {
     }
 }
 
-fn operator(row: Row, blame: Blame) -> Result<Rows, ImportError> {
+fn operator(row: Row, blame: Blame) -> Result<Rows> {
     let mut rows = IDENTITY;
     for (i, line) in rows.iter_mut().enumerate() {
         for (j, value) in line.iter_mut().enumerate() {

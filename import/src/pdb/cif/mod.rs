@@ -14,14 +14,15 @@ pub use table::{Cell, Table};
 
 use super::structure::{Remark, Structure};
 use super::words::plain;
-use crate::error::{ImportError, unusable};
+use crate::error::{ImportError, Result, unusable};
 use std::collections::HashMap;
 use token::{Token, Tokens};
 
 /// The category of the atoms.
 pub const ATOMS: &str = "_atom_site";
-/// The other categories that are kept.
-pub const KEPT: [&str; 5] = [
+/// The categories that are kept.
+const KEPT: [&str; 6] = [
+    ATOMS,
     "_entry",
     "_struct",
     "_struct_conn",
@@ -48,7 +49,7 @@ struct Block {
 }
 
 /// Reads a text.
-pub fn read(bytes: &[u8], file: &str) -> Result<Structure, ImportError> {
+pub fn read(bytes: &[u8], file: &str) -> Result<Structure> {
     let mut reader = Reader {
         tokens: Tokens::new(bytes, file),
         ahead: None,
@@ -120,15 +121,13 @@ fn parts(tag: &[u8]) -> (String, String) {
     }
 }
 
-/// Its name in [`KEPT`] or [`ATOMS`].
+/// Its name in [`KEPT`].
 pub fn kept(category: &str) -> Option<&'static str> {
-    KEPT.into_iter()
-        .chain([ATOMS])
-        .find(|name| *name == category)
+    KEPT.into_iter().find(|name| *name == category)
 }
 
 impl<'a> Reader<'a> {
-    fn next(&mut self) -> Result<Option<(Token<'a>, usize)>, ImportError> {
+    fn next(&mut self) -> Result<Option<(Token<'a>, usize)>> {
         if let Some(ahead) = self.ahead.take() {
             return Ok(Some(ahead));
         }
@@ -137,7 +136,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A value, if one follows.
-    fn value(&mut self) -> Result<Option<Cell<'a>>, ImportError> {
+    fn value(&mut self) -> Result<Option<Cell<'a>>> {
         Ok(match self.next()? {
             Some((Token::Bare(b"?" | b"."), at)) => Some((&[], at)),
             Some((Token::Bare(text) | Token::Quoted(text), at)) => Some((text, at)),
@@ -149,7 +148,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The blocks up to the end of the first that has atoms.
-    fn blocks(&mut self) -> Result<(), ImportError> {
+    fn blocks(&mut self) -> Result<()> {
         while let Some((token, at)) = self.next()? {
             match token {
                 Token::Data(name) => {
@@ -179,7 +178,7 @@ impl<'a> Reader<'a> {
         self.only_atom()
     }
 
-    fn item(&mut self, tag: &[u8], at: usize) -> Result<(), ImportError> {
+    fn item(&mut self, tag: &[u8], at: usize) -> Result<()> {
         let (category, item) = parts(tag);
         let Some(value) = self.value()? else {
             return Err(self.tokens.malformed(
@@ -202,7 +201,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Takes over the atom whose items stood one by one.
-    fn only_atom(&mut self) -> Result<(), ImportError> {
+    fn only_atom(&mut self) -> Result<()> {
         let Some(table) = self.block.tables.remove(ATOMS) else {
             return Ok(());
         };
@@ -216,7 +215,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn atom(&mut self, atoms: &mut Atoms, cells: [Cell; WANTED.len()]) -> Result<(), ImportError> {
+    fn atom(&mut self, atoms: &mut Atoms, cells: [Cell; WANTED.len()]) -> Result<()> {
         let pushed = atoms.push(&mut self.structure, &cells.map(|(text, _)| text));
         pushed.map_err(|defect| {
             let at = cells[defect.column].1;
@@ -224,7 +223,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn whole_loop(&mut self, start: usize) -> Result<(), ImportError> {
+    fn whole_loop(&mut self, start: usize) -> Result<()> {
         let (mut category, mut items) = (String::new(), vec![]);
         while let Some((token, at)) = self.next()? {
             let Token::Tag(tag) = token else {
@@ -244,18 +243,16 @@ impl<'a> Reader<'a> {
                 "names such as _atom_site.id behind `loop_` would be accepted",
             ));
         }
-        match kept(&category) {
-            Some(ATOMS) => match columns(&items) {
-                Some(columns) => {
-                    let mut atoms = Atoms::default();
-                    self.rows(width, |reader, row| {
-                        let cells = columns.map(|k| k.map_or((&[][..], row[0].1), |k| row[k]));
-                        reader.atom(&mut atoms, cells)
-                    })
-                }
-                None => self.rows(width, |_, _| Ok(())),
-            },
-            Some(name) => {
+        match (kept(&category), columns(&items)) {
+            (Some(ATOMS), Some(columns)) => {
+                let mut atoms = Atoms::default();
+                self.rows(width, |reader, row| {
+                    let cells = columns.map(|k| k.map_or((&[][..], row[0].1), |k| row[k]));
+                    reader.atom(&mut atoms, cells)
+                })
+            }
+            (None | Some(ATOMS), _) => self.rows(width, |_, _| Ok(())),
+            (Some(name), _) => {
                 let mut table = Table::new(items);
                 self.rows(width, |_, row| {
                     table.push_row(row.iter().copied());
@@ -264,7 +261,6 @@ impl<'a> Reader<'a> {
                 self.block.tables.insert(name, table);
                 Ok(())
             }
-            None => self.rows(width, |_, _| Ok(())),
         }
     }
 
@@ -272,8 +268,8 @@ impl<'a> Reader<'a> {
     fn rows(
         &mut self,
         width: usize,
-        mut take: impl FnMut(&mut Self, &[Cell<'a>]) -> Result<(), ImportError>,
-    ) -> Result<(), ImportError> {
+        mut take: impl FnMut(&mut Self, &[Cell<'a>]) -> Result<()>,
+    ) -> Result<()> {
         let mut row: Vec<Cell> = Vec::with_capacity(width);
         while let Some(value) = self.value()? {
             row.push(value);

@@ -1,6 +1,6 @@
 //! The words of a CIF text (S. R. Hall and others, "The crystallographic information file", version 1.1).
 
-use crate::error::{ImportError, Place};
+use crate::error::{ImportError, Place, Result};
 
 /// A word, with its text where it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// The next word, or nothing at the end.
-    pub fn next(&mut self) -> Result<Option<Token<'a>>, ImportError> {
+    pub fn next(&mut self) -> Result<Option<Token<'a>>> {
         self.skip();
         self.start = self.at;
         let Some(&first) = self.bytes.get(self.at) else {
@@ -110,7 +110,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// A quote ends where a blank stands behind it: `'5'-end'` is one word.
-    fn quoted(&mut self, quote: u8) -> Result<Token<'a>, ImportError> {
+    fn quoted(&mut self, quote: u8) -> Result<Token<'a>> {
         let line = &self.bytes[self.at..];
         let line = &line[..line_length(line)];
         let ends = |k: &usize| line[*k] == quote && line.get(k + 1).is_none_or(|b| is_blank(*b));
@@ -128,7 +128,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// From a semicolon that begins a line to the next.
-    fn text_field(&mut self) -> Result<Token<'a>, ImportError> {
+    fn text_field(&mut self) -> Result<Token<'a>> {
         let from = self.at + 1;
         let mut at = from;
         loop {
@@ -156,8 +156,8 @@ impl<'a> Tokens<'a> {
     pub fn malformed(
         &self,
         offset: usize,
-        problem: impl Into<String>,
-        accepted: impl Into<String>,
+        problem: impl ToString,
+        accepted: impl ToString,
     ) -> ImportError {
         // Old Macintosh files end their lines with a carriage return alone.
         let end = if self.bytes.contains(&b'\n') {
@@ -180,7 +180,7 @@ fn line_length(bytes: &[u8]) -> usize {
 mod tests {
     use super::*;
 
-    fn all(text: &str) -> Result<Vec<Token<'_>>, ImportError> {
+    fn all(text: &str) -> Result<Vec<Token<'_>>> {
         let mut tokens = Tokens::new(text.as_bytes(), "f");
         let mut found = vec![];
         while let Some(token) = tokens.next()? {
