@@ -19,8 +19,9 @@ use proptest::prelude::*;
 /// Ports before the first word: the flags, then the column and the line.
 pub(super) const WORDS: usize = 5;
 
-/// A processor with `N` outputs behind `out_valid`, `latency` clocks after the flags. `words` reads those of a zone from
-/// the ports; `pixel` gives the outputs of its next pixel, from what the ports show `entry` clocks after the flags.
+/// A processor with `N` outputs behind `out_valid`, `latency` clocks after the flags. `words` reads those of a zone
+/// from the ports; `pixel` gives the outputs of its next pixel, from what the ports show `entry` clocks after the
+/// flags.
 pub(super) fn zone<W: Clone + Send + 'static, const N: usize>(
     stimulus: impl Fn(&Subject, usize) -> BoxedStrategy<Vec<Inputs>> + Sync + 'static,
     format: Format,
@@ -177,8 +178,8 @@ pub(super) fn held(words: BoxedStrategy<Inputs>, clocks: usize) -> BoxedStrategy
 /// What the words of a port are likely to be on a zone of a few pixels, so that signs change and depths meet on it.
 #[derive(Clone, Copy)]
 pub(super) enum Likely {
-    /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word; any
-    /// normal beside it.
+    /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word;
+    /// any normal beside it.
     Depth(u32),
     /// The same of second degree, in units of `2^-(W - 2)`.
     Bulge,
