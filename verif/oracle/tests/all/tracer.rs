@@ -37,7 +37,19 @@ impl Rays {
     }
 
     fn cell(&self, [x0, y0, x1, y1]: [u32; 4]) -> Cell {
-        self.sight.cell([x0, y0], [x1, y1])
+        let ((left, top), (right, bottom)) = (self.sight.place(x0, y0), self.sight.place(x1, y1));
+        Cell {
+            x: (left + right) as f64 / 2.0,
+            y: (top + bottom) as f64 / 2.0,
+            reach_x: (right - left) as f64 / 2.0,
+            reach_y: (bottom - top) as f64 / 2.0,
+            first: if self.sight.perspective { 0.5 } else { -1.0 },
+            last: if self.sight.perspective {
+                f64::INFINITY
+            } else {
+                1.0
+            },
+        }
     }
 
     /// What intervals say of a rectangle of pixels is true at this one of it.
