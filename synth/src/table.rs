@@ -66,7 +66,8 @@ pub struct Measured {
     pub verilog: String,
 }
 
-/// Measures all rows; `done` is called after each. A row whose Verilog and tools are those of `known` is taken from it.
+/// Measures all rows; `done` is called after each. A row whose Verilog and tools are those of `known` is taken from it,
+/// unless kept results do not count.
 ///
 /// # Errors
 ///
@@ -77,6 +78,7 @@ pub fn make(
     cache: Cache,
     done: impl Fn(&Row) + Sync,
 ) -> Result<Table, SynthError> {
+    let known = known.filter(|_| cache == Cache::Use);
     let rows = rows.par_iter().map(|row| {
         let kept = known.map_or(Ok(None), |known| known.current(row))?;
         let measured = match kept {

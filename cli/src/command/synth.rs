@@ -9,7 +9,7 @@ use crate::output;
 use imogene_files::text::counted;
 use imogene_golden::machine::fitted::FittedMachine;
 use imogene_synth::table::{self, Table};
-use imogene_synth::{Cache, Options, SynthReport, Target, synthesise_with};
+use imogene_synth::{Options, SynthReport, Target, synthesise_with};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -71,7 +71,6 @@ fn run_table(options: &Synth, json: bool) -> Result<(), Failure> {
     let bar = output::progress(rows.len() as u64, "synthesis");
     // What is no table of this version gives no row; it is written anew.
     let known = Table::read(&figures).ok();
-    let known = known.filter(|_| options.cache() == Cache::Use);
     let table = table::make(&rows, known.as_ref(), options.cache(), |_| bar.inc(1))?;
     bar.finish_and_clear();
     let mut files = output::files();
