@@ -1,0 +1,490 @@
+//! The body of a function: words of a module and of the parts that have no function of their own.
+//!
+//! A word is computed where it is first wanted. What registers held is read before they are written, so the order of
+//! the registers is free; it decides how long words live.
+
+use crate::layout::{Block, Layout};
+use crate::word::{Above, Word, compared, constant, shifted_left, shifted_right};
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::types::I64;
+use cranelift_codegen::ir::{FuncRef, InstBuilder, MemFlagsData, Value};
+use cranelift_frontend::FunctionBuilder;
+use imogene_hdl::{Binary, Direction, Module, Net, Op};
+use std::collections::HashSet;
+use std::rc::Rc;
+
+/// An instance in a function.
+struct Scope<'d> {
+    module: &'d Rc<Module>,
+    block: &'d Block,
+    /// Of its block in that of the function.
+    place: usize,
+    /// The scope around it, and which of its instances it is.
+    around: Option<(usize, usize)>,
+    /// The function writes its registers.
+    is_own: bool,
+    words: Vec<Option<Word>>,
+    parts: Vec<Option<usize>>,
+}
+
+/// A net of a scope.
+type Place = (usize, Net);
+
+/// A body that is being written.
+pub(crate) struct Body<'a, 'd> {
+    pub(crate) to: FunctionBuilder<'a>,
+    base: Value,
+    layout: &'d Layout,
+    scopes: Vec<Scope<'d>>,
+}
+
+impl<'a, 'd> Body<'a, 'd> {
+    /// Of the function of a module; `base` is the address of its block.
+    pub(crate) fn new(
+        to: FunctionBuilder<'a>,
+        base: Value,
+        layout: &'d Layout,
+        module: &'d Rc<Module>,
+    ) -> Body<'a, 'd> {
+        let mut body = Body {
+            to,
+            base,
+            layout,
+            scopes: vec![],
+        };
+        body.open(module, 0, None, true);
+        body
+    }
+
+    fn open(
+        &mut self,
+        module: &'d Rc<Module>,
+        place: usize,
+        around: Option<(usize, usize)>,
+        is_own: bool,
+    ) -> usize {
+        self.scopes.push(Scope {
+            module,
+            block: self.layout.block(module),
+            place,
+            around,
+            is_own,
+            words: vec![None; module.nodes.len()],
+            parts: vec![None; module.instances.len()],
+        });
+        self.scopes.len() - 1
+    }
+
+    /// The scope of an instance.
+    pub(crate) fn part(&mut self, scope: usize, index: usize) -> usize {
+        if let Some(part) = self.scopes[scope].parts[index] {
+            return part;
+        }
+        let around = &self.scopes[scope];
+        let module = &around.module.instances[index].module;
+        let is_own = around.is_own && !self.layout.block(module).is_called;
+        let place = around.place + around.block.instances[index];
+        let part = self.open(module, place, Some((scope, index)), is_own);
+        self.scopes[scope].parts[index] = Some(part);
+        part
+    }
+
+    /// Where a net that is another name gets its bits, through the ports of instances.
+    fn origin(&mut self, (mut scope, mut net): Place) -> Place {
+        loop {
+            let own = &self.scopes[scope];
+            let module = own.module;
+            match (&module.node(net).op, own.around) {
+                (Op::Same(other) | Op::Forward(Some(other)), _) => net = *other,
+                (Op::Input, Some((around, index))) => {
+                    let place = input_index(module, net);
+                    let instance = &self.scopes[around].module.instances[index];
+                    (scope, net) = (around, instance.inputs[place]);
+                }
+                (Op::Output(index, output), _) => {
+                    let mut ports = module.instances[*index].module.ports_of(Direction::Out);
+                    net = ports.nth(*output).expect("an output").net;
+                    scope = self.part(scope, *index);
+                }
+                _ => return (scope, net),
+            }
+        }
+    }
+
+    fn width(&self, (scope, net): Place) -> u32 {
+        self.scopes[scope].module.node(net).width
+    }
+
+    fn word(&mut self, at: Place) -> Word {
+        let at = self.origin(at);
+        if let Some(word) = self.scopes[at.0].words[at.1.0] {
+            return word;
+        }
+        let word = self.compute(at);
+        self.scopes[at.0].words[at.1.0] = Some(word);
+        word
+    }
+
+    /// Made clean, once for all.
+    fn clean(
+        &mut self,
+        at: Place,
+        how: fn(&mut Word, u32, &mut FunctionBuilder<'_>) -> Value,
+    ) -> Value {
+        let at = self.origin(at);
+        let (mut word, width) = (self.word(at), self.width(at));
+        let value = how(&mut word, width, &mut self.to);
+        self.scopes[at.0].words[at.1.0] = Some(word);
+        value
+    }
+
+    /// With zeros above.
+    pub(crate) fn zeros(&mut self, at: Place) -> Value {
+        self.clean(at, Word::with_zeros)
+    }
+
+    /// With the sign above.
+    fn signs(&mut self, at: Place) -> Value {
+        self.clean(at, Word::with_signs)
+    }
+
+    /// With the sign of a number, or with zeros above a word.
+    fn extended(&mut self, at: Place) -> Value {
+        match self.scopes[at.0].module.node(at.1).signed {
+            true => self.signs(at),
+            false => self.zeros(at),
+        }
+    }
+
+    /// As it stands in memory: one bit with zeros above, more with anything.
+    fn kept(&mut self, at: Place) -> Value {
+        match self.width(at) {
+            1 => self.zeros(at),
+            _ => self.word(at).value,
+        }
+    }
+
+    fn load(&mut self, place: usize, width: u32) -> Word {
+        let value = self.load_word(place);
+        let above = if width == 1 {
+            Above::Zeros
+        } else {
+            Above::Anything
+        };
+        Word::new(value, above, width)
+    }
+
+    fn load_word(&mut self, place: usize) -> Value {
+        let flags = MemFlagsData::trusted();
+        self.to.ins().load(I64, flags, self.base, 8 * place as i32)
+    }
+
+    pub(crate) fn store(&mut self, value: Value, base: Value, place: usize) {
+        let flags = MemFlagsData::trusted();
+        self.to.ins().store(flags, value, base, 8 * place as i32);
+    }
+
+    fn compute(&mut self, at: Place) -> Word {
+        let (scope, net) = at;
+        let own = &self.scopes[scope];
+        let (module, block, place) = (own.module, own.block, own.place);
+        let node = module.node(net);
+        let width = node.width;
+        let word = |value, above| Word::new(value, above, width);
+        let in_scope = |net: &Net| (scope, *net);
+        match &node.op {
+            Op::Literal(bits) => word(constant(&mut self.to, *bits), Above::Zeros),
+            Op::Input => self.load(place + input_index(module, net), width),
+            Op::Register(index) => self.load(place + block.register(*index), width),
+            Op::Read(index) => {
+                let value = self.load_word(place + block.memories[*index]);
+                word(value, Above::Zeros)
+            }
+            Op::Not(a) => {
+                let a = self.word(in_scope(a));
+                match (width, a.above) {
+                    (1, Above::Zeros) => {
+                        let one = constant(&mut self.to, 1);
+                        word(self.to.ins().bxor(a.value, one), Above::Zeros)
+                    }
+                    _ => word(self.to.ins().bnot(a.value), Above::Anything),
+                }
+            }
+            Op::Binary(binary, a, b) => self.binary(*binary, in_scope(a), in_scope(b), width),
+            Op::Select(which, a, b) => {
+                let which = self.zeros(in_scope(which));
+                let (a, b) = (self.word(in_scope(a)), self.word(in_scope(b)));
+                let above = if a.above == b.above {
+                    a.above
+                } else {
+                    Above::Anything
+                };
+                word(self.to.ins().select(which, a.value, b.value), above)
+            }
+            Op::Slice(a, low) => {
+                let (whole, a) = (self.width(in_scope(a)), self.word(in_scope(a)));
+                let is_top = low + width == whole && a.above == Above::Zeros;
+                let above = if is_top {
+                    Above::Zeros
+                } else {
+                    Above::Anything
+                };
+                word(shifted_right(&mut self.to, a.value, *low), above)
+            }
+            Op::Join(parts) => {
+                let first = self.word(in_scope(&parts[0]));
+                let joined = parts[1..].iter().fold(first.value, |high, part| {
+                    let high = shifted_left(&mut self.to, high, module.node(*part).width);
+                    let low = self.zeros((scope, *part));
+                    self.to.ins().bor(high, low)
+                });
+                // Bits above a first part with signs are signs of the whole.
+                word(joined, first.above)
+            }
+            Op::Extend(a) => {
+                let above = match module.node(*a).signed {
+                    true => Above::Signs,
+                    false => Above::Zeros,
+                };
+                word(self.extended(in_scope(a)), above)
+            }
+            op => unreachable!("{op:?} is another name"),
+        }
+    }
+
+    fn binary(&mut self, binary: Binary, a: Place, b: Place, width: u32) -> Word {
+        let is_signed = |body: &Self| body.scopes[a.0].module.node(a.1).signed;
+        let (value, above) = match binary {
+            Binary::Add | Binary::Sub => {
+                let (a, b) = (self.word(a).value, self.word(b).value);
+                let value = match binary {
+                    Binary::Add => self.to.ins().iadd(a, b),
+                    _ => self.to.ins().isub(a, b),
+                };
+                (value, Above::Anything)
+            }
+            Binary::Mul => {
+                let (a, b) = (self.extended(a), self.extended(b));
+                (self.to.ins().imul(a, b), Above::Anything)
+            }
+            Binary::And | Binary::Or | Binary::Xor => {
+                let (a, b) = (self.word(a), self.word(b));
+                let above = if a.above == b.above {
+                    a.above
+                } else {
+                    Above::Anything
+                };
+                let ins = self.to.ins();
+                let value = match binary {
+                    Binary::And => ins.band(a.value, b.value),
+                    Binary::Or => ins.bor(a.value, b.value),
+                    _ => ins.bxor(a.value, b.value),
+                };
+                (value, above)
+            }
+            Binary::Left => {
+                let (value, count) = (self.word(a).value, self.zeros(b));
+                let most = constant(&mut self.to, 63);
+                let shifted = self.to.ins().ishl(value, count);
+                let zero = constant(&mut self.to, 0);
+                let is_far = self.to.ins().icmp(IntCC::UnsignedGreaterThan, count, most);
+                (self.to.ins().select(is_far, zero, shifted), Above::Anything)
+            }
+            Binary::Right => {
+                let (count, most) = (self.zeros(b), constant(&mut self.to, 63));
+                match is_signed(self) {
+                    true => {
+                        let count = self.to.ins().umin(count, most);
+                        let value = self.signs(a);
+                        (self.to.ins().sshr(value, count), Above::Signs)
+                    }
+                    false => {
+                        let value = self.zeros(a);
+                        let shifted = self.to.ins().ushr(value, count);
+                        let zero = constant(&mut self.to, 0);
+                        let is_far = self.to.ins().icmp(IntCC::UnsignedGreaterThan, count, most);
+                        (self.to.ins().select(is_far, zero, shifted), Above::Zeros)
+                    }
+                }
+            }
+            Binary::Equal => (self.equal(a, b), Above::Zeros),
+            Binary::Less => {
+                let (how, a, b) = match is_signed(self) {
+                    true => (IntCC::SignedLessThan, self.signs(a), self.signs(b)),
+                    false => (IntCC::UnsignedLessThan, self.zeros(a), self.zeros(b)),
+                };
+                (compared(&mut self.to, how, a, b), Above::Zeros)
+            }
+        };
+        Word::new(value, above, width)
+    }
+
+    fn equal(&mut self, a: Place, b: Place) -> Value {
+        let width = self.width(a);
+        let (one, other) = (self.word(a), self.word(b));
+        if let (Some(a), Some(b)) = (one.zeros, other.zeros) {
+            return compared(&mut self.to, IntCC::Equal, a, b);
+        }
+        let differs = self.to.ins().bxor(one.value, other.value);
+        let differs = shifted_left(&mut self.to, differs, 64 - width);
+        let zero = constant(&mut self.to, 0);
+        compared(&mut self.to, IntCC::Equal, differs, zero)
+    }
+
+    /// All that a rising edge does: calls of instances with functions of their own come last, for what they held is
+    /// read before.
+    pub(crate) fn update(
+        &mut self,
+        function: &mut dyn FnMut(&Rc<Module>, &mut FunctionBuilder<'_>) -> FuncRef,
+    ) {
+        let (mut owned, mut called) = (vec![0], vec![]);
+        let mut next = 0;
+        while let Some(&scope) = owned.get(next) {
+            next += 1;
+            for (index, instance) in self.scopes[scope].module.instances.iter().enumerate() {
+                if self.layout.block(&instance.module).is_called {
+                    called.push((scope, index));
+                } else if instance.module.is_clocked() {
+                    owned.push(self.part(scope, index));
+                }
+            }
+        }
+        for &(scope, index) in &called {
+            self.hand_inputs(scope, index);
+        }
+        for &scope in &owned {
+            for index in 0..self.scopes[scope].module.memories.len() {
+                self.memory(scope, index);
+            }
+        }
+        for (scope, index) in self.ordered(&owned) {
+            self.register(scope, index);
+        }
+        for (scope, index) in called {
+            let own = &self.scopes[scope];
+            let (module, place) = (own.module, own.place + own.block.instances[index]);
+            let function = function(&module.instances[index].module, &mut self.to);
+            let distance = constant(&mut self.to, 8 * place as u64);
+            let block = self.to.ins().iadd(self.base, distance);
+            self.to.ins().call(function, &[block]);
+        }
+    }
+
+    fn hand_inputs(&mut self, scope: usize, index: usize) {
+        let own = &self.scopes[scope];
+        let place = own.place + own.block.instances[index];
+        let module = own.module;
+        for (input, net) in module.instances[index].inputs.iter().enumerate() {
+            let value = self.kept((scope, *net));
+            self.store(value, self.base, place + input);
+        }
+    }
+
+    fn register(&mut self, scope: usize, index: usize) {
+        let own = &self.scopes[scope];
+        let (module, place) = (own.module, own.place + own.block.register(index));
+        let register = &module.registers[index];
+        let held = self.kept((scope, register.net));
+        let next = register.next.expect("a closed module has all inputs");
+        let mut next = self.kept((scope, next));
+        if let Some(enable) = register.enable {
+            let enable = self.zeros((scope, enable));
+            next = self.to.ins().select(enable, next, held);
+        }
+        self.store(next, self.base, place);
+    }
+
+    /// A memory reads before it writes.
+    fn memory(&mut self, scope: usize, index: usize) {
+        let own = &self.scopes[scope];
+        let (module, place) = (own.module, own.place + own.block.memories[index]);
+        let memory = &module.memories[index];
+        // What was read before is wanted later.
+        self.word((scope, memory.net));
+        let [enable, at, data] = memory.write.map(|net| self.zeros((scope, net)));
+        let address = self.zeros((scope, memory.address));
+        let words = constant(&mut self.to, memory.words as u64);
+        let read_at = self.to.ins().umin(address, words);
+        let read_at = self.address(read_at, place + 1);
+        let read = self.to.ins().load(I64, MemFlagsData::trusted(), read_at, 0);
+        let nowhere = constant(&mut self.to, memory.words as u64 + 1);
+        let is_there = self.to.ins().icmp(IntCC::UnsignedLessThan, at, words);
+        let at = self.to.ins().select(is_there, at, nowhere);
+        let at = self.to.ins().select(enable, at, nowhere);
+        let write_at = self.address(at, place + 1);
+        self.store(data, write_at, 0);
+        self.store(read, self.base, place);
+    }
+
+    fn address(&mut self, index: Value, place: usize) -> Value {
+        let distance = shifted_left(&mut self.to, index, 3);
+        let start = constant(&mut self.to, 8 * place as u64);
+        let start = self.to.ins().iadd(self.base, start);
+        self.to.ins().iadd(start, distance)
+    }
+
+    /// The registers of these scopes, those that read before those that are read, as far as they go in no ring.
+    fn ordered(&mut self, scopes: &[usize]) -> Vec<(usize, usize)> {
+        let mut seen: HashSet<Place> = HashSet::new();
+        let mut order = vec![];
+        for &scope in scopes {
+            for register in &self.scopes[scope].module.registers {
+                let mut open = vec![((scope, register.net), false)];
+                while let Some((at, is_done)) = open.pop() {
+                    let at = self.origin(at);
+                    let own = &self.scopes[at.0];
+                    let op = &own.module.node(at.1).op;
+                    let register = match op {
+                        Op::Register(index) if own.is_own => Some(*index),
+                        _ => None,
+                    };
+                    if is_done {
+                        order.extend(register.map(|index| (at.0, index)));
+                    } else if seen.insert(at) {
+                        open.push((at, true));
+                        let reads = match register.map(|index| &own.module.registers[index]) {
+                            Some(register) => {
+                                register.next.into_iter().chain(register.enable).collect()
+                            }
+                            None => op.operands(),
+                        };
+                        open.extend(reads.into_iter().map(|net| ((at.0, net), false)));
+                    }
+                }
+            }
+        }
+        order.reverse();
+        order
+    }
+
+    /// The net of this name behind the names of the instances around it.
+    pub(crate) fn find(&mut self, path: &str) -> Place {
+        let mut scope = 0;
+        let mut names: Vec<&str> = path.split('.').collect();
+        let last = names.pop().expect("a name");
+        for name in names {
+            let mut instances = self.scopes[scope].module.instances.iter();
+            let index = instances.position(|instance| instance.name == name);
+            scope = self.part(scope, index.expect("a path that was found"));
+        }
+        let net = named(self.scopes[scope].module, last);
+        (scope, net.expect("a path that was found"))
+    }
+}
+
+fn input_index(module: &Module, net: Net) -> usize {
+    let place = module
+        .ports_of(Direction::In)
+        .position(|port| port.net == net);
+    place.expect("an input is a port")
+}
+
+/// The port of this name, or the net.
+pub(crate) fn named(module: &Module, name: &str) -> Option<Net> {
+    let port = module.ports.iter().find(|port| port.name == name);
+    port.map(|port| port.net).or_else(|| {
+        let mut nets = module.nets().rev();
+        nets.find(|(_, node)| node.name.as_deref() == Some(name))
+            .map(|(net, _)| net)
+    })
+}

@@ -1,0 +1,179 @@
+//! Random circuits: compiled, and in the levelised simulator, with every named net compared on every clock.
+
+use imogene_compiled::Compiled;
+use imogene_hdl::{Bits, Design, Direction, Int, Simulator, Value, join, memory, module};
+use proptest::prelude::*;
+
+/// One value more: what it is, and of which of those before.
+#[derive(Clone, Debug)]
+struct Step {
+    kind: u8,
+    from: [usize; 3],
+    number: u32,
+}
+
+/// Steps of the top module and of those in it; a module holds instances of those behind it alone.
+type Recipe = Vec<Vec<Step>>;
+
+#[derive(Clone, Copy)]
+enum Any {
+    Word(Bits),
+    Number(Int),
+}
+
+impl Any {
+    fn word(self) -> Bits {
+        match self {
+            Any::Word(word) => word,
+            Any::Number(number) => number.bits(),
+        }
+    }
+
+    fn word_of(self, width: u32) -> Bits {
+        let word = self.word();
+        if word.width() < width { word.extend(width) } else { word.low(width) }
+    }
+
+    fn number_of(self, width: u32) -> Int {
+        match self {
+            Any::Number(number) if number.width() < width => number.extend(width),
+            other => other.word_of(width).int(),
+        }
+    }
+
+    fn flag(self) -> Bits {
+        self.word().bit(0)
+    }
+}
+
+/// Inputs of every module but the top one.
+const WIDTHS: [u32; 2] = [7, 33];
+
+fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> Vec<(&'static str, Vec<Bits>)> {
+    let mut values = inputs;
+    for (index, step) in recipe[0].iter().enumerate() {
+        let [a, b, c] = step.from.map(|place| values[place % values.len()]);
+        let width = a.word().width();
+        let number = step.number;
+        let (x, y, z) = (a.word_of(width), b.word_of(width), c.flag());
+        let (p, q) = (a.number_of(width), b.number_of(width));
+        let most = width.min(32);
+        let value = match step.kind {
+            0 => Any::Word(x + y),
+            1 => Any::Word(x - y),
+            2 => Any::Word(x & y),
+            3 => Any::Word(x | y),
+            4 => Any::Word(x ^ y),
+            5 => Any::Word(!x),
+            6 => Any::Word(x.left_by(b.word())),
+            7 => Any::Word(x.right_by(b.word())),
+            8 => Any::Number(p.right_by(b.word())),
+            9 => Any::Word(x.equals(y)),
+            10 => Any::Word(x.less(y)),
+            11 => Any::Word(p.less(q)),
+            12 => Any::Word(z.select(x, y)),
+            13 => Any::Number(z.select(p, q)),
+            14 => Any::Word(x.slice(width - 1 - number % width % 8, number % width % 8 / 2)),
+            15 if width + b.word().width() <= 64 => Any::Word(join([x, b.word()])),
+            16 => Any::Number(p.extend(64.min(width + number % 30))),
+            17 => Any::Word(x.extend(64.min(width + number % 30))),
+            18 => Any::Word(a.word_of(most) * b.word_of(most)),
+            19 => Any::Number(a.number_of(most) * b.number_of(most)),
+            20 => Any::Word(x.reg()),
+            21 => Any::Number(p.reg_when(z)),
+            22 => {
+                let sum = Bits::register(width);
+                sum.load_when(z, sum + x);
+                Any::Word(sum)
+            }
+            23 => {
+                let sum = Int::register(width);
+                sum.load(sum - q);
+                Any::Number(sum)
+            }
+            24 => {
+                let words = 2 + number as usize % 5;
+                let (at, from) = (b.word_of(3), c.word_of(3));
+                Any::Word(memory(&format!("kept_{index}"), words, (z, at, x), from))
+            }
+            25 => Any::Number(p),
+            26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
+            _ if recipe.len() > 1 => {
+                let part = 1 + number as usize % (recipe.len() - 1);
+                let [one, other] = WIDTHS;
+                let ports = (("one", a.word_of(one)), ("other", b.number_of(other)));
+                let at = format!("part_{index}");
+                let outputs = module(&format!("module_{part}"), &at, ports, |(one, other)| {
+                    build(&recipe[part..], vec![Any::Word(one), Any::Number(other)])
+                });
+                let (_, outputs) = &outputs[0];
+                Any::Word(outputs[number as usize % outputs.len()])
+            }
+            _ => a,
+        };
+        let value = match value {
+            Any::Word(word) => Any::Word(word.named(&format!("value_{index}"))),
+            Any::Number(number) => Any::Number(number.named(&format!("value_{index}"))),
+        };
+        values.push(value);
+    }
+    let last = values.iter().rev().take(3).map(|value| value.word());
+    vec![("output", last.collect())]
+}
+
+fn design(recipe: &Recipe) -> Design {
+    Design::of(|| {
+        let words = (("x", Bits::input(1)), ("y", Bits::input(18)));
+        let numbers = (("a", Int::input(33)), ("b", Int::input(64)));
+        module("top", "top", (words, numbers), |((x, y), (a, b))| {
+            build(recipe, vec![Any::Word(x), Any::Word(y), Any::Number(a), Any::Number(b)])
+        });
+    })
+}
+
+fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
+    let step = (0u8..30, any::<[usize; 3]>(), any::<u32>());
+    let step = step.prop_map(|(kind, from, number)| Step { kind, from, number });
+    prop::collection::vec(step, 1..most)
+}
+
+/// The paths of all nets with names, and of all ports of instances.
+fn paths(design: &Design) -> Vec<String> {
+    fn walk(module: &imogene_hdl::Module, path: &str, found: &mut Vec<String>) {
+        found.extend(module.ports.iter().map(|port| format!("{path}{}", port.name)));
+        let names = module.nets().filter_map(|(_, node)| node.name.as_ref());
+        found.extend(names.map(|name| format!("{path}{name}")));
+        for instance in &module.instances {
+            walk(&instance.module, &format!("{path}{}.", instance.name), found);
+        }
+    }
+    let mut found = vec![];
+    walk(&design.top, "", &mut found);
+    found
+}
+
+proptest! {
+    #[test]
+    fn every_net_is_that_of_the_simulator(
+        recipe in (steps(40), steps(80), steps(20)).prop_map(|(top, part, inner)| vec![top, part, inner]),
+        stimulus in prop::collection::vec(any::<[u64; 4]>(), 1..12),
+    ) {
+        let design = design(&recipe);
+        let mut simulator = Simulator::new(&design);
+        let mut compiled = Compiled::new(&design);
+        let points = paths(&design).into_iter().filter_map(|path| Some((simulator.point(&path)?, path)));
+        let points: Vec<_> = points.map(|(point, path)| (point, compiled.point(&path).expect("a point"), path)).collect();
+        let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
+        for words in stimulus {
+            for (port, word) in inputs.iter().zip(words) {
+                simulator.set(simulator.port(&port.name), word);
+                compiled.set(compiled.port(&port.name), word);
+            }
+            for (there, here, path) in &points {
+                prop_assert_eq!(compiled.get(*here), simulator.get(*there), "{}", path);
+            }
+            simulator.clock();
+            compiled.clock();
+        }
+    }
+}
