@@ -49,7 +49,7 @@ impl Any {
 /// Inputs of every module but the top one.
 const WIDTHS: [u32; 2] = [7, 33];
 
-fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> Vec<(&'static str, Vec<Bits>)> {
+fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
     let mut values = inputs;
     for (index, step) in recipe[0].iter().enumerate() {
         let [a, b, c] = step.from.map(|place| values[place % values.len()]);
@@ -73,7 +73,10 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> Vec<(&'static str, Vec<Bits>
             11 => Any::Word(p.less(q)),
             12 => Any::Word(z.select(x, y)),
             13 => Any::Number(z.select(p, q)),
-            14 => Any::Word(x.slice(width - 1 - number % width % 8, number % width % 8 / 2)),
+            14 => {
+                let high = width - 1 - number % width % 8;
+                Any::Word(x.slice(high, number / 256 % (high + 1)))
+            }
             15 if width + b.word().width() <= 64 => Any::Word(join([x, b.word()])),
             16 => Any::Number(p.extend(64.min(width + number % 30))),
             17 => Any::Word(x.extend(64.min(width + number % 30))),
@@ -106,7 +109,6 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> Vec<(&'static str, Vec<Bits>
                 let outputs = module(&format!("module_{part}"), &at, ports, |(one, other)| {
                     build(&recipe[part..], vec![Any::Word(one), Any::Number(other)])
                 });
-                let (_, outputs) = &outputs[0];
                 Any::Word(outputs[number as usize % outputs.len()])
             }
             _ => a,
@@ -118,7 +120,7 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> Vec<(&'static str, Vec<Bits>
         values.push(value);
     }
     let last = values.iter().rev().take(3).map(|value| value.word());
-    vec![("output", last.collect())]
+    ("output", last.collect())
 }
 
 fn design(recipe: &Recipe) -> Design {
