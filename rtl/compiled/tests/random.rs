@@ -31,7 +31,11 @@ impl Any {
 
     fn word_of(self, width: u32) -> Bits {
         let word = self.word();
-        if word.width() < width { word.extend(width) } else { word.low(width) }
+        if word.width() < width {
+            word.extend(width)
+        } else {
+            word.low(width)
+        }
     }
 
     fn number_of(self, width: u32) -> Int {
@@ -128,7 +132,10 @@ fn design(recipe: &Recipe) -> Design {
         let words = (("x", Bits::input(1)), ("y", Bits::input(18)));
         let numbers = (("a", Int::input(33)), ("b", Int::input(64)));
         module("top", "top", (words, numbers), |((x, y), (a, b))| {
-            build(recipe, vec![Any::Word(x), Any::Word(y), Any::Number(a), Any::Number(b)])
+            build(
+                recipe,
+                vec![Any::Word(x), Any::Word(y), Any::Number(a), Any::Number(b)],
+            )
         });
     })
 }
@@ -142,11 +149,20 @@ fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
 /// The paths of all nets with names, and of all ports of instances.
 fn paths(design: &Design) -> Vec<String> {
     fn walk(module: &imogene_hdl::Module, path: &str, found: &mut Vec<String>) {
-        found.extend(module.ports.iter().map(|port| format!("{path}{}", port.name)));
+        found.extend(
+            module
+                .ports
+                .iter()
+                .map(|port| format!("{path}{}", port.name)),
+        );
         let names = module.nets().filter_map(|(_, node)| node.name.as_ref());
         found.extend(names.map(|name| format!("{path}{name}")));
         for instance in &module.instances {
-            walk(&instance.module, &format!("{path}{}.", instance.name), found);
+            walk(
+                &instance.module,
+                &format!("{path}{}.", instance.name),
+                found,
+            );
         }
     }
     let mut found = vec![];
