@@ -13,10 +13,11 @@ use std::time::Duration;
 
 /// Measures how fast the engines run a unit, side by side.
 pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
-    let engines: Vec<Subject> = EngineName::value_variants()
+    let mut engines: Vec<Subject> = EngineName::value_variants()
         .iter()
         .map(|engine| subject(options, *engine))
         .collect::<Result<_, Failure>>()?;
+    engines.insert(1, unit::levelised(&options.shape.request(&options.unit)?)?);
     let seconds = Duration::from_secs(options.seconds.into());
     let drive = if options.random {
         Drive::Random

@@ -23,8 +23,17 @@ struct Scope<'d> {
     around: Option<(usize, usize)>,
     /// The function writes its registers.
     is_own: bool,
-    words: Vec<Option<Word>>,
+    words: Vec<Known>,
     parts: Vec<Option<usize>>,
+}
+
+/// What is known of the word of a net.
+#[derive(Clone, Copy)]
+enum Known {
+    Nothing,
+    /// It is being computed: who wants it now stands in a loop.
+    Open,
+    Word(Word),
 }
 
 /// A net of a scope.
@@ -69,7 +78,7 @@ impl<'a, 'd> Body<'a, 'd> {
             place,
             around,
             is_own,
-            words: vec![None; module.nodes.len()],
+            words: vec![Known::Nothing; module.nodes.len()],
             parts: vec![None; module.instances.len()],
         });
         self.scopes.len() - 1
@@ -115,13 +124,28 @@ impl<'a, 'd> Body<'a, 'd> {
         self.scopes[scope].module.node(net).width
     }
 
+    fn known(&mut self, (scope, net): Place) -> &mut Known {
+        &mut self.scopes[scope].words[net.0]
+    }
+
+    fn refuse_loop(&self, (scope, net): Place) -> ! {
+        let module = self.scopes[scope].module;
+        let name = module.node(net).name.as_deref().unwrap_or("a value");
+        panic!(
+            "{name} of {} depends on itself within one clock",
+            module.name
+        )
+    }
+
     fn word(&mut self, at: Place) -> Word {
         let at = self.origin(at);
-        if let Some(word) = self.scopes[at.0].words[at.1.0] {
-            return word;
+        match self.scopes[at.0].words[at.1.0] {
+            Known::Word(word) => return word,
+            Known::Open => self.refuse_loop(at),
+            Known::Nothing => *self.known(at) = Known::Open,
         }
         let word = self.compute(at);
-        self.scopes[at.0].words[at.1.0] = Some(word);
+        *self.known(at) = Known::Word(word);
         word
     }
 
@@ -134,7 +158,7 @@ impl<'a, 'd> Body<'a, 'd> {
         let at = self.origin(at);
         let (mut word, width) = (self.word(at), self.width(at));
         let value = how(&mut word, width, &mut self.to);
-        self.scopes[at.0].words[at.1.0] = Some(word);
+        *self.known(at) = Known::Word(word);
         value
     }
 

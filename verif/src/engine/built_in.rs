@@ -1,6 +1,6 @@
-//! The built-in engine: the simulator of the circuits themselves, in process, no outside tool.
+//! The built-in engine: the circuits themselves as machine code, in process, no outside tool.
 
-use super::circuit::Circuit;
+use super::circuit::{Circuit, Ports};
 use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use imogene_contract::RequestError;
 use imogene_golden::object::load::LoadWord;
@@ -12,7 +12,7 @@ const LANES: usize = 8;
 
 /// A beam machine in its own simulator, in lanes.
 pub struct BuiltIn {
-    circuit: Circuit<LANES>,
+    circuit: Circuit,
     /// Signals inside a slot.
     inside: Vec<ProbeSignal>,
 }
@@ -24,9 +24,13 @@ impl BuiltIn {
     ///
     /// When the shape is out of its range.
     pub fn new(shape: &MachineShape) -> Result<BuiltIn, RequestError> {
+        let inside = processor_signals(shape);
+        let objects = 0..shape.objects;
+        let points = objects.flat_map(|object| inside.iter().map(move |probe| path(object, probe)));
+        let ports = Ports::of(&shape.request().design()?, &points.collect::<Vec<_>>());
         Ok(BuiltIn {
-            circuit: Circuit::in_lanes(&shape.request().design()?),
-            inside: processor_signals(shape),
+            circuit: Circuit::in_lanes(&ports, LANES),
+            inside,
         })
     }
 
@@ -37,7 +41,7 @@ impl BuiltIn {
     /// When words or slots are out of their ranges.
     pub fn fitted(request: &MachineRequest) -> Result<BuiltIn, RequestError> {
         Ok(BuiltIn {
-            circuit: Circuit::in_lanes(&request.design()?),
+            circuit: Circuit::in_lanes(&Ports::of(&request.design()?, &[]), LANES),
             inside: vec![],
         })
     }
@@ -74,11 +78,14 @@ impl Engine for BuiltIn {
     fn probe(&mut self, lane: usize, object: usize) -> Vec<i64> {
         let BuiltIn { circuit, inside } = self;
         let read = |probe: &ProbeSignal| {
-            let path = format!("processors_{object}.{}", probe.point);
-            let bits = circuit.point(lane, &path);
-            let bits = bits.unwrap_or_else(|| panic!("the machine has no point {path}"));
+            let bits = circuit.point(lane, &path(object, probe));
             probe.signal.value(bits)
         };
         inside.iter().map(read).collect()
     }
+}
+
+/// Where a signal inside the processor of a slot is.
+fn path(object: usize, probe: &ProbeSignal) -> String {
+    format!("processors_{object}.{}", probe.point)
 }

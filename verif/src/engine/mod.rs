@@ -1,4 +1,4 @@
-//! Engines that run the hardware: the built-in simulator, and the emitted Verilog in Icarus Verilog or Verilator.
+//! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in Icarus Verilog or Verilator.
 //!
 //! A unit runs behind [`Clocked`](crate::subject::Clocked), a beam machine behind [`Engine`]; both get the same
 //! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
@@ -19,8 +19,11 @@ use imogene_golden::machine::fitted::FittedSlot;
 use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::machine::{MachineRequest, Slot};
 
-/// Name of the engine in process, the simulator of `imogene-hdl`, in options and reports.
+/// Name of the engine in process, circuits as machine code, in options and reports.
 pub const BUILT_IN: &str = "built-in";
+
+/// Name of the simulator of `imogene-hdl`, which needs no code generator: the check of the built-in engine.
+pub const LEVELISED: &str = "levelised";
 
 /// Shape of a beam machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

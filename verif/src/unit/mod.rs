@@ -22,8 +22,8 @@ mod volume;
 pub mod words;
 mod zone;
 
-use crate::engine::BUILT_IN;
-use crate::engine::circuit::Circuit;
+use crate::engine::circuit::{Circuit, Levelised, Ports};
+use crate::engine::{BUILT_IN, LEVELISED};
 use crate::signal::Signal;
 use crate::subject::Subject;
 use description::Description;
@@ -32,6 +32,7 @@ use imogene_golden::format::Format;
 use imogene_golden::unit::root::Method;
 use imogene_hdl::Direction;
 use imogene_rtl::emit::design;
+use std::sync::OnceLock;
 
 /// Units that the tests of all units run over: those that are not loaded over a bus, for which random stimulus would
 /// need many clocks to load a scene.
@@ -48,6 +49,8 @@ pub fn units() -> impl Iterator<Item = Unit> {
 pub fn subject(request: &Request) -> Result<Subject, RequestError> {
     let request = *request;
     let top = design(&request)?.top;
+    // Compiled once, when it first runs.
+    let compiled = OnceLock::new();
     let Description { golden, stimulus } = describe(&request);
     Ok(Subject {
         name: request.unit.name().to_owned(),
@@ -55,13 +58,33 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         inputs: top.ports_of(Direction::In).map(Signal::of).collect(),
         outputs: top.ports_of(Direction::Out).map(Signal::of).collect(),
         hardware: Box::new(move || {
-            let design = design(&request).expect("a checked request");
-            Box::new(Circuit::new(&design))
+            let ports = compiled.get_or_init(|| {
+                let design = design(&request).expect("a checked request");
+                Ports::of(&design, &[])
+            });
+            Box::new(Circuit::in_lanes(ports, 1))
         }),
         golden,
         stimulus,
         latency: request.latency(),
         options: request.arguments(),
+    })
+}
+
+/// The same in the simulator of `imogene-hdl`.
+///
+/// # Errors
+///
+/// When a parameter is out of its range.
+pub fn levelised(request: &Request) -> Result<Subject, RequestError> {
+    let request = *request;
+    Ok(Subject {
+        engine: LEVELISED,
+        hardware: Box::new(move || {
+            let design = design(&request).expect("a checked request");
+            Box::new(Levelised::new(&design))
+        }),
+        ..subject(&request)?
     })
 }
 

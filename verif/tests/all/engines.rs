@@ -5,7 +5,7 @@ use imogene_rtl::emit::emit;
 use imogene_verif::engine::design::{Simulator, with_verilog};
 use imogene_verif::random;
 use imogene_verif::subject::Subject;
-use imogene_verif::unit::subject;
+use imogene_verif::unit::{levelised, subject};
 
 const CLOCKS: usize = 2_000;
 
@@ -83,5 +83,27 @@ fn verilog_that_a_simulator_refuses_is_reported() {
         let outcome = with_verilog(subject, simulator, "pe1", &text);
         let message = outcome.err().expect("a refusal").to_string();
         assert!(message.contains("missing_name"), "{message}");
+    }
+}
+
+/// The compiled circuit and the levelised one, on every clock, whether their golden model states anything or not.
+#[test]
+fn compiled_units_are_the_levelised_ones() {
+    for unit in Unit::ALL {
+        for depth_word in [24, unit.least_word(), 31] {
+            let request = Request::of(unit, depth_word);
+            let compiled = subject(&request).expect("a unit in its legal range");
+            let levelised = levelised(&request).expect("a unit in its legal range");
+            let [mut here, mut there] = [&compiled, &levelised].map(|unit| (unit.hardware)());
+            let stimulus = compiled.seeded_stimulus(CLOCKS, 7);
+            for (clock, inputs) in stimulus.iter().enumerate() {
+                let name = unit.name();
+                assert_eq!(
+                    here.clock(inputs),
+                    there.clock(inputs),
+                    "{name} at {depth_word}, clock {clock}"
+                );
+            }
+        }
     }
 }
