@@ -2,6 +2,7 @@
 
 use super::{SceneWords, Shape, Size, View};
 use clap::{Args, ValueEnum};
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::scene::Fault;
 use std::path::PathBuf;
@@ -10,7 +11,7 @@ use std::str::FromStr;
 /// What runs the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineName {
-    /// The built-in simulator; needs no outside tool.
+    /// The circuits, compiled in process; needs no outside tool.
     // Its name in the scripts of those who had it before.
     #[value(alias = "rust-hdl")]
     BuiltIn,
@@ -21,12 +22,12 @@ pub enum EngineName {
 }
 
 impl EngineName {
-    /// The simulator of Verilog that it is, if it is one.
-    pub fn simulator(self) -> Option<Simulator> {
+    /// The engine.
+    pub fn engine(self) -> Engine {
         match self {
-            EngineName::BuiltIn => None,
-            EngineName::Icarus => Some(Simulator::Icarus),
-            EngineName::Verilator => Some(Simulator::Verilator),
+            EngineName::BuiltIn => Engine::BuiltIn,
+            EngineName::Icarus => Engine::Verilog(Simulator::Icarus),
+            EngineName::Verilator => Engine::Verilog(Simulator::Verilator),
         }
     }
 }

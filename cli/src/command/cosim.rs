@@ -9,8 +9,8 @@ use imogene_contract::{Request, Unit};
 use imogene_prepare::PreparedScene;
 use imogene_rtl::emit::emit;
 use imogene_synth::{Target, netlist};
-use imogene_verif::engine::BUILT_IN;
-use imogene_verif::engine::design::{DesignError, Simulator, with_verilog};
+use imogene_verif::engine::Engine;
+use imogene_verif::engine::design::{DesignError, with_verilog};
 use imogene_verif::random;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, WaveformRequest, slots, volumes};
@@ -58,15 +58,15 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             "--guards and --widths are those of a scene's machine; give a scene file".into(),
         ));
     }
-    let subject = match options.engine.simulator() {
-        None if options.netlist.is_some() => {
+    let subject = match options.engine.engine() {
+        Engine::BuiltIn if options.netlist.is_some() => {
             return Err(Failure::Input(
                 "a netlist is Verilog, which the built-in engine does not run; give --engine icarus or --engine verilator"
                     .into(),
             ));
         }
-        None => subject,
-        Some(simulator) => {
+        Engine::BuiltIn => subject,
+        Engine::Verilog(simulator) => {
             let (top, text) = verilog(options, &request)?;
             with_verilog(subject, simulator, &top, &text)?
         }
@@ -121,11 +121,7 @@ fn run_scene(options: &Cosim) -> Result<Report, Failure> {
         run_slots(options, &prepared)?
     };
     run_volumes(options, &prepared, &mut report)?;
-    report.engine = options
-        .engine
-        .simulator()
-        .map_or(BUILT_IN, Simulator::name)
-        .into();
+    report.engine = options.engine.engine().name().into();
     report.subject = options.subject.clone();
     report.reproduce = format!(
         "imogene cosim {} --engine {} --size {}x{}{} --rows-per-stage {}",
@@ -154,7 +150,7 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
         }),
         fault: options.inject_fault.map(|f| f.0),
     };
-    Ok(beam::run(prepared, &run_options, options.engine.simulator())?.0)
+    Ok(beam::run(prepared, &run_options, options.engine.engine())?.0)
 }
 
 /// A scene with processors that a beam machine does not have: each processor by itself.
@@ -202,9 +198,9 @@ fn run_volumes(
 
 /// Puts the engine asked for under a unit.
 fn engine(options: &Cosim, subject: Subject, request: &Request) -> Result<Subject, DesignError> {
-    match options.engine.simulator() {
-        None => Ok(subject),
-        Some(simulator) => {
+    match options.engine.engine() {
+        Engine::BuiltIn => Ok(subject),
+        Engine::Verilog(simulator) => {
             let emitted = emit(request).expect("a checked request");
             with_verilog(subject, simulator, &emitted.top, &emitted.bundle())
         }

@@ -10,6 +10,7 @@ use imogene_analysis::phong;
 use imogene_contract::{Request, Unit};
 use imogene_scene::SceneFile;
 use imogene_studies::picture;
+use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, WaveformRequest};
 use serde::Serialize;
@@ -62,7 +63,7 @@ pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let mut files = output::files();
     add_verilog(&mut files, &emitted, &options.out, false)?;
 
-    let (mut report, frame) = beam::run(&prepared, &run_options, None)?;
+    let (mut report, frame) = beam::run(&prepared, &run_options, Engine::BuiltIn)?;
     let golden = golden_frame(&prepared);
     for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
         let path = options.out.join(name);

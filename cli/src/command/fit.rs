@@ -23,9 +23,8 @@ use imogene_studies::fit::search::{Outcome, search};
 use imogene_studies::picture;
 use imogene_synth::Target;
 use imogene_synth::fitted::MachineCost;
-use imogene_verif::engine::built_in::BuiltIn;
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
-use imogene_verif::engine::{BUILT_IN, Engine};
 use imogene_verif::report::Report;
 use imogene_verif::scene;
 use std::time::Instant;
@@ -196,27 +195,14 @@ fn cosimulate(
     emitted: &Emitted,
     engine: FitEngine,
 ) -> Result<Vec<Report>, Failure> {
-    let machine = &choice.machine;
-    let simulator = match engine {
+    let engine = match engine {
         FitEngine::None => return Ok(vec![]),
-        FitEngine::BuiltIn => {
-            let request = scene::fitted::request(machine, "");
-            let made = || BuiltIn::fitted(&request).expect("the machine was emitted");
-            return run_frames(choice, BUILT_IN, made);
-        }
-        FitEngine::Verilator => Simulator::Verilator,
-        FitEngine::Icarus => Simulator::Icarus,
+        FitEngine::BuiltIn => Engine::BuiltIn,
+        FitEngine::Verilator => Engine::Verilog(Simulator::Verilator),
+        FitEngine::Icarus => Engine::Verilog(Simulator::Icarus),
     };
-    let design = scene::fitted::compile(simulator, machine, emitted)?;
-    run_frames(choice, simulator.name(), || design.machine())
-}
-
-fn run_frames<E: Engine>(
-    choice: &Choice,
-    name: &str,
-    engine: impl Fn() -> E + Sync,
-) -> Result<Vec<Report>, Failure> {
     let machine = &choice.machine;
+    let design = scene::fitted::compile(engine, machine, emitted)?;
     let options = scene::Options::plain(machine.rows_per_stage as usize, threads());
     let frames = &choice.drawn.prepared;
     let pixels: u64 = frames
@@ -225,9 +211,9 @@ fn run_frames<E: Engine>(
         .sum();
     let bar = output::progress(pixels, "hardware in simulation");
     let one = |prepared| {
-        let outcome = scene::fitted::run(prepared, machine, &options, &engine, || bar.inc(1));
+        let outcome = scene::fitted::run(prepared, machine, &options, &design, || bar.inc(1));
         let (mut report, _) = outcome?;
-        report.engine = name.into();
+        report.engine = engine.name().into();
         Ok(report)
     };
     let reports = frames.iter().map(one).collect();

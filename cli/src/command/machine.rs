@@ -15,7 +15,6 @@ use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
-use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
 use imogene_verif::display::request::request;
 use imogene_verif::report::Report;
@@ -240,13 +239,9 @@ fn show(
     overlay: Option<&OverlayPlane>,
     options: &Machine,
 ) -> Result<PinsOutcome, Failure> {
-    let engine = match options.engine.simulator() {
-        None => DisplayEngine::BuiltIn,
-        Some(simulator) => DisplayEngine::Verilog(simulator),
-    };
     let run = PinsRun {
         overlay,
-        engine,
+        engine: options.engine.engine(),
         stalls: options.stalls,
         late: options.late,
         frames: options.frames as usize,

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::output;
 use clap::ValueEnum;
 use imogene_rtl::emit::emit;
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::with_verilog;
 use imogene_verif::engine::speed::{self, Drive, FRAME, measure};
 use imogene_verif::subject::Subject;
@@ -34,7 +35,7 @@ pub fn run(options: &Speed, json: bool) -> Result<(), Failure> {
 fn subject(options: &Speed, engine: EngineName) -> Result<Subject, Failure> {
     let request = options.shape.request(&options.unit)?;
     let subject = unit::subject(&request)?;
-    let Some(simulator) = engine.simulator() else {
+    let Engine::Verilog(simulator) = engine.engine() else {
         return Ok(subject);
     };
     let emitted = emit(&request)?;

@@ -9,8 +9,8 @@ use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
-use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{PinsRun, run};
+use imogene_verif::engine::Engine;
 use serde_json::Value;
 use std::path::Path;
 
@@ -128,7 +128,7 @@ fn unused_planes_and_slots_are_switched_off_by_the_words_of_the_document() {
     assert_ne!(images[0].picture, images[1].picture);
     let options = PinsRun {
         overlay: None,
-        engine: DisplayEngine::BuiltIn,
+        engine: Engine::BuiltIn,
         stalls: None,
         late: 0,
         frames: 1,

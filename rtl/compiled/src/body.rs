@@ -130,11 +130,9 @@ impl<'a, 'd> Body<'a, 'd> {
 
     fn refuse_loop(&self, (scope, net): Place) -> ! {
         let module = self.scopes[scope].module;
-        let name = module.node(net).name.as_deref().unwrap_or("a value");
-        panic!(
-            "{name} of {} depends on itself within one clock",
-            module.name
-        )
+        let name = module.node(net).name.as_deref().unwrap_or("without a name");
+        let module = &module.name;
+        panic!("value `{name}` of {module} depends on itself within one clock")
     }
 
     fn word(&mut self, at: Place) -> Word {

@@ -5,7 +5,7 @@
 //! what the registers hold.
 //!
 //! ```
-//! use imogene_compiled::{Lanes, Program};
+//! use imogene_compiled::{Simulation, Program};
 //! use imogene_hdl::{Bits, Design, Value, module};
 //! use std::sync::Arc;
 //!
@@ -18,13 +18,11 @@
 //! });
 //! let program = Arc::new(Program::new(&design, &[]));
 //! let (enable, value) = (program.port("enable"), program.port("value"));
-//! let mut counters = Lanes::new(&program, 2);
-//! counters.set(1, enable, 1);
-//! (0..20).for_each(|_| counters.clock());
-//! assert_eq!(counters.get(0, value), 0);
-//! assert_eq!(counters.get(1, value), 4);
+//! let mut counter = Simulation::new(&program);
+//! counter.set(enable, 1);
+//! (0..20).for_each(|_| counter.clock());
+//! assert_eq!(counter.get(value), 4);
 //! ```
-#![warn(missing_docs)]
 
 mod body;
 mod code;
@@ -37,14 +35,9 @@ pub use program::{Port, Program};
 use program::{Given, Place};
 use std::sync::Arc;
 
-/// Instances of a design, each with words of its own, that run side by side, clock by clock.
-pub struct Lanes {
+/// An instance of a design that runs clock by clock.
+pub struct Simulation {
     program: Arc<Program>,
-    lanes: Vec<Lane>,
-}
-
-#[derive(Clone)]
-struct Lane {
     words: Vec<u64>,
     /// What outputs and points give.
     given: [Vec<u64>; 2],
@@ -52,59 +45,52 @@ struct Lane {
     is_read: [bool; 2],
 }
 
-impl Lanes {
-    /// So many instances, as they are at power-up.
-    pub fn new(program: &Arc<Program>, lanes: usize) -> Lanes {
-        let lane = Lane {
+impl Simulation {
+    /// An instance as it is at power-up.
+    pub fn new(program: &Arc<Program>) -> Simulation {
+        Simulation {
             words: program.power_up().to_vec(),
             given: program.given().map(|count| vec![0; count]),
             is_read: [false; 2],
-        };
-        Lanes {
             program: program.clone(),
-            lanes: vec![lane; lanes],
         }
     }
 
-    /// Gives an input its word in one lane; bits beyond its width count nothing.
+    /// Gives an input its word; bits beyond its width count nothing.
     ///
     /// # Panics
     ///
     /// If it is no input.
-    pub fn set(&mut self, lane: usize, port: Port, value: u64) {
+    pub fn set(&mut self, port: Port, value: u64) {
         let Place::Input(place) = port.place else {
             panic!("{port:?} is no input");
         };
-        let lane = &mut self.lanes[lane];
         let value = value & (u64::MAX >> (64 - port.width));
-        if lane.words[place] != value {
-            lane.words[place] = value;
-            lane.is_read = [false; 2];
+        if self.words[place] != value {
+            self.words[place] = value;
+            self.is_read = [false; 2];
         }
     }
 
-    /// The word of a port in this clock in one lane.
-    pub fn get(&mut self, lane: usize, port: Port) -> u64 {
-        let lane = &mut self.lanes[lane];
+    /// The word of a port in this clock.
+    pub fn get(&mut self, port: Port) -> u64 {
         let (given, index) = match port.place {
-            Place::Input(place) => return lane.words[place],
+            Place::Input(place) => return self.words[place],
             Place::Output(index) => (Given::Outputs, index),
             Place::Point(index) => (Given::Points, index),
         };
         let which = given as usize;
-        if !lane.is_read[which] {
-            self.program
-                .read(given, &lane.words, &mut lane.given[which]);
-            lane.is_read[which] = true;
+        if !self.is_read[which] {
+            let found = &mut self.given[which];
+            self.program.read(given, &self.words, found);
+            self.is_read[which] = true;
         }
-        lane.given[which][index]
+        self.given[which][index]
     }
 
-    /// The rising edge, in all lanes.
+    /// The rising edge.
     pub fn clock(&mut self) {
-        for lane in &mut self.lanes {
-            self.program.clock(&mut lane.words);
-            lane.is_read = [false; 2];
-        }
+        self.program.clock(&mut self.words);
+        self.is_read = [false; 2];
     }
 }

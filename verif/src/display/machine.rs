@@ -1,31 +1,12 @@
 //! A machine in any engine, seen through its ports.
 
-use crate::engine::BUILT_IN;
-use crate::engine::circuit::Circuit;
-use crate::engine::design::{DesignError, Instance, Simulator, Source};
+use crate::engine::Engine;
+use crate::engine::circuit::Compiled;
+use crate::engine::design::{Design as _, DesignError, Instance, Source};
 use crate::signal::Signal;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_rtl::emit::{Direction, Port};
 use std::collections::HashMap;
-
-/// What runs the hardware.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DisplayEngine {
-    /// The built-in simulator, in process.
-    BuiltIn,
-    /// The emitted Verilog.
-    Verilog(Simulator),
-}
-
-impl DisplayEngine {
-    /// Name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            DisplayEngine::BuiltIn => BUILT_IN,
-            DisplayEngine::Verilog(simulator) => simulator.name(),
-        }
-    }
-}
 
 /// One running machine. Inputs keep their values until set again.
 pub struct Machine {
@@ -47,7 +28,7 @@ impl Machine {
     /// # Errors
     ///
     /// When a number of the request is out of its range, a tool is missing, or a file cannot be written.
-    pub fn start(request: &MachineRequest, engine: DisplayEngine) -> Result<Machine, DesignError> {
+    pub fn start(request: &MachineRequest, engine: Engine) -> Result<Machine, DesignError> {
         let emitted = emit_machine(request)?;
         let of = |direction| {
             let ports = emitted.ports.iter();
@@ -56,8 +37,8 @@ impl Machine {
         };
         let (inputs, outputs) = (of(Direction::In), of(Direction::Out));
         let running: Box<dyn Instance> = match engine {
-            DisplayEngine::BuiltIn => Box::new(Circuit::new(&request.design()?)),
-            DisplayEngine::Verilog(simulator) => {
+            Engine::BuiltIn => Compiled::of(&request.design()?, &[]).instance(),
+            Engine::Verilog(simulator) => {
                 let source = Source {
                     top: &emitted.top,
                     text: &emitted.bundle(),

@@ -10,4 +10,4 @@ pub mod stalls;
 pub mod stream;
 pub mod zone_core;
 
-pub use machine::{DisplayEngine, Machine};
+pub use machine::Machine;

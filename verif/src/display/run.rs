@@ -1,6 +1,7 @@
 //! How a machine is shown, and what came of it.
 
-use super::{DisplayEngine, Machine};
+use super::Machine;
+use crate::engine::Engine;
 use crate::report::Report;
 use imogene_golden::machine::overlay::OverlayPlane;
 use std::time::Instant;
@@ -12,7 +13,7 @@ pub struct PinsRun<'a> {
     /// overlay and a screen.
     pub overlay: Option<&'a OverlayPlane>,
     /// Engine.
-    pub engine: DisplayEngine,
+    pub engine: Engine,
     /// Seed of random stalls of the host; none if it never stalls.
     pub stalls: Option<u64>,
     /// Clocks for which the host does nothing before each image.

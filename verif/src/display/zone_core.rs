@@ -1,9 +1,10 @@
 //! The deciding part of a zone machine against its golden model: the same command stream into both, every shown pixel
 //! compared.
 
+use super::Machine;
 use super::request::core_request;
 use super::stalls::Stalls;
-use super::{DisplayEngine, Machine};
+use crate::engine::Engine;
 use crate::engine::design::DesignError;
 use crate::report::Report;
 use imogene_golden::format::Format;
@@ -29,7 +30,7 @@ pub struct CoreRun {
     /// Rows of the root networks between registers.
     pub rows_per_stage: usize,
     /// Engine.
-    pub engine: DisplayEngine,
+    pub engine: Engine,
     /// Seed of random stalls on the stream and behind the core; none if neither side ever stalls.
     pub stalls: Option<u64>,
 }

@@ -1,28 +1,59 @@
-//! A beam machine as emitted Verilog, in any of the simulators.
+//! A beam machine in any engine.
 
+use super::circuit::Compiled;
 use super::design::{Design, DesignError, Instance, Simulator, Source};
-use super::{Engine, MachineInputs, MachineOutputs, MachineShape};
+use super::{Engine, MachineInputs, MachineOutputs, MachineShape, ProbeSignal, processor_signals};
 use crate::signal::Signal;
 use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::Emitted;
-use imogene_rtl::emit::machine::emit_machine;
+use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 
 /// The compiled beam machine of a shape.
 pub struct BeamDesign {
     design: Box<dyn Design>,
     outputs: Vec<Signal>,
+    /// Signals inside a slot that the engine shows.
+    inside: Vec<ProbeSignal>,
 }
 
 impl BeamDesign {
-    /// Emits and compiles the machine.
+    /// Compiles the machine; in the built-in engine its slots show their inside.
     ///
     /// # Errors
     ///
     /// When the shape is out of its range, a tool is missing, or a file cannot be written.
-    pub fn compile(simulator: Simulator, shape: &MachineShape) -> Result<BeamDesign, DesignError> {
-        let emitted = emit_machine(&shape.request())?;
+    pub fn compile(engine: Engine, shape: &MachineShape) -> Result<BeamDesign, DesignError> {
         let outputs = MachineOutputs::signals(&shape.format.widths());
-        Self::of(simulator, &emitted, outputs)
+        match engine {
+            Engine::BuiltIn => {
+                let inside = processor_signals(shape);
+                BeamDesign::built_in(&shape.request(), outputs, inside)
+            }
+            Engine::Verilog(simulator) => {
+                let emitted = emit_machine(&shape.request())?;
+                BeamDesign::emitted(simulator, &emitted, outputs)
+            }
+        }
+    }
+
+    /// Compiles a machine with these outputs for the built-in engine; each slot has these signals inside.
+    ///
+    /// # Errors
+    ///
+    /// When a number of the request is out of its range.
+    pub fn built_in(
+        request: &MachineRequest,
+        outputs: Vec<Signal>,
+        inside: Vec<ProbeSignal>,
+    ) -> Result<BeamDesign, DesignError> {
+        let slots = 0..request.slots.len();
+        let points = slots.flat_map(|slot| inside.iter().map(move |probe| path(slot, probe)));
+        let points: Vec<String> = points.collect();
+        Ok(BeamDesign {
+            design: Box::new(Compiled::of(&request.design()?, &points)),
+            outputs,
+            inside,
+        })
     }
 
     /// Compiles an emitted machine with these outputs.
@@ -30,7 +61,7 @@ impl BeamDesign {
     /// # Errors
     ///
     /// When a tool is missing, or a file cannot be written.
-    pub fn of(
+    pub fn emitted(
         simulator: Simulator,
         emitted: &Emitted,
         outputs: Vec<Signal>,
@@ -51,41 +82,67 @@ impl BeamDesign {
             inputs: &inputs,
             outputs: &outputs,
         })?;
-        Ok(BeamDesign { design, outputs })
+        Ok(BeamDesign {
+            design,
+            outputs,
+            inside: vec![],
+        })
     }
 
     /// A fresh machine: every slot is empty.
-    pub fn machine(&self) -> VerilogBeam {
-        VerilogBeam {
+    pub fn machine(&self) -> Beam<'_> {
+        Beam {
             instance: self.design.instance(),
-            outputs: self.outputs.clone(),
+            design: self,
         }
     }
 }
 
-/// One beam machine in a simulator of Verilog, which shows its ports only.
-pub struct VerilogBeam {
+/// One beam machine that runs clock by clock.
+pub struct Beam<'a> {
     instance: Box<dyn Instance>,
-    outputs: Vec<Signal>,
+    design: &'a BeamDesign,
 }
 
-impl Engine for VerilogBeam {
-    fn load(&mut self, object: u8, words: &[LoadWord]) {
-        for word in words {
-            let words = [0, 0, 0, 1, object.into(), word.address.into(), word.bits];
-            self.instance.clock(&words, &mut [None; 7]);
-        }
+impl Beam<'_> {
+    /// Writes one coefficient word; takes a clock.
+    pub fn load(&mut self, object: u8, word: LoadWord) {
+        let words = [0, 0, 0, 1, object.into(), word.address.into(), word.bits];
+        self.instance.clock(&words, &mut [None; 7]);
     }
 
-    fn clock(&mut self, inputs: &[MachineInputs], outputs: &mut [MachineOutputs]) {
-        for (inputs, outputs) in inputs.iter().zip(outputs) {
-            let zone = [inputs.width, inputs.height].map(u64::from);
-            let words = [inputs.go.into(), zone[0], zone[1], 0, 0, 0, 0];
-            let mut found = [None; 7];
-            self.instance.clock(&words, &mut found);
-            for ((value, signal), bits) in outputs.values.iter_mut().zip(&self.outputs).zip(found) {
-                *value = bits.map(|bits| signal.value(bits));
-            }
+    /// One clock without a write.
+    pub fn clock(&mut self, inputs: MachineInputs) -> MachineOutputs {
+        let zone = [inputs.width, inputs.height].map(u64::from);
+        let words = [inputs.go.into(), zone[0], zone[1], 0, 0, 0, 0];
+        let mut found = [None; 7];
+        self.instance.clock(&words, &mut found);
+        let mut outputs = MachineOutputs::default();
+        let places = outputs.values.iter_mut().zip(&self.design.outputs);
+        for ((value, signal), bits) in places.zip(found) {
+            *value = bits.map(|bits| signal.value(bits));
         }
+        outputs
     }
+
+    /// The signals inside a slot that this engine shows; none where it shows only ports.
+    pub fn inside(&self) -> &[ProbeSignal] {
+        &self.design.inside
+    }
+
+    /// Values of the signals of [`Beam::inside`] in one slot, after the last clock.
+    pub fn probe(&mut self, slot: usize) -> Vec<i64> {
+        let Beam { instance, design } = self;
+        let inside = design.inside.iter();
+        let values = inside.map(|probe| {
+            let bits = instance.point(&path(slot, probe));
+            probe.signal.value(bits.expect("the engine shows it"))
+        });
+        values.collect()
+    }
+}
+
+/// Where a signal inside the processor of a slot is.
+fn path(slot: usize, probe: &ProbeSignal) -> String {
+    format!("processors_{slot}.{}", probe.point)
 }

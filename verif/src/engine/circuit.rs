@@ -1,32 +1,32 @@
 //! A circuit in process, compiled or levelised, stepped with plain numbers.
 
-use super::design::Instance;
+use super::source::{self, Instance};
 use crate::signal::Signal;
 use crate::subject::Clocked;
-use imogene_compiled::{Lanes, Port, Program};
+use imogene_compiled::{Port, Program, Simulation};
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::sync::Arc;
 
 /// A design as machine code with its ports in their order; its instances share it.
-pub struct Ports {
+pub struct Compiled {
     program: Arc<Program>,
     inputs: Vec<Port>,
     outputs: Vec<(Signal, Port)>,
 }
 
-impl Ports {
+impl Compiled {
     /// Compiles a design, with the points inside that will be asked for.
     ///
     /// # Panics
     ///
     /// With a point that the design does not have.
-    pub fn of(design: &Design, points: &[String]) -> Arc<Ports> {
+    pub fn of(design: &Design, points: &[String]) -> Arc<Compiled> {
         let program = Arc::new(Program::new(design, points));
         let ports = |direction| design.top.ports_of(direction);
         let inputs = ports(Direction::In).map(|port| program.port(&port.name));
         let outputs = ports(Direction::Out);
         let outputs = outputs.map(|port| (Signal::of(port), program.port(&port.name)));
-        Arc::new(Ports {
+        Arc::new(Compiled {
             inputs: inputs.collect(),
             outputs: outputs.collect(),
             program,
@@ -34,46 +34,25 @@ impl Ports {
     }
 }
 
-/// A compiled circuit, in lanes.
+impl source::Design for Arc<Compiled> {
+    fn instance(&self) -> Box<dyn Instance> {
+        Box::new(Circuit::new(self))
+    }
+}
+
+/// A compiled circuit.
 pub struct Circuit {
-    ports: Arc<Ports>,
-    lanes: Lanes,
+    design: Arc<Compiled>,
+    simulation: Simulation,
 }
 
 impl Circuit {
-    /// So many fresh instances.
-    pub fn in_lanes(ports: &Arc<Ports>, lanes: usize) -> Circuit {
+    /// A fresh instance.
+    pub fn new(design: &Arc<Compiled>) -> Circuit {
         Circuit {
-            lanes: Lanes::new(&ports.program, lanes),
-            ports: ports.clone(),
+            simulation: Simulation::new(&design.program),
+            design: design.clone(),
         }
-    }
-
-    /// Gives a lane its inputs in their order, of which the low bits count.
-    pub fn set(&mut self, lane: usize, inputs: &[i64]) {
-        for (port, value) in self.ports.inputs.iter().zip(inputs) {
-            self.lanes.set(lane, *port, *value as u64);
-        }
-    }
-
-    /// Gives all lanes one clock.
-    pub fn step(&mut self) {
-        self.lanes.clock();
-    }
-
-    /// The value of an output of a lane, by its place among them.
-    pub fn output_of(&mut self, lane: usize, index: usize) -> i64 {
-        let (signal, port) = &self.ports.outputs[index];
-        signal.value(self.lanes.get(lane, *port))
-    }
-
-    /// The bits of a point inside a lane.
-    ///
-    /// # Panics
-    ///
-    /// If it is not one of those that the design was compiled with.
-    pub fn point(&mut self, lane: usize, path: &str) -> u64 {
-        self.lanes.get(lane, self.ports.program.port(path))
     }
 
     /// The one module that a function builds.
@@ -82,23 +61,21 @@ impl Circuit {
     ///
     /// If the circuit is refused.
     pub fn of<T>(build: impl FnOnce() -> T) -> Circuit {
-        Circuit::new(&Design::of(build))
-    }
-
-    /// A fresh instance of a design.
-    pub fn new(design: &Design) -> Circuit {
-        Circuit::in_lanes(&Ports::of(design, &[]), 1)
+        Circuit::new(&Compiled::of(&Design::of(build), &[]))
     }
 
     /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
-        self.set(0, inputs);
-        self.step();
+        for (port, value) in self.design.inputs.iter().zip(inputs) {
+            self.simulation.set(*port, *value as u64);
+        }
+        self.simulation.clock();
     }
 
     /// The value of an output, by its place among them.
     pub fn output(&mut self, index: usize) -> i64 {
-        self.output_of(0, index)
+        let (signal, port) = &self.design.outputs[index];
+        signal.value(self.simulation.get(*port))
     }
 
     /// The value of the output of this name.
@@ -107,7 +84,7 @@ impl Circuit {
     ///
     /// If there is none.
     pub fn value(&mut self, name: &str) -> i64 {
-        let mut outputs = self.ports.outputs.iter();
+        let mut outputs = self.design.outputs.iter();
         let found = outputs.position(|(signal, _)| signal.name == name);
         self.output(found.unwrap_or_else(|| panic!("no output `{name}`")))
     }
@@ -115,20 +92,24 @@ impl Circuit {
 
 impl Instance for Circuit {
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
-        for (port, word) in self.ports.inputs.iter().zip(inputs) {
-            self.lanes.set(0, *port, *word);
+        for (port, word) in self.design.inputs.iter().zip(inputs) {
+            self.simulation.set(*port, *word);
         }
-        self.step();
-        for (place, (_, port)) in outputs.iter_mut().zip(&self.ports.outputs) {
-            *place = Some(self.lanes.get(0, *port));
+        self.simulation.clock();
+        for (place, (_, port)) in outputs.iter_mut().zip(&self.design.outputs) {
+            *place = Some(self.simulation.get(*port));
         }
+    }
+
+    fn point(&mut self, path: &str) -> Option<u64> {
+        Some(self.simulation.get(self.design.program.port(path)))
     }
 }
 
 impl Clocked for Circuit {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         Circuit::clock(self, inputs);
-        let outputs = 0..self.ports.outputs.len();
+        let outputs = 0..self.design.outputs.len();
         outputs.map(|index| Some(self.output(index))).collect()
     }
 }

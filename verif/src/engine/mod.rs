@@ -1,10 +1,9 @@
 //! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Clocked`](crate::subject::Clocked), a beam machine behind [`Engine`]; both get the same
-//! stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
+//! A unit runs behind [`Clocked`](crate::subject::Clocked), a machine behind [`Instance`](source::Instance); both get the
+//! same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod beam;
-pub mod built_in;
 pub mod circuit;
 pub mod design;
 pub mod icarus;
@@ -13,10 +12,10 @@ pub mod speed;
 pub mod verilator;
 
 use crate::signal::Signal;
+use design::Simulator;
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
 use imogene_golden::machine::fitted::FittedSlot;
-use imogene_golden::object::load::LoadWord;
 use imogene_rtl::emit::machine::{MachineRequest, Slot};
 
 /// Name of the engine in process, circuits as machine code, in options and reports.
@@ -24,6 +23,25 @@ pub const BUILT_IN: &str = "built-in";
 
 /// Name of the simulator of `imogene-hdl`, which needs no code generator: the check of the built-in engine.
 pub const LEVELISED: &str = "levelised";
+
+/// What runs the hardware.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// The circuits, compiled in process.
+    BuiltIn,
+    /// The emitted Verilog.
+    Verilog(Simulator),
+}
+
+impl Engine {
+    /// Name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Engine::BuiltIn => BUILT_IN,
+            Engine::Verilog(simulator) => simulator.name(),
+        }
+    }
+}
 
 /// Shape of a beam machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,28 +109,6 @@ impl MachineOutputs {
     /// True if a pixel is there.
     pub fn valid(&self) -> bool {
         self.values[0] == Some(1)
-    }
-}
-
-/// Something that runs the hardware of a beam machine clock by clock, in lanes: machines of their own in lock-step.
-pub trait Engine {
-    /// Most lanes.
-    const LANES: usize = 1;
-
-    /// Writes one coefficient word, a value for each lane in use; takes a clock.
-    fn load(&mut self, object: u8, words: &[LoadWord]);
-
-    /// One clock without a write: inputs and outputs of each lane in use.
-    fn clock(&mut self, inputs: &[MachineInputs], outputs: &mut [MachineOutputs]);
-
-    /// The signals inside a slot that this engine shows; none where it shows only ports.
-    fn inside(&self) -> Vec<ProbeSignal> {
-        Vec::new()
-    }
-
-    /// Values of the signals of [`Engine::inside`] in one slot of a lane, after the last clock.
-    fn probe(&mut self, _lane: usize, _object: usize) -> Vec<i64> {
-        Vec::new()
     }
 }
 

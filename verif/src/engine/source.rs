@@ -1,4 +1,4 @@
-//! Verilog of a design, and what every simulator makes of it.
+//! Verilog of a design, and what every engine makes of it.
 
 use crate::signal::Signal;
 use crate::subject::Subject;
@@ -63,4 +63,9 @@ pub trait Instance: Send {
     /// outputs are those after the rising edge, `None` where a bit is undefined. An unused high bit of an input must be
     /// 0.
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]);
+
+    /// The bits of a point inside, if the engine shows it.
+    fn point(&mut self, _path: &str) -> Option<u64> {
+        None
+    }
 }

@@ -12,7 +12,7 @@ mod processors;
 mod scenes;
 mod units;
 
-use crate::engine::built_in::BuiltIn;
+use crate::engine::Engine;
 use crate::report::Report;
 use crate::scene::{self, Options};
 use crate::subject::{Inputs, Subject};
@@ -100,9 +100,8 @@ impl Extreme {
     fn cosimulate(&self, text: &str) -> Result<(Report, Pictures), String> {
         let (framed, prepared) = self.prepared(text)?;
         let options = Options::plain(1, 2);
-        let engine = |shape: &_| BuiltIn::new(shape).expect("the shape was checked");
-        let (mut report, frame) =
-            scene::run(&prepared, &options, engine, || ()).map_err(|e| e.to_string())?;
+        let outcome = scene::run(&prepared, &options, Engine::BuiltIn, || ());
+        let (mut report, frame) = outcome.map_err(|e| e.to_string())?;
         report.subject = format!("extremes/{}", self.name);
         report.reproduce = format!("imogene cosim extremes/{}", self.name);
         Ok((report, Pictures::new(framed, prepared, frame)))

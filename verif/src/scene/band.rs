@@ -2,7 +2,8 @@
 
 use super::golden::{GoldenMachine, probe_values};
 use super::request::{Fault, WaveformRequest, middle_line};
-use crate::engine::{Engine, MachineInputs, MachineOutputs, ProbeSignal};
+use crate::engine::beam::Beam;
+use crate::engine::{MachineInputs, MachineOutputs, ProbeSignal};
 use crate::report::Report;
 use crate::signal::{Delay, Signal};
 use crate::waveform::{Group, Sample, Trace};
@@ -34,40 +35,25 @@ pub(super) struct Band<'a> {
 /// What a band gives: counts, the hardware's lines and the waveforms.
 pub(super) type Part = (Report, Frame, Option<Trace>);
 
-/// Runs bands in the lanes of one engine, in lock-step; a lane that is done is left alone.
-pub(super) fn run(bands: &[Band], engine: &mut impl Engine, pixel_done: &impl Fn()) -> Vec<Part> {
-    load(bands, engine);
-    let signals = engine.inside();
-    let mut scans: Vec<Scan> = bands.iter().map(|band| Scan::new(band, &signals)).collect();
-    let mut outputs = vec![MachineOutputs::default(); bands.len()];
-    for clock in 0..bands.iter().map(Band::clocks).max().unwrap_or(0) {
-        let inputs: Vec<MachineInputs> = bands.iter().map(|band| band.inputs(clock)).collect();
-        engine.clock(&inputs, &mut outputs);
-        for (lane, (scan, outputs)) in scans.iter_mut().zip(&outputs).enumerate() {
-            if clock < scan.band.clocks() {
-                let is_pixel = scan.clock(clock, outputs, |object| engine.probe(lane, object));
-                if is_pixel {
-                    pixel_done();
-                }
-            }
+/// Loads a machine and runs a band on it.
+pub(super) fn run(band: &Band, machine: &mut Beam, pixel_done: &impl Fn()) -> Part {
+    for object in 0..band.objects.len() {
+        for word in band.load_words(object) {
+            machine.load(object as u8, word);
         }
     }
-    scans.into_iter().map(Scan::part).collect()
-}
-
-/// Loads the coefficients of all bands, a word of each in a clock.
-fn load(bands: &[Band], engine: &mut impl Engine) {
-    let objects = bands.first().map_or(0, |band| band.objects.len());
-    for object in 0..objects {
-        let words: Vec<Vec<LoadWord>> = bands.iter().map(|band| band.load_words(object)).collect();
-        for index in 0..words[0].len() {
-            let words: Vec<LoadWord> = words.iter().map(|words| words[index]).collect();
-            engine.load(object as u8, &words);
+    let mut scan = Scan::new(band, machine.inside());
+    for clock in 0..band.clocks() {
+        let outputs = machine.clock(band.inputs(clock));
+        if scan.clock(clock, &outputs, |object| machine.probe(object)) {
+            pixel_done();
         }
     }
+    let trace = scan.recorder.map(|recorder| recorder.trace);
+    (scan.report, scan.frame, trace)
 }
 
-/// A band on its way through a lane.
+/// A band on its way through a machine.
 struct Scan<'a> {
     band: &'a Band<'a>,
     golden: GoldenMachine,
@@ -117,11 +103,6 @@ impl<'a> Scan<'a> {
         }
         report.cycles += 1;
         is_pixel
-    }
-
-    fn part(self) -> Part {
-        let trace = self.recorder.map(|recorder| recorder.trace);
-        (self.report, self.frame, trace)
     }
 }
 

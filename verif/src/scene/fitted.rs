@@ -2,7 +2,7 @@
 
 use super::{Bands, CosimError, Options, fitted_to, quadric_words};
 use crate::engine::beam::BeamDesign;
-use crate::engine::design::{DesignError, Simulator};
+use crate::engine::design::DesignError;
 use crate::engine::{Engine, MachineOutputs, slots_of};
 use crate::report::Report;
 use imogene_golden::machine::fitted::FittedMachine;
@@ -20,30 +20,33 @@ pub fn request(machine: &FittedMachine, command: &str) -> MachineRequest {
     }
 }
 
-/// Compiles the emitted Verilog of a machine for a simulator.
+/// Compiles a machine; a simulator runs what was emitted of it.
 ///
 /// # Errors
 ///
 /// When a tool is missing, or a file cannot be written.
 pub fn compile(
-    simulator: Simulator,
+    engine: Engine,
     machine: &FittedMachine,
     emitted: &Emitted,
 ) -> Result<BeamDesign, DesignError> {
-    BeamDesign::of(simulator, emitted, MachineOutputs::signals(&machine.widths))
+    let outputs = MachineOutputs::signals(&machine.widths);
+    match engine {
+        Engine::BuiltIn => BeamDesign::built_in(&request(machine, ""), outputs, vec![]),
+        Engine::Verilog(simulator) => BeamDesign::emitted(simulator, emitted, outputs),
+    }
 }
 
-/// Runs a scene through machines that `engine` makes, and compares with the golden machine; `scene` was prepared in the
-/// machine's words.
+/// Runs a scene through a machine, and compares with the golden machine; `scene` was prepared in the machine's words.
 ///
 /// # Errors
 ///
-/// When an object is not drawn by a quadric processor, or a trace cannot be written.
-pub fn run<E: Engine>(
+/// When an object is not drawn by a quadric processor.
+pub fn run(
     scene: &PreparedScene,
     machine: &FittedMachine,
     options: &Options,
-    engine: impl Fn() -> E + Sync,
+    design: &BeamDesign,
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
     let words = quadric_words(scene)?;
@@ -55,5 +58,5 @@ pub fn run<E: Engine>(
         latency: machine.latency(&scene.format) as usize,
         options,
     };
-    bands.run(engine, pixel_done)
+    Ok(bands.run(design, pixel_done))
 }

@@ -1,7 +1,7 @@
 //! Co-simulation of a whole scene: a beam machine against the golden machine, every output on every clock.
 //!
-//! The screen is cut into bands, one for each lane of an engine and each thread; each band is a zone of its own with
-//! its own coefficients, as in a machine with several graphics modules (source: 2.4.4).
+//! The screen is cut into bands, one for each thread; each band is a zone of its own with its own coefficients, as in a
+//! machine with several graphics modules (source: 2.4.4).
 
 mod band;
 pub mod fitted;
@@ -11,7 +11,8 @@ pub mod slots;
 pub mod volumes;
 pub mod zone;
 
-use crate::engine::{BUILT_IN, Engine, MachineOutputs, MachineShape};
+use crate::engine::beam::BeamDesign;
+use crate::engine::{Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
 pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest};
@@ -72,14 +73,13 @@ pub fn latency(scene: &PreparedScene, shape: &MachineShape) -> u32 {
         + decider::latency(shape.objects)
 }
 
-/// Runs the scene through the hardware of `engine` and compares with the golden machine.
+/// Runs the scene through the hardware in an engine and compares with the golden machine.
 ///
-/// `engine` makes fresh machines for each thread; `pixel_done` is called once a pixel, from any thread. Returns the
-/// report and the frame that the *hardware* drew.
-pub fn run<E: Engine>(
+/// `pixel_done` is called once a pixel, from any thread. Returns the report and the frame that the *hardware* drew.
+pub fn run(
     scene: &PreparedScene,
     options: &Options,
-    engine: impl Fn(&MachineShape) -> E + Sync,
+    engine: Engine,
     pixel_done: impl Fn() + Sync,
 ) -> Result<(Report, Frame), CosimError> {
     let shape = shape_of(scene, options.rows_per_stage)?;
@@ -94,7 +94,10 @@ pub fn run<E: Engine>(
         latency: latency(scene, &shape) as usize,
         options,
     };
-    bands.run(|| engine(&shape), pixel_done)
+    let design = BeamDesign::compile(engine, &shape)?;
+    let (mut report, frame) = bands.run(&design, pixel_done);
+    report.engine = engine.name().into();
+    Ok((report, frame))
 }
 
 /// The words with as many planes as each slot has.
@@ -118,29 +121,22 @@ struct Bands<'a> {
 
 impl Bands<'_> {
     /// Runs every band on a machine of its own; the report counts the clocks of all bands, each with its latency.
-    fn run<E: Engine>(
-        &self,
-        engine: impl Fn() -> E + Sync,
-        pixel_done: impl Fn() + Sync,
-    ) -> Result<(Report, Frame), CosimError> {
+    fn run(&self, design: &BeamDesign, pixel_done: impl Fn() + Sync) -> (Report, Frame) {
         let started = Instant::now();
-        let bands = self.cut(self.options.threads * E::LANES);
-        let in_one = bands.len().div_ceil(self.options.threads.max(1));
+        let bands = self.cut(self.options.threads);
         let parts: Vec<Part> = std::thread::scope(|scope| {
-            let (engine, pixel_done) = (&engine, &pixel_done);
-            let run = |bands| scope.spawn(move || band::run(bands, &mut engine(), pixel_done));
-            let handles: Vec<_> = bands.chunks(in_one).map(run).collect();
+            let pixel_done = &pixel_done;
+            let run =
+                |band| scope.spawn(move || band::run(band, &mut design.machine(), pixel_done));
+            let handles: Vec<_> = bands.iter().map(run).collect();
             let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
                 handle
                     .join()
                     .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
             };
-            handles.into_iter().flat_map(join).collect()
+            handles.into_iter().map(join).collect()
         });
-        let mut report = Report {
-            engine: BUILT_IN.into(),
-            ..Report::default()
-        };
+        let mut report = Report::default();
         let width = self.scene.width as usize;
         let mut frame = Frame::background(width, 0, self.scene.format.z_max());
         for (part, lines, trace) in parts {
@@ -149,7 +145,7 @@ impl Bands<'_> {
             report.trace = report.trace.or(trace);
         }
         report.timed(started.elapsed().as_secs_f64());
-        Ok((report, frame))
+        (report, frame)
     }
 
     /// The screen in so many bands, or fewer: each with a line at least, and long enough for the waveforms asked for.

@@ -1,5 +1,6 @@
 //! What is asked of a co-simulation of a scene, and why there may be none.
 
+use crate::engine::design::DesignError;
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords};
 use thiserror::Error;
 
@@ -99,6 +100,9 @@ pub enum CosimError {
         /// Words of a slot.
         addresses: usize,
     },
+    /// The machine cannot be compiled.
+    #[error(transparent)]
+    Design(#[from] DesignError),
     /// A slot to trace that does not exist.
     #[error("there is no object {object} to trace; accepted: 0 to {}", objects - 1)]
     TracedObject {

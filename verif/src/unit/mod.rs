@@ -22,7 +22,7 @@ mod volume;
 pub mod words;
 mod zone;
 
-use crate::engine::circuit::{Circuit, Levelised, Ports};
+use crate::engine::circuit::{Circuit, Compiled, Levelised};
 use crate::engine::{BUILT_IN, LEVELISED};
 use crate::signal::Signal;
 use crate::subject::Subject;
@@ -58,11 +58,11 @@ pub fn subject(request: &Request) -> Result<Subject, RequestError> {
         inputs: top.ports_of(Direction::In).map(Signal::of).collect(),
         outputs: top.ports_of(Direction::Out).map(Signal::of).collect(),
         hardware: Box::new(move || {
-            let ports = compiled.get_or_init(|| {
+            let compiled = compiled.get_or_init(|| {
                 let design = design(&request).expect("a checked request");
-                Ports::of(&design, &[])
+                Compiled::of(&design, &[])
             });
-            Box::new(Circuit::in_lanes(ports, 1))
+            Box::new(Circuit::new(compiled))
         }),
         golden,
         stimulus,

@@ -7,7 +7,7 @@ use imogene_golden::format::Format;
 use imogene_prepare::Framing;
 use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
-use imogene_verif::engine::built_in::BuiltIn;
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
 use imogene_verif::scene::{self, Fault, Options, WaveformRequest};
 use imogene_verif::subject::Subject;
@@ -109,9 +109,7 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
         }),
         fault: None,
     };
-    let run = |options: &Options| {
-        scene::run(&scene, options, |shape| BuiltIn::new(shape).unwrap(), || ()).unwrap()
-    };
+    let run = |options: &Options| scene::run(&scene, options, Engine::BuiltIn, || ()).unwrap();
     let (good, frame) = run(&options);
     assert!(good.passed(), "{:?}", good.first_mismatches);
 
@@ -133,19 +131,18 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     assert!(vcd.contains("processor_0") && vcd.contains("beam"));
 }
 
-/// Bands of 4 and of 5 lines run in the lanes of one engine; each counts its own latency and knows its own lines.
+/// Bands of 7 and of 8 lines run in threads of their own; each counts its own latency and knows its own lines.
 #[test]
-fn every_lane_reports_the_places_of_its_band() {
+fn every_band_reports_the_places_of_its_band() {
     let scene = teapot(48, 36);
     let run = |fault| {
         let options = Options {
             rows_per_stage: 4,
-            threads: 1,
+            threads: 5,
             trace: None,
             fault,
         };
-        let engine = |shape: &_| BuiltIn::new(shape).unwrap();
-        scene::run(&scene, &options, engine, || ()).unwrap()
+        scene::run(&scene, &options, Engine::BuiltIn, || ()).unwrap()
     };
     let (good, frame) = run(None);
     assert!(good.passed(), "{:?}", good.first_mismatches);
@@ -153,7 +150,7 @@ fn every_lane_reports_the_places_of_its_band() {
     let latency = u64::from(scene::latency(&scene, &shape));
     assert_eq!(
         (good.pixels, good.cycles),
-        (48 * 36, 48 * 36 + 8 * (latency - 1))
+        (48 * 36, 48 * 36 + 5 * (latency - 1))
     );
 
     for object in 0..scene.objects.len() as u8 {
@@ -193,12 +190,7 @@ fn faults_that_do_not_exist_are_refused() {
             bit: 0,
         }),
     };
-    let outcome = scene::run(
-        &scene,
-        &options,
-        |shape| BuiltIn::new(shape).unwrap(),
-        || (),
-    );
+    let outcome = scene::run(&scene, &options, Engine::BuiltIn, || ());
     let message = outcome.err().unwrap().to_string();
     assert!(
         message.contains("99:2:0") && message.contains("accepted"),

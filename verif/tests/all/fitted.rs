@@ -8,6 +8,7 @@ use imogene_prepare::{PreparedScene, prepare};
 use imogene_rtl::emit::Emitted;
 use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{Fault, Options, fitted};
@@ -74,14 +75,14 @@ fn emitted() -> Vec<Emitted> {
 
 fn run(index: usize, emitted: &Emitted, fault: Option<Fault>) -> Report {
     let (prepared, machine) = prepared(index);
-    let design = fitted::compile(Simulator::Verilator, &machine, emitted).unwrap();
+    let design = fitted::compile(Engine::Verilog(Simulator::Verilator), &machine, emitted).unwrap();
     let options = Options {
         rows_per_stage: machine.rows_per_stage as usize,
         threads: 1,
         trace: None,
         fault,
     };
-    let outcome = fitted::run(&prepared, &machine, &options, || design.machine(), || ());
+    let outcome = fitted::run(&prepared, &machine, &options, &design, || ());
     outcome.unwrap().0
 }
 

@@ -7,12 +7,12 @@ use imogene_plan::display::{Image, image};
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
-use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::pins::{self, PinsOutcome, PinsRun};
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use std::path::Path;
 
-const VERILATOR: DisplayEngine = DisplayEngine::Verilog(Simulator::Verilator);
+const VERILATOR: Engine = Engine::Verilog(Simulator::Verilator);
 
 fn root() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -65,7 +65,7 @@ fn run(machine: &MachineDescription, images: &[Image], options: &PinsRun) -> Pin
     outcome
 }
 
-fn quiet(engine: DisplayEngine) -> PinsRun<'static> {
+fn quiet(engine: Engine) -> PinsRun<'static> {
     PinsRun {
         overlay: None,
         engine,
@@ -80,7 +80,7 @@ fn the_beam_machine_in_the_built_in_simulator() {
     let machine = small("beam-160x120.toml", 32, 24, 40);
     let image = drawn("teapot.toml", &machine);
     assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-    run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
+    run(&machine, &[image], &quiet(Engine::BuiltIn));
 }
 
 /// A machine of these words with a small screen.
@@ -121,7 +121,7 @@ fn machines_of_any_words_in_the_built_in_simulator() {
         let machine = of_words(name, words);
         let image = drawn(scene, &machine);
         assert!(image.picture.iter().any(|&byte| byte > 100), "a picture");
-        run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
+        run(&machine, &[image], &quiet(Engine::BuiltIn));
     }
 }
 
@@ -133,7 +133,7 @@ fn slots_that_are_not_alike_show_the_golden_picture() {
     machine.slots = Some(Slots(parse("2,2,2,1v,2,0,2v,3,3,3").expect("slots")));
     let image = drawn("teapot.toml", &machine);
     assert!(image.beats.len() < alike.beats.len());
-    run(&machine, &[image], &quiet(DisplayEngine::BuiltIn));
+    run(&machine, &[image], &quiet(Engine::BuiltIn));
 }
 
 #[test]
@@ -145,8 +145,8 @@ fn flat_facets_on_the_pins_of_a_machine_with_guard_bits() {
     };
     for (scene, machine, engine) in [
         ("processors/mesh.toml", &machine, VERILATOR),
-        ("processors/mesh.toml", &stream, DisplayEngine::BuiltIn),
-        ("terrain/hills.toml", &machine, DisplayEngine::BuiltIn),
+        ("processors/mesh.toml", &stream, Engine::BuiltIn),
+        ("terrain/hills.toml", &machine, Engine::BuiltIn),
     ] {
         let image = drawn(scene, machine);
         let is_seen = |id: &i32| *id >= 0;

@@ -9,9 +9,9 @@ use imogene_plan::zone::plan::ZonePlan;
 use imogene_prepare::Framing;
 use imogene_prepare::prepare;
 use imogene_scene::SceneFile;
-use imogene_verif::display::DisplayEngine;
 use imogene_verif::display::request::{core_request, zone_timing};
 use imogene_verif::display::zone_core::{CoreRun, run};
+use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::Simulator;
 use std::path::Path;
 
@@ -37,7 +37,7 @@ fn machine(objects: usize, volumes: usize, side: u32) -> ZoneMachine {
     }
 }
 
-fn check(plan: &ZonePlan, engine: DisplayEngine, stalls: Option<u64>) {
+fn check(plan: &ZonePlan, engine: Engine, stalls: Option<u64>) {
     let beats: Vec<Beat> = plan.beats().collect();
     let options = CoreRun {
         rows_per_stage: 4,
@@ -58,13 +58,13 @@ fn check(plan: &ZonePlan, engine: DisplayEngine, stalls: Option<u64>) {
 #[test]
 fn small_scenes_in_the_built_in_simulator() {
     let plan = plan("teapot.toml", (40, 24), machine(2, 0, 16));
-    check(&plan, DisplayEngine::BuiltIn, None);
-    check(&plan, DisplayEngine::BuiltIn, Some(7));
+    check(&plan, Engine::BuiltIn, None);
+    check(&plan, Engine::BuiltIn, Some(7));
 }
 
 #[test]
 fn scenes_with_shadows_in_verilator() {
-    let engine = DisplayEngine::Verilog(Simulator::Verilator);
+    let engine = Engine::Verilog(Simulator::Verilator);
     for (objects, volumes, side) in [(3, 2, 24), (1, 5, 10), (4, 9, 40)] {
         let plan = plan(
             "shadows/robot.toml",
@@ -80,7 +80,7 @@ fn scenes_with_shadows_in_verilator() {
 /// the plan.
 #[test]
 fn the_order_of_arrival_changes_nothing() {
-    let engine = DisplayEngine::Verilog(Simulator::Verilator);
+    let engine = Engine::Verilog(Simulator::Verilator);
     let plan = plan("shadows/robot.toml", (96, 72), machine(3, 2, 24));
     let beats: Vec<Beat> = plan.beats().collect();
     let mut wanted = ZoneMachineModel::new(&Format::BASE, &plan.machine);

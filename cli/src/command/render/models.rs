@@ -10,6 +10,7 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_prepare::PreparedScene;
 use imogene_scene::{FramedScene, FramedSource};
+use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, slots};
 
@@ -73,7 +74,7 @@ fn hardware_frame(options: &Render, prepared: &PreparedScene) -> Result<Frame, F
     let (mut report, frame) = match slots::is_for_beam(prepared) {
         true => {
             let run = scene::Options::plain(options.rows_per_stage, threads());
-            beam::run(prepared, &run, None)?
+            beam::run(prepared, &run, Engine::BuiltIn)?
         }
         false => slots_frame(options, prepared)?,
     };

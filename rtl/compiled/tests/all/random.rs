@@ -1,6 +1,6 @@
 //! Random circuits: compiled, and in the levelised simulator, with every named net compared on every clock.
 
-use imogene_compiled::{Lanes, Program};
+use imogene_compiled::{Program, Simulation};
 use imogene_hdl::{Bits, Design, Direction, Int, Simulator, Value, join, memory, module};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -181,17 +181,17 @@ proptest! {
         let mut simulator = Simulator::new(&design);
         let paths = paths(&design);
         let program = Arc::new(Program::new(&design, &paths));
-        let mut compiled = Lanes::new(&program, 1);
+        let mut compiled = Simulation::new(&program);
         let points = paths.into_iter().filter_map(|path| Some((simulator.point(&path)?, path)));
         let points: Vec<_> = points.map(|(point, path)| (point, program.port(&path), path)).collect();
         let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
         for words in stimulus {
             for (port, word) in inputs.iter().zip(words) {
                 simulator.set(simulator.port(&port.name), word);
-                compiled.set(0, program.port(&port.name), word);
+                compiled.set(program.port(&port.name), word);
             }
             for (there, here, path) in &points {
-                prop_assert_eq!(compiled.get(0, *here), simulator.get(*there), "{}", path);
+                prop_assert_eq!(compiled.get(*here), simulator.get(*there), "{}", path);
             }
             simulator.clock();
             compiled.clock();
