@@ -41,8 +41,6 @@ pub(super) struct Flat {
     pub(super) code: Vec<Code>,
     pub(super) flops: Vec<Flop>,
     pub(super) stores: Vec<Store>,
-    /// Words of constants.
-    literals: Vec<u32>,
     /// Words that are the same as others.
     copies: Vec<(u32, u32)>,
     /// The net that each operation writes, for messages.
@@ -68,10 +66,7 @@ impl Flat {
         for (place, node) in places.iter_mut().zip(&module.nodes) {
             match &node.op {
                 Op::Input | Op::Same(_) | Op::Forward(_) => {}
-                Op::Literal(value) => {
-                    *place = self.word(*value);
-                    self.literals.push(*place);
-                }
+                Op::Literal(value) => *place = self.word(*value),
                 Op::Register(index) => *place = self.word(module.registers[*index].initial),
                 _ => *place = self.word(0),
             }
@@ -230,31 +225,6 @@ impl Flat {
         self.renumber(first);
     }
 
-    /// Puts the words in the order in which a clock goes through them: state, results of operations, the others.
-    pub(super) fn ordered(&mut self, words: Vec<[u64; 1]>) -> Vec<[u64; 1]> {
-        let results = self.code.iter().map(|code| code.to);
-        let first = [ONE].into_iter().chain(self.state()).chain(results);
-        let mut number = vec![u32::MAX; words.len()];
-        let mut order = vec![];
-        for place in first.chain(0..words.len() as u32) {
-            if number[place as usize] == u32::MAX {
-                number[place as usize] = order.len() as u32;
-                order.push(place);
-            }
-        }
-        self.renumber(|place| number[place as usize]);
-        order
-            .into_iter()
-            .map(|place| words[place as usize])
-            .collect()
-    }
-
-    /// The words that a clock writes.
-    pub(super) fn state(&self) -> impl Iterator<Item = u32> {
-        let flops = self.flops.iter().map(|flop| flop.output);
-        flops.chain(self.stores.iter().map(|store| store.output))
-    }
-
     fn renumber(&mut self, number: impl Fn(u32) -> u32) {
         let renumber = |place: &mut u32| *place = number(*place);
         for Code { from, to, .. } in &mut self.code {
@@ -293,25 +263,5 @@ impl Flat {
             refuse!("{value} depends on itself within one clock")
         });
         self.code = order.into_iter().map(|index| code[index]).collect();
-    }
-
-    /// Leaves the operations that do not follow from constants alone; the words after the others.
-    pub(super) fn without_constants(&mut self) -> Vec<[u64; 1]> {
-        let mut words: Vec<[u64; 1]> = self.words.iter().map(|word| [*word]).collect();
-        let mut is_constant = vec![false; words.len()];
-        is_constant[ONE as usize] = true;
-        for place in &self.literals {
-            is_constant[*place as usize] = true;
-        }
-        self.code.retain(|code| {
-            let mut reads = code.reads().iter();
-            let follows = reads.all(|place| is_constant[*place as usize]);
-            if follows {
-                code.kind.run(&[*code], &mut words);
-                is_constant[code.to as usize] = true;
-            }
-            !follows
-        });
-        words
     }
 }

@@ -1,5 +1,4 @@
 //! All tests of the crate that need it from outside, as one program.
 
 mod circuits;
-mod lanes;
 mod operations;
