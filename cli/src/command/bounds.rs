@@ -1,6 +1,6 @@
 //! `imogene bounds`.
 
-use super::frame_scene;
+use super::frame_in;
 use crate::arguments::{Bounds, Size};
 use crate::failure::Failure;
 use crate::molecules;
@@ -166,7 +166,7 @@ fn show_headroom(options: &Bounds, json: bool) -> Result<(), Failure> {
 }
 
 fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row, Failure> {
-    let (_, prepared) = frame_scene(file, Some(size), format)?;
+    let (_, prepared) = frame_in(file, Some(size), Format::new(format)?)?;
     if prepared.quadrics().next().is_none() {
         return Err(Failure::Input(format!(
             "{}: no object is drawn by a quadric or patch processor, the ones whose roundings are bounded",

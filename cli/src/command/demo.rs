@@ -1,26 +1,33 @@
 //! `imogene demo`.
 
-use super::emit::{add_verilog, emitted};
-use super::render::{golden_frame, golden_lighting};
-use super::{beam, describe, frame_scene, threads, verdict};
+use super::machine::{add_verilog, write_pictures};
+use super::{beam, describe, frame_in, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::Failure;
 use crate::output;
-use imogene_analysis::phong;
-use imogene_contract::{Request, Unit};
+use imogene_golden::format::Format;
+use imogene_plan::description::MachineDescription;
+use imogene_plan::display::image;
 use imogene_scene::SceneFile;
-use imogene_studies::picture;
+use imogene_verif::display::pins::{PinsRun, run as run_pins};
+use imogene_verif::display::request::request;
 use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
 use imogene_verif::scene::{self, WaveformRequest};
 use serde::Serialize;
 
-/// The teapot, compiled in so that the demo needs no file.
+/// The teapot and a machine with a VGA screen, compiled in so that the demo needs no file.
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
-/// A few seconds of a simulator that visits every register.
-const SIZE: Size = Size {
-    width: 320,
-    height: 240,
+const MACHINE: &str = include_str!("../../../machines/beam-640x480.toml");
+/// The screen of the machine.
+const SCREEN: Size = Size {
+    width: 640,
+    height: 480,
+};
+/// Picture of the run whose waveforms are kept.
+const TRACED_SIZE: Size = Size {
+    width: 160,
+    height: 120,
 };
 /// Clocks of waveforms kept.
 const TRACE_CLOCKS: u64 = 1_600;
@@ -34,88 +41,108 @@ struct Summary {
     report: Report,
     width: u32,
     height: u32,
+    /// Clocks of a frame on the pins.
+    clocks_per_frame: u64,
     objects: usize,
     planes: usize,
-    latency: usize,
     pictures_identical: bool,
 }
 
 /// Runs the demo.
 pub fn run(options: &Demo, json: bool) -> Result<(), Failure> {
     let file = SceneFile::parse(TEAPOT, "teapot.toml")?;
-    let (framed, prepared) = frame_scene(&file, Some(SIZE), 24)?;
-    let run_options = scene::Options {
-        trace: Some(WaveformRequest {
-            object: TRACED,
-            clocks: TRACE_CLOCKS,
-        }),
-        ..scene::Options::plain(1, threads())
-    };
-    let shape = scene::shape_of(&prepared, run_options.rows_per_stage)?;
-    let request = Request {
-        objects: shape.objects as u32,
-        planes: shape.planes as u32,
-        rows_per_stage: shape.rows_per_stage as u32,
-        ..Request::of(Unit::Beam, shape.format.depth)
-    };
+    let machine = MachineDescription::parse(MACHINE, "beam-640x480.toml")?;
+    let (framed, prepared) = frame_in(&file, Some(SCREEN), machine.format()?)?;
+    let image = image(&framed, &prepared, &machine)?;
+    let command = format!("imogene demo --out {}", options.out.display());
     // Written first: an unwritable folder is found before the long work.
-    let emitted = emitted(&request, None)?;
     let mut files = output::files();
-    add_verilog(&mut files, &emitted, &options.out, false)?;
+    add_verilog(&request(&machine, &command), &options.out, &mut files)?;
 
-    let (mut report, frame) = beam::run(&prepared, &run_options, Engine::BuiltIn)?;
-    let golden = golden_frame(&prepared);
-    for (name, frame) in [("image.png", &frame), ("golden.png", &golden)] {
-        let path = options.out.join(name);
-        let lighting = golden_lighting(frame, &prepared);
-        let rgb = phong::shade(frame, &lighting, &framed, &prepared.format);
-        files.add(&path, |out| {
-            picture::png(out, frame.width, frame.height, &rgb)
-        })?;
-    }
-    if let Some(trace) = report.trace.take() {
+    let golden = image.picture.clone();
+    let pins = PinsRun {
+        overlay: None,
+        engine: Engine::BuiltIn,
+        stalls: None,
+        late: 0,
+        frames: 1,
+    };
+    let outcome = output::during(2, "frames on the pins", |bar| {
+        run_pins(&machine, &[image], &pins, || bar.inc(1))
+    })?;
+    write_pictures(
+        &machine,
+        Some(&golden),
+        Some(&outcome),
+        &options.out,
+        &mut files,
+    )?;
+    let pictures_identical = outcome.picture == golden;
+    let mut report = outcome.report;
+    let mut inside = inside(&file, machine.format()?)?;
+    if let Some(trace) = inside.trace.take() {
         trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
     }
-    let summary_path = options.out.join("summary.json");
+    let seconds = report.seconds + inside.seconds;
+    report.absorb(inside);
+    report.timed(seconds);
     report.subject = "teapot".into();
-    report.reproduce = format!("imogene demo --out {}", options.out.display());
+    report.reproduce = command;
+    let summary_path = options.out.join("summary.json");
     report.files = files.paths();
     report.files.push(summary_path.clone());
     let summary = Summary {
-        pictures_identical: frame == golden,
         report,
-        width: SIZE.width,
-        height: SIZE.height,
-        objects: shape.objects,
-        planes: shape.planes,
-        latency: emitted.latency,
+        width: SCREEN.width,
+        height: SCREEN.height,
+        clocks_per_frame: outcome.clocks_per_frame,
+        objects: machine.objects,
+        planes: machine.planes,
+        pictures_identical,
     };
     files.add_text(&summary_path, &(output::json_text(&summary) + "\n"))?;
     files.finish()?;
     tell(&summary, json)
 }
 
+/// The same scene in a small picture, with the waveforms of a processor: its inside is compared as well.
+fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
+    let (_, prepared) = frame_in(file, Some(TRACED_SIZE), format)?;
+    let options = scene::Options {
+        trace: Some(WaveformRequest {
+            object: TRACED,
+            clocks: TRACE_CLOCKS,
+        }),
+        ..scene::Options::plain(1, threads())
+    };
+    Ok(beam::run(&prepared, &options, Engine::BuiltIn)?.0)
+}
+
 fn tell(summary: &Summary, json: bool) -> Result<(), Failure> {
     if json {
         output::json(summary);
     } else {
+        let Summary {
+            width,
+            height,
+            clocks_per_frame,
+            objects,
+            planes,
+            ..
+        } = summary;
         output::text(describe(&summary.report));
         output::text(format!(
-            "{} objects with up to {} cut planes, latency {} clocks; pictures of hardware and golden model {}",
-            summary.objects,
-            summary.planes,
-            summary.latency,
-            if summary.pictures_identical {
-                "are identical"
-            } else {
-                "DIFFER"
+            "{objects} object processors of {planes} cut planes on a screen of {width} x {height}: {clocks_per_frame} clocks \
+             a frame, 16.7 ms at 25.175 MHz; the picture on the pins is {} golden picture",
+            match summary.pictures_identical {
+                true => "the",
+                false => "NOT the",
             }
         ));
     }
     verdict(&summary.report)?;
-    if summary.pictures_identical {
-        Ok(())
-    } else {
-        Err(Failure::Check("image.png and golden.png differ".into()))
+    match summary.pictures_identical {
+        true => Ok(()),
+        false => Err(Failure::Check("pins.png and golden.png differ".into())),
     }
 }

@@ -107,14 +107,6 @@ fn looked(file: SceneFile, look: Option<Look>, size: Option<Size>) -> Result<Sce
     Ok(file)
 }
 
-fn frame_scene(
-    file: &SceneFile,
-    size: Option<Size>,
-    format: u32,
-) -> Result<(FramedScene, PreparedScene), Failure> {
-    frame_in(file, size, Format::new(format)?)
-}
-
 /// Size of a picture: the one asked for, or the scene's own.
 fn size_of(file: &SceneFile, size: Option<Size>) -> (u32, u32) {
     match size {

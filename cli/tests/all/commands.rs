@@ -10,18 +10,19 @@ fn demo_draws_the_teapot_with_no_difference() {
     let summary = json(&["demo", "--out", out.to_str().unwrap()]);
     assert_keys(&summary, &COSIM_KEYS);
     assert_eq!(summary["mismatches"], 0);
-    assert_eq!(summary["pixels"], 320 * 240);
+    assert_eq!(summary["pixels"], 2 * 640 * 480 + 160 * 120);
+    assert_eq!(summary["clocks_per_frame"], 800 * 525);
     for name in [
-        "image.png",
+        "pins.png",
         "golden.png",
         "trace.vcd",
         "trace.gtkw",
-        "beam.v",
+        "beam_display.v",
         "summary.json",
     ] {
         assert!(out.join(name).is_file(), "no {name}");
     }
-    let picture = std::fs::read(out.join("image.png")).unwrap();
+    let picture = std::fs::read(out.join("pins.png")).unwrap();
     assert_eq!(picture, std::fs::read(out.join("golden.png")).unwrap());
     let vcd = std::fs::read_to_string(out.join("trace.vcd")).unwrap();
     assert!(vcd.contains("processor_0") && vcd.contains("golden") && vcd.contains("hardware"));

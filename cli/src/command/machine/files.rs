@@ -32,7 +32,7 @@ impl Scene {
 }
 
 /// Adds the Verilog to the files; returns the name of the top module.
-pub(super) fn add_verilog(
+pub fn add_verilog(
     request: &MachineRequest,
     out: &Path,
     files: &mut Outputs,
@@ -102,7 +102,7 @@ pub(super) fn grow(
     Ok(rows)
 }
 
-pub(super) fn write_pictures(
+pub fn write_pictures(
     machine: &MachineDescription,
     golden: Option<&[u8]>,
     outcome: Option<&PinsOutcome>,
