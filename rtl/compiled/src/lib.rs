@@ -72,6 +72,20 @@ impl Simulation {
         }
     }
 
+    /// Gives all inputs their words, in the order of the ports; bits beyond a width count nothing.
+    pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
+        let places = self.words.iter_mut().zip(self.program.input_masks());
+        for ((place, mask), word) in places.zip(words) {
+            *place = word & mask;
+        }
+        self.is_read = [false; 2];
+    }
+
+    /// The words of all outputs in this clock, in the order of the ports.
+    pub fn outputs(&mut self) -> &[u64] {
+        self.given(Given::Outputs)
+    }
+
     /// The word of a port in this clock.
     pub fn get(&mut self, port: Port) -> u64 {
         let (given, index) = match port.place {
@@ -79,13 +93,17 @@ impl Simulation {
             Place::Output(index) => (Given::Outputs, index),
             Place::Point(index) => (Given::Points, index),
         };
+        self.given(given)[index]
+    }
+
+    fn given(&mut self, given: Given) -> &[u64] {
         let which = given as usize;
+        let found = &mut self.given[which];
         if !self.is_read[which] {
-            let found = &mut self.given[which];
             self.program.read(given, &self.words, found);
             self.is_read[which] = true;
         }
-        self.given[which][index]
+        found
     }
 
     /// The rising edge.

@@ -33,6 +33,7 @@ pub struct Program {
     code: Code,
     power_up: Vec<u64>,
     ports: HashMap<String, Port>,
+    input_masks: Vec<u64>,
     given: [usize; 2],
 }
 
@@ -63,7 +64,9 @@ impl Program {
         add(&inputs, Place::Input);
         add(&outputs, Place::Output);
         add(points, Place::Point);
+        let inputs = design.top.ports_of(Direction::In);
         Program {
+            input_masks: inputs.map(|port| u64::MAX >> (64 - port.width)).collect(),
             given: [outputs.len(), points.len()],
             code: Code::of(design, &layout, [&outputs, points]),
             power_up,
@@ -84,6 +87,11 @@ impl Program {
     /// All words as they are at power-up.
     pub(crate) fn power_up(&self) -> &[u64] {
         &self.power_up
+    }
+
+    /// The bits of each input.
+    pub(crate) fn input_masks(&self) -> &[u64] {
+        &self.input_masks
     }
 
     /// The numbers of outputs and of points.

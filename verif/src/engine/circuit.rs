@@ -3,15 +3,14 @@
 use super::source::{self, Instance};
 use crate::signal::Signal;
 use crate::subject::Clocked;
-use imogene_compiled::{Port, Program, Simulation};
+use imogene_compiled::{Program, Simulation};
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
 use std::sync::Arc;
 
-/// A design as machine code with its ports in their order; its instances share it.
+/// A design as machine code with its outputs in their order; its instances share it.
 pub struct Compiled {
     program: Arc<Program>,
-    inputs: Vec<Port>,
-    outputs: Vec<(Signal, Port)>,
+    outputs: Vec<Signal>,
 }
 
 impl Compiled {
@@ -21,15 +20,10 @@ impl Compiled {
     ///
     /// With a point that the design does not have.
     pub fn of(design: &Design, points: &[String]) -> Arc<Compiled> {
-        let program = Arc::new(Program::new(design, points));
-        let ports = |direction| design.top.ports_of(direction);
-        let inputs = ports(Direction::In).map(|port| program.port(&port.name));
-        let outputs = ports(Direction::Out);
-        let outputs = outputs.map(|port| (Signal::of(port), program.port(&port.name)));
+        let outputs = design.top.ports_of(Direction::Out);
         Arc::new(Compiled {
-            inputs: inputs.collect(),
-            outputs: outputs.collect(),
-            program,
+            program: Arc::new(Program::new(design, points)),
+            outputs: outputs.map(Signal::of).collect(),
         })
     }
 }
@@ -66,16 +60,14 @@ impl Circuit {
 
     /// Gives one clock with the inputs in their order, of which the low bits count.
     pub fn clock(&mut self, inputs: &[i64]) {
-        for (port, value) in self.design.inputs.iter().zip(inputs) {
-            self.simulation.set(*port, *value as u64);
-        }
+        let words = inputs.iter().map(|value| *value as u64);
+        self.simulation.set_all(words);
         self.simulation.clock();
     }
 
     /// The value of an output, by its place among them.
     pub fn output(&mut self, index: usize) -> i64 {
-        let (signal, port) = &self.design.outputs[index];
-        signal.value(self.simulation.get(*port))
+        self.design.outputs[index].value(self.simulation.outputs()[index])
     }
 
     /// The value of the output of this name.
@@ -85,19 +77,17 @@ impl Circuit {
     /// If there is none.
     pub fn value(&mut self, name: &str) -> i64 {
         let mut outputs = self.design.outputs.iter();
-        let found = outputs.position(|(signal, _)| signal.name == name);
+        let found = outputs.position(|signal| signal.name == name);
         self.output(found.unwrap_or_else(|| panic!("no output `{name}`")))
     }
 }
 
 impl Instance for Circuit {
     fn clock(&mut self, inputs: &[u64], outputs: &mut [Option<u64>]) {
-        for (port, word) in self.design.inputs.iter().zip(inputs) {
-            self.simulation.set(*port, *word);
-        }
+        self.simulation.set_all(inputs.iter().copied());
         self.simulation.clock();
-        for (place, (_, port)) in outputs.iter_mut().zip(&self.design.outputs) {
-            *place = Some(self.simulation.get(*port));
+        for (place, word) in outputs.iter_mut().zip(self.simulation.outputs()) {
+            *place = Some(*word);
         }
     }
 
@@ -109,8 +99,10 @@ impl Instance for Circuit {
 impl Clocked for Circuit {
     fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
         Circuit::clock(self, inputs);
-        let outputs = 0..self.design.outputs.len();
-        outputs.map(|index| Some(self.output(index))).collect()
+        let outputs = self.design.outputs.iter().zip(self.simulation.outputs());
+        outputs
+            .map(|(signal, bits)| Some(signal.value(*bits)))
+            .collect()
     }
 }
 
