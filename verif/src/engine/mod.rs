@@ -1,7 +1,9 @@
-//! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in Icarus Verilog or Verilator.
+//! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in
+//! Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Clocked`](crate::subject::Clocked), a machine behind [`Instance`](source::Instance); both get the
-//! same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in common.
+//! A unit runs behind [`Clocked`](crate::subject::Clocked), a machine behind [`Instance`](source::Instance); both get
+//! the same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in
+//! common.
 
 pub mod beam;
 pub mod circuit;
