@@ -26,6 +26,7 @@
 
 mod body;
 mod code;
+mod edge;
 mod layout;
 mod program;
 mod word;
