@@ -234,11 +234,7 @@ impl<'a, 'd> Body<'a, 'd> {
             Op::Select(which, a, b) => {
                 let which = self.zeros(in_scope(which));
                 let (a, b) = (self.word(in_scope(a)), self.word(in_scope(b)));
-                let above = if a.above == b.above {
-                    a.above
-                } else {
-                    Above::Anything
-                };
+                let above = a.above.and(b.above);
                 word(self.to.ins().select(which, a.value, b.value), above)
             }
             Op::Slice(a, low) => {
@@ -289,11 +285,7 @@ impl<'a, 'd> Body<'a, 'd> {
             }
             Binary::And | Binary::Or | Binary::Xor => {
                 let (a, b) = (self.word(a), self.word(b));
-                let above = if a.above == b.above {
-                    a.above
-                } else {
-                    Above::Anything
-                };
+                let above = a.above.and(b.above);
                 let ins = self.to.ins();
                 let value = match binary {
                     Binary::And => ins.band(a.value, b.value),

@@ -13,6 +13,16 @@ pub(crate) enum Above {
     Anything,
 }
 
+impl Above {
+    /// What stands above a word that is made bit by bit of two.
+    pub(crate) fn and(self, other: Above) -> Above {
+        match self == other {
+            true => self,
+            false => Above::Anything,
+        }
+    }
+}
+
 /// A value of so many bits. It is made clean where that is needed, and once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Word {
