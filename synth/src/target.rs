@@ -102,7 +102,8 @@ impl Target {
         match self {
             Self::Ice40Hx8k => format!("synth_ice40 -top {top}"),
             Self::Ice40Up5k => format!("synth_ice40 -device u -dsp -top {top}"),
-            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -top {top}"),
+            // Wide look-up tables take a fifth more cells and give no more clock (docs/synthesis.md).
+            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -nowidelut -top {top}"),
             Self::Xilinx7 => format!("synth_xilinx -family xc7 -flatten -noiopad -top {top}"),
             Self::Gowin => format!("synth_gowin -noiopads -top {top}"),
             // Enables become gates, for a plain flip-flop is the only one whose transistors are known; an `opt` after
@@ -118,7 +119,6 @@ impl Target {
     /// within a machine.
     pub(crate) fn synthesis_of_part(self, top: &str) -> String {
         match self {
-            Self::Ecp5With45k | Self::Ecp5With85k => format!("synth_ecp5 -nowidelut -top {top}"),
             Self::Xilinx7 => self.synthesis(top) + " -nowidelut",
             Self::Gowin => self.synthesis(top) + " -nowidelut",
             _ => self.synthesis(top),

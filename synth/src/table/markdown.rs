@@ -23,10 +23,7 @@ Base format 24, 3 cut planes (4 of patches and volumes, 6 of the polyhedron), 1 
 and the sums that give both depths of a quadric on every pixel. `beam` is the machine; its clock is at most that of its slowest
 unit, and is not measured; the clocks of the object processors beside the quadric processor are measured on ECP5. The other forms of the root are in [root-network.md](root-network.md).
 
-On ECP5, Yosys joins look-up tables to wider ones. That speeds up the elementary processors, but alone in a netlist a multiplexer
-that a comparison steers (`cut_plane`, `two_volume_merge`, `visibility_node`, `decider`) draws the comparison into each of its bits
-and takes several times the cells of iCE40; the option `-nowidelut` of `synth_ecp5` prevents it, at the cost of the clock of the
-quadric core.
+On ECP5, tables are of four inputs (`synth_ecp5 -nowidelut`): [why](synthesis.md#tables-of-four-inputs).
 
 ";
 
