@@ -71,19 +71,20 @@ fn comparable<'a>(row: &Row, baseline: &'a Table) -> Result<&'a Measured, SynthE
         .find(row)
         .ok_or_else(|| SynthError::NoBaseline { row: row.name() })?;
     let here = tools(row.target)?;
-    if known.tools == here {
+    let synthesis = row.synthesis();
+    if known.tools == here && known.synthesis == synthesis {
         return Ok(known);
     }
-    let list = |tools: &BTreeMap<String, String>| {
+    let list = |tools: &BTreeMap<String, String>, synthesis: &str| {
         let tools = tools
             .iter()
             .map(|(tool, version)| format!("{tool} {version}"));
-        tools.collect::<Vec<_>>().join(", ")
+        format!("{} and `{synthesis}`", tools.collect::<Vec<_>>().join(", "))
     };
     Err(SynthError::OtherTools {
         row: row.name(),
-        baseline: list(&known.tools),
-        here: list(&here),
+        baseline: list(&known.tools, &known.synthesis),
+        here: list(&here, &synthesis),
     })
 }
 

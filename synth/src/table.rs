@@ -24,7 +24,7 @@ pub use markdown::PICTURE;
 pub use rows::{Row, Section, rows, select};
 
 /// Version of the file.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// Most bytes of the file, which has tens of thousands.
 const MAX_BYTES: u64 = 16 << 20;
@@ -56,6 +56,8 @@ pub struct Measured {
     pub seeds: usize,
     /// Tools and versions.
     pub tools: BTreeMap<String, String>,
+    /// Command of the synthesis tool.
+    pub synthesis: String,
     /// Latency in clocks.
     pub latency: usize,
     /// Resources and clock.
@@ -164,8 +166,8 @@ impl Table {
     /// What it has of a row, if today's Verilog and tools would give the same.
     fn current(&self, row: &Row) -> Result<Option<&Measured>, SynthError> {
         let (verilog, tools) = (verilog(row)?, tools(row.target)?);
-        let known = self.find(row);
-        Ok(known.filter(|known| known.verilog == verilog && known.tools == tools))
+        let known = self.find(row).filter(|known| known.verilog == verilog);
+        Ok(known.filter(|known| known.tools == tools && known.synthesis == row.synthesis()))
     }
 
     /// Where it differs from the rows and the Verilog of today; empty if it is current. Needs no tool.
@@ -208,6 +210,7 @@ impl Measured {
         Self {
             section: row.section,
             seeds: row.options.seeds,
+            synthesis: row.synthesis(),
             figures: Figures::from(&report),
             slowest_path: median.and_then(|run| run.critical_path.clone()),
             unit: report.unit,

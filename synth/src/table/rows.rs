@@ -181,4 +181,9 @@ impl Row {
             self.target.name()
         )
     }
+
+    /// Command that synthesises it in its harness.
+    pub(crate) fn synthesis(&self) -> String {
+        self.target.synthesis(crate::harness::TOP)
+    }
 }

@@ -24,6 +24,7 @@ fn measured(row: &Row, index: usize) -> Measured {
         target: row.target.name().to_owned(),
         seeds: row.options.seeds,
         tools: BTreeMap::from([("yosys".to_owned(), "0.1".to_owned())]),
+        synthesis: row.synthesis(),
         latency: row.request.latency(),
         figures: Figures {
             lut: count(1_000),
@@ -98,9 +99,9 @@ fn a_file_that_is_not_there_or_none_is_one_message() {
     let misspelt = whole.replace("\"lut\"", "\"luts\"");
     let message = read(&misspelt).expect_err("no table").to_string();
     assert!(message.contains("luts"), "{message}");
-    let newer = whole.replace("\"version\": 2", "\"version\": 3");
+    let newer = whole.replace("\"version\": 3", "\"version\": 4");
     let message = read(&newer).expect_err("no table").to_string();
-    assert!(message.contains("version 3"), "{message}");
+    assert!(message.contains("version 4"), "{message}");
 }
 
 #[test]

@@ -168,4 +168,8 @@ fn a_row_that_got_worse_and_other_tools_are_found() {
     let error = check(&rows, &older, &options, || ()).expect_err("other tools");
     assert!(matches!(error, SynthError::OtherTools { .. }), "{error}");
     assert!(error.to_string().contains("yosys 0.1"), "{error}");
+    let mut otherwise = make(&rows);
+    otherwise.rows[1].synthesis = "synth -top other".into();
+    let error = check(&rows, &otherwise, &options, || ()).expect_err("another command");
+    assert!(error.to_string().contains("-top other"), "{error}");
 }

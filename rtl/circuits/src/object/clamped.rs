@@ -1,6 +1,6 @@
 //! A root within the depth word.
 
-use super::{absent, end};
+use super::end;
 use imogene_contract::words::{CAP, far_end, near_end};
 use imogene_hdl::{Bits, Int, Value};
 
@@ -23,19 +23,27 @@ impl Clamped {
         let sum = sum.named(&own("sum"));
         let is_low = sum.less(Int::new(low, sum.width())).named(&own("is_low"));
         let is_far = (!sum.less(Int::new(far, sum.width()))).named(&own("is_far"));
-        let within = is_far.select(absent(width), sum.low(width));
         let [cap, face] = [CAP, face].map(|number| Bits::new(number, 4));
-        let clamped = is_low.select(end(near_end, width), within);
         Clamped {
             is_low,
             is_far,
-            depth: clamped.named(&own("depth")),
+            depth: ends_or([is_low, is_far], sum.low(width)).named(&own("depth")),
             face: is_low.select(cap, face).named(&own("face")),
         }
+    }
+
+    /// `root` between the ends and else the end, as in a word of the width of `root`.
+    pub fn source(&self, root: Int) -> Int {
+        ends_or([self.is_low, self.is_far], root)
     }
 
     /// 1 where it is between the ends.
     pub fn is_visible(&self) -> Bits {
         !(self.is_low | self.is_far)
     }
+}
+
+fn ends_or([is_low, is_far]: [Bits; 2], root: Int) -> Int {
+    let [low, far] = [near_end, far_end].map(|of| end(of, root.width()));
+    is_low.select(low, is_far.select(far, root))
 }

@@ -1,8 +1,10 @@
 //! From two roots to intervals, by class.
 
 use super::clamped::Clamped;
-use super::{Interval, Roots, absent, end};
-use imogene_contract::words::{CAP, FAR_ROOT, FRONT, NEAR_ROOT, PATCH, PRISM, SIDE, near_end};
+use super::{Interval, Roots, end};
+use imogene_contract::words::{
+    CAP, FAR_ROOT, FRONT, NEAR_ROOT, PATCH, PRISM, SIDE, far_end, near_end,
+};
 use imogene_hdl::{Bits, Bundle, Int, Value, bundles, module, net};
 
 bundles! {
@@ -13,15 +15,21 @@ bundles! {
     }
 }
 
+/// Bits that say from where a depth is taken: one of the ends of the depth, as in a word of as many bits, or one of the
+/// roots.
+const SOURCE: u32 = 2;
+const FROM_NEAR: i64 = 0;
+const FROM_FAR: i64 = -2;
+
 /// The intervals of an object between the ends of the depth, by its class.
 ///
-/// Latency 1. Section 2.4.2.
+/// What is chosen is the source of each depth, in two bits; then one multiplexer a depth takes it. Latency 1. Section
+/// 2.4.2.
 pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
     let meaning = "class of the object: 0 side, 1 front, 2 patch, 3 prism";
     let inputs = (roots, ("object_class", object_class, meaning));
     module("depth_interval", at, inputs, |(roots, object_class)| {
         let width = roots.depth();
-        let low = end(near_end, width);
         let face = |number: u64| Bits::new(number, 4);
         let near = Clamped::of("near", roots.near_sum, NEAR_ROOT);
         let far = Clamped::of("far", roots.far_sum, FAR_ROOT);
@@ -35,27 +43,40 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
             let is_surface = is(PATCH);
             let is_prism = is(PRISM);
             let has_b = roots.in_box & roots.is_inside & is_front & !far.is_far;
+            let from_near = near.source(Int::new(FROM_NEAR, SOURCE));
+            let from_far = far.source(Int::new(FROM_FAR, SOURCE));
         }
+        let [low, no_source] = [near_end, far_end].map(|of| end(of, SOURCE));
         let interval = |[zf, zb]: [Int; 2], [nf, nb]: [Bits; 2]| Interval { zf, nf, zb, nb };
-        let nothing = Interval::absent(width);
-        let all = interval([low, absent(width)], [face(CAP), face(CAP)]);
-        let side = interval([near.depth, far.depth], [near.face, face(FAR_ROOT)]);
-        let before = interval([low, near.depth], [face(CAP), face(NEAR_ROOT)]);
-        let behind = interval([far.depth, absent(width)], [far.face, face(CAP)]);
-        let surface = Interval::of_surface([near_visible, far_visible], [near.depth, far.depth]);
+        let absent = Interval::absent(SOURCE);
+        let all = interval([low, no_source], [face(CAP), face(CAP)]);
+        let side = interval([from_near, from_far], [near.face, face(FAR_ROOT)]);
+        let before = interval([low, from_near], [face(CAP), face(NEAR_ROOT)]);
+        let surface = Interval::of_surface([near_visible, far_visible], [from_near, from_far]);
         let kinds = [
             (is_prism, all),
-            (is_surface, surface.called("surface")),
+            (is_surface, surface),
             (is_before, before),
             (is_side, side),
         ];
         let choose = |other: Interval, (holds, one): (Bits, Interval)| holds.select(one, other);
-        let inside = kinds.into_iter().fold(nothing, choose).called("inside");
-        let outside = is_front.select(all, nothing);
+        let inside = kinds.into_iter().fold(absent, choose).called("inside");
+        let outside = is_front.select(all, absent);
         let a = roots.is_inside.select(inside, outside);
+        let a = roots.in_box.select(a, absent).called("source_a");
+        net! { let source_b_zf = has_b.select(from_far, no_source); }
+        let [near_bits, far_bits] = [roots.near_sum, roots.far_sum].map(|sum| sum.low(width));
+        let [near_end, far_end] = [near_end, far_end].map(|of| end(of, width));
+        let depth = |source: Int| {
+            let [is_end, is_other] = [0, 1].map(|at| source.bit(at));
+            let other = is_end.select(near_end, far_bits);
+            is_other.select(other, is_end.select(far_end, near_bits))
+        };
+        let a = interval([a.zf, a.zb].map(depth), [a.nf, a.nb]);
+        let faces_b = [far.face, face(CAP)].map(|one| has_b.select(one, face(0)));
         Halves {
-            a: roots.in_box.select(a, nothing).registered(),
-            b: has_b.select(behind, nothing).registered(),
+            a: a.registered(),
+            b: interval([depth(source_b_zf), far_end], faces_b).registered(),
         }
     })
 }
