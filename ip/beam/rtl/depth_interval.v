@@ -18,16 +18,14 @@ module depth_interval (
 
     wire near_is_low, near_is_far, far_is_low, far_is_far, near_visible, far_visible, is_front, is_side, is_before,
         is_surface, is_prism, has_b;
-    wire signed [23:0] near_depth, far_depth, surface_zf, surface_zb, inside_zf, inside_zb;
-    wire [3:0] near_face, far_face, surface_nf, surface_nb, choice_2, inside_nf, inside_nb, choice;
+    wire [3:0] near_face, far_face, choice_2, inside_nf, inside_nb, choice, source_a_nf, source_a_nb;
+    wire signed [1:0] from_near, from_far, inside_zf, inside_zb, source_a_zf, source_a_zb, source_b_zf;
 
     assign near_is_low = near_sum < -26'sd8388607;
     assign near_is_far = near_sum >= 26'sd8388607;
-    assign near_depth = near_is_low ? -24'sd8388607 : near_is_far ? 24'sd8388607 : near_sum[23:0];
     assign near_face = near_is_low ? 4'd15 : 4'd0;
     assign far_is_low = far_sum < -26'sd8388607;
     assign far_is_far = far_sum >= 26'sd8388607;
-    assign far_depth = far_is_low ? -24'sd8388607 : far_is_far ? 24'sd8388607 : far_sum[23:0];
     assign far_face = far_is_low ? 4'd15 : 4'd1;
     assign near_visible = ~(near_is_low | near_is_far);
     assign far_visible = ~(far_is_low | far_is_far);
@@ -37,23 +35,26 @@ module depth_interval (
     assign is_surface = object_class == 2'd2;
     assign is_prism = object_class == 2'd3;
     assign has_b = ((in_box & is_inside) & is_front) & ~far_is_far;
-    assign surface_zf = near_visible ? near_depth : far_visible ? far_depth : 24'sd8388607;
-    assign surface_nf = (far_visible & ~near_visible) ? 4'd1 : 4'd0;
-    assign surface_zb = far_visible ? far_depth : near_visible ? near_depth : 24'sd8388607;
-    assign surface_nb = far_visible ? 4'd1 : 4'd0;
+    assign from_near = near_is_low ? -2'sd1 : near_is_far ? 2'sd1 : 2'sd0;
+    assign from_far = far_is_low ? -2'sd1 : far_is_far ? 2'sd1 : 2'sh2;
     assign choice_2 = is_prism ? 4'd15 : 4'd0;
-    assign inside_zf = is_side ? near_depth : is_before ? -24'sd8388607 : is_surface ? surface_zf : is_prism ? -24'sd8388607 : 24'sd8388607;
-    assign inside_nf = is_side ? near_face : is_before ? 4'd15 : is_surface ? surface_nf : choice_2;
-    assign inside_zb = is_side ? far_depth : is_before ? near_depth : is_surface ? surface_zb : 24'sd8388607;
-    assign inside_nb = is_side ? 4'd1 : is_before ? 4'd0 : is_surface ? surface_nb : choice_2;
+    assign inside_zf = is_side ? from_near : is_before ? -2'sd1 : is_surface ? (near_visible ? from_near : far_visible ? from_far : 2'sd1) : is_prism ? -2'sd1 : 2'sd1;
+    assign inside_nf = is_side ? near_face : is_before ? 4'd15 : is_surface ? ((far_visible & ~near_visible) ? 4'd1 : 4'd0) : choice_2;
+    assign inside_zb = is_side ? from_far : is_before ? from_near : is_surface ? (far_visible ? from_far : near_visible ? from_near : 2'sd1) : 2'sd1;
+    assign inside_nb = is_side ? 4'd1 : is_before ? 4'd0 : is_surface ? (far_visible ? 4'd1 : 4'd0) : choice_2;
     assign choice = is_front ? 4'd15 : 4'd0;
+    assign source_a_zf = in_box ? (is_inside ? inside_zf : is_front ? -2'sd1 : 2'sd1) : 2'sd1;
+    assign source_a_nf = in_box ? (is_inside ? inside_nf : choice) : 4'd0;
+    assign source_a_zb = in_box ? (is_inside ? inside_zb : 2'sd1) : 2'sd1;
+    assign source_a_nb = in_box ? (is_inside ? inside_nb : choice) : 4'd0;
+    assign source_b_zf = has_b ? from_far : 2'sd1;
 
     always @(posedge clock) begin
-        zf_a <= in_box ? (is_inside ? inside_zf : is_front ? -24'sd8388607 : 24'sd8388607) : 24'sd8388607;
-        nf_a <= in_box ? (is_inside ? inside_nf : choice) : 4'd0;
-        zb_a <= in_box ? (is_inside ? inside_zb : 24'sd8388607) : 24'sd8388607;
-        nb_a <= in_box ? (is_inside ? inside_nb : choice) : 4'd0;
-        zf_b <= has_b ? far_depth : 24'sd8388607;
+        zf_a <= source_a_zf[1] ? (source_a_zf[0] ? -24'sd8388607 : far_sum[23:0]) : source_a_zf[0] ? 24'sd8388607 : near_sum[23:0];
+        nf_a <= source_a_nf;
+        zb_a <= source_a_zb[1] ? (source_a_zb[0] ? -24'sd8388607 : far_sum[23:0]) : source_a_zb[0] ? 24'sd8388607 : near_sum[23:0];
+        nb_a <= source_a_nb;
+        zf_b <= source_b_zf[1] ? (source_b_zf[0] ? -24'sd8388607 : far_sum[23:0]) : source_b_zf[0] ? 24'sd8388607 : near_sum[23:0];
         nf_b <= has_b ? far_face : 4'd0;
         zb_b <= 24'sd8388607;
         nb_b <= has_b ? 4'd15 : 4'd0;
