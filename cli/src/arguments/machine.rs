@@ -15,7 +15,7 @@ pub struct Machine {
     #[arg(long, value_name = "FILE.toml")]
     pub machine: PathBuf,
     /// What runs the hardware.
-    #[arg(long, value_enum, default_value = "verilator")]
+    #[arg(long, value_enum, default_value = "built-in")]
     pub engine: EngineName,
     /// Folder of the Verilog, the picture from the pins, the golden picture and summary.json.
     #[arg(long, value_name = "DIR", default_value = "imogene-machine")]
