@@ -12,7 +12,7 @@ pub struct Place {
     pub column: usize,
 }
 
-#[cfg(any(feature = "pdb", feature = "cad"))]
+#[cfg(any(feature = "pdb", feature = "cad", feature = "terrain"))]
 impl Place {
     /// Of a byte of a text whose lines end so.
     pub(crate) fn of(bytes: &[u8], at: usize, end: u8) -> Place {
@@ -87,7 +87,36 @@ impl ImportError {
 /// What comes of reading a file.
 pub type Result<T, E = ImportError> = std::result::Result<T, E>;
 
+/// The text of a file, or where it stops being text.
+#[cfg(any(feature = "cad", feature = "terrain"))]
+pub(crate) fn decoded<'a>(bytes: &'a [u8], file: &str, accepted: &str) -> Result<&'a str> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let place = Place::of(bytes, error.valid_up_to(), b'\n');
+        ImportError::new(file, Some(place), "this byte is no UTF-8 text", accepted)
+    })
+}
+
 /// A refusal of a file as a whole.
 pub(crate) fn unusable(file: &str, problem: impl ToString, accepted: impl ToString) -> ImportError {
     ImportError::new(file, None, problem, accepted)
+}
+
+#[cfg(all(test, feature = "terrain"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_byte_that_is_no_text_has_its_place() {
+        let cases: [(&[u8], &str); 4] = [
+            (b"\xff", "1:1"),
+            (b"1 2\n3 \xff", "2:3"),
+            (b"1 2\n\xff", "2:1"),
+            (b"\xc3\xa9\n\xc3\xa9\xff", "2:2"),
+        ];
+        for (bytes, place) in cases {
+            let error = decoded(bytes, "grid", "a text").expect_err("no text");
+            let wanted = format!("grid:{place}: this byte is no UTF-8 text; a text");
+            assert_eq!(error.to_string(), wanted);
+        }
+    }
 }

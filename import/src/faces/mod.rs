@@ -44,8 +44,8 @@ pub use planes::{Planes, SharedPlane};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
 
-use crate::error::unusable;
-use crate::{ImportError, Imported, Place, Result};
+use crate::error::{decoded, unusable};
+use crate::{Imported, Result};
 use compile::{Task, quadric_face};
 use courses::Courses;
 use imogene_files::text::counted;
@@ -135,11 +135,7 @@ fn imported(part: &Part, file: &str, missing: &[String]) -> Result<Imported> {
 
 /// Reads a face list and compiles each of its solids.
 pub fn compile(bytes: &[u8], file: &str, options: &FaceOptions) -> Result<Part> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let place = Place::of(bytes, error.valid_up_to(), b'\n');
-        let accepted = "a face list is a TOML text in UTF-8";
-        ImportError::new(file, Some(place), "this byte is no UTF-8 text", accepted)
-    })?;
+    let text = decoded(bytes, file, "a face list is a TOML text in UTF-8")?;
     let model = build::build(Source { file, text })?;
     Ok(compile_model(model, options))
 }

@@ -1,8 +1,8 @@
 //! Readers of height grids: ESRI ASCII grids, and plain rows of numbers.
 
 use super::grid::{HeightGrid, MAX_NODES};
-use super::text::{Word, decoded, shown, words};
-use crate::error::unusable;
+use super::text::{Word, shown, words};
+use crate::error::{decoded, unusable};
 use crate::kind::{KEYS, is_grid_keyword};
 use crate::{ImportError, Place, Result};
 
@@ -12,7 +12,7 @@ const MAX_NUMBER: f64 = 1e8;
 /// Reads a grid of either format; `file` is the name that messages give it. A text that begins with a keyword of the
 /// header is an ESRI ASCII grid.
 pub fn read(bytes: &[u8], file: &str) -> Result<HeightGrid> {
-    let text = decoded(bytes, file)?;
+    let text = decoded(bytes, file, "a grid of heights is plain text")?;
     let reader = Reader { file, text };
     let first = reader.words().next();
     if first.is_some_and(|word| is_grid_keyword(word.text)) {

@@ -1,6 +1,6 @@
 //! Words of a text with their places.
 
-use crate::{ImportError, Place, Result};
+use crate::Place;
 
 /// A word and where it begins.
 #[derive(Clone, Copy, Debug)]
@@ -30,22 +30,6 @@ pub fn words(line: &str, number: usize) -> impl Iterator<Item = Word<'_>> {
         column += word.text.chars().count();
         rest = &rest[length..];
         Some(word)
-    })
-}
-
-/// The text of a file, or where it stops being text.
-pub fn decoded<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        let line = good.lines().count().max(1);
-        let column = good.lines().last().map_or(0, |line| line.chars().count()) + 1;
-        let place = Some(Place { line, column });
-        ImportError::new(
-            file,
-            place,
-            "this is not UTF-8 text",
-            "a grid of heights is plain text",
-        )
     })
 }
 
