@@ -119,8 +119,7 @@ impl Target {
     /// within a machine.
     pub(crate) fn synthesis_of_part(self, top: &str) -> String {
         match self {
-            Self::Xilinx7 => self.synthesis(top) + " -nowidelut",
-            Self::Gowin => self.synthesis(top) + " -nowidelut",
+            Self::Xilinx7 | Self::Gowin => self.synthesis(top) + " -nowidelut",
             _ => self.synthesis(top),
         }
     }

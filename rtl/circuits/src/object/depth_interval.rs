@@ -15,8 +15,8 @@ bundles! {
     }
 }
 
-/// Bits that say from where a depth is taken: one of the ends of the depth, as in a word of as many bits, or one of the
-/// roots.
+/// Bits that say from where a depth is taken: -1 and 1, the ends of a depth word of as many bits, stand for the ends;
+/// what such a word has besides stands for the roots. Bit 0 is set at an end, bit 1 for the far root and the near end.
 const SOURCE: u32 = 2;
 const FROM_NEAR: i64 = 0;
 const FROM_FAR: i64 = -2;
@@ -46,10 +46,10 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
             let from_near = near.source(Int::new(FROM_NEAR, SOURCE));
             let from_far = far.source(Int::new(FROM_FAR, SOURCE));
         }
-        let [low, no_source] = [near_end, far_end].map(|of| end(of, SOURCE));
+        let [low, last] = [near_end, far_end].map(|of| end(of, SOURCE));
         let interval = |[zf, zb]: [Int; 2], [nf, nb]: [Bits; 2]| Interval { zf, nf, zb, nb };
         let absent = Interval::absent(SOURCE);
-        let all = interval([low, no_source], [face(CAP), face(CAP)]);
+        let all = interval([low, last], [face(CAP), face(CAP)]);
         let side = interval([from_near, from_far], [near.face, face(FAR_ROOT)]);
         let before = interval([low, from_near], [face(CAP), face(NEAR_ROOT)]);
         let surface = Interval::of_surface([near_visible, far_visible], [from_near, from_far]);
@@ -64,7 +64,7 @@ pub fn depth_interval(at: &str, roots: Roots, object_class: Bits) -> Halves {
         let outside = is_front.select(all, absent);
         let a = roots.is_inside.select(inside, outside);
         let a = roots.in_box.select(a, absent).called("source_a");
-        net! { let source_b_zf = has_b.select(from_far, no_source); }
+        net! { let source_b_zf = has_b.select(from_far, last); }
         let [near_bits, far_bits] = [roots.near_sum, roots.far_sum].map(|sum| sum.low(width));
         let [near_end, far_end] = [near_end, far_end].map(|of| end(of, width));
         let depth = |source: Int| {
