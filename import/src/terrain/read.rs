@@ -315,7 +315,10 @@ step 1 2 3\n1 2\n3 4\n | hills:1:10: `3` too many
             assert!(message.contains(&says), "{text:?}: {message}");
         }
         let binary = read(b"1 2\n3 \xff4\n", "hills").unwrap_err().to_string();
-        assert!(binary.contains("hills:2:3: this is not UTF-8"), "{binary}");
+        assert!(
+            binary.contains("hills:2:3: this byte is no UTF-8 text"),
+            "{binary}"
+        );
     }
 
     proptest! {
