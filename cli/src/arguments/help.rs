@@ -149,7 +149,7 @@ pub const GROUPS: &[Group] = &[
                 "prove",
                 &["imogene prove pe1", "imogene prove pe1 --mutants"],
             ),
-            entry("mutate", &["imogene mutate cut_plane --mutants 100"]),
+            entry("mutate", &["imogene mutate cut_plane"]),
             entry("speed", &["imogene speed pe1 --seconds 1"]),
         ],
     },

@@ -21,14 +21,22 @@ pub struct Prove {
 /// Arguments of `mutate`.
 #[derive(Debug, Args)]
 pub struct Mutate {
-    /// Unit, as listed by `imogene units`, or `all` for those of the published table.
-    pub unit: String,
-    /// Depth word in bits, 8 to 32.
-    #[arg(long, default_value_t = 16, value_name = "W", value_parser = depth_word)]
-    pub format: u32,
-    /// Mutants of a unit at most, at least 1.
-    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub mutants: u32,
+    /// Units, as listed by `imogene units`, with commas between, or `all`.
+    #[arg(value_delimiter = ',', required = true)]
+    pub unit: Vec<String>,
+    /// Depth words in bits, 8 to 32, with commas between.
+    #[arg(long, default_value = "16", value_name = "W,...", value_delimiter = ',', value_parser = depth_word)]
+    pub format: Vec<u32>,
+    /// Mutants of the emitted Verilog by Yosys, of each unit at most this many, in the place of every mutant of the
+    /// circuit; `all` are ten units.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub netlist: Option<u32>,
+    /// Stimuli that a mutant is run on before a proof is tried.
+    #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub stimuli: u64,
+    /// Clocks of each of them, about.
+    #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
+    pub clocks: u32,
     /// Write the table of scores to this file.
     #[arg(long, value_name = "FILE.md")]
     pub out: Option<PathBuf>,

@@ -3,38 +3,55 @@
 use crate::arguments::Mutate;
 use crate::failure::Failure;
 use crate::output;
-use imogene_contract::Request;
+use imogene_contract::{Request, Unit};
 use imogene_files::text::counted;
-use imogene_rtl::emit::emit;
-use imogene_verif::mutation::{self, Design, MutationReport, table};
+use imogene_rtl::emit::{design, emit};
+use imogene_verif::mutation::{MutationReport, Options, circuit, netlist, table};
 use imogene_verif::unit::subject;
 
-/// Scores one unit or all of the published table.
+/// Scores one unit or all.
 pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
-    let units = if options.unit == "all" {
-        table::UNITS.to_vec()
-    } else {
-        vec![options.unit.as_str()]
+    let named = options.unit.iter().map(String::as_str);
+    let units: Vec<&str> = match (options.unit == ["all"], options.netlist) {
+        (true, None) => Unit::ALL.into_iter().map(Unit::name).collect(),
+        (true, Some(_)) => table::NETLISTS.to_vec(),
+        (false, _) => named.collect(),
     };
-    let reports: Vec<MutationReport> = units
-        .into_iter()
-        .map(|unit| {
-            let report = score(unit, options)?;
+    let scale = Options {
+        mutants: options.netlist.unwrap_or_default() as usize,
+        stimuli: options.stimuli,
+        clocks: options.clocks as usize,
+        ..Options::default()
+    };
+    let mut reports = vec![];
+    for format in &options.format {
+        for unit in &units {
+            let request = Request::given(unit, *format, &[])?;
+            let report = match options.netlist {
+                None => of_circuit(&request, &scale)?,
+                Some(_) => of_netlist(&request, &scale)?,
+            };
             if !json {
                 output::text(describe(&report));
             }
-            Ok(report)
-        })
-        .collect::<Result<_, Failure>>()?;
+            reports.push(report);
+        }
+    }
     if let Some(path) = &options.out {
+        let (kind, introduction) = match options.netlist {
+            None => (String::new(), table::OF_CIRCUITS),
+            Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
+        };
+        let formats: Vec<String> = options.format.iter().map(u32::to_string).collect();
         let command = format!(
-            "imogene mutate {} --format {} --mutants {} --out {}",
-            options.unit,
-            options.format,
-            options.mutants,
+            "imogene mutate {} --format {}{kind} --stimuli {} --clocks {} --out {}",
+            options.unit.join(","),
+            formats.join(","),
+            options.stimuli,
+            options.clocks,
             path.display()
         );
-        let text = table::markdown(&reports, &command);
+        let text = table::markdown(&reports, introduction, &command);
         output::write_text(path, &text)?;
     }
     if json {
@@ -43,35 +60,38 @@ pub fn run(options: &Mutate, json: bool) -> Result<(), Failure> {
     verdict(&reports)
 }
 
-fn score(unit: &str, options: &Mutate) -> Result<MutationReport, Failure> {
-    let request = Request::given(unit, options.format, &[])?;
-    let subject = subject(&request)?;
-    let emitted = emit(&request)?;
+fn of_circuit(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
+    let (subject, design) = (subject(request)?, design(request)?);
+    let bar = output::progress(circuit::count(&design), "mutants");
+    let report = circuit::run(&subject, &design, options, || bar.inc(1));
+    bar.finish_and_clear();
+    Ok(report?)
+}
+
+fn of_netlist(request: &Request, options: &Options) -> Result<MutationReport, Failure> {
+    let (subject, emitted) = (subject(request)?, emit(request)?);
     let text = emitted.bundle();
-    let design = Design {
+    let design = netlist::Design {
         top: &emitted.top,
         text: &text,
         latency: emitted.latency,
     };
-    let bar = output::progress(u64::from(options.mutants), "mutants");
-    let options = mutation::Options {
-        mutants: options.mutants as usize,
-        ..mutation::Options::default()
-    };
-    let report = mutation::run(&subject, &design, &options, || bar.inc(1));
+    let bar = output::progress(options.mutants as u64, "mutants");
+    let report = netlist::run(&subject, &design, options, || bar.inc(1));
     bar.finish_and_clear();
-    report.map_err(Failure::from)
+    Ok(report?)
 }
 
 /// A score as text.
 fn describe(report: &MutationReport) -> String {
     format!(
-        "{}: {} of {}, {} killed, {} equivalent, {} surviving: score {:.2} % ({:.1} s)",
+        "{}: {} of {}, {} killed, {} equivalent, {} forgotten, {} surviving: score {:.2} % ({:.1} s)",
         report.unit,
         counted(report.mutants, "mutant"),
         report.candidates,
         report.killed,
         report.equivalent,
+        report.forgotten,
         report.surviving.len(),
         report.score,
         report.seconds

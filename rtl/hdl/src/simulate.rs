@@ -4,11 +4,10 @@ mod code;
 mod flat;
 
 use crate::build::Design;
-use crate::tree::{Direction, PortRecord};
+use crate::tree::PortRecord;
 use crate::value::mask;
-use code::Code;
-pub use flat::Port;
-use flat::{Flat, Flop, Store};
+pub use code::{Code, Kind};
+pub use flat::{Flop, Levels, Port, Store};
 use std::collections::HashMap;
 
 /// A design that runs, clock by clock: the check of what is compiled of it.
@@ -24,30 +23,23 @@ pub struct Simulator {
 }
 
 impl Simulator {
-    /// Sorts the operations of a design.
+    /// A design at power-up.
     ///
     /// # Panics
     ///
     /// With the name of a value in a loop without a register.
     pub fn new(design: &Design) -> Simulator {
-        let mut flat = Flat::default();
-        flat.word(1);
-        let inputs = design.top.ports_of(Direction::In);
-        let inputs: Vec<u32> = inputs.map(|_| flat.word(0)).collect();
-        let outputs = flat.place(&design.top, "", &inputs);
-        flat.call_ports(&design.top.ports, "", inputs.iter().chain(&outputs));
-        flat.without_copies();
-        flat.sort();
-        let memories = flat.stores.iter().map(|store| vec![0; store.words]);
+        let levels = Levels::of(design);
+        let memories = levels.stores.iter().map(|store| vec![0; store.words]);
         Simulator {
             ports: design.top.ports.clone(),
             memories: memories.collect(),
-            words: flat.words,
-            code: flat.code,
-            flops: flat.flops,
-            stores: flat.stores,
+            words: levels.words,
+            code: levels.code,
+            flops: levels.flops,
+            stores: levels.stores,
             is_settled: false,
-            points: flat.points.into_iter().collect(),
+            points: levels.points.into_iter().collect(),
         }
     }
 

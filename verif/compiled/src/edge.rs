@@ -9,7 +9,7 @@ use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{FuncRef, InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::FunctionBuilder;
-use imogene_hdl::{Module, Op};
+use imogene_hdl::{Module, Net, Op};
 use std::collections::HashSet;
 use std::rc::Rc;
 
@@ -67,6 +67,10 @@ impl Body<'_, '_> {
         let own = &self.scopes[scope];
         let (module, place) = (own.module, own.place + own.block.register(index));
         let register = &module.registers[index];
+        let never = |net: Net| module.node(net).op == Op::Literal(0);
+        if register.enable.is_some_and(never) {
+            return;
+        }
         let held = self.kept((scope, register.net));
         let next = register.next.expect("a closed module has all inputs");
         let mut next = self.kept((scope, next));

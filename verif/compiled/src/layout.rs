@@ -66,6 +66,16 @@ impl Layout {
         &self.blocks[&Rc::as_ptr(module)]
     }
 
+    /// Adds the place of every register, those of instances before those of the module around them, for a block that
+    /// begins at `from`.
+    pub(crate) fn registers(&self, module: &Rc<Module>, from: usize, places: &mut Vec<usize>) {
+        let block = self.block(module);
+        for (instance, place) in module.instances.iter().zip(&block.instances) {
+            self.registers(&instance.module, from + place, places);
+        }
+        places.extend((0..module.registers.len()).map(|index| from + block.register(index)));
+    }
+
     /// Writes what registers hold at power-up into the block of a module.
     pub(crate) fn power_up(&self, module: &Rc<Module>, words: &mut [u64]) {
         let block = self.block(module);

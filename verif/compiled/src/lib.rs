@@ -82,6 +82,17 @@ impl Simulation {
         self.is_read = [false; 2];
     }
 
+    /// Gives a register another word, as a particle might. Registers are counted through the design: those of the
+    /// instances in a module, then its own. The word has no bits beyond the width of the register.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such register.
+    pub fn upset(&mut self, register: usize, word: u64) {
+        self.words[self.program.registers()[register]] = word;
+        self.is_read = [false; 2];
+    }
+
     /// The words of all outputs in this clock, in the order of the ports.
     pub fn outputs(&mut self) -> &[u64] {
         self.given(Given::Outputs)

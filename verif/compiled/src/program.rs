@@ -32,6 +32,7 @@ pub(crate) enum Given {
 pub struct Program {
     code: Code,
     power_up: Vec<u64>,
+    registers: Vec<usize>,
     ports: HashMap<String, Port>,
     input_masks: Vec<u64>,
     given: [usize; 2],
@@ -48,6 +49,8 @@ impl Program {
         let layout = Layout::of(design);
         let mut power_up = vec![0; layout.block(&design.top).size];
         layout.power_up(&design.top, &mut power_up);
+        let mut registers = vec![];
+        layout.registers(&design.top, 0, &mut registers);
         let outputs = design.top.ports_of(Direction::Out);
         let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
         let mut ports = HashMap::new();
@@ -70,6 +73,7 @@ impl Program {
             given: [outputs.len(), points.len()],
             code: Code::of(design, &layout, [&outputs, points]),
             power_up,
+            registers,
             ports,
         }
     }
@@ -87,6 +91,11 @@ impl Program {
     /// All words as they are at power-up.
     pub(crate) fn power_up(&self) -> &[u64] {
         &self.power_up
+    }
+
+    /// Where each register lies.
+    pub(crate) fn registers(&self) -> &[usize] {
+        &self.registers
     }
 
     /// The bits of each input.

@@ -1,55 +1,50 @@
-//! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
+//! Mutants of a unit's netlist.
+//!
+//! Yosys elaborates the emitted Verilog and lists mutants: one bit of one cell port inverted, stuck, or disturbed by
+//! another bit. All of them go into one design that an input selects from, which is compiled once; each mutant is then
+//! run on the unit's own stimulus against the golden model until the first difference. What nothing kills Yosys may
+//! prove equivalent.
 
-use super::list::parse;
-use super::score::{Design, Mutant, MutationError, Options, selector};
-use imogene_tools::{read, yosys};
-use std::fmt::Write as _;
-use std::path::Path;
+mod campaign;
+mod cut;
+mod elaborate;
+mod equivalence;
+mod facts;
+mod list;
+mod mutant;
 
-/// The unit's Verilog in the working folder.
-pub(super) const SOURCE: &str = "unit.v";
-/// The elaborated unit.
-pub(super) const NETLIST: &str = "unit.il";
+pub use mutant::{Design, Mutant};
 
-/// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
-pub(super) fn elaborate(
-    folder: &Path,
+use super::score::{MutationError, MutationReport, Options};
+use crate::subject::Subject;
+use imogene_tools::{scratch, write};
+use std::time::Instant;
+
+/// Makes mutants of a unit's emitted Verilog, kills them, and proves the rest equivalent where that is so.
+///
+/// `on_done` is called once for each mutant, from any thread.
+///
+/// # Errors
+///
+/// When a tool is missing or refuses the unit, or the unit without mutation already differs from its golden model.
+pub fn run(
+    subject: &Subject,
     design: &Design,
     options: &Options,
-) -> Result<(Vec<Mutant>, usize), MutationError> {
-    let Design { top, text, .. } = design;
-    let script = format!(
-        "read_verilog {SOURCE}\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nwreduce\n\
-         opt -full\ndffunmap\nopt_expr -fine\nopt_clean\nstat\nwrite_rtlil {NETLIST}\n\
-         mutate -list {} -seed {} -o mutants.txt\n",
-        options.mutants, options.seed
-    );
-    let said = yosys(folder, "elaborate.ys", &script)?;
-    let candidates = said
-        .lines()
-        .find_map(|line| line.strip_prefix("Raw database size: "))
-        .and_then(|count| count.trim().parse().ok())
-        .ok_or_else(|| MutationError::List("no size of the database".into()))?;
-    let list = read(&folder.join("mutants.txt"))?;
-    Ok((parse(&list, text)?, candidates))
-}
-
-/// The Verilog of all mutants in one module, with an input that selects one.
-pub(super) fn all_mutants(
-    folder: &Path,
-    top: &str,
-    mutants: &[Mutant],
-) -> Result<String, MutationError> {
-    let selector = selector(mutants.len());
-    let mut script = format!("read_rtlil {NETLIST}\n");
-    for mutant in mutants {
-        let _ = writeln!(
-            script,
-            "mutate -module {top} {} -ctrl {} {} {}",
-            mutant.command, selector.name, selector.width, mutant.number
-        );
+    on_done: impl Fn() + Sync,
+) -> Result<MutationReport, MutationError> {
+    let started = Instant::now();
+    let scratch = scratch()?;
+    let folder = scratch.path();
+    write(&folder.join(elaborate::SOURCE), design.text)?;
+    let (mutants, candidates) = elaborate::elaborate(folder, design, options)?;
+    let kills = campaign::run(subject, design.top, folder, &mutants, options)?;
+    let judge = equivalence::Judge::new(folder, design, subject, options)?;
+    let fates = judge.judge(&mutants, kills, &on_done)?;
+    let mut report = MutationReport::new(subject);
+    for (mutant, fate) in mutants.iter().zip(fates) {
+        report.count(fate, options.clocks, || mutant.to_string());
     }
-    script += "write_verilog -noattr mutants.v\n";
-    yosys(folder, "mutants.ys", &script)?;
-    Ok(read(&folder.join("mutants.v"))?)
+    report.candidates = candidates;
+    Ok(report.ended(started))
 }

@@ -1,10 +1,10 @@
 //! What is asked of a mutation score, and what it tells.
 
 use crate::engine::design::DesignError;
-use crate::signal::Signal;
+use crate::subject::Subject;
 use imogene_tools::{FileError, ToolError};
 use serde::Serialize;
-use std::fmt;
+use std::time::Instant;
 use thiserror::Error;
 
 /// What is done.
@@ -64,8 +64,7 @@ pub enum MutationError {
 }
 
 /// What became of a mutant.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case", tag = "fate")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fate {
     /// An output differed from the golden model.
     Killed {
@@ -75,26 +74,20 @@ pub enum Fate {
         clock: usize,
     },
     /// Proven to behave like the unit on every input.
-    Equivalent {
-        /// The proof.
-        proof: &'static str,
-    },
-    /// Neither.
-    Survived {
-        /// What is known of it.
-        reason: String,
-    },
+    Equivalent,
+    /// A change of the state at power-up that is proven to be gone before the first result.
+    Forgotten,
+    /// None of these; the reason is what is known of it.
+    Survived(String),
 }
 
-/// A mutant and what became of it.
+/// A mutant that is neither killed nor proven equivalent.
 #[derive(Clone, Debug, Serialize)]
-pub struct Outcome {
-    /// The mutant.
-    #[serde(flatten)]
-    pub mutant: Mutant,
-    /// What became of it.
-    #[serde(flatten)]
-    pub fate: Fate,
+pub struct Survivor {
+    /// What it changes.
+    pub mutant: String,
+    /// What is known of it.
+    pub reason: String,
 }
 
 /// The score of a unit; the keys are stable.
@@ -104,7 +97,7 @@ pub struct MutationReport {
     pub unit: String,
     /// Options of the command line that give this configuration.
     pub options: String,
-    /// Mutants that Yosys found possible; more than those made when they were too many.
+    /// Mutants that are possible; of a netlist more than those made when they are too many.
     pub candidates: usize,
     /// Mutants made.
     pub mutants: usize,
@@ -112,8 +105,10 @@ pub struct MutationReport {
     pub killed: usize,
     /// Proven equivalent.
     pub equivalent: usize,
-    /// Neither killed nor proven equivalent.
-    pub surviving: Vec<Outcome>,
+    /// Changes of the state at power-up that are gone before the first result.
+    pub forgotten: usize,
+    /// None of these.
+    pub surviving: Vec<Survivor>,
     /// Killed mutants in a hundred that are not proven equivalent.
     pub score: f64,
     /// Clocks at which the last killed mutant differed, counted over all stimuli.
@@ -122,62 +117,49 @@ pub struct MutationReport {
     pub seconds: f64,
 }
 
-/// A unit's emitted Verilog.
-#[derive(Clone, Copy, Debug)]
-pub struct Design<'a> {
-    /// Name of the module.
-    pub top: &'a str,
-    /// Text.
-    pub text: &'a str,
-    /// Clocks from an input to its result.
-    pub latency: usize,
-}
-
-/// The input that selects a mutant; 0 selects none.
-pub(super) fn selector(mutants: usize) -> Signal {
-    Signal::unsigned("mutant_select", (mutants as u64).ilog2() + 1)
-}
-
-/// One small change of a netlist.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Mutant {
-    /// Number, from 1.
-    pub number: usize,
-    /// `inv` inverts a bit, `const0` and `const1` hold it, `cnot0` and `cnot1` invert it when another bit of the same
-    /// port is 0 or 1.
-    pub mode: String,
-    /// Cell of the netlist.
-    pub cell: String,
-    /// Port of the cell.
-    pub port: String,
-    /// Bit of the port.
-    pub bit: u32,
-    /// The other bit of `cnot0` and `cnot1`.
-    pub control_bit: Option<u32>,
-    /// Signal on the bit, if it has a name.
-    pub signal: Option<String>,
-    /// Line of the Verilog that the cell comes from, if it is known.
-    pub line: Option<usize>,
-    /// That line's text.
-    pub source: String,
-    /// Options of Yosys that make it, without module and control.
-    #[serde(skip)]
-    pub(super) command: String,
-}
-
-impl fmt::Display for Mutant {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} of {}[{}]", self.mode, self.port, self.bit)?;
-        if let Some(bit) = self.control_bit {
-            write!(f, " by [{bit}]")?;
+impl MutationReport {
+    /// Of a unit before its first mutant.
+    pub(super) fn new(subject: &Subject) -> MutationReport {
+        MutationReport {
+            unit: subject.name.clone(),
+            options: subject.options.clone(),
+            candidates: 0,
+            mutants: 0,
+            killed: 0,
+            equivalent: 0,
+            forgotten: 0,
+            surviving: vec![],
+            score: 100.0,
+            longest_life: 0,
+            seconds: 0.0,
         }
-        if let Some(signal) = &self.signal {
-            write!(f, " ({signal})")?;
+    }
+
+    /// Counts a mutant; `clocks` are those of a stimulus.
+    pub(super) fn count(&mut self, fate: Fate, clocks: usize, mutant: impl Fn() -> String) {
+        self.mutants += 1;
+        match fate {
+            Fate::Killed { stimulus, clock } => {
+                self.killed += 1;
+                self.longest_life = self.longest_life.max(stimulus * clocks + clock + 1);
+            }
+            Fate::Equivalent => self.equivalent += 1,
+            Fate::Forgotten => self.forgotten += 1,
+            Fate::Survived(reason) => {
+                let mutant = mutant();
+                self.surviving.push(Survivor { mutant, reason });
+            }
         }
-        write!(f, " at {}", self.cell)?;
-        match self.line {
-            Some(line) => write!(f, ", line {line}: {}", self.source),
-            None => Ok(()),
+    }
+
+    /// After the last mutant.
+    pub(super) fn ended(self, started: Instant) -> MutationReport {
+        let judged = (self.killed + self.surviving.len()).max(1);
+        MutationReport {
+            candidates: self.candidates.max(self.mutants),
+            score: 100.0 * self.killed as f64 / judged as f64,
+            seconds: started.elapsed().as_secs_f64(),
+            ..self
         }
     }
 }

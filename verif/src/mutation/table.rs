@@ -1,11 +1,13 @@
 //! The scores as a page of the documentation.
 
-use super::score::{Fate, MutationReport};
+use super::score::{MutationReport, Survivor};
 use imogene_files::text::wrapped;
+use regex::Regex;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Units whose score is published, smallest first.
-pub const UNITS: [&str; 10] = [
+/// Units whose netlists' scores are published, smallest first.
+pub const NETLISTS: [&str; 10] = [
     "pe1",
     "pe2",
     "cut_plane",
@@ -18,8 +20,28 @@ pub const UNITS: [&str; 10] = [
     "quadric_pe",
 ];
 
-const INTRODUCTION: &str = "\
+/// Groups of survivors of a unit that the page shows.
+const SHOWN: usize = 8;
+
+/// Before the table of circuits.
+pub const OF_CIRCUITS: &str = "\
 # Mutation scores
+
+A test suite is worth what it notices. *Every* mutant of each unit's circuit is run: each bit of each net stuck at 0,
+stuck at 1 and inverted, each bit of a constant inverted, each operator exchanged for another, the enable of each
+register stuck and inverted, each bit of what it holds at power-up inverted, in every instance. A mutant is *killed*
+when the unit's own stimulus shows a difference from the golden model. It is *equivalent* when it is proven to have the
+outputs and next states of the unit for every input and every state that the unit can come to, so that no test could
+kill it. It is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the
+work began and the latency passed. The score is the share of the killed among the killed and the surviving.
+
+A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
+proof needs to know more of the states that are never reached.
+";
+
+/// Before the table of netlists.
+pub const OF_NETLISTS: &str = "\
+# Mutation scores of netlists
 
 A test suite is worth what it notices. Each unit's emitted Verilog is elaborated by Yosys, and mutants are made of the
 netlist: one bit of one cell port inverted (`inv`), held (`const0`, `const1`), or inverted when another bit of the port
@@ -29,31 +51,63 @@ score is the share of the killed among the others.
 ";
 
 /// The page; `command` made it.
-pub fn markdown(reports: &[MutationReport], command: &str) -> String {
-    let mut text = format!("{INTRODUCTION}\nMade by `{command}`.\n\n");
-    text += "| unit | configuration | candidates | mutants | killed | equivalent | surviving | score | longest life, clocks |\n";
-    text += "|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
+pub fn markdown(reports: &[MutationReport], introduction: &str, command: &str) -> String {
+    let mut text = format!("{introduction}\nMade by:\n\n```sh\n{command}\n```\n\n");
+    text += "| unit | configuration | candidates | mutants | killed | equivalent | forgotten | surviving | score | longest life, clocks |\n";
+    text += "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for r in reports {
         let _ = writeln!(
             text,
-            "| {} | `{}` | {} | {} | {} | {} | {} | {:.2} % | {} |",
+            "| {} | `{}` | {} | {} | {} | {} | {} | {} | {:.2} % | {} |",
             r.unit,
             r.options,
             r.candidates,
             r.mutants,
             r.killed,
             r.equivalent,
+            r.forgotten,
             r.surviving.len(),
             r.score,
             r.longest_life
         );
     }
-    text += "\n*Candidates* are the mutants that Yosys finds possible; where they are more than the mutants, it picks them \
-             evenly over\ncells, ports and source lines. *Longest life* is how much stimulus the hardest of the killed \
-             mutants took.\n";
+    text += "\n*Candidates* are the mutants that are possible; where they are more than the mutants, Yosys picks them evenly \
+             over\ncells, ports and source lines. *Longest life* is how much stimulus the hardest of the killed mutants took.\n";
     text += "\n## Survivors\n\n";
-    for line in survivors(reports).lines() {
+    for line in groups(reports).lines() {
         text += &(wrapped(line, "  ") + "\n");
+    }
+    text
+}
+
+/// Survivors that differ in their bits alone as one, the most numerous first; a few of each unit.
+fn groups(reports: &[MutationReport]) -> String {
+    let bit = Regex::new(r"\[\d+\]").expect("a pattern");
+    let mut text = String::new();
+    for report in reports.iter().filter(|report| !report.surviving.is_empty()) {
+        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+        for Survivor { mutant, .. } in &report.surviving {
+            *counts
+                .entry(bit.replace_all(mutant, "[]").into_owned())
+                .or_default() += 1;
+        }
+        let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let shown = counts.iter().take(SHOWN);
+        let shown: Vec<String> = shown
+            .map(|(mutant, count)| format!("{count} of {mutant}"))
+            .collect();
+        let others: usize = counts.iter().skip(SHOWN).map(|(_, count)| count).sum();
+        let _ = writeln!(
+            text,
+            "- {} `{}`: {}; {others} others.",
+            report.unit,
+            report.options,
+            shown.join(", ")
+        );
+    }
+    if text.is_empty() {
+        text += "None.\n";
     }
     text
 }
@@ -62,10 +116,8 @@ pub fn markdown(reports: &[MutationReport], command: &str) -> String {
 pub fn survivors(reports: &[MutationReport]) -> String {
     let mut text = String::new();
     for report in reports {
-        for outcome in &report.surviving {
-            if let Fate::Survived { reason } = &outcome.fate {
-                let _ = writeln!(text, "- {}: {}. {reason}", report.unit, outcome.mutant);
-            }
+        for Survivor { mutant, reason } in &report.surviving {
+            let _ = writeln!(text, "- {}: {mutant}. {reason}", report.unit);
         }
     }
     if text.is_empty() {

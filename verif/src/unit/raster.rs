@@ -26,10 +26,10 @@ pub(super) fn raster_control() -> Description {
     })
 }
 
-/// Requests at random times, small zones so that many end, now and then a long line.
+/// Requests at random times, small zones so that many end, now and then a long line or a high column.
 fn zones(_: &Subject, clocks: usize) -> BoxedStrategy<Vec<Inputs>> {
     let go = prop_oneof![2 => Just(0i64), 1 => Just(1)].boxed();
-    let side = prop_oneof![6 => 1i64..6, 1 => 1i64..40].boxed();
+    let side = prop_oneof![12 => 1i64..6, 2 => 1i64..40, 1 => 1i64..4096].boxed();
     each(vec![go, side.clone(), side], clocks)
 }
 

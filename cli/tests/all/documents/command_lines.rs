@@ -131,7 +131,7 @@ const NOT_RUN: [(&str, &str); 22] = [
         "imogene prove",
         "Yosys and z3; cli/tests/all/prove.rs runs it",
     ),
-    ("imogene mutate", "Yosys; cli/tests/all/commands.rs runs it"),
+    ("imogene mutate", "minutes; cli/tests/all/mutate.rs runs it"),
     (
         "imogene cosim cut_plane --engine icarus",
         "Icarus Verilog; cli/tests/all/commands.rs runs it",

@@ -3,8 +3,9 @@
 /// The operations: how many words each reads, and its value from the words x, y and z and a constant count c.
 macro_rules! operations {
     ($($(#[$about:meta])* $kind:ident $reads:literal |$x:tt, $y:tt, $z:tt, $c:tt| $value:expr;)*) => {
+        /// An operation, as Rust has it on words of 64 bits.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(super) enum Kind {
+        pub enum Kind {
             $($(#[$about])* $kind,)*
         }
 
@@ -28,19 +29,31 @@ macro_rules! operations {
 }
 
 operations! {
+    /// Sum.
     Add 2 |x, y, _, _| x.wrapping_add(y);
+    /// Difference.
     Sub 2 |x, y, _, _| x.wrapping_sub(y);
+    /// Product.
     Mul 2 |x, y, _, _| x.wrapping_mul(y);
+    /// Bitwise and.
     And 2 |x, y, _, _| x & y;
+    /// Bitwise or.
     Or 2 |x, y, _, _| x | y;
+    /// Bitwise exclusive or.
     Xor 2 |x, y, _, _| x ^ y;
+    /// Each bit inverted.
     Not 1 |x, _, _, _| !x;
+    /// 1 where both are equal.
     Equal 2 |x, y, _, _| u64::from(x == y);
+    /// 1 where the first is less.
     Less 2 |x, y, _, _| u64::from(x < y);
     /// The sign is at bit c.
     LessSigned 2 |x, y, _, c| u64::from(x ^ 1 << c < y ^ 1 << c);
+    /// The second where the first is 1, else the third.
     Select 3 |x, y, z, _| if x != 0 { y } else { z };
+    /// To the left; all is lost from 64 on.
     Left 2 |x, y, _, _| x.checked_shl(y.min(64) as u32).unwrap_or(0);
+    /// To the right.
     Right 2 |x, y, _, _| x.checked_shr(y.min(64) as u32).unwrap_or(0);
     /// There are c bits in front of the sign.
     RightSigned 2 |x, y, _, c| (((x << c) as i64 >> c) >> y.min(63)) as u64;
@@ -52,14 +65,19 @@ operations! {
     Sign 1 |x, _, _, c| ((x << c) as i64 >> c) as u64;
 }
 
+/// An operation with the places of its words.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Code {
-    pub(super) kind: Kind,
-    /// The words that it reads; a word that it does not need is [`ONE`](super::ONE).
-    pub(super) from: [u32; 3],
-    pub(super) count: u32,
-    pub(super) to: u32,
-    pub(super) mask: u64,
+pub struct Code {
+    /// What it does.
+    pub kind: Kind,
+    /// The words that it reads; one that it does not need is the word 0, which is always 1.
+    pub from: [u32; 3],
+    /// The constant count that some kinds have.
+    pub count: u32,
+    /// Where the result goes.
+    pub to: u32,
+    /// The bits of the result that stay.
+    pub mask: u64,
 }
 
 impl Code {

@@ -1,6 +1,7 @@
 //! All modules of a design as one list of operations.
 
 use super::code::{Code, Kind};
+use crate::build::Design;
 use crate::scope::{described, refuse};
 use crate::tree::{Binary, Direction, Module, Net, Op, PortRecord, in_order};
 use crate::value::mask;
@@ -9,55 +10,123 @@ use std::rc::Rc;
 /// A port of the design's top module, or a point inside, by its place in a simulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Port {
-    pub(super) place: u32,
-    pub(super) width: u32,
+    /// Of its word.
+    pub place: u32,
+    /// Bits.
+    pub width: u32,
 }
 
+/// A register, by the places of its words.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Flop {
-    pub(super) output: u32,
-    pub(super) next: u32,
+pub struct Flop {
+    /// What it holds.
+    pub output: u32,
+    /// Its bits.
+    pub width: u32,
+    /// What it takes.
+    pub next: u32,
     /// A word that is 1 where there is none.
-    pub(super) enable: u32,
+    pub enable: u32,
 }
 
-/// A memory.
+/// A memory, by the places of its words.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Store {
-    pub(super) words: usize,
+pub struct Store {
+    /// Words that it holds.
+    pub words: usize,
     /// Enable, address and word of a write.
-    pub(super) write: [u32; 3],
-    pub(super) address: u32,
-    pub(super) output: u32,
+    pub write: [u32; 3],
+    /// Of what is read.
+    pub address: u32,
+    /// What was read.
+    pub output: u32,
+    /// Bits of a word.
+    pub width: u32,
 }
 
 /// The word that is always 1.
 pub(super) const ONE: u32 = 0;
 
-/// All modules of a design, one behind the other.
+/// All modules of a design as one list of operations on words.
+pub struct Levels {
+    /// What each word is at power-up.
+    pub words: Vec<u64>,
+    /// Operations, none before those whose results it reads.
+    pub code: Vec<Code>,
+    /// Registers: those of the instances in a module, then its own.
+    pub flops: Vec<Flop>,
+    /// Memories, in the same order.
+    pub stores: Vec<Store>,
+    /// Inputs of the top module in their order, then its outputs.
+    ports: Vec<Port>,
+    inputs: usize,
+    /// Ports of the instances and nets with names, behind the names of the instances around them, as in
+    /// `processors_0.quadric.near_sum`.
+    pub points: Vec<(String, Port)>,
+}
+
+impl Levels {
+    /// Sorts the operations of a design.
+    ///
+    /// # Panics
+    ///
+    /// With the name of a value in a loop without a register.
+    pub fn of(design: &Design) -> Levels {
+        let mut flat = Flat::default();
+        flat.word(1);
+        let inputs = design.top.ports_of(Direction::In);
+        let inputs: Vec<u32> = inputs.map(|_| flat.word(0)).collect();
+        let outputs = flat.place(&design.top, "", &inputs);
+        flat.call_ports(&design.top.ports, "", inputs.iter().chain(&outputs));
+        flat.without_copies();
+        flat.sort();
+        let first = flat.points.len() - design.top.ports.len();
+        let ports = flat.points[first..].iter().map(|(_, port)| *port);
+        Levels {
+            ports: ports.collect(),
+            inputs: inputs.len(),
+            words: flat.words,
+            code: flat.code,
+            flops: flat.flops,
+            stores: flat.stores,
+            points: flat.points,
+        }
+    }
+
+    /// The inputs of the top module, in their order.
+    pub fn inputs(&self) -> &[Port] {
+        &self.ports[..self.inputs]
+    }
+
+    /// The outputs of the top module, in their order.
+    pub fn outputs(&self) -> &[Port] {
+        &self.ports[self.inputs..]
+    }
+}
+
+/// The modules that were placed, one behind the other.
 #[derive(Default)]
-pub(super) struct Flat {
-    pub(super) words: Vec<u64>,
-    pub(super) code: Vec<Code>,
-    pub(super) flops: Vec<Flop>,
-    pub(super) stores: Vec<Store>,
+struct Flat {
+    words: Vec<u64>,
+    code: Vec<Code>,
+    flops: Vec<Flop>,
+    stores: Vec<Store>,
     /// Words that are the same as others.
     copies: Vec<(u32, u32)>,
     /// The net that each operation writes, for messages.
     described: Vec<(Rc<Module>, Net)>,
-    /// Ports and points inside, by their paths.
-    pub(super) points: Vec<(String, Port)>,
+    points: Vec<(String, Port)>,
 }
 
 impl Flat {
-    pub(super) fn word(&mut self, value: u64) -> u32 {
+    fn word(&mut self, value: u64) -> u32 {
         self.words.push(value);
         self.words.len() as u32 - 1
     }
 
     /// Adds a module whose inputs are these words, and gives those of its outputs; `path` stands before the names
     /// inside.
-    pub(super) fn place(&mut self, module: &Rc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
+    fn place(&mut self, module: &Rc<Module>, path: &str, inputs: &[u32]) -> Vec<u32> {
         // Words first, so that operations may refer forward.
         let mut places = vec![u32::MAX; module.nodes.len()];
         for (port, place) in module.ports_of(Direction::In).zip(inputs) {
@@ -102,6 +171,7 @@ impl Flat {
         for register in &module.registers {
             self.flops.push(Flop {
                 output: at(register.net),
+                width: module.node(register.net).width,
                 next: at(register.next.expect("a closed module has all inputs")),
                 enable: register.enable.map_or(ONE, at),
             });
@@ -112,6 +182,7 @@ impl Flat {
                 write: memory.write.map(at),
                 address: at(memory.address),
                 output: at(memory.net),
+                width: memory.width,
             });
         }
         module
@@ -121,7 +192,7 @@ impl Flat {
     }
 
     /// Calls the words of ports after them.
-    pub(super) fn call_ports<'a>(
+    fn call_ports<'a>(
         &mut self,
         ports: &[PortRecord],
         path: &str,
@@ -211,7 +282,7 @@ impl Flat {
     }
 
     /// One word in the place of all that are the same.
-    pub(super) fn without_copies(&mut self) {
+    fn without_copies(&mut self) {
         let mut same: Vec<u32> = (0..self.words.len() as u32).collect();
         for (to, from) in &self.copies {
             same[*to as usize] = *from;
@@ -235,6 +306,7 @@ impl Flat {
                 output,
                 next,
                 enable,
+                ..
             } = flop;
             [output, next, enable].into_iter().for_each(renumber);
         }
@@ -247,7 +319,7 @@ impl Flat {
     }
 
     /// Puts operations behind those whose results they read.
-    pub(super) fn sort(&mut self) {
+    fn sort(&mut self) {
         let code = &self.code;
         let mut writer = vec![usize::MAX; self.words.len()];
         for (index, code) in code.iter().enumerate() {

@@ -5,7 +5,7 @@
 //! They hold where registers begin, at 0, but for the network that does not restore; there they hold once the pipeline
 //! is filled, for it has no feedback, and nothing is stated of a result before.
 
-use super::netlist::NETLIST;
+use super::elaborate::NETLIST;
 use imogene_tools::{ToolError, read, write, yosys};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -6,7 +6,8 @@
 
 use super::cut::{cut, cut_command};
 use super::facts::{ASSUMED, assume};
-use super::score::{Design, Fate, Mutant, MutationError, Options, Outcome};
+use super::mutant::{Design, Mutant};
+use crate::mutation::score::{Fate, MutationError, Options};
 use crate::subject::Subject;
 use imogene_tools::{ToolError, read, write, yosys};
 use rayon::prelude::*;
@@ -57,17 +58,17 @@ impl<'a> Judge<'a> {
     /// The fate of each mutant; `kills` says where those that are dead were killed.
     pub(super) fn judge(
         &self,
-        mutants: Vec<Mutant>,
+        mutants: &[Mutant],
         kills: Vec<Option<(usize, usize)>>,
         on_done: &(impl Fn() + Sync),
-    ) -> Result<Vec<Outcome>, MutationError> {
-        let judged = mutants.into_par_iter().zip(kills).map(|(mutant, kill)| {
+    ) -> Result<Vec<Fate>, MutationError> {
+        let judged = mutants.par_iter().zip(kills).map(|(mutant, kill)| {
             let fate = match kill {
                 Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
-                None => self.survivor(&mutant)?,
+                None => self.survivor(mutant)?,
             };
             on_done();
-            Ok(Outcome { mutant, fate })
+            Ok(fate)
         });
         judged.collect()
     }
@@ -75,16 +76,12 @@ impl<'a> Judge<'a> {
     fn survivor(&self, mutant: &Mutant) -> Result<Fate, ToolError> {
         if mutant.port == "CLK" {
             let reason = "It changes the clock of a register, which the proofs do not model";
-            return Ok(Fate::Survived {
-                reason: reason.into(),
-            });
+            return Ok(Fate::Survived(reason.into()));
         }
         let command = cut_command(&mutant.command, &mutant.cell, &self.netlist);
         let cut = self.prove(mutant.number, CUT, &command, "sat")?;
         if cut.contains("SUCCESS") {
-            return Ok(Fate::Equivalent {
-                proof: "equal outputs and next states",
-            });
+            return Ok(Fate::Equivalent);
         }
         // Nothing is stated of the outputs before the first result is there.
         let time = format!(
@@ -97,9 +94,7 @@ impl<'a> Judge<'a> {
             String::new()
         };
         if time.contains("SUCCESS") {
-            return Ok(Fate::Equivalent {
-                proof: "induction over time",
-            });
+            return Ok(Fate::Equivalent);
         }
         let reason = if time.contains("model found for base case") {
             "It differs from the unit on some input: the stimulus is too weak, or the contract leaves that input open".into()
@@ -109,7 +104,7 @@ impl<'a> Judge<'a> {
                 self.seconds
             )
         };
-        Ok(Fate::Survived { reason })
+        Ok(Fate::Survived(reason))
     }
 
     /// One attempt on a netlist; returns what Yosys said.

@@ -1,6 +1,7 @@
 //! The mutants that Yosys lists.
 
-use super::score::{Mutant, MutationError};
+use super::mutant::Mutant;
+use crate::mutation::score::MutationError;
 
 /// The mutants of a list, with the lines of the Verilog `text` they come from.
 pub(super) fn parse(list: &str, text: &str) -> Result<Vec<Mutant>, MutationError> {

@@ -1,0 +1,413 @@
+//! A design in which registers that never load decide what is changed.
+
+use crate::sites::{Site, SiteKind};
+use imogene_hdl::{Binary, Design, Module, Net, Node, Op, Register};
+use std::collections::HashMap;
+use std::fmt;
+use std::rc::Rc;
+
+/// A register with another value at power-up: its place among all of the design, those of the instances in a module
+/// before its own, and the value.
+pub type Upset = (usize, u64);
+
+/// What a mutant changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Change {
+    /// A bit is 0.
+    StuckAt0,
+    /// A bit is 1.
+    StuckAt1,
+    /// A bit is inverted.
+    Inverted,
+    /// An operator is another.
+    Exchanged,
+    /// A bit of a register begins with its inverse.
+    Initial,
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Change::StuckAt0 => "stuck at 0",
+            Change::StuckAt1 => "stuck at 1",
+            Change::Inverted => "inverted",
+            Change::Exchanged => "exchanged",
+            Change::Initial => "inverted at power-up",
+        })
+    }
+}
+
+/// One change of a circuit.
+#[derive(Clone, Debug)]
+pub struct Mutant {
+    /// What is changed.
+    pub change: Change,
+    /// What makes it of the design with controls.
+    pub upsets: Vec<Upset>,
+    /// The bit of a net or a register, 0 of an operator.
+    pub bit: u32,
+    /// Of the control that does it.
+    control: usize,
+}
+
+/// A control in an instance.
+struct Control {
+    /// Names of the instances around it.
+    path: String,
+    /// Its module, among all of the design.
+    module: Rc<Module>,
+    kind: ControlKind,
+    /// Its first register, among all of the design.
+    register: usize,
+}
+
+/// What a control does in a module.
+#[derive(Clone, Copy)]
+enum ControlKind {
+    Site(SiteKind),
+    /// The power-up of a register of the module, by its number.
+    Initial(usize),
+}
+
+/// A design with a control for each of some sites, in each instance.
+pub struct Controls {
+    /// The design; without an upset it is what it was.
+    pub design: Design,
+    controls: Vec<Control>,
+}
+
+impl Controls {
+    /// Gives these sites of a design controls.
+    pub fn new(design: &Design, sites: &[Site]) -> Controls {
+        let mut made: HashMap<*const Module, Rc<Module>> = HashMap::new();
+        let mut added = HashMap::new();
+        for (index, module) in design.top.all().iter().enumerate() {
+            let mut own = Module::clone(module);
+            for instance in &mut own.instances {
+                instance.module = made[&Rc::as_ptr(&instance.module)].clone();
+            }
+            let of_module = sites.iter().filter(|site| site.module == index);
+            let of_module = of_module.map(|site| {
+                let register = control(&mut own, module, site.kind);
+                (ControlKind::Site(site.kind), register)
+            });
+            let of_module: Vec<(ControlKind, usize)> = of_module.collect();
+            let own = Rc::new(own);
+            added.insert(Rc::as_ptr(&own), (module.clone(), of_module));
+            made.insert(Rc::as_ptr(module), own);
+        }
+        let top = made[&Rc::as_ptr(&design.top)].clone();
+        let mut controls = vec![];
+        walk(&top, "", &mut 0, &mut |instance, path, first| {
+            let (module, of_module) = &added[&Rc::as_ptr(instance)];
+            controls.extend(of_module.iter().map(|(kind, register)| Control {
+                path: path.to_owned(),
+                module: module.clone(),
+                kind: *kind,
+                register: first + register,
+            }));
+        });
+        Controls {
+            design: Design { top },
+            controls,
+        }
+    }
+
+    /// The design as it is: what its registers begin with is all that can be changed.
+    pub fn of_power_up(design: &Design) -> Controls {
+        let mut controls = vec![];
+        walk(&design.top, "", &mut 0, &mut |module, path, first| {
+            let registers = 0..module.registers.len();
+            controls.extend(registers.map(|index| Control {
+                path: path.to_owned(),
+                module: module.clone(),
+                kind: ControlKind::Initial(index),
+                register: first + index,
+            }));
+        });
+        Controls {
+            design: design.clone(),
+            controls,
+        }
+    }
+
+    /// The registers that were added, by their places among all.
+    pub(crate) fn registers(&self) -> impl Iterator<Item = usize> {
+        self.controls.iter().flat_map(|control| {
+            let count = match control.kind {
+                ControlKind::Site(SiteKind::Operator(..)) => 1,
+                ControlKind::Site(_) => 2,
+                ControlKind::Initial(_) => 0,
+            };
+            control.register..control.register + count
+        })
+    }
+
+    /// Every mutant that the controls make, bit by bit.
+    pub fn mutants(&self) -> Vec<Mutant> {
+        let controls = self.controls.iter().enumerate();
+        let mutants = controls.flat_map(|(index, control)| {
+            let (width, changes) = control.changes();
+            let pairs = (0..width).flat_map(move |bit| changes.iter().map(move |c| (bit, *c)));
+            pairs.map(move |(bit, change)| Mutant {
+                change,
+                upsets: control.upsets(change, bit),
+                control: index,
+                bit,
+            })
+        });
+        mutants.collect()
+    }
+
+    /// What a mutant changes, as `f2.kept_b[3] stuck at 1 (pe2.rs:40)`.
+    pub fn describe(&self, mutant: &Mutant) -> String {
+        let Control {
+            path, module, kind, ..
+        } = &self.controls[mutant.control];
+        let register = |index: usize| module.registers[index].net;
+        let (net, what) = match *kind {
+            ControlKind::Site(SiteKind::Bits(net)) => (net, format!("[{}]", mutant.bit)),
+            ControlKind::Site(SiteKind::Operator(net, which)) => (
+                net,
+                format!(" by {}", exchange_name(&module.node(net).op, which)),
+            ),
+            ControlKind::Site(SiteKind::Enable(index)) => (register(index), " enable".to_owned()),
+            ControlKind::Initial(index) => (register(index), format!("[{}]", mutant.bit)),
+        };
+        let node = module.node(net);
+        let name = node.name.clone();
+        let name = name.unwrap_or_else(|| operation(&node.op).to_owned());
+        let file = node.place.file();
+        let file = file.rsplit('/').next().unwrap_or(file);
+        let (change, line) = (mutant.change, node.place.line());
+        match change {
+            Change::Exchanged => format!("{path}{name} {change}{what} ({file}:{line})"),
+            _ => format!("{path}{name}{what} {change} ({file}:{line})"),
+        }
+    }
+}
+
+impl Control {
+    fn node(&self, net: Net) -> &Node {
+        self.module.node(net)
+    }
+
+    /// The bits that it can change, and how.
+    fn changes(&self) -> (u32, &'static [Change]) {
+        use Change::{Exchanged, Initial, Inverted, StuckAt0, StuckAt1};
+        match self.kind {
+            ControlKind::Site(SiteKind::Bits(net)) => {
+                let node = self.node(net);
+                match node.op {
+                    // Its other value is its inverse.
+                    Op::Literal(_) => (node.width, &[Inverted]),
+                    _ => (node.width, &[StuckAt0, StuckAt1, Inverted]),
+                }
+            }
+            ControlKind::Site(SiteKind::Operator(..)) => (1, &[Exchanged]),
+            ControlKind::Site(SiteKind::Enable(_)) => (1, &[StuckAt0, StuckAt1, Inverted]),
+            ControlKind::Initial(index) => (
+                self.node(self.module.registers[index].net).width,
+                &[Initial],
+            ),
+        }
+    }
+
+    /// The registers that make a change: what stays of the bits, and what is inverted then.
+    fn upsets(&self, change: Change, bit: u32) -> Vec<Upset> {
+        let (stay, invert) = (self.register, self.register + 1);
+        let stays = |width: u32| u64::MAX >> (64 - width) & !(1 << bit);
+        match (self.kind, change) {
+            (ControlKind::Initial(index), _) => {
+                let initial = self.module.registers[index].initial;
+                vec![(self.register, initial ^ 1 << bit)]
+            }
+            (_, Change::Exchanged) => vec![(self.register, 1)],
+            (_, Change::Inverted) => vec![(invert, 1 << bit)],
+            (_, Change::StuckAt0) => vec![(stay, stays(self.width()))],
+            (_, _) => vec![(stay, stays(self.width())), (invert, 1 << bit)],
+        }
+    }
+
+    fn width(&self) -> u32 {
+        match self.kind {
+            ControlKind::Site(SiteKind::Bits(net)) => self.node(net).width,
+            _ => 1,
+        }
+    }
+}
+
+/// Every instance with its path and the number of its first register among all.
+fn walk(
+    module: &Rc<Module>,
+    path: &str,
+    registers: &mut usize,
+    visit: &mut impl FnMut(&Rc<Module>, &str, usize),
+) {
+    for instance in &module.instances {
+        let path = format!("{path}{}.", instance.name);
+        walk(&instance.module, &path, registers, visit);
+    }
+    visit(module, path, *registers);
+    *registers += module.registers.len();
+}
+
+/// Adds a control to a module, which was `original`, and gives the number of its first register.
+fn control(module: &mut Module, original: &Module, kind: SiteKind) -> usize {
+    let first = module.registers.len();
+    match kind {
+        SiteKind::Bits(net) => {
+            let inner = moved(module, net);
+            let changed = masked(module, inner);
+            module.nodes[net.0].op = Op::Forward(Some(changed));
+        }
+        SiteKind::Operator(net, which) => {
+            let inner = moved(module, net);
+            let node = original.node(net);
+            let other = exchanged(module, node, inner, which);
+            let is_exchanged = constant(module, 0, 1, inner);
+            let op = Op::Select(is_exchanged, other, inner);
+            let changed = add(module, op, (node.width, node.signed), inner);
+            module.nodes[net.0].op = Op::Forward(Some(changed));
+        }
+        SiteKind::Enable(index) => {
+            let enable = module.registers[index]
+                .enable
+                .expect("a site with an enable");
+            let changed = masked(module, enable);
+            module.registers[index].enable = Some(changed);
+        }
+    }
+    first
+}
+
+/// Another net with what drives a net.
+fn moved(module: &mut Module, net: Net) -> Net {
+    let Node { width, signed, .. } = *module.node(net);
+    let op = module.node(net).op.clone();
+    let inner = add(module, op.clone(), (width, signed), net);
+    match op {
+        Op::Register(index) => module.registers[index].net = inner,
+        Op::Read(index) => module.memories[index].net = inner,
+        Op::Input => {
+            let mut ports = module.ports.iter_mut();
+            let port = ports.find(|port| port.net == net);
+            port.expect("an input is a port").net = inner;
+        }
+        _ => {}
+    }
+    inner
+}
+
+/// What stays of a net and is inverted then, by two registers.
+fn masked(module: &mut Module, net: Net) -> Net {
+    let Node { width, signed, .. } = *module.node(net);
+    let stay = constant(module, u64::MAX >> (64 - width), width, net);
+    let invert = constant(module, 0, width, net);
+    let kept = Op::Binary(Binary::And, net, stay);
+    let kept = add(module, kept, (width, signed), net);
+    let changed = Op::Binary(Binary::Xor, kept, invert);
+    add(module, changed, (width, signed), net)
+}
+
+/// A register that never loads.
+fn constant(module: &mut Module, initial: u64, width: u32, beside: Net) -> Net {
+    let index = module.registers.len();
+    let net = add(module, Op::Register(index), (width, false), beside);
+    let never = add(module, Op::Literal(0), (1, false), beside);
+    module.registers.push(Register {
+        net,
+        next: Some(net),
+        enable: Some(never),
+        initial,
+    });
+    net
+}
+
+fn add(module: &mut Module, op: Op, (width, signed): (u32, bool), beside: Net) -> Net {
+    let place = module.node(beside).place;
+    module.nodes.push(Node {
+        op,
+        width,
+        signed,
+        name: None,
+        place,
+    });
+    Net(module.nodes.len() - 1)
+}
+
+/// Another operator in the place of that of a node.
+fn exchanged(module: &mut Module, node: &Node, beside: Net, which: usize) -> Net {
+    let mut add = |op| add(module, op, (node.width, node.signed), beside);
+    match node.op.clone() {
+        Op::Binary(Binary::Mul, a, b) => {
+            let (a, b) = (add(Op::Extend(a)), add(Op::Extend(b)));
+            add(Op::Binary(Binary::Add, a, b))
+        }
+        Op::Binary(Binary::Less, a, b) => {
+            let turned = add(Op::Binary(Binary::Less, b, a));
+            match which {
+                0 => turned,
+                _ => add(Op::Not(turned)),
+            }
+        }
+        Op::Binary(binary, a, b) => add(Op::Binary(exchange(binary), a, b)),
+        Op::Select(which, a, b) => add(Op::Select(which, b, a)),
+        Op::Not(a) => add(Op::Same(a)),
+        op => unreachable!("{op:?} has no exchange"),
+    }
+}
+
+/// The operator in whose place another comes that has operands and result of the same widths.
+fn exchange(binary: Binary) -> Binary {
+    match binary {
+        Binary::Sub | Binary::Mul => Binary::Add,
+        Binary::Add => Binary::Sub,
+        Binary::And | Binary::Xor => Binary::Or,
+        Binary::Or => Binary::And,
+        Binary::Left => Binary::Right,
+        Binary::Right => Binary::Left,
+        Binary::Equal | Binary::Less => Binary::Less,
+    }
+}
+
+fn exchange_name(op: &Op, which: usize) -> &'static str {
+    match (op, which) {
+        (Op::Binary(Binary::Less, ..), 0) => "greater",
+        (Op::Binary(Binary::Less, ..), _) => "not greater",
+        (Op::Binary(binary, ..), _) => binary_name(exchange(*binary)),
+        (Op::Select(..), _) => "the other choice",
+        _ => "its operand",
+    }
+}
+
+fn binary_name(binary: Binary) -> &'static str {
+    match binary {
+        Binary::Add => "sum",
+        Binary::Sub => "difference",
+        Binary::Mul => "product",
+        Binary::And => "and",
+        Binary::Or => "or",
+        Binary::Xor => "exclusive or",
+        Binary::Left => "left shift",
+        Binary::Right => "right shift",
+        Binary::Equal => "equal",
+        Binary::Less => "less",
+    }
+}
+
+/// What a net without a name is called.
+fn operation(op: &Op) -> &'static str {
+    match op {
+        Op::Binary(binary, ..) => binary_name(*binary),
+        Op::Literal(_) => "constant",
+        Op::Not(_) => "inverse",
+        Op::Select(..) => "choice",
+        Op::Slice(..) => "slice",
+        Op::Join(_) => "join",
+        Op::Extend(_) => "extension",
+        Op::Register(_) => "register",
+        Op::Read(_) => "memory",
+        _ => "net",
+    }
+}

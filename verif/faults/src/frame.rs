@@ -1,0 +1,260 @@
+//! One clock of a design as gates.
+
+use crate::controls::Upset;
+use crate::gates::{Bit, Gates, NO, YES};
+use imogene_hdl::{Code, Kind, Levels};
+
+/// Bits of a word, the lowest first; those beyond are 0.
+pub(crate) type Word = Vec<Bit>;
+
+/// The words that one clock begins with: inputs, and what registers and memories hold.
+pub(crate) struct Begin {
+    words: Vec<Word>,
+}
+
+/// What one clock comes to.
+pub(crate) struct End {
+    /// What can be seen.
+    pub(crate) outputs: Vec<Bit>,
+    /// What each register holds after the clock.
+    pub(crate) registers: Vec<Word>,
+    /// What each memory takes: enable, then address and word if it is written, and the address that is read.
+    pub(crate) memories: Vec<Word>,
+}
+
+fn constant(value: u64) -> Word {
+    let width = 64 - value.leading_zeros();
+    (0..width)
+        .map(|bit| Bit::of(value >> bit & 1 == 1))
+        .collect()
+}
+
+impl Begin {
+    /// Any inputs and any state.
+    pub(crate) fn any(levels: &Levels, gates: &mut Gates) -> Begin {
+        let words = levels.words.iter().map(|word| constant(*word));
+        let mut begin = Begin {
+            words: words.collect(),
+        };
+        for flop in &levels.flops {
+            begin.words[flop.output as usize] = free(flop.width, gates);
+        }
+        begin.with_inputs(levels, gates);
+        begin
+    }
+
+    /// Any inputs, and any words from the memories.
+    fn with_inputs(&mut self, levels: &Levels, gates: &mut Gates) {
+        let inputs = levels.inputs().iter().map(|port| (port.place, port.width));
+        let stores = levels
+            .stores
+            .iter()
+            .map(|store| (store.output, store.width));
+        for (place, width) in inputs.chain(stores) {
+            self.words[place as usize] = free(width, gates);
+        }
+    }
+
+    /// What follows a clock, with any inputs.
+    pub(crate) fn after(mut self, end: &End, levels: &Levels, gates: &mut Gates) -> Begin {
+        for (flop, word) in levels.flops.iter().zip(&end.registers) {
+            self.words[flop.output as usize] = word.clone();
+        }
+        self.with_inputs(levels, gates);
+        self
+    }
+
+    /// The bits of an input.
+    pub(crate) fn input(&self, levels: &Levels, index: usize) -> &Word {
+        &self.words[levels.inputs()[index].place as usize]
+    }
+
+    /// Fixes an input.
+    pub(crate) fn set(&mut self, levels: &Levels, index: usize, value: u64) {
+        self.words[levels.inputs()[index].place as usize] = constant(value);
+    }
+
+    /// Makes the lowest bit of an input 0.
+    pub(crate) fn clear_lowest(&mut self, levels: &Levels, index: usize) {
+        self.words[levels.inputs()[index].place as usize][0] = NO;
+    }
+
+    /// Fixes the bits of a register that are constant.
+    pub(crate) fn fix(&mut self, levels: &Levels, index: usize, constants: &[Option<bool>]) {
+        let word = &mut self.words[levels.flops[index].output as usize];
+        for (bit, constant) in word.iter_mut().zip(constants) {
+            *bit = constant.map_or(*bit, Bit::of);
+        }
+    }
+
+    /// The bits of a register.
+    pub(crate) fn register(&self, levels: &Levels, index: usize) -> &Word {
+        &self.words[levels.flops[index].output as usize]
+    }
+
+    /// The bits that a memory gave.
+    pub(crate) fn read(&self, levels: &Levels, index: usize) -> &Word {
+        &self.words[levels.stores[index].output as usize]
+    }
+
+    /// Fixes a register.
+    pub(crate) fn hold(&mut self, levels: &Levels, index: usize, value: u64) {
+        self.words[levels.flops[index].output as usize] = constant(value);
+    }
+
+    /// One clock; some registers hold other words.
+    pub(crate) fn clock(&self, levels: &Levels, upsets: &[Upset], gates: &mut Gates) -> End {
+        let mut words = self.words.clone();
+        for (register, value) in upsets {
+            words[levels.flops[*register].output as usize] = constant(*value);
+        }
+        for code in &levels.code {
+            words[code.to as usize] = value(code, &words, gates);
+        }
+        let at = |place: u32, index: u32| bit_of(&words[place as usize], index);
+        let outputs = levels.outputs().iter();
+        let outputs = outputs.flat_map(|port| (0..port.width).map(|index| at(port.place, index)));
+        let outputs = outputs.collect();
+        let registers = levels.flops.iter().map(|flop| {
+            let enable = at(flop.enable, 0);
+            let bits = (0..flop.width).map(|index| {
+                let (next, held) = (at(flop.next, index), at(flop.output, index));
+                gates.select(enable, next, held)
+            });
+            bits.collect()
+        });
+        let registers = registers.collect();
+        let memories = levels.stores.iter().map(|store| {
+            let [enable, address, data] = store.write;
+            let enable = at(enable, 0);
+            let written = [address, data].into_iter();
+            let written = written.flat_map(|place| words[place as usize].iter());
+            let written: Word = written.map(|bit| gates.and(enable, *bit)).collect();
+            let read = words[store.address as usize].iter().copied();
+            [enable].into_iter().chain(written).chain(read).collect()
+        });
+        End {
+            memories: memories.collect(),
+            outputs,
+            registers,
+        }
+    }
+}
+
+/// Bits of which nothing is known.
+fn free(width: u32, gates: &mut Gates) -> Word {
+    (0..width).map(|_| gates.input()).collect()
+}
+
+/// A bit of a word.
+pub(crate) fn bit_of(word: &Word, index: u32) -> Bit {
+    word.get(index as usize).copied().unwrap_or(NO)
+}
+
+/// The result of an operation.
+fn value(code: &Code, words: &[Word], gates: &mut Gates) -> Word {
+    let width = 64 - code.mask.leading_zeros();
+    let [x, y, z] = code.from.map(|place| &words[place as usize]);
+    let count = code.count;
+    let longest = x.len().max(y.len()) as u32;
+    let mut each = |of: &mut dyn FnMut(&mut Gates, u32) -> Bit| -> Word {
+        (0..width).map(|index| of(gates, index)).collect()
+    };
+    match code.kind {
+        Kind::And => each(&mut |g, i| g.and(bit_of(x, i), bit_of(y, i))),
+        Kind::Or => each(&mut |g, i| g.or(bit_of(x, i), bit_of(y, i))),
+        Kind::Xor => each(&mut |g, i| g.xor(bit_of(x, i), bit_of(y, i))),
+        Kind::Not => each(&mut |_, i| !bit_of(x, i)),
+        Kind::Select => each(&mut |g, i| g.select(bit_of(x, 0), bit_of(y, i), bit_of(z, i))),
+        Kind::Slice => each(&mut |_, i| bit_of(x, i + count)),
+        Kind::Above => each(&mut |_, i| match i < count {
+            true => bit_of(y, i),
+            false => bit_of(x, i - count),
+        }),
+        Kind::Sign => each(&mut |_, i| bit_of(x, i.min(63 - count))),
+        Kind::Add => sum(gates, x, y, NO, width),
+        Kind::Sub => {
+            let y: Word = (0..width).map(|index| !bit_of(y, index)).collect();
+            sum(gates, x, &y, YES, width)
+        }
+        Kind::Mul => product(gates, x, y, width),
+        Kind::Equal => {
+            let all = (0..longest).fold(YES, |all, index| {
+                let differs = gates.xor(bit_of(x, index), bit_of(y, index));
+                gates.and(all, !differs)
+            });
+            vec![all]
+        }
+        Kind::Less => vec![less(gates, x, y, longest)],
+        Kind::LessSigned => {
+            let turned = |word: &Word| -> Word {
+                let sign = |index| (index == count, bit_of(word, index));
+                let bits = (0..=count).map(sign);
+                bits.map(|(is_sign, bit)| if is_sign { !bit } else { bit })
+                    .collect()
+            };
+            vec![less(gates, &turned(x), &turned(y), count + 1)]
+        }
+        Kind::Left => shifted(gates, x, y, width, NO, |index, by| index.checked_sub(by)),
+        Kind::Right => shifted(gates, x, y, 64, NO, |index, by| Some(index + by)),
+        Kind::RightSigned => {
+            let top = 63 - count;
+            let sign = bit_of(x, top);
+            let x: Word = (0..64).map(|index| bit_of(x, index.min(top))).collect();
+            let mut shifted = shifted(gates, &x, y, 64, sign, |index, by| Some(index + by));
+            shifted.truncate(width as usize);
+            shifted
+        }
+    }
+}
+
+fn sum(gates: &mut Gates, x: &Word, y: &Word, mut carry: Bit, width: u32) -> Word {
+    let bits = (0..width).map(|index| {
+        let (sum, over) = gates.full_add(bit_of(x, index), bit_of(y, index), carry);
+        carry = over;
+        sum
+    });
+    bits.collect()
+}
+
+fn product(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Word {
+    let mut all: Word = vec![];
+    for (shift, bit) in y.iter().enumerate().take(width as usize) {
+        let row = x.iter().map(|x| gates.and(*x, *bit));
+        let row: Word = std::iter::repeat_n(NO, shift).chain(row).collect();
+        all = sum(gates, &all, &row, NO, width);
+    }
+    all
+}
+
+/// Is the first word less?
+pub(crate) fn less(gates: &mut Gates, x: &Word, y: &Word, width: u32) -> Bit {
+    (0..width).fold(NO, |borrow, index| {
+        let (x, y) = (bit_of(x, index), bit_of(y, index));
+        let differ = gates.xor(x, y);
+        gates.select(differ, y, borrow)
+    })
+}
+
+/// A shift by a word; what comes in from beyond is `fill`.
+fn shifted(
+    gates: &mut Gates,
+    x: &Word,
+    by: &Word,
+    width: u32,
+    fill: Bit,
+    from: impl Fn(u32, u32) -> Option<u32>,
+) -> Word {
+    let mut now: Word = (0..width).map(|index| bit_of(x, index)).collect();
+    for (place, bit) in by.iter().enumerate() {
+        let distance = if place < 6 { 1 << place } else { 64 };
+        let moved = |index: u32| {
+            let from = from(index, distance);
+            from.and_then(|from| now.get(from as usize).copied())
+                .unwrap_or(fill)
+        };
+        let next = (0..width).map(|index| gates.select(*bit, moved(index), now[index as usize]));
+        now = next.collect();
+    }
+    now
+}

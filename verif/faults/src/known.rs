@@ -1,0 +1,202 @@
+//! What is known of the state of a circuit, and of what it does with the state at power-up.
+
+use crate::frame::{Begin, Word, bit_of, less};
+use crate::gates::{Bit, Gates, NO};
+use crate::solve::can_be;
+use imogene_hdl::{Design, Direction, Levels};
+
+/// What a circuit may rely on.
+#[derive(Clone, Debug, Default)]
+pub struct Contract {
+    /// Inputs whose lowest bit is 0.
+    pub even: Vec<String>,
+    /// Inputs that are 1 in the clock with which its work begins.
+    pub begins: Vec<String>,
+    /// Pairs of points inside, both what a register holds: the first is at most twice the second. What cannot be
+    /// proven of them is dropped.
+    pub at_most_twice: Vec<[String; 2]>,
+    /// Clocks from an input to its result.
+    pub latency: usize,
+}
+
+/// What holds in every state that is reached from power-up. Registers are counted without controls.
+pub struct Known {
+    even: Vec<usize>,
+    /// The value of each bit of each register that never changes.
+    constants: Vec<Vec<Option<bool>>>,
+    at_most_twice: Vec<[usize; 2]>,
+    /// Is each bit of each register forgotten once work began?
+    forgotten: Vec<Vec<bool>>,
+}
+
+impl Known {
+    /// Of a design without controls.
+    pub fn new(design: &Design, contract: &Contract) -> Known {
+        let levels = Levels::of(design);
+        let ports: Vec<&str> = design
+            .top
+            .ports_of(Direction::In)
+            .map(|port| &port.name[..])
+            .collect();
+        let place = |name: &String| ports.iter().position(|port| port == name);
+        let register = |path: &String| {
+            let mut points = levels.points.iter();
+            let (_, point) = points.find(|(name, _)| name == path)?;
+            let mut flops = levels.flops.iter();
+            flops.position(|flop| flop.output == point.place)
+        };
+        let pairs = contract.at_most_twice.iter();
+        let pairs = pairs.filter_map(|[a, b]| Some([register(a)?, register(b)?]));
+        let mut known = Known {
+            even: contract.even.iter().filter_map(place).collect(),
+            at_most_twice: pairs.collect(),
+            constants: initial(&levels),
+            forgotten: vec![],
+        };
+        known.drop_changing(&levels);
+        known.drop_unproven(&levels);
+        let begins: Vec<usize> = contract.begins.iter().filter_map(place).collect();
+        known.forgotten = forgotten(&levels, &begins, contract.latency);
+        known
+    }
+
+    /// Is what a bit of a register holds at power-up without meaning: does nothing depend on it once work began and
+    /// the latency passed?
+    pub fn is_forgotten(&self, register: usize, bit: u32) -> bool {
+        self.forgotten[register][bit as usize]
+    }
+
+    /// Bits that are 1 in every state that is reached; `registers` are those without controls.
+    pub(crate) fn bits(
+        &self,
+        levels: &Levels,
+        begin: &Begin,
+        registers: &[usize],
+        gates: &mut Gates,
+    ) -> Vec<Bit> {
+        let even = self.even.iter();
+        let even = even.map(|index| !bit_of(begin.input(levels, *index), 0));
+        let mut bits: Vec<Bit> = even.collect();
+        for (register, constants) in registers.iter().zip(&self.constants) {
+            let word = begin.register(levels, *register);
+            let pairs = word.iter().zip(constants);
+            let constant = pairs.filter_map(|(bit, constant)| Some((bit, (*constant)?)));
+            bits.extend(constant.map(|(bit, is)| if is { *bit } else { !*bit }));
+        }
+        for pair in &self.at_most_twice {
+            let pair = pair.map(|index| begin.register(levels, registers[index]));
+            bits.push(at_most_twice(gates, pair));
+        }
+        bits
+    }
+
+    /// Drops the constants that one clock may change, until there is none.
+    fn drop_changing(&mut self, levels: &Levels) {
+        loop {
+            let mut gates = Gates::new();
+            let mut begin = Begin::any(levels, &mut gates);
+            for index in &self.even {
+                begin.clear_lowest(levels, *index);
+            }
+            for (register, constants) in self.constants.iter().enumerate() {
+                begin.fix(levels, register, constants);
+            }
+            let end = begin.clock(levels, &[], &mut gates);
+            let mut is_done = true;
+            for (constants, next) in self.constants.iter_mut().zip(&end.registers) {
+                for (constant, next) in constants.iter_mut().zip(next) {
+                    if constant.is_some_and(|value| *next != Bit::of(value)) {
+                        *constant = None;
+                        is_done = false;
+                    }
+                }
+            }
+            if is_done {
+                return;
+            }
+        }
+    }
+
+    /// Drops the pairs that do not hold at power-up, or not after a clock before which all hold, until there is none.
+    fn drop_unproven(&mut self, levels: &Levels) {
+        let word = |index: usize| levels.words[levels.flops[index].output as usize];
+        self.at_most_twice.retain(|[a, b]| word(*a) <= 2 * word(*b));
+        let registers: Vec<usize> = (0..levels.flops.len()).collect();
+        loop {
+            let mut gates = Gates::new();
+            let begin = Begin::any(levels, &mut gates);
+            let assumed = self.bits(levels, &begin, &registers, &mut gates);
+            let end = begin.clock(levels, &[], &mut gates);
+            let count = self.at_most_twice.len();
+            self.at_most_twice.retain(|pair| {
+                let holds = at_most_twice(&mut gates, pair.map(|index| &end.registers[index]));
+                can_be(&gates, !holds, &assumed) == Some(false)
+            });
+            if self.at_most_twice.len() == count {
+                return;
+            }
+        }
+    }
+}
+
+/// What every register holds at power-up.
+fn initial(levels: &Levels) -> Vec<Vec<Option<bool>>> {
+    let flops = levels.flops.iter().map(|flop| {
+        let word = levels.words[flop.output as usize];
+        (0..flop.width)
+            .map(|bit| Some(word >> bit & 1 == 1))
+            .collect()
+    });
+    flops.collect()
+}
+
+fn at_most_twice(gates: &mut Gates, [a, b]: [&Word; 2]) -> Bit {
+    let twice: Word = [NO].into_iter().chain(b.iter().copied()).collect();
+    let width = a.len().max(twice.len()) as u32;
+    !less(gates, &twice, a, width)
+}
+
+/// Bits of registers that are forgotten: two circuits that differ in them alone differ in no others before a clock with
+/// these inputs at 1, and in none once the latency passed after it.
+fn forgotten(levels: &Levels, begins: &[usize], latency: usize) -> Vec<Vec<bool>> {
+    let mut gates = Gates::new();
+    let mut begin = Begin::any(levels, &mut gates);
+    let registers = 0..levels.flops.len();
+    let registers: Vec<Word> = registers
+        .map(|index| begin.register(levels, index).clone())
+        .collect();
+    let before = begin.clock(levels, &[], &mut gates);
+    for index in begins {
+        begin.set(levels, *index, 1);
+    }
+    let mut end = begin.clock(levels, &[], &mut gates);
+    let mut kept: Word = end.memories.concat();
+    for _ in 1..latency.max(1) {
+        begin = begin.after(&end, levels, &mut gates);
+        end = begin.clock(levels, &[], &mut gates);
+        kept.extend(end.memories.iter().flatten());
+    }
+    kept.extend(end.registers.iter().flatten());
+    let mut matters = gates.behind(kept.into_iter());
+    loop {
+        // What reaches a bit that matters matters.
+        let pairs = registers.iter().zip(&before.registers);
+        let pairs = pairs.flat_map(|(now, next)| now.iter().zip(next));
+        let next = pairs.filter(|(now, _)| matters[now.gate()]);
+        let next = next.map(|(_, next)| *next);
+        let reached = gates.behind(next.chain(before.memories.iter().flatten().copied()));
+        let count = |bits: &[bool]| bits.iter().filter(|is| **is).count();
+        let old = count(&matters);
+        matters
+            .iter_mut()
+            .zip(reached)
+            .for_each(|(all, one)| *all |= one);
+        if count(&matters) == old {
+            break;
+        }
+    }
+    let registers = registers.iter();
+    registers
+        .map(|word| word.iter().map(|bit| !matters[bit.gate()]).collect())
+        .collect()
+}

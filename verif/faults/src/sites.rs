@@ -1,0 +1,88 @@
+//! Where a circuit can be changed.
+
+use imogene_hdl::{Binary, Design, Direction, Module, Net, Op};
+
+/// A place in a module where something can be changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// Module, by its place in [`Module::all`] of the top.
+    pub module: usize,
+    /// What can be changed.
+    pub kind: SiteKind,
+}
+
+/// What can be changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SiteKind {
+    /// The bits of a net.
+    Bits(Net),
+    /// The operator of a net, by another, of which there may be several.
+    Operator(Net, usize),
+    /// The enable of a register.
+    Enable(usize),
+}
+
+/// Every site of a design: nets from which a way leads to an output of their module, but for those that are only
+/// another name; the registers and operators among them.
+pub fn sites(design: &Design) -> Vec<Site> {
+    let mut found = vec![];
+    for (module, tree) in design.top.all().iter().enumerate() {
+        let lives = live(tree);
+        let is_top = tree.name == design.top.name;
+        let mut add = |kind| found.push(Site { module, kind });
+        for (net, node) in tree.nets().filter(|(net, _)| lives[net.0]) {
+            let is_other_name = match node.op {
+                Op::Same(_) | Op::Forward(_) | Op::Output(..) => true,
+                // A port carries the bits of the net around it.
+                Op::Input => !is_top,
+                _ => false,
+            };
+            if !is_other_name {
+                add(SiteKind::Bits(net));
+            }
+            (0..exchanges(&node.op)).for_each(|which| add(SiteKind::Operator(net, which)));
+        }
+        for (index, register) in tree.registers.iter().enumerate() {
+            if register.enable.is_some() && lives[register.net.0] {
+                add(SiteKind::Enable(index));
+            }
+        }
+    }
+    found
+}
+
+/// By how many others an operator is exchanged.
+fn exchanges(op: &Op) -> usize {
+    match op {
+        Op::Binary(Binary::Less, ..) => 2,
+        Op::Binary(..) | Op::Select(..) | Op::Not(_) => 1,
+        _ => 0,
+    }
+}
+
+/// The nets of a module from which a way leads to one of its outputs.
+fn live(module: &Module) -> Vec<bool> {
+    let mut lives = vec![false; module.nodes.len()];
+    let outputs = module.ports_of(Direction::Out);
+    let mut open: Vec<Net> = outputs.map(|port| port.net).collect();
+    while let Some(net) = open.pop() {
+        if std::mem::replace(&mut lives[net.0], true) {
+            continue;
+        }
+        let op = &module.node(net).op;
+        open.extend(op.operands());
+        match op {
+            Op::Register(index) => {
+                let register = &module.registers[*index];
+                open.extend(register.next.into_iter().chain(register.enable));
+            }
+            Op::Read(index) => {
+                let memory = &module.memories[*index];
+                open.extend(memory.write.into_iter().chain([memory.address]));
+            }
+            Op::Output(index, _) => open.extend(&module.instances[*index].inputs),
+            _ => {}
+        }
+    }
+    lives
+}

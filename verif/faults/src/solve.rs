@@ -1,0 +1,104 @@
+//! Questions to the solver.
+
+use crate::gates::{Bit, Gates, NO};
+use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
+use std::collections::HashMap;
+
+/// Conflicts after which the solver gives up.
+pub const CONFLICTS: u64 = 10_000;
+
+/// Stops the solver: each conflict teaches it a clause.
+#[derive(Default)]
+struct Effort {
+    conflicts: u64,
+}
+
+impl Callbacks for Effort {
+    fn on_new_clause(&mut self, _: &[Lit], kind: ClauseKind) {
+        self.conflicts += u64::from(kind == ClauseKind::Learnt);
+    }
+
+    fn stop(&self) -> bool {
+        self.conflicts >= CONFLICTS
+    }
+}
+
+/// Gates as clauses, each when it is first wanted.
+struct Clauses<'a> {
+    gates: &'a Gates,
+    solver: Solver<Effort>,
+    known: HashMap<usize, Lit>,
+}
+
+/// Can a bit be 1 where others are 1? Unknown if the solver gave up.
+pub(crate) fn can_be(gates: &Gates, wanted: Bit, assumed: &[Bit]) -> Option<bool> {
+    if wanted == NO {
+        return Some(false);
+    }
+    let mut clauses = Clauses {
+        gates,
+        solver: Solver::new(SolverOpts::default(), Effort::default()),
+        known: HashMap::new(),
+    };
+    for bit in assumed.iter().chain([&wanted]) {
+        let literal = clauses.literal(*bit);
+        clauses.solver.add_clause_reuse(&mut vec![literal]);
+    }
+    let found = clauses.solver.solve_limited(&[]);
+    if found == lbool::FALSE {
+        Some(false)
+    } else if found == lbool::TRUE {
+        Some(true)
+    } else {
+        None
+    }
+}
+
+impl Clauses<'_> {
+    fn literal(&mut self, bit: Bit) -> Lit {
+        self.write(bit.gate());
+        self.written(bit)
+    }
+
+    fn written(&self, bit: Bit) -> Lit {
+        let literal = self.known[&bit.gate()];
+        if bit.is_inverted() { !literal } else { literal }
+    }
+
+    /// Writes a gate behind its operands.
+    fn write(&mut self, wanted: usize) {
+        let mut open = vec![wanted];
+        while let Some(&gate) = open.last() {
+            if self.known.contains_key(&gate) {
+                open.pop();
+                continue;
+            }
+            let Some(operands) = self.gates.operands(gate) else {
+                let free = self.variable(gate);
+                if gate == NO.gate() {
+                    self.solver.add_clause_reuse(&mut vec![!free]);
+                }
+                continue;
+            };
+            let missing = operands.map(Bit::gate).into_iter();
+            let missing: Vec<usize> = missing
+                .filter(|gate| !self.known.contains_key(gate))
+                .collect();
+            if !missing.is_empty() {
+                open.extend(missing);
+                continue;
+            }
+            let [a, b] = operands.map(|bit| self.written(bit));
+            let y = self.variable(gate);
+            for mut clause in [vec![!y, a], vec![!y, b], vec![y, !a, !b]] {
+                self.solver.add_clause_reuse(&mut clause);
+            }
+        }
+    }
+
+    fn variable(&mut self, gate: usize) -> Lit {
+        let literal = Lit::new(self.solver.new_var_default(), true);
+        self.known.insert(gate, literal);
+        literal
+    }
+}

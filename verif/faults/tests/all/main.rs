@@ -1,0 +1,122 @@
+//! Mutants of small circuits against what they must do, written by hand, and against what a proof says of them.
+
+use imogene_compiled::{Program, Simulation};
+use imogene_faults::{Change, Contract, Controls, Judge, Known, Mutant, Verdict, sites};
+use imogene_hdl::{Bits, Design, Value, module, net};
+use std::sync::Arc;
+
+const WIDTH: u32 = 3;
+
+/// A sum with a register behind it.
+fn adder() -> Design {
+    Design::of(|| {
+        let inputs = (("a", Bits::input(WIDTH)), ("b", Bits::input(WIDTH)));
+        module("adder", "top", inputs, |(a, b)| {
+            net! { let sum = a + b; }
+            ("y", sum.reg())
+        });
+    })
+}
+
+/// What comes out one clock after each pair of inputs, and what is there before the first.
+fn run(program: &Arc<Program>, mutant: &Mutant) -> (u64, Vec<u64>) {
+    let mut simulation = Simulation::new(program);
+    for (register, word) in &mutant.upsets {
+        simulation.upset(*register, *word);
+    }
+    let first = simulation.outputs()[0];
+    let pairs = (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| [a, b]));
+    let results = pairs.map(|inputs| {
+        simulation.set_all(inputs);
+        simulation.clock();
+        simulation.outputs()[0]
+    });
+    let results = results.collect();
+    (first, results)
+}
+
+/// What a mutant must give, by its description.
+fn expected(text: &str, a: u64, b: u64) -> u64 {
+    let changed = |name: &str, word: u64| {
+        let Some(rest) = text.strip_prefix(&format!("{name}[")) else {
+            return word;
+        };
+        let bit = 1 << rest[..1].parse::<u32>().expect("a bit");
+        match rest {
+            _ if rest.contains("stuck at 0") => word & !bit,
+            _ if rest.contains("stuck at 1") => word | bit,
+            _ => word ^ bit,
+        }
+    };
+    let (a, b) = (changed("a", a), changed("b", b));
+    let sum = match text.contains("exchanged") {
+        true => a.wrapping_sub(b),
+        false => a + b,
+    };
+    let all = (1 << WIDTH) - 1;
+    changed("register", changed("sum", sum & all)) & all
+}
+
+#[test]
+fn mutants_do_what_they_say() {
+    let design = adder();
+    let controls = Controls::new(&design, &sites(&design));
+    let program = Arc::new(Program::new(&controls.design, &[]));
+    let mutants = controls.mutants();
+    // Four nets of three bits, each changed in three ways, and the operator.
+    assert_eq!(mutants.len(), 4 * 3 * 3 + 1);
+    for mutant in mutants {
+        let text = controls.describe(&mutant);
+        let pairs = (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| (a, b)));
+        let wanted: Vec<u64> = pairs.map(|(a, b)| expected(&text, a, b)).collect();
+        assert_eq!(run(&program, &mutant).1, wanted, "{text}");
+    }
+}
+
+#[test]
+fn no_mutant_that_shows_is_called_equivalent() {
+    let design = adder();
+    let controls = Controls::new(&design, &sites(&design));
+    let judge = Judge::new(&controls, &Known::new(&design, &Contract::default()));
+    for mutant in controls.mutants() {
+        let text = controls.describe(&mutant);
+        assert_eq!(judge.judge(&mutant.upsets), Verdict::Differs, "{text}");
+    }
+}
+
+#[test]
+fn power_up_shows_before_the_first_clock_alone_and_is_forgotten() {
+    let design = adder();
+    let controls = Controls::of_power_up(&design);
+    let program = Arc::new(Program::new(&controls.design, &[]));
+    let contract = Contract {
+        latency: 1,
+        ..Contract::default()
+    };
+    let known = Known::new(&design, &contract);
+    for mutant in controls.mutants() {
+        assert_eq!(mutant.change, Change::Initial);
+        let (first, results) = run(&program, &mutant);
+        assert_eq!(first, 1 << mutant.bit);
+        assert_eq!(results[1], 1, "{}", controls.describe(&mutant));
+        assert!(known.is_forgotten(mutant.upsets[0].0, mutant.bit));
+    }
+}
+
+/// A counter keeps what it began with: nothing of it is forgotten.
+#[test]
+fn a_counter_forgets_nothing() {
+    let design = Design::of(|| {
+        module("counter", "top", ("enable", Bits::input(1)), |enable| {
+            let count = Bits::register(4).named("count");
+            count.load_when(enable, count + Bits::new(1, 4));
+            ("value", count)
+        });
+    });
+    let contract = Contract {
+        latency: 8,
+        ..Contract::default()
+    };
+    let known = Known::new(&design, &contract);
+    assert!((0..4).all(|bit| !known.is_forgotten(0, bit)));
+}

@@ -1,0 +1,130 @@
+//! Every mutant of the circuit itself: each bit of each net stuck or inverted, each operator exchanged, each enable and
+//! each initial value of a register changed, in every instance.
+//!
+//! Sites are compiled in groups into one program of the built-in engine; a mutant is an upset of it. What no stimulus
+//! kills goes to the solver.
+
+use super::score::{Fate, MutationError, MutationReport, Options};
+use super::vectors::{Stated, Vectors, first_difference, vectors};
+use crate::subject::Subject;
+use imogene_compiled::{Program, Simulation};
+use imogene_faults::{CONFLICTS, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
+use imogene_hdl::{Design, Levels};
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Sites of a group: as few as let one compilation serve thousands of mutants, so that they hardly slow it.
+const GROUP: usize = 24;
+
+/// Inputs that are 1 in the clock with which the work of a unit begins.
+const BEGINS: [&str; 4] = ["pixel", "start", "go", "valid"];
+
+const DIFFERS: &str = "It differs in some state; no stimulus came to one whose outputs show it";
+
+fn undecided() -> String {
+    format!("Undecided: no stimulus found a difference, and no proof within {CONFLICTS} conflicts")
+}
+
+/// How many mutants a circuit has.
+pub fn count(design: &Design) -> u64 {
+    let all = Controls::new(design, &sites(design));
+    let of_power_up = Controls::of_power_up(design);
+    (all.mutants().len() + of_power_up.mutants().len()) as u64
+}
+
+/// Runs every mutant of a unit's circuit on the unit's stimulus, and judges those that nothing killed.
+///
+/// `on_done` is called once for each mutant, from any thread.
+///
+/// # Errors
+///
+/// When the circuit itself differs from its golden model.
+pub fn run(
+    subject: &Subject,
+    design: &Design,
+    options: &Options,
+    on_done: impl Fn() + Sync,
+) -> Result<MutationReport, MutationError> {
+    let started = Instant::now();
+    let vectors = vectors(subject, options);
+    let known = Known::new(design, &contract(subject, design));
+    let mut report = MutationReport::new(subject);
+    let mut run = |controls: &Controls, judge: &(dyn Fn(&Mutant) -> Fate + Sync)| {
+        let program = Arc::new(Program::new(&controls.design, &[]));
+        if let Some((stimulus, clock)) = killed(&program, &[], &vectors) {
+            return Err(MutationError::Baseline {
+                unit: subject.name.clone(),
+                stimulus,
+                clock,
+            });
+        }
+        let mutants = controls.mutants();
+        let fates = mutants.par_iter().map(|mutant| {
+            let fate = match killed(&program, &mutant.upsets, &vectors) {
+                Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
+                None => judge(mutant),
+            };
+            on_done();
+            fate
+        });
+        let fates: Vec<Fate> = fates.collect();
+        for (mutant, fate) in mutants.iter().zip(fates) {
+            report.count(fate, options.clocks, || controls.describe(mutant));
+        }
+        Ok(())
+    };
+    for group in sites(design).chunks(GROUP) {
+        let controls = Controls::new(design, group);
+        let judge = Judge::new(&controls, &known);
+        run(&controls, &|mutant| match judge.judge(&mutant.upsets) {
+            Verdict::Equivalent => Fate::Equivalent,
+            Verdict::Differs => Fate::Survived(DIFFERS.to_owned()),
+            Verdict::Undecided => Fate::Survived(undecided()),
+        })?;
+    }
+    run(&Controls::of_power_up(design), &|mutant| {
+        let (register, _) = mutant.upsets[0];
+        match known.is_forgotten(register, mutant.bit) {
+            true => Fate::Forgotten,
+            false => Fate::Survived(DIFFERS.to_owned()),
+        }
+    })?;
+    Ok(report.ended(started))
+}
+
+/// What a unit may rely on, and what the proofs may: the second differences of a PE2 are even; the remainder behind a
+/// row of a root is at most twice the root.
+fn contract(subject: &Subject, design: &Design) -> Contract {
+    let inputs = subject.inputs.iter().map(|signal| signal.name.clone());
+    let is_even = |name: &String| {
+        let last = name.rsplit('_').next().unwrap_or_default();
+        last == "a2" || last == "b2"
+    };
+    let points = Levels::of(design).points;
+    let remainders = points
+        .iter()
+        .filter_map(|(path, _)| Some((path, path.strip_suffix(".next_remainder")?)));
+    let pairs = remainders.map(|(path, stage)| [path.clone(), format!("{stage}.next_root")]);
+    Contract {
+        even: inputs.filter(is_even).collect(),
+        begins: BEGINS.map(str::to_owned).to_vec(),
+        at_most_twice: pairs.collect(),
+        latency: subject.latency,
+    }
+}
+
+/// The first stimulus and clock that show the mutant that upsets make.
+fn killed(program: &Arc<Program>, upsets: &[Upset], vectors: &[Vectors]) -> Option<(usize, usize)> {
+    first_difference(vectors, || {
+        let mut simulation = Simulation::new(program);
+        for (register, word) in upsets {
+            simulation.upset(*register, *word);
+        }
+        move |inputs: &[u64], stated: &Stated| {
+            simulation.set_all(inputs.iter().copied());
+            simulation.clock();
+            stated.differs(simulation.outputs())
+        }
+    })
+}

@@ -1,0 +1,53 @@
+//! The killing: every mutant on the unit's stimulus against the golden model.
+
+use super::elaborate::all_mutants;
+use super::mutant::{Mutant, selector};
+use crate::engine::design::Source;
+use crate::engine::verilator::Model;
+use crate::mutation::score::{MutationError, Options};
+use crate::mutation::vectors::{Stated, first_difference, vectors};
+use crate::subject::Subject;
+use rayon::prelude::*;
+use std::path::Path;
+
+/// Where each mutant was killed: stimulus and clock.
+pub(super) fn run(
+    subject: &Subject,
+    top: &str,
+    folder: &Path,
+    mutants: &[Mutant],
+    options: &Options,
+) -> Result<Vec<Option<(usize, usize)>>, MutationError> {
+    let text = all_mutants(folder, top, mutants)?;
+    let mut inputs = subject.inputs.clone();
+    inputs.push(selector(mutants.len()));
+    let model = Model::compile(&Source {
+        top,
+        text: &text,
+        inputs: &inputs,
+        outputs: &subject.outputs,
+    })?;
+    let vectors = vectors(subject, options);
+    let first = |mutant: usize| {
+        first_difference(&vectors, || {
+            let mut unit = model.instance();
+            let mut found = vec![0; subject.outputs.len()];
+            move |given: &[u64], stated: &Stated| {
+                let given: Vec<u64> = given.iter().copied().chain([mutant as u64]).collect();
+                unit.clock_words(&given, &mut found);
+                stated.differs(&found)
+            }
+        })
+    };
+    if let Some((stimulus, clock)) = first(0) {
+        return Err(MutationError::Baseline {
+            unit: subject.name.clone(),
+            stimulus,
+            clock,
+        });
+    }
+    Ok(mutants
+        .par_iter()
+        .map(|mutant| first(mutant.number))
+        .collect())
+}

@@ -1,0 +1,56 @@
+//! Yosys: the elaborated unit, its list of mutants, and all mutants in one design.
+
+use super::list::parse;
+use super::mutant::{Design, Mutant, selector};
+use crate::mutation::score::{MutationError, Options};
+use imogene_tools::{read, yosys};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// The unit's Verilog in the working folder.
+pub(super) const SOURCE: &str = "unit.v";
+/// The elaborated unit.
+pub(super) const NETLIST: &str = "unit.il";
+
+/// Elaborates the unit, flat, and lists mutants; returns them and how many were possible.
+pub(super) fn elaborate(
+    folder: &Path,
+    design: &Design,
+    options: &Options,
+) -> Result<(Vec<Mutant>, usize), MutationError> {
+    let Design { top, text, .. } = design;
+    let script = format!(
+        "read_verilog {SOURCE}\nhierarchy -check -top {top}\nproc\nflatten\nopt -full\nwreduce\n\
+         opt -full\ndffunmap\nopt_expr -fine\nopt_clean\nstat\nwrite_rtlil {NETLIST}\n\
+         mutate -list {} -seed {} -o mutants.txt\n",
+        options.mutants, options.seed
+    );
+    let said = yosys(folder, "elaborate.ys", &script)?;
+    let candidates = said
+        .lines()
+        .find_map(|line| line.strip_prefix("Raw database size: "))
+        .and_then(|count| count.trim().parse().ok())
+        .ok_or_else(|| MutationError::List("no size of the database".into()))?;
+    let list = read(&folder.join("mutants.txt"))?;
+    Ok((parse(&list, text)?, candidates))
+}
+
+/// The Verilog of all mutants in one module, with an input that selects one.
+pub(super) fn all_mutants(
+    folder: &Path,
+    top: &str,
+    mutants: &[Mutant],
+) -> Result<String, MutationError> {
+    let selector = selector(mutants.len());
+    let mut script = format!("read_rtlil {NETLIST}\n");
+    for mutant in mutants {
+        let _ = writeln!(
+            script,
+            "mutate -module {top} {} -ctrl {} {} {}",
+            mutant.command, selector.name, selector.width, mutant.number
+        );
+    }
+    script += "write_verilog -noattr mutants.v\n";
+    yosys(folder, "mutants.ys", &script)?;
+    Ok(read(&folder.join("mutants.v"))?)
+}

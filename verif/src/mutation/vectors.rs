@@ -1,0 +1,69 @@
+//! The stimuli of a unit, and what its golden model states of them.
+
+use super::score::Options;
+use crate::subject::Subject;
+use rayon::prelude::*;
+
+/// One stimulus and what the golden model states of it, as words on the ports.
+pub(super) struct Vectors {
+    inputs: Vec<Vec<u64>>,
+    expected: Vec<Vec<Option<u64>>>,
+}
+
+/// The stimuli of a unit.
+pub(super) fn vectors(subject: &Subject, options: &Options) -> Vec<Vectors> {
+    let seeds = (0..options.stimuli).into_par_iter();
+    seeds
+        .map(|seed| Vectors::new(subject, options.clocks, seed))
+        .collect()
+}
+
+impl Vectors {
+    fn new(subject: &Subject, clocks: usize, seed: u64) -> Vectors {
+        let mut golden = (subject.golden)();
+        let stimulus = subject.seeded_stimulus(clocks, seed);
+        let expected = stimulus.iter().map(|inputs| {
+            let stated = golden.clock(inputs).into_iter().zip(&subject.outputs);
+            stated
+                .map(|(value, signal)| Some(signal.bits(value?)))
+                .collect()
+        });
+        let expected = expected.collect();
+        let words = stimulus.iter().map(|inputs| {
+            let values = inputs.iter().zip(&subject.inputs);
+            values.map(|(value, signal)| signal.bits(*value)).collect()
+        });
+        Vectors {
+            inputs: words.collect(),
+            expected,
+        }
+    }
+
+    /// The first clock at which a unit differs from what is stated: `clock` gives it inputs, and compares.
+    fn first_difference(&self, mut clock: impl FnMut(&[u64], &Stated) -> bool) -> Option<usize> {
+        let mut clocks = self.inputs.iter().zip(&self.expected);
+        clocks.position(|(inputs, expected)| clock(inputs, &Stated(expected)))
+    }
+}
+
+/// What is stated of the outputs of a clock.
+pub(super) struct Stated<'a>(&'a [Option<u64>]);
+
+impl Stated<'_> {
+    /// Is one of these words another than is stated?
+    pub(super) fn differs(&self, found: &[u64]) -> bool {
+        let mut stated = self.0.iter().zip(found);
+        stated.any(|(expected, found)| expected.is_some_and(|expected| expected != *found))
+    }
+}
+
+/// The first stimulus and clock at which a unit that `start` makes afresh differs from what is stated.
+pub(super) fn first_difference<C: FnMut(&[u64], &Stated) -> bool>(
+    vectors: &[Vectors],
+    start: impl Fn() -> C,
+) -> Option<(usize, usize)> {
+    vectors.iter().enumerate().find_map(|(stimulus, vectors)| {
+        let clock = vectors.first_difference(start())?;
+        Some((stimulus, clock))
+    })
+}
