@@ -67,6 +67,7 @@ impl Body<'_, '_> {
         let own = &self.scopes[scope];
         let (module, place) = (own.module, own.place + own.block.register(index));
         let register = &module.registers[index];
+        // It holds what it began with: nothing to store.
         let never = |net: Net| module.node(net).op == Op::Literal(0);
         if register.enable.is_some_and(never) {
             return;

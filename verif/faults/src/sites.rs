@@ -1,6 +1,7 @@
 //! Where a circuit can be changed.
 
 use imogene_hdl::{Binary, Design, Direction, Module, Net, Op};
+use std::rc::Rc;
 
 /// A place in a module where something can be changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ pub fn sites(design: &Design) -> Vec<Site> {
     let mut found = vec![];
     for (module, tree) in design.top.all().iter().enumerate() {
         let lives = live(tree);
-        let is_top = tree.name == design.top.name;
+        let is_top = Rc::ptr_eq(tree, &design.top);
         let mut add = |kind| found.push(Site { module, kind });
         for (net, node) in tree.nets().filter(|(net, _)| lives[net.0]) {
             let is_other_name = match node.op {

@@ -80,31 +80,37 @@ pub fn markdown(reports: &[MutationReport], introduction: &str, command: &str) -
     text
 }
 
-/// Survivors that differ in their bits alone as one, the most numerous first; a few of each unit.
+/// Survivors of a unit and a reason in a line: those that differ in their bits alone as one, a few of the most numerous.
 fn groups(reports: &[MutationReport]) -> String {
     let bit = Regex::new(r"\[\d+\]").expect("a pattern");
     let mut text = String::new();
-    for report in reports.iter().filter(|report| !report.surviving.is_empty()) {
-        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-        for Survivor { mutant, .. } in &report.surviving {
-            *counts
-                .entry(bit.replace_all(mutant, "[]").into_owned())
+    for report in reports {
+        let mut reasons: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
+        for Survivor { mutant, reason } in &report.surviving {
+            let mutant = bit.replace_all(mutant, "[]").into_owned();
+            *reasons
+                .entry(reason)
+                .or_default()
+                .entry(mutant)
                 .or_default() += 1;
         }
-        let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
-        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        let shown = counts.iter().take(SHOWN);
-        let shown: Vec<String> = shown
-            .map(|(mutant, count)| format!("{count} of {mutant}"))
-            .collect();
-        let others: usize = counts.iter().skip(SHOWN).map(|(_, count)| count).sum();
-        let _ = writeln!(
-            text,
-            "- {} `{}`: {}; {others} others.",
-            report.unit,
-            report.options,
-            shown.join(", ")
-        );
+        for (reason, counts) in reasons {
+            let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
+            counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+            let shown = counts.iter().take(SHOWN);
+            let shown = shown.map(|(mutant, count)| format!("{count} of {mutant}"));
+            let mut shown: Vec<String> = shown.collect();
+            let others: usize = counts.iter().skip(SHOWN).map(|(_, count)| count).sum();
+            if others > 0 {
+                shown.push(format!("{others} others"));
+            }
+            let MutationReport { unit, options, .. } = report;
+            let _ = writeln!(
+                text,
+                "- {unit} `{options}`: {}. {reason}.",
+                shown.join(", ")
+            );
+        }
     }
     if text.is_empty() {
         text += "None.\n";
