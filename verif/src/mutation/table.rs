@@ -80,7 +80,7 @@ pub fn markdown(reports: &[MutationReport], introduction: &str, command: &str) -
     text
 }
 
-/// Survivors of a unit and a reason in a line: those that differ in their bits alone as one, a few of the most numerous.
+/// Survivors of a unit and a reason in a line: those that differ in their bits alone as one, the most numerous alone.
 fn groups(reports: &[MutationReport]) -> String {
     let bit = Regex::new(r"\[\d+\]").expect("a pattern");
     let mut text = String::new();
