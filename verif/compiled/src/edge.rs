@@ -4,68 +4,138 @@
 //! live.
 
 use crate::body::{Body, Place};
-use crate::word::{constant, shifted_left};
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::I64;
-use cranelift_codegen::ir::{FuncRef, InstBuilder, MemFlagsData, Value};
-use cranelift_frontend::FunctionBuilder;
-use imogene_hdl::{Module, Net, Op};
-use std::collections::HashSet;
+use crate::layout::Lanes;
+use crate::line::{Step, Two, Value};
+use imogene_hdl::{Binary, Module, Net, Op};
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
-impl Body<'_, '_> {
-    /// All that a rising edge does: calls of instances with functions of their own come last, for what they held is
-    /// read before.
-    pub(crate) fn update(
-        &mut self,
-        function: &mut dyn FnMut(&Rc<Module>, &mut FunctionBuilder<'_>) -> FuncRef,
-    ) {
+/// A register: its scope, and its number there.
+type Flop = (usize, usize);
+
+/// Fewer registers are no shorter to jump over than to do.
+const FEW: usize = 3;
+
+impl Body<'_> {
+    /// All that a rising edge does: calls of what has a function of its own come last, for what it held is read before.
+    pub(crate) fn update(&mut self, function: &dyn Fn(&Rc<Module>) -> usize) {
         let (mut owned, mut called) = (vec![0], vec![]);
         let mut next = 0;
         while let Some(&scope) = owned.get(next) {
             next += 1;
             for (index, instance) in self.scopes[scope].module.instances.iter().enumerate() {
-                if self.layout.block(&instance.module).is_called {
-                    called.push((scope, index));
+                if self.layout.is_called(&instance.module) {
+                    called.push(self.part(scope, index));
                 } else if instance.module.is_clocked() {
                     owned.push(self.part(scope, index));
                 }
             }
         }
-        for &(scope, index) in &called {
-            self.hand_inputs(scope, index);
+        for &part in &called {
+            self.hand_inputs(part);
         }
         for &scope in &owned {
             for index in 0..self.scopes[scope].module.memories.len() {
                 self.memory(scope, index);
             }
         }
-        for (scope, index) in self.ordered(&owned) {
-            self.register(scope, index);
-        }
-        for (scope, index) in called {
-            let own = &self.scopes[scope];
-            let (module, place) = (own.module, own.place + own.block.instances[index]);
-            let function = function(&module.instances[index].module, &mut self.to);
-            let distance = constant(&mut self.to, 8 * place as u64);
-            let block = self.to.ins().iadd(self.base, distance);
-            self.to.ins().call(function, &[block]);
+        self.registers(&owned);
+        for (module, place) in self.calls(&called) {
+            self.to.add(Step::Call(function(&module), place));
         }
     }
 
-    fn hand_inputs(&mut self, scope: usize, index: usize) {
-        let own = &self.scopes[scope];
-        let place = own.place + own.block.instances[index];
-        let module = own.module;
-        for (input, net) in module.instances[index].inputs.iter().enumerate() {
-            let value = self.kept((scope, *net));
-            self.store(value, self.base, place + input);
+    /// The functions that are called, and for which blocks: in one lane a call for each group.
+    fn calls(&self, called: &[usize]) -> Vec<(Rc<Module>, usize)> {
+        match self.scopes[0].lanes {
+            Lanes::One => {
+                let groups = self.layout.groups.iter();
+                groups
+                    .map(|group| (group.module.clone(), group.place))
+                    .collect()
+            }
+            Lanes::Four => {
+                let parts = called.iter().map(|part| &self.scopes[*part]);
+                parts
+                    .map(|part| (part.module.clone(), part.place))
+                    .collect()
+            }
         }
     }
 
-    fn register(&mut self, scope: usize, index: usize) {
-        let own = &self.scopes[scope];
-        let (module, place) = (own.module, own.place + own.block.register(index));
+    fn hand_inputs(&mut self, part: usize) {
+        let (around, index) = self.scopes[part].around.expect("an instance");
+        let instance = &self.scopes[around].module.instances[index];
+        for (input, net) in instance.inputs.iter().enumerate() {
+            let value = self.kept((around, *net));
+            let place = self.at(part, input);
+            self.to.add(Step::Store(value, place));
+        }
+    }
+
+    /// What all registers of these scopes take.
+    fn registers(&mut self, owned: &[usize]) {
+        let ordered = self.ordered(owned);
+        for &(scope, index) in &ordered {
+            // What it holds is read before any takes another word.
+            let net = self.scopes[scope].module.registers[index].net;
+            self.word((scope, net));
+        }
+        let (regions, others) = self.regions(&ordered);
+        for at in others {
+            self.register(at, None);
+        }
+        for (enable, registers) in regions {
+            let which = self.high(enable);
+            self.only_if(which, |body| {
+                for at in registers {
+                    body.register(at, Some(enable));
+                }
+            });
+        }
+    }
+
+    /// Registers of which none takes a word unless the same net is 1, by this net, and the others.
+    fn regions(&mut self, ordered: &[Flop]) -> (Vec<(Place, Vec<Flop>)>, Vec<Flop>) {
+        let conditions: Vec<Vec<Place>> = ordered.iter().map(|at| self.conditions(*at)).collect();
+        let mut count: HashMap<Place, usize> = HashMap::new();
+        for condition in conditions.iter().flatten() {
+            *count.entry(*condition).or_default() += 1;
+        }
+        let (mut regions, mut others): (Vec<(Place, Vec<Flop>)>, Vec<Flop>) = (vec![], vec![]);
+        for (at, conditions) in ordered.iter().zip(&conditions) {
+            let most = conditions.iter().max_by_key(|condition| count[condition]);
+            let Some(enable) = most.filter(|condition| count[condition] >= FEW) else {
+                others.push(*at);
+                continue;
+            };
+            match regions.iter_mut().find(|(known, _)| known == enable) {
+                Some((_, registers)) => registers.push(*at),
+                None => regions.push((*enable, vec![*at])),
+            }
+        }
+        (regions, others)
+    }
+
+    /// The nets that must be 1 for a register to take a word.
+    fn conditions(&mut self, (scope, index): Flop) -> Vec<Place> {
+        let register = &self.scopes[scope].module.registers[index];
+        let mut open: Vec<Place> = register.enable.iter().map(|net| (scope, *net)).collect();
+        let mut found = vec![];
+        while let Some(at) = open.pop() {
+            let at = self.origin(at);
+            match self.scopes[at.0].module.node(at.1).op {
+                Op::Binary(Binary::And, a, b) => open.extend([(at.0, a), (at.0, b)]),
+                _ => found.push(at),
+            }
+        }
+        found
+    }
+
+    /// What a register takes; `known` is 1 in some lane.
+    fn register(&mut self, (scope, index): Flop, known: Option<Place>) {
+        let module = self.scopes[scope].module;
+        let place = self.at(scope, self.layout.block(module).register(index));
         let register = &module.registers[index];
         // It holds what it began with: nothing to store.
         let never = |net: Net| module.node(net).op == Op::Literal(0);
@@ -76,43 +146,49 @@ impl Body<'_, '_> {
         let next = register.next.expect("a closed module has all inputs");
         let mut next = self.kept((scope, next));
         if let Some(enable) = register.enable {
-            let enable = self.zeros((scope, enable));
-            next = self.to.ins().select(enable, next, held);
+            let is_known =
+                self.scopes[0].lanes == Lanes::One && known == Some(self.origin((scope, enable)));
+            if !is_known {
+                let enable = self.high((scope, enable));
+                next = self.to.add(Step::Select(enable, next, held));
+            }
         }
-        self.store(next, self.base, place);
+        self.to.add(Step::Store(next, place));
     }
 
     /// A memory reads before it writes.
     fn memory(&mut self, scope: usize, index: usize) {
-        let own = &self.scopes[scope];
-        let (module, place) = (own.module, own.place + own.block.memories[index]);
+        let module = self.scopes[scope].module;
+        let place = self.at(scope, self.layout.block(module).memories[index]);
         let memory = &module.memories[index];
         // What was read before is wanted later.
         self.word((scope, memory.net));
-        let [enable, at, data] = memory.write.map(|net| self.zeros((scope, net)));
-        let address = self.zeros((scope, memory.address));
-        let words = constant(&mut self.to, memory.words as u64);
-        let read_at = self.to.ins().umin(address, words);
-        let read_at = self.address(read_at, place + 1);
-        let read = self.to.ins().load(I64, MemFlagsData::trusted(), read_at, 0);
-        let nowhere = constant(&mut self.to, memory.words as u64 + 1);
-        let is_there = self.to.ins().icmp(IntCC::UnsignedLessThan, at, words);
-        let at = self.to.ins().select(is_there, at, nowhere);
-        let at = self.to.ins().select(enable, at, nowhere);
-        let write_at = self.address(at, place + 1);
-        self.store(data, write_at, 0);
-        self.store(read, self.base, place);
+        let [enable, at, data] = memory.write;
+        let [address, at, data] = [memory.address, at, data].map(|net| self.zeros((scope, net)));
+        let enable = self.high((scope, enable));
+        let words = self.to.constant(memory.words as u64);
+        let nowhere = self.to.constant(memory.words as u64 + 1);
+        let read_at = self.index_or(address, words, words);
+        let write_at = self.index_or(at, words, nowhere);
+        let write_at = self.to.add(Step::Select(enable, write_at, nowhere));
+        let lanes = self.scopes[scope].lanes.count();
+        let [read_at, write_at] = [read_at, write_at].map(|at| self.to.left(at, lanes.ilog2()));
+        let first = place + lanes;
+        let read = self.to.add(Step::Read(first, read_at));
+        self.to.add(Step::Write(first, write_at, data));
+        self.to.add(Step::Store(read, place));
     }
 
-    fn address(&mut self, index: Value, place: usize) -> Value {
-        let distance = shifted_left(&mut self.to, index, 3);
-        let start = constant(&mut self.to, 8 * place as u64);
-        let start = self.to.ins().iadd(self.base, start);
-        self.to.ins().iadd(start, distance)
+    /// An index below the number of words, or else another.
+    fn index_or(&mut self, index: Value, words: Value, or: Value) -> Value {
+        let is_there = self.to.two(Two::Greater, words, index);
+        // An index of 64 bits is no number below zero.
+        let is_number = self.to.add(Step::Select(index, or, index));
+        self.to.add(Step::Select(is_there, is_number, or))
     }
 
     /// The registers of these scopes, those that read before those that are read, as far as they go in no ring.
-    fn ordered(&mut self, scopes: &[usize]) -> Vec<(usize, usize)> {
+    fn ordered(&mut self, scopes: &[usize]) -> Vec<Flop> {
         let mut seen: HashSet<Place> = HashSet::new();
         let mut order = vec![];
         for &scope in scopes {

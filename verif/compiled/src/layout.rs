@@ -1,5 +1,9 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
+//!
+//! In four lanes each word lies four times, side by side. Equal parts of what runs in one lane lie so, as many as there
+//! are: they run together.
 
+use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -7,19 +11,35 @@ use std::rc::Rc;
 /// Modules with fewer nets, all parts counted, become part of what is around them: a call would cost more.
 const SMALL: usize = 60;
 
-/// The block of a module. All places are words from its beginning.
+/// How many runs lie side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lanes {
+    One,
+    Four,
+}
+
+impl Lanes {
+    pub(crate) fn count(self) -> usize {
+        match self {
+            Lanes::One => 1,
+            Lanes::Four => 4,
+        }
+    }
+}
+
+/// The block of a module, in words of one lane from its beginning.
 pub(crate) struct Block {
-    /// Inputs lie in front, in their order.
-    pub(crate) inputs: usize,
+    /// Inputs lie in front, in their order, and registers behind them.
+    inputs: usize,
     /// Of each memory the word that is read; its words lie behind, then one that is always 0 and one for writes that
     /// count nothing.
     pub(crate) memories: Vec<usize>,
-    /// Of the block of each instance.
-    pub(crate) instances: Vec<usize>,
-    /// All words.
-    pub(crate) size: usize,
+    /// Of the block of each instance, in one and in four lanes; in one lane those with functions lie in groups instead.
+    parts: [Vec<usize>; 2],
+    /// All words, likewise.
+    sizes: [usize; 2],
     /// It has a function of its own.
-    pub(crate) is_called: bool,
+    is_called: bool,
     nets: usize,
 }
 
@@ -30,89 +50,185 @@ impl Block {
     }
 }
 
-/// The blocks of all modules.
+/// Equal parts of what runs in one lane, at most as many as there are lanes.
+pub(crate) struct Group {
+    pub(crate) module: Rc<Module>,
+    pub(crate) place: usize,
+    parts: usize,
+}
+
+/// The blocks of all modules, and the groups of a design in one lane.
 pub(crate) struct Layout {
     blocks: HashMap<*const Module, Block>,
+    pub(crate) groups: Vec<Group>,
+    /// Of each part of a group by the place of what is around it, and its number there.
+    grouped: HashMap<(usize, usize), usize>,
+    /// All words.
+    pub(crate) size: usize,
 }
 
 impl Layout {
-    pub(crate) fn of(design: &Design) -> Layout {
-        let mut blocks: HashMap<*const Module, Block> = HashMap::new();
+    pub(crate) fn of(design: &Design, lanes: Lanes) -> Layout {
         let modules = design.top.all();
+        let count = instances(&design.top, &modules);
+        let mut layout = Layout {
+            blocks: HashMap::new(),
+            groups: vec![],
+            grouped: HashMap::new(),
+            size: 0,
+        };
         for module in &modules {
-            let block = block(module, &blocks);
-            blocks.insert(Rc::as_ptr(module), block);
-        }
-        let mut instances: HashMap<*const Module, usize> = HashMap::new();
-        // A module stands behind those in it.
-        for module in modules.iter().rev() {
-            let around = instances.get(&Rc::as_ptr(module)).copied().unwrap_or(1);
-            for instance in &module.instances {
-                *instances.entry(Rc::as_ptr(&instance.module)).or_default() += around;
-            }
-        }
-        for module in &modules {
-            let block = blocks.get_mut(&Rc::as_ptr(module)).expect("a block");
-            let is_top = Rc::ptr_eq(module, &design.top);
-            let is_shared = instances
+            let is_shared = count
                 .get(&Rc::as_ptr(module))
                 .is_some_and(|count| *count > 1);
-            block.is_called = is_top || is_shared && block.nets >= SMALL && module.is_clocked();
+            let block = layout.new_block(module, is_shared);
+            layout.blocks.insert(Rc::as_ptr(module), block);
         }
-        Layout { blocks }
+        layout.size = layout.block(&design.top).sizes[lanes as usize] * lanes.count();
+        if lanes == Lanes::One {
+            layout.group(&design.top, 0);
+        }
+        layout
+    }
+
+    fn new_block(&self, module: &Module, is_shared: bool) -> Block {
+        let inputs = module.ports_of(Direction::In).count();
+        // Never empty: no two parts are at one place.
+        let mut size = (inputs + module.registers.len()).max(1);
+        let take = |size: &mut usize, words: usize| {
+            *size += words;
+            *size - words
+        };
+        let memories = module.memories.iter();
+        let memories = memories
+            .map(|memory| take(&mut size, memory.words + 3))
+            .collect();
+        let (mut sizes, mut nets) = ([size; 2], module.nodes.len());
+        let mut parts = [vec![], vec![]];
+        for instance in &module.instances {
+            let part = self.block(&instance.module);
+            let in_one = if part.is_called { 0 } else { part.sizes[0] };
+            parts[0].push(take(&mut sizes[0], in_one));
+            parts[1].push(take(&mut sizes[1], part.sizes[1]));
+            nets += part.nets;
+        }
+        Block {
+            inputs,
+            memories,
+            parts,
+            sizes,
+            is_called: is_shared && nets >= SMALL && module.is_clocked(),
+            nets,
+        }
+    }
+
+    /// Gives a lane to each part with a function that is in a block.
+    fn group(&mut self, module: &Rc<Module>, place: usize) {
+        for (index, instance) in module.instances.iter().enumerate() {
+            let part = &instance.module;
+            if !self.is_called(part) {
+                let place = place + self.block(module).parts[0][index];
+                self.group(part, place);
+                continue;
+            }
+            let is_open = |group: &&mut Group| Rc::ptr_eq(&group.module, part) && group.parts < 4;
+            let group = match self.groups.iter_mut().find(is_open) {
+                Some(group) => group,
+                None => {
+                    // Of four lanes, none of which is in two lines of a cache.
+                    let begin = self.size.next_multiple_of(4);
+                    self.size = begin + 4 * self.block(part).sizes[1];
+                    self.groups.push(Group {
+                        module: part.clone(),
+                        place: begin,
+                        parts: 0,
+                    });
+                    self.groups.last_mut().expect("a group")
+                }
+            };
+            self.grouped
+                .insert((place, index), group.place + group.parts);
+            group.parts += 1;
+        }
     }
 
     pub(crate) fn block(&self, module: &Rc<Module>) -> &Block {
         &self.blocks[&Rc::as_ptr(module)]
     }
 
-    /// Adds the place of every register, those of instances before those of the module around them, for a block that
-    /// begins at `from`.
-    pub(crate) fn registers(&self, module: &Rc<Module>, from: usize, places: &mut Vec<usize>) {
-        let block = self.block(module);
-        for (instance, place) in module.instances.iter().zip(&block.instances) {
-            self.registers(&instance.module, from + place, places);
-        }
-        places.extend((0..module.registers.len()).map(|index| from + block.register(index)));
+    pub(crate) fn is_called(&self, module: &Rc<Module>) -> bool {
+        self.block(module).is_called
     }
 
-    /// Writes what registers hold at power-up into the block of a module.
-    pub(crate) fn power_up(&self, module: &Rc<Module>, words: &mut [u64]) {
+    /// Where an instance in a module lies, and in what lanes, by the place of the module and its lanes.
+    pub(crate) fn part(
+        &self,
+        around: &Rc<Module>,
+        place: usize,
+        lanes: Lanes,
+        index: usize,
+    ) -> (usize, Lanes) {
+        let within = self.block(around).parts[lanes as usize][index];
+        match lanes {
+            Lanes::One if self.is_called(&around.instances[index].module) => {
+                (self.grouped[&(place, index)], Lanes::Four)
+            }
+            _ => (place + within * lanes.count(), lanes),
+        }
+    }
+
+    /// The places, widths and first words of all registers, those of instances before those of the module around them.
+    pub(crate) fn registers(&self, top: &Rc<Module>, lanes: Lanes) -> Vec<Register> {
+        let mut found = vec![];
+        self.add_registers(top, 0, lanes, &mut found);
+        found
+    }
+
+    fn add_registers(
+        &self,
+        module: &Rc<Module>,
+        place: usize,
+        lanes: Lanes,
+        found: &mut Vec<Register>,
+    ) {
+        for (index, instance) in module.instances.iter().enumerate() {
+            let (place, lanes) = self.part(module, place, lanes, index);
+            self.add_registers(&instance.module, place, lanes, found);
+        }
         let block = self.block(module);
-        for (index, register) in module.registers.iter().enumerate() {
-            words[block.register(index)] = register.initial;
-        }
-        for (instance, place) in module.instances.iter().zip(&block.instances) {
-            self.power_up(&instance.module, &mut words[*place..]);
-        }
+        found.extend(
+            module
+                .registers
+                .iter()
+                .enumerate()
+                .map(|(index, register)| {
+                    let width = module.node(register.net).width;
+                    Register {
+                        place: place + block.register(index) * lanes.count(),
+                        width,
+                        initial: kept(register.initial, width),
+                    }
+                }),
+        );
     }
 }
 
-fn block(module: &Module, blocks: &HashMap<*const Module, Block>) -> Block {
-    let inputs = module.ports_of(Direction::In).count();
-    let mut size = inputs + module.registers.len();
-    let mut nets = module.nodes.len();
-    let mut take = |words: usize| {
-        size += words;
-        size - words
-    };
-    let memories = module
-        .memories
-        .iter()
-        .map(|memory| take(memory.words + 3))
-        .collect();
-    let mut instances = vec![];
-    for instance in &module.instances {
-        let part = &blocks[&Rc::as_ptr(&instance.module)];
-        instances.push(take(part.size));
-        nets += part.nets;
+/// A register in the words of a design, in its first lane.
+pub(crate) struct Register {
+    pub(crate) place: usize,
+    pub(crate) width: u32,
+    pub(crate) initial: u64,
+}
+
+/// How often each module stands in a design.
+fn instances(top: &Rc<Module>, modules: &[Rc<Module>]) -> HashMap<*const Module, usize> {
+    let mut found: HashMap<*const Module, usize> = HashMap::from([(Rc::as_ptr(top), 1)]);
+    // A module stands behind those in it.
+    for module in modules.iter().rev() {
+        let around = found[&Rc::as_ptr(module)];
+        for instance in &module.instances {
+            *found.entry(Rc::as_ptr(&instance.module)).or_default() += around;
+        }
     }
-    Block {
-        inputs,
-        memories,
-        instances,
-        size,
-        is_called: false,
-        nets,
-    }
+    found
 }

@@ -4,6 +4,9 @@
 //! become part of what is around them. A clock is one call. What a port gives is computed when it is asked for, from
 //! what the registers hold.
 //!
+//! The code is vectors of AVX2 with a word in each of four lanes. Equal parts of a design share a vector; a program
+//! [in lanes](Program::in_lanes) is four runs of the whole. A processor without AVX2 interprets the same steps.
+//!
 //! ```
 //! use imogene_compiled::{Simulation, Program};
 //! use imogene_hdl::{Bits, Design, Value, module};
@@ -24,22 +27,32 @@
 //! assert_eq!(counter.get(value), 4);
 //! ```
 
+mod assemble;
 mod body;
 mod code;
 mod edge;
+mod interpret;
 mod layout;
+mod line;
+mod machine;
 mod program;
+mod registers;
 mod word;
+mod words;
 
 pub use program::{Port, Program};
 
-use program::{Given, Place};
+use code::Task;
+use program::Place;
 use std::sync::Arc;
+use word::kept;
+use words::Words;
 
-/// An instance of a design that runs clock by clock.
+/// An instance of a design that runs clock by clock; in four lanes it is four of them.
 pub struct Simulation {
     program: Arc<Program>,
-    words: Vec<u64>,
+    words: Words,
+    spilled: Words,
     /// What outputs and points give.
     given: [Vec<u64>; 2],
     /// Nothing changed since they were read.
@@ -50,14 +63,15 @@ impl Simulation {
     /// An instance as it is at power-up.
     pub fn new(program: &Arc<Program>) -> Simulation {
         Simulation {
-            words: program.power_up().to_vec(),
+            words: program.power_up(),
+            spilled: program.spilled(),
             given: program.given().map(|count| vec![0; count]),
             is_read: [false; 2],
             program: program.clone(),
         }
     }
 
-    /// Gives an input its word; bits beyond its width count nothing.
+    /// Gives an input its word, in every lane; bits beyond its width count nothing.
     ///
     /// # Panics
     ///
@@ -66,61 +80,79 @@ impl Simulation {
         let Place::Input(place) = port.place else {
             panic!("{port:?} is no input");
         };
-        let value = value & (u64::MAX >> (64 - port.width));
-        if self.words[place] != value {
-            self.words[place] = value;
-            self.is_read = [false; 2];
-        }
+        let lanes = self.program.lanes();
+        self.words[place * lanes..][..lanes].fill(kept(value, port.width));
+        self.is_read = [false; 2];
     }
 
-    /// Gives all inputs their words, in the order of the ports; bits beyond a width count nothing.
+    /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
-        let places = self.words.iter_mut().zip(self.program.input_masks());
-        for ((place, mask), word) in places.zip(words) {
-            *place = word & mask;
+        let places = self.words.chunks_exact_mut(self.program.lanes());
+        for ((place, width), word) in places.zip(self.program.inputs()).zip(words) {
+            place.fill(kept(word, *width));
         }
         self.is_read = [false; 2];
     }
 
-    /// Gives a register another word, as a particle might. Registers are counted through the design: those of the
-    /// instances in a module, then its own. The word has no bits beyond the width of the register.
+    /// Gives all inputs of one lane their words.
+    pub fn set_lane(&mut self, lane: usize, words: impl IntoIterator<Item = u64>) {
+        let places = self.words.chunks_exact_mut(self.program.lanes());
+        for ((place, width), word) in places.zip(self.program.inputs()).zip(words) {
+            place[lane] = kept(word, *width);
+        }
+        self.is_read = [false; 2];
+    }
+
+    /// Gives a register of a lane another word, as a particle might. Registers are counted through the design: those of
+    /// the instances in a module, then its own. Bits beyond its width count nothing.
     ///
     /// # Panics
     ///
     /// If there is no such register.
-    pub fn upset(&mut self, register: usize, word: u64) {
-        self.words[self.program.registers()[register]] = word;
+    pub fn upset(&mut self, lane: usize, register: usize, word: u64) {
+        let register = self.program.register(register);
+        self.words[register.place + lane] = kept(word, register.width);
         self.is_read = [false; 2];
     }
 
-    /// The words of all outputs in this clock, in the order of the ports.
+    /// The words of all outputs in this clock, in the order of the ports; of each those of all lanes.
     pub fn outputs(&mut self) -> &[u64] {
-        self.given(Given::Outputs)
+        self.given(Task::Outputs)
     }
 
-    /// The word of a port in this clock.
+    /// The word of a port in this clock, in the first lane.
     pub fn get(&mut self, port: Port) -> u64 {
-        let (given, index) = match port.place {
-            Place::Input(place) => return self.words[place],
-            Place::Output(index) => (Given::Outputs, index),
-            Place::Point(index) => (Given::Points, index),
-        };
-        self.given(given)[index]
+        self.get_lane(0, port)
     }
 
-    fn given(&mut self, given: Given) -> &[u64] {
-        let which = given as usize;
-        let found = &mut self.given[which];
+    /// The word of a port in this clock, in a lane.
+    pub fn get_lane(&mut self, lane: usize, port: Port) -> u64 {
+        let lanes = self.program.lanes();
+        let (task, index) = match port.place {
+            Place::Input(place) => {
+                return self.words[place * lanes + lane] & (u64::MAX >> (64 - port.width));
+            }
+            Place::Output(index) => (Task::Outputs, index),
+            Place::Point(index) => (Task::Points, index),
+        };
+        self.given(task)[index * lanes + lane]
+    }
+
+    fn given(&mut self, task: Task) -> &[u64] {
+        let which = usize::from(task == Task::Points);
         if !self.is_read[which] {
-            self.program.read(given, &self.words, found);
+            let (words, spilled) = (&mut self.words, &mut self.spilled);
+            self.program
+                .run(task, words, spilled, &mut self.given[which]);
             self.is_read[which] = true;
         }
-        found
+        &self.given[which]
     }
 
     /// The rising edge.
     pub fn clock(&mut self) {
-        self.program.clock(&mut self.words);
+        let (words, spilled) = (&mut self.words, &mut self.spilled);
+        self.program.run(Task::Clock, words, spilled, &mut []);
         self.is_read = [false; 2];
     }
 }

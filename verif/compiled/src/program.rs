@@ -1,8 +1,9 @@
 //! A design as machine code, and where its ports are.
 
 use crate::body;
-use crate::code::Code;
-use crate::layout::Layout;
+use crate::code::{Code, Task};
+use crate::layout::{Lanes, Layout, Register};
+use crate::words::Words;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
 
@@ -21,20 +22,14 @@ pub(crate) enum Place {
     Point(usize),
 }
 
-/// What a function of the program reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Given {
-    Outputs,
-    Points,
-}
-
 /// A design as machine code. Its instances share it, on any thread.
 pub struct Program {
     code: Code,
-    power_up: Vec<u64>,
-    registers: Vec<usize>,
+    lanes: Lanes,
+    size: usize,
+    registers: Vec<Register>,
     ports: HashMap<String, Port>,
-    input_masks: Vec<u64>,
+    inputs: Vec<u32>,
     given: [usize; 2],
 }
 
@@ -42,17 +37,22 @@ impl Program {
     /// Compiles a design. Points are what is read inside: a port of an instance, or a net with a name, behind the names
     /// of the instances around it, as in `processors_0.quadric.near_sum`.
     ///
+    /// Without AVX2 the steps of the code are interpreted.
+    ///
     /// # Panics
     ///
     /// With the name of a value in a loop without a register, or with a point that the design does not have.
     pub fn new(design: &Design, points: &[String]) -> Program {
-        let layout = Layout::of(design);
-        let mut power_up = vec![0; layout.block(&design.top).size];
-        layout.power_up(&design.top, &mut power_up);
-        let mut registers = vec![];
-        layout.registers(&design.top, 0, &mut registers);
-        let outputs = design.top.ports_of(Direction::Out);
-        let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
+        Program::of(design, points, Lanes::One)
+    }
+
+    /// As [`Program::new`], for four runs side by side at the price of one.
+    pub fn in_lanes(design: &Design, points: &[String]) -> Program {
+        Program::of(design, points, Lanes::Four)
+    }
+
+    fn of(design: &Design, points: &[String], lanes: Lanes) -> Program {
+        let layout = Layout::of(design, lanes);
         let mut ports = HashMap::new();
         let mut add = |names: &[String], place: fn(usize) -> Place| {
             for (index, name) in names.iter().enumerate() {
@@ -62,20 +62,29 @@ impl Program {
                 ports.entry(name.clone()).or_insert(Port { place, width });
             }
         };
-        let inputs = design.top.ports_of(Direction::In);
-        let inputs: Vec<String> = inputs.map(|port| port.name.clone()).collect();
+        let [inputs, outputs] = [Direction::In, Direction::Out].map(|direction| {
+            let ports = design.top.ports_of(direction);
+            ports.map(|port| port.name.clone()).collect::<Vec<_>>()
+        });
         add(&inputs, Place::Input);
         add(&outputs, Place::Output);
         add(points, Place::Point);
         let inputs = design.top.ports_of(Direction::In);
         Program {
-            input_masks: inputs.map(|port| u64::MAX >> (64 - port.width)).collect(),
+            inputs: inputs.map(|port| port.width).collect(),
             given: [outputs.len(), points.len()],
-            code: Code::of(design, &layout, [&outputs, points]),
-            power_up,
-            registers,
+            code: Code::of(design, &layout, lanes, [&outputs, points]),
+            lanes,
+            size: layout.size,
+            registers: layout.registers(&design.top, lanes),
             ports,
         }
+    }
+
+    /// The same program without machine code: its steps are interpreted, one by one.
+    pub fn interpreted(mut self) -> Program {
+        self.code.interpret();
+        self
     }
 
     /// The port or the point of this name.
@@ -88,37 +97,51 @@ impl Program {
         *found.unwrap_or_else(|| panic!("no port `{name}`"))
     }
 
+    /// How many runs lie side by side: 1 or 4.
+    pub fn lanes(&self) -> usize {
+        self.lanes.count()
+    }
+
     /// All words as they are at power-up.
-    pub(crate) fn power_up(&self) -> &[u64] {
-        &self.power_up
+    pub(crate) fn power_up(&self) -> Words {
+        let mut words = Words::new(self.size);
+        for register in &self.registers {
+            for lane in 0..self.lanes() {
+                words[register.place + lane] = register.initial;
+            }
+        }
+        words
     }
 
-    /// Where each register lies.
-    pub(crate) fn registers(&self) -> &[usize] {
-        &self.registers
+    /// Room for what does not fit into registers.
+    pub(crate) fn spilled(&self) -> Words {
+        Words::new(4 * self.code.spilled())
     }
 
-    /// The bits of each input.
-    pub(crate) fn input_masks(&self) -> &[u64] {
-        &self.input_masks
+    /// A register, by its number in the design.
+    pub(crate) fn register(&self, index: usize) -> &Register {
+        &self.registers[index]
     }
 
-    /// The numbers of outputs and of points.
+    /// The widths of the inputs.
+    pub(crate) fn inputs(&self) -> &[u32] {
+        &self.inputs
+    }
+
+    /// How many words outputs and points give.
     pub(crate) fn given(&self) -> [usize; 2] {
-        self.given
+        self.given.map(|count| count * self.lanes())
     }
 
-    /// The rising edge of the instance with these words.
-    pub(crate) fn clock(&self, words: &mut [u64]) {
-        assert_eq!(words.len(), self.power_up.len());
-        self.code.clock(words);
-    }
-
-    /// What outputs or points give.
-    pub(crate) fn read(&self, which: Given, words: &[u64], given: &mut [u64]) {
-        assert_eq!(words.len(), self.power_up.len());
-        assert_eq!(given.len(), self.given[which as usize]);
-        self.code.read(which, words, given);
+    /// Does a task for an instance, whose words are those of [`Program::power_up`], with the room for spilled words.
+    pub(crate) fn run(
+        &self,
+        task: Task,
+        words: &mut Words,
+        spilled: &mut Words,
+        given: &mut [u64],
+    ) {
+        self.code.run(task, words, spilled, given);
     }
 }
 

@@ -1,88 +1,130 @@
-//! Words in registers of the processor: which of their bits count.
+//! Words of a circuit in words of 64 bits: what stands above their bits, and how they are made clean.
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::I64;
-use cranelift_codegen::ir::{InstBuilder, Value};
-use cranelift_frontend::FunctionBuilder;
+use crate::line::{Line, Two, Value};
 
-/// What stands above the bits of a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Above {
-    Zeros,
-    Signs,
-    Anything,
-}
-
-impl Above {
-    /// What stands above a word that is made bit by bit of two.
-    pub(crate) fn and(self, other: Above) -> Above {
-        match self == other {
-            true => self,
-            false => Above::Anything,
-        }
-    }
-}
-
-/// A value of so many bits. It is made clean where that is needed, and once.
+/// A word of so many bits, in the forms that are known of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Word {
+    width: u32,
+    /// With anything above.
     pub(crate) value: Value,
-    pub(crate) above: Above,
+    /// With zeros above.
     pub(crate) zeros: Option<Value>,
+    /// With the sign above; a word of one bit is all ones or zero.
     pub(crate) signs: Option<Value>,
+    /// Its bits are the highest, with zeros or ones below if it is of one bit, else with zeros.
+    high: Option<Value>,
 }
 
 impl Word {
-    pub(crate) fn new(value: Value, above: Above, width: u32) -> Word {
-        let above = if width == 64 { Above::Zeros } else { above };
+    /// With anything above.
+    pub(crate) fn new(value: Value, width: u32) -> Word {
+        let clean = (width == 64).then_some(value);
         Word {
+            width,
             value,
-            above,
-            zeros: (above == Above::Zeros).then_some(value),
-            signs: (above == Above::Signs || width == 64).then_some(value),
+            zeros: clean,
+            signs: clean,
+            high: clean,
         }
     }
 
-    /// With zeros above.
-    pub(crate) fn with_zeros(&mut self, width: u32, to: &mut FunctionBuilder) -> Value {
-        *self.zeros.get_or_insert_with(|| {
-            let mask = constant(to, u64::MAX >> (64 - width));
-            to.ins().band(self.value, mask)
-        })
+    pub(crate) fn with_zeros_above(value: Value, width: u32) -> Word {
+        Word {
+            zeros: Some(value),
+            ..Word::new(value, width)
+        }
     }
 
-    /// With the sign above.
-    pub(crate) fn with_signs(&mut self, width: u32, to: &mut FunctionBuilder) -> Value {
-        *self.signs.get_or_insert_with(|| {
-            let high = shifted_left(to, self.value, 64 - width);
-            let count = constant(to, u64::from(64 - width));
-            to.ins().sshr(high, count)
-        })
+    pub(crate) fn with_signs_above(value: Value, width: u32) -> Word {
+        let word = Word::new(value, width);
+        Word {
+            signs: Some(value),
+            high: word.high.or((width == 1).then_some(value)),
+            ..word
+        }
+    }
+
+    pub(crate) fn constant(bits: u64, width: u32, to: &mut Line) -> Word {
+        let free = 64 - width;
+        let high = bits << free;
+        Word {
+            width,
+            value: to.constant(bits),
+            zeros: Some(to.constant(bits)),
+            signs: Some(to.constant((high as i64 >> free) as u64)),
+            high: Some(to.constant(high)),
+        }
+    }
+
+    /// A word of which only the highest bit is known to be right.
+    pub(crate) fn with_bit_on_top(self, high: Value) -> Word {
+        Word {
+            high: Some(self.high.unwrap_or(high)),
+            ..self
+        }
+    }
+
+    /// It has this form already.
+    pub(crate) fn is_of(&self, signed: bool) -> bool {
+        match signed {
+            true => self.signs.is_some(),
+            false => self.zeros.is_some(),
+        }
+    }
+
+    pub(crate) fn zeros(&mut self, to: &mut Line) -> Value {
+        *self
+            .zeros
+            .get_or_insert_with(|| match (self.width, self.signs) {
+                (1, Some(signs)) => to.right(signs, 63),
+                (width, _) => {
+                    let mask = to.constant(u64::MAX >> (64 - width));
+                    to.two(Two::And, self.value, mask)
+                }
+            })
+    }
+
+    pub(crate) fn signs(&mut self, to: &mut Line) -> Value {
+        if let Some(signs) = self.signs {
+            return signs;
+        }
+        let signs = match (self.width, self.zeros) {
+            (1, Some(zeros)) => {
+                let zero = to.constant(0);
+                to.two(Two::Sub, zero, zeros)
+            }
+            (1, None) => {
+                let high = self.high(to);
+                to.sign(high)
+            }
+            (width, _) => {
+                // Zero to 2^(w-1) stay as they are, the others come 2^w lower.
+                let zeros = self.zeros(to);
+                let top = to.constant(1 << (width - 1));
+                let moved = to.two(Two::Xor, zeros, top);
+                to.two(Two::Sub, moved, top)
+            }
+        };
+        self.signs = Some(signs);
+        signs
+    }
+
+    pub(crate) fn high(&mut self, to: &mut Line) -> Value {
+        let free = 64 - self.width;
+        *self.high.get_or_insert_with(|| to.left(self.value, free))
+    }
+
+    /// As it stands in memory: one bit with its sign above, more with anything.
+    pub(crate) fn kept(&mut self, to: &mut Line) -> Value {
+        match self.width {
+            1 => self.signs(to),
+            _ => self.value,
+        }
     }
 }
 
-pub(crate) fn constant(to: &mut FunctionBuilder, value: u64) -> Value {
-    to.ins().iconst(I64, value as i64)
-}
-
-pub(crate) fn shifted_left(to: &mut FunctionBuilder, value: Value, count: u32) -> Value {
-    if count == 0 {
-        return value;
-    }
-    let count = constant(to, u64::from(count));
-    to.ins().ishl(value, count)
-}
-
-pub(crate) fn shifted_right(to: &mut FunctionBuilder, value: Value, count: u32) -> Value {
-    if count == 0 {
-        return value;
-    }
-    let count = constant(to, u64::from(count));
-    to.ins().ushr(value, count)
-}
-
-/// A comparison as a word of one bit.
-pub(crate) fn compared(to: &mut FunctionBuilder, how: IntCC, a: Value, b: Value) -> Value {
-    let found = to.ins().icmp(how, a, b);
-    to.ins().uextend(I64, found)
+/// As it stands in memory: see [`Word::kept`].
+pub(crate) fn kept(word: u64, width: u32) -> u64 {
+    ((word << (64 - width)) as i64 >> (64 - width)) as u64
 }

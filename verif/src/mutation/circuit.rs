@@ -5,7 +5,7 @@
 //! kills goes to the solver.
 
 use super::score::{Fate, MutationError, MutationReport, Options};
-use super::vectors::{Stated, Vectors, first_difference, vectors};
+use super::vectors::{Vectors, vectors};
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::{CONFLICTS, Contract, Controls, Judge, Known, Mutant, Upset, Verdict, sites};
@@ -51,8 +51,8 @@ pub fn run(
     let known = Known::new(design, &contract(subject, design));
     let mut report = MutationReport::new(subject);
     let mut run = |controls: &Controls, judge: &(dyn Fn(&Mutant) -> Fate + Sync)| {
-        let program = Arc::new(Program::new(&controls.design, &[]));
-        if let Some((stimulus, clock)) = killed(&program, &[], &vectors) {
+        let program = Arc::new(Program::in_lanes(&controls.design, &[]));
+        if let [Some((stimulus, clock))] = kills(&program, &[&[]], &vectors, &|| ())[..] {
             return Err(MutationError::Baseline {
                 unit: subject.name.clone(),
                 stimulus,
@@ -60,14 +60,19 @@ pub fn run(
             });
         }
         let mutants = controls.mutants();
-        let fates = mutants.par_iter().map(|mutant| {
-            let fate = match killed(&program, &mutant.upsets, &vectors) {
+        let upsets: Vec<&[Upset]> = mutants.iter().map(|mutant| &mutant.upsets[..]).collect();
+        let kills = kills(&program, &upsets, &vectors, &on_done);
+        let fates = mutants
+            .par_iter()
+            .zip(kills)
+            .map(|(mutant, kill)| match kill {
                 Some((stimulus, clock)) => Fate::Killed { stimulus, clock },
-                None => judge(mutant),
-            };
-            on_done();
-            fate
-        });
+                None => {
+                    let fate = judge(mutant);
+                    on_done();
+                    fate
+                }
+            });
         let fates: Vec<Fate> = fates.collect();
         for (mutant, fate) in mutants.iter().zip(fates) {
             report.count(fate, options.clocks, || controls.describe(mutant));
@@ -114,17 +119,59 @@ fn contract(subject: &Subject, design: &Design) -> Contract {
     }
 }
 
-/// The first stimulus and clock that show the mutant that upsets make.
-fn killed(program: &Arc<Program>, upsets: &[Upset], vectors: &[Vectors]) -> Option<(usize, usize)> {
-    first_difference(vectors, || {
-        let mut simulation = Simulation::new(program);
-        for (register, word) in upsets {
-            simulation.upset(*register, *word);
+/// A stimulus and a clock of it.
+type Kill = (usize, usize);
+
+/// The first stimulus and clock that show each mutant, which these upsets make; `on_kill` is called for each that one
+/// shows. Mutants run side by side, and those that a stimulus did not kill run together again with the next.
+fn kills(
+    program: &Arc<Program>,
+    mutants: &[&[Upset]],
+    vectors: &[Vectors],
+    on_kill: &(impl Fn() + Sync),
+) -> Vec<Option<Kill>> {
+    let mut kills = vec![None; mutants.len()];
+    let mut alive: Vec<usize> = (0..mutants.len()).collect();
+    for (stimulus, vectors) in vectors.iter().enumerate() {
+        let groups = alive.par_chunks(program.lanes());
+        let clocks = groups.flat_map_iter(|group| {
+            let upsets: Vec<&[Upset]> = group.iter().map(|mutant| mutants[*mutant]).collect();
+            differences(program, &upsets, vectors)
+        });
+        let clocks: Vec<Option<usize>> = clocks.collect();
+        for (mutant, clock) in alive.iter().zip(clocks) {
+            kills[*mutant] = clock.map(|clock| (stimulus, clock));
+            kills[*mutant].iter().for_each(|_| on_kill());
         }
-        move |inputs: &[u64], stated: &Stated| {
-            simulation.set_all(inputs.iter().copied());
-            simulation.clock();
-            stated.differs(simulation.outputs())
+        alive.retain(|mutant| kills[*mutant].is_none());
+    }
+    kills
+}
+
+/// The first clock of a stimulus that shows each of as many mutants as there are lanes, or fewer.
+fn differences(
+    program: &Arc<Program>,
+    mutants: &[&[Upset]],
+    vectors: &Vectors,
+) -> Vec<Option<usize>> {
+    let mut simulation = Simulation::new(program);
+    for (lane, upsets) in mutants.iter().enumerate() {
+        for (register, word) in *upsets {
+            simulation.upset(lane, *register, *word);
         }
-    })
+    }
+    let mut found = vec![None; mutants.len()];
+    vectors.first(|clock, inputs, stated| {
+        simulation.set_all(inputs.iter().copied());
+        simulation.clock();
+        let words = simulation.outputs();
+        for (lane, found) in found.iter_mut().enumerate() {
+            let words = words[lane..].iter().step_by(program.lanes());
+            if found.is_none() && stated.differs(words) {
+                *found = Some(clock);
+            }
+        }
+        found.iter().all(Option::is_some)
+    });
+    found
 }

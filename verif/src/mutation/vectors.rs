@@ -39,10 +39,15 @@ impl Vectors {
         }
     }
 
-    /// The first clock at which a unit differs from what is stated: `clock` gives it inputs, and compares.
-    fn first_difference(&self, mut clock: impl FnMut(&[u64], &Stated) -> bool) -> Option<usize> {
-        let mut clocks = self.inputs.iter().zip(&self.expected);
-        clocks.position(|(inputs, expected)| clock(inputs, &Stated(expected)))
+    /// The first clock at which `clock`, which is given its number, inputs and what is stated, says so.
+    pub(super) fn first(
+        &self,
+        mut clock: impl FnMut(usize, &[u64], &Stated) -> bool,
+    ) -> Option<usize> {
+        let mut clocks = self.inputs.iter().zip(&self.expected).enumerate();
+        let found =
+            clocks.find(|(index, (inputs, expected))| clock(*index, inputs, &Stated(expected)));
+        found.map(|(index, _)| index)
     }
 }
 
@@ -51,7 +56,7 @@ pub(super) struct Stated<'a>(&'a [Option<u64>]);
 
 impl Stated<'_> {
     /// Is one of these words another than is stated?
-    pub(super) fn differs(&self, found: &[u64]) -> bool {
+    pub(super) fn differs<'f>(&self, found: impl IntoIterator<Item = &'f u64>) -> bool {
         let mut stated = self.0.iter().zip(found);
         stated.any(|(expected, found)| expected.is_some_and(|expected| expected != *found))
     }
@@ -63,7 +68,8 @@ pub(super) fn first_difference<C: FnMut(&[u64], &Stated) -> bool>(
     start: impl Fn() -> C,
 ) -> Option<(usize, usize)> {
     vectors.iter().enumerate().find_map(|(stimulus, vectors)| {
-        let clock = vectors.first_difference(start())?;
+        let mut differs = start();
+        let clock = vectors.first(|_, inputs, stated| differs(inputs, stated))?;
         Some((stimulus, clock))
     })
 }

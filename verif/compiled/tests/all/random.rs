@@ -106,6 +106,13 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             25 => Any::Number(p),
             26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
+            27 => {
+                // Registers that take words together, one of them now and then.
+                let first = x.reg_when(z);
+                let second = (first + y).reg_when(z);
+                let third = second.reg_when(z & b.flag());
+                Any::Word(first ^ second ^ third)
+            }
             _ if recipe.len() > 1 => {
                 let part = 1 + number as usize % (recipe.len() - 1);
                 let [one, other] = WIDTHS;
@@ -142,7 +149,7 @@ fn design(recipe: &Recipe) -> Design {
 }
 
 fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
-    let step = (0u8..30, any::<[usize; 3]>(), any::<u32>());
+    let step = (0u8..31, any::<[usize; 3]>(), any::<u32>());
     let step = step.prop_map(|(kind, from, number)| Step { kind, from, number });
     prop::collection::vec(step, 1..most)
 }
@@ -171,30 +178,62 @@ fn paths(design: &Design) -> Vec<String> {
     found
 }
 
+/// What runs a circuit beside the simulator, in how many lanes, and the ports that are compared.
+struct Run {
+    what: &'static str,
+    program: Arc<Program>,
+    simulation: Simulation,
+}
+
+impl Run {
+    fn new(what: &'static str, program: Program) -> Run {
+        let program = Arc::new(program);
+        Run {
+            what,
+            simulation: Simulation::new(&program),
+            program,
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn every_net_is_that_of_the_simulator(
         recipe in (steps(40), steps(80), steps(20)).prop_map(|(top, part, inner)| vec![top, part, inner]),
-        stimulus in prop::collection::vec(any::<[u64; 4]>(), 1..12),
+        stimulus in prop::collection::vec(any::<[[u64; 4]; 4]>(), 1..12),
     ) {
         let design = design(&recipe);
-        let mut simulator = Simulator::new(&design);
         let paths = paths(&design);
-        let program = Arc::new(Program::new(&design, &paths));
-        let mut compiled = Simulation::new(&program);
-        let points = paths.into_iter().filter_map(|path| Some((simulator.point(&path)?, path)));
-        let points: Vec<_> = points.map(|(point, path)| (point, program.port(&path), path)).collect();
+        let mut lanes: Vec<Simulator> = (0..4).map(|_| Simulator::new(&design)).collect();
+        let mut runs = [
+            Run::new("one lane", Program::new(&design, &paths)),
+            Run::new("four lanes", Program::in_lanes(&design, &paths)),
+            Run::new("steps of one lane", Program::new(&design, &paths).interpreted()),
+            Run::new("steps of four lanes", Program::in_lanes(&design, &paths).interpreted()),
+        ];
+        let points = paths.iter().filter_map(|path| Some((lanes[0].point(path)?, path)));
+        let points: Vec<_> = points.collect();
         let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
         for words in stimulus {
-            for (port, word) in inputs.iter().zip(words) {
-                simulator.set(simulator.port(&port.name), word);
-                compiled.set(program.port(&port.name), word);
+            for (simulator, words) in lanes.iter_mut().zip(words) {
+                for (port, word) in inputs.iter().zip(words) {
+                    simulator.set(simulator.port(&port.name), word);
+                }
             }
-            for (there, here, path) in &points {
-                prop_assert_eq!(compiled.get(*here), simulator.get(*there), "{}", path);
+            for run in &mut runs {
+                for (lane, words) in words.iter().enumerate().take(run.program.lanes()) {
+                    run.simulation.set_lane(lane, *words);
+                }
+                for (there, path) in &points {
+                    let here = run.program.port(path);
+                    for (lane, simulator) in lanes.iter_mut().enumerate().take(run.program.lanes()) {
+                        let word = run.simulation.get_lane(lane, here);
+                        prop_assert_eq!(word, simulator.get(*there), "{}, lane {}: {}", run.what, lane, path);
+                    }
+                }
+                run.simulation.clock();
             }
-            simulator.clock();
-            compiled.clock();
+            lanes.iter_mut().for_each(Simulator::clock);
         }
     }
 }

@@ -22,7 +22,7 @@ fn adder() -> Design {
 fn run(program: &Arc<Program>, mutant: &Mutant) -> (u64, Vec<u64>) {
     let mut simulation = Simulation::new(program);
     for (register, word) in &mutant.upsets {
-        simulation.upset(*register, *word);
+        simulation.upset(0, *register, *word);
     }
     let first = simulation.outputs()[0];
     let pairs = (0..1 << WIDTH).flat_map(|a| (0..1 << WIDTH).map(move |b| [a, b]));

@@ -1,0 +1,200 @@
+//! Instructions of x86-64 with AVX2, as bytes: Intel's manual, volume 2, sections 2.3 (VEX) and 2.1 (memory operands).
+
+use crate::layout::Lanes;
+use crate::line::Two;
+
+/// Vector registers.
+pub(crate) const REGISTERS: usize = 16;
+
+/// A general register that holds an address: that of the block, of the spilled words, of what is given, of the
+/// constants; in the order in which a function takes them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Base {
+    Block = 7,
+    Spilled = 6,
+    Given = 2,
+    Constants = 1,
+}
+
+/// Where a word is read: a vector register, or so many bytes behind an address.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operand {
+    Register(u8),
+    Memory(Base, i32),
+}
+
+/// An instruction: its table of codes, the prefix that it implies, the wide form of its operands (W), its code.
+struct Code(u8, u8, u8, u8);
+
+const LOAD: Code = Code(1, 2, 0, 0x6f);
+const STORE: Code = Code(1, 2, 0, 0x7f);
+const LOAD_WORD: Code = Code(1, 2, 0, 0x7e);
+const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
+const SHIFT: Code = Code(1, 1, 0, 0x73);
+/// The top bit of each lane, in a general register (rax).
+const TOP_BITS: Code = Code(1, 1, 0, 0x50);
+const SELECT: Code = Code(3, 1, 0, 0x4b);
+
+fn code(how: Two) -> Code {
+    match how {
+        Two::Add => Code(1, 1, 0, 0xd4),
+        Two::Sub => Code(1, 1, 0, 0xfb),
+        Two::And => Code(1, 1, 0, 0xdb),
+        Two::Or => Code(1, 1, 0, 0xeb),
+        Two::Xor => Code(1, 1, 0, 0xef),
+        Two::Equal => Code(2, 1, 0, 0x29),
+        Two::Greater => Code(2, 1, 0, 0x37),
+        Two::LeftBy => Code(2, 1, 1, 0x47),
+        Two::RightBy => Code(2, 1, 1, 0x45),
+        Two::Product => Code(1, 1, 0, 0xf4),
+        Two::SignedProduct => Code(2, 1, 0, 0x28),
+    }
+}
+
+/// Instructions that are being written, in so many lanes: those of one lane leave the other words of a register as
+/// they come.
+pub(crate) struct Assembler {
+    pub(crate) bytes: Vec<u8>,
+    pub(crate) lanes: Lanes,
+}
+
+impl Assembler {
+    fn vex(&mut self, code: Code, is_wide: bool, reg: u8, first: u8, second: Operand) {
+        let Code(table, prefix, w, code) = code;
+        let beyond = |register: u8| (!register >> 3) & 1;
+        let beyond_second = match second {
+            Operand::Register(register) => beyond(register),
+            Operand::Memory(..) => 1,
+        };
+        let last = w << 7 | (!first & 15) << 3 | u8::from(is_wide) << 2 | prefix;
+        match beyond_second == 1 && table == 1 && w == 0 {
+            true => self.bytes.extend([0xc5, beyond(reg) << 7 | last, code]),
+            false => {
+                let middle = beyond(reg) << 7 | 1 << 6 | beyond_second << 5 | table;
+                self.bytes.extend([0xc4, middle, last, code]);
+            }
+        }
+        let reg = (reg & 7) << 3;
+        match second {
+            Operand::Register(register) => self.bytes.push(0xc0 | reg | register & 7),
+            Operand::Memory(base, bytes) => match i8::try_from(bytes) {
+                Ok(short) => self.bytes.extend([0x40 | reg | base as u8, short as u8]),
+                Err(_) => {
+                    self.bytes.push(0x80 | reg | base as u8);
+                    self.bytes.extend(bytes.to_le_bytes());
+                }
+            },
+        }
+    }
+
+    fn vector(&mut self, code: Code, reg: u8, first: u8, second: Operand) {
+        self.vex(code, self.lanes == Lanes::Four, reg, first, second);
+    }
+
+    pub(crate) fn two(&mut self, how: Two, to: u8, a: u8, b: Operand) {
+        self.vector(code(how), to, a, b);
+    }
+
+    pub(crate) fn left(&mut self, to: u8, a: u8, count: u32) {
+        self.vector(SHIFT, 6, to, Operand::Register(a));
+        self.bytes.push(count as u8);
+    }
+
+    pub(crate) fn right(&mut self, to: u8, a: u8, count: u32) {
+        self.vector(SHIFT, 2, to, Operand::Register(a));
+        self.bytes.push(count as u8);
+    }
+
+    /// The first operand where the top bit of `which` is 1, else `or`.
+    pub(crate) fn select(&mut self, to: u8, which: u8, then: Operand, or: u8) {
+        self.vector(SELECT, to, or, then);
+        self.bytes.push(which << 4);
+    }
+
+    /// A whole vector.
+    pub(crate) fn load(&mut self, to: u8, from: Operand) {
+        self.vector(LOAD, to, 0, from);
+    }
+
+    /// A whole vector.
+    pub(crate) fn store(&mut self, from: u8, to: Operand) {
+        self.vector(STORE, from, 0, to);
+    }
+
+    /// The words of the lanes alone.
+    pub(crate) fn load_words(&mut self, to: u8, from: Operand) {
+        match self.lanes {
+            Lanes::One => self.vector(LOAD_WORD, to, 0, from),
+            Lanes::Four => self.load(to, from),
+        }
+    }
+
+    /// The words of the lanes alone.
+    pub(crate) fn store_words(&mut self, from: u8, to: Operand) {
+        match self.lanes {
+            Lanes::One => self.vector(STORE_WORD, from, 0, to),
+            Lanes::Four => self.store(from, to),
+        }
+    }
+
+    /// An index of a memory, from so many bytes behind the spilled words (rax).
+    pub(crate) fn load_index(&mut self, at: i32) {
+        self.general([0x48, 0x8b, 0x86], at);
+    }
+
+    /// A word of the spilled words (r8).
+    pub(crate) fn load_scalar(&mut self, at: i32) {
+        self.general([0x4c, 0x8b, 0x86], at);
+    }
+
+    /// A word to the spilled words (r8).
+    pub(crate) fn store_scalar(&mut self, at: i32) {
+        self.general([0x4c, 0x89, 0x86], at);
+    }
+
+    /// The word of the block at the index.
+    pub(crate) fn read(&mut self, at: i32) {
+        self.general([0x4c, 0x8b, 0x84, 0xc7], at);
+    }
+
+    /// The word to the block at the index.
+    pub(crate) fn write(&mut self, at: i32) {
+        self.general([0x4c, 0x89, 0x84, 0xc7], at);
+    }
+
+    fn general<const N: usize>(&mut self, code: [u8; N], bytes: i32) {
+        self.bytes.extend(code);
+        self.bytes.extend(bytes.to_le_bytes());
+    }
+
+    /// A function that begins at this byte, for the block so many bytes further.
+    pub(crate) fn call(&mut self, begin: usize, block: i32) {
+        self.general([0x48, 0x81, 0xc7], block);
+        let behind = self.bytes.len() as i32 + 5;
+        self.general([0xe8], begin as i32 - behind);
+        self.general([0x48, 0x81, 0xc7], -block);
+    }
+
+    /// Jumps if the top bit is 0 in every lane; gives the byte behind the jump.
+    pub(crate) fn jump_unless(&mut self, which: u8) -> usize {
+        self.vector(TOP_BITS, 0, 0, Operand::Register(which));
+        let lanes = (1u8 << self.lanes.count()) - 1;
+        self.bytes.extend([0xa8, lanes]);
+        self.general([0x0f, 0x84], 0);
+        self.bytes.len()
+    }
+
+    /// The jump with this byte behind it goes to here.
+    pub(crate) fn land(&mut self, jump: usize) {
+        let distance = (self.bytes.len() - jump) as i32;
+        self.bytes[jump - 4..jump].copy_from_slice(&distance.to_le_bytes());
+    }
+
+    /// The end; a function that is not called by others leaves no upper halves to whoever does not know of them.
+    pub(crate) fn end(&mut self, is_outer: bool) {
+        if is_outer {
+            self.bytes.extend([0xc5, 0xf8, 0x77]);
+        }
+        self.bytes.push(0xc3);
+    }
+}

@@ -1,0 +1,96 @@
+//! Machine code in memory.
+
+use crate::assemble::Assembler;
+use crate::code::{Function, TASKS};
+use crate::registers::{self, Constants};
+use crate::words::Words;
+use memmap2::{Mmap, MmapMut};
+
+/// The block of an instance, spilled vectors, words that are given, constants.
+#[cfg(target_arch = "x86_64")]
+type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64);
+
+/// Functions as machine code.
+pub(crate) struct Machine {
+    code: Mmap,
+    /// Where each function begins.
+    begins: Vec<usize>,
+    constants: Words,
+    spilled: usize,
+}
+
+impl Machine {
+    /// Nothing where the processor has no AVX2.
+    pub(crate) fn of(functions: &[Function]) -> Option<Machine> {
+        if !has_avx2() {
+            return None;
+        }
+        let (mut begins, mut constants, mut spilled) = (vec![], Constants::default(), 0);
+        let mut bytes = vec![];
+        for (index, function) in functions.iter().enumerate() {
+            let mut to = Assembler {
+                bytes,
+                lanes: function.lanes,
+            };
+            let begin = to.bytes.len();
+            spilled = spilled.max(registers::write(
+                &function.line,
+                &mut to,
+                &mut constants,
+                &begins,
+            ));
+            to.end(index + TASKS >= functions.len());
+            bytes = to.bytes;
+            begins.push(begin);
+        }
+        let mut code = MmapMut::map_anon(bytes.len()).ok()?;
+        code.copy_from_slice(&bytes);
+        Some(Machine {
+            code: code.make_exec().ok()?,
+            begins,
+            constants: Words::of_constants(&constants.words),
+            spilled,
+        })
+    }
+
+    /// Vectors that must be there for what is spilled.
+    pub(crate) fn spilled(&self) -> usize {
+        self.spilled
+    }
+
+    /// Runs a function; words, spilled vectors and what is given are as many as it was written for.
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) fn run(
+        &self,
+        function: usize,
+        words: &mut [u64],
+        spilled: &mut [u64],
+        given: &mut [u64],
+    ) {
+        let begin = self.code[self.begins[function]..].as_ptr();
+        // SAFETY: a function with this signature begins there.
+        let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
+        // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of a
+        // memory from a selection that bounds it.
+        unsafe {
+            entry(
+                words.as_mut_ptr(),
+                spilled.as_mut_ptr(),
+                given.as_mut_ptr(),
+                self.constants.as_ptr(),
+            );
+        }
+    }
+
+    #[cfg(not(target_arch = "x86_64"))]
+    pub(crate) fn run(&self, _: usize, _: &mut [u64], _: &mut [u64], _: &mut [u64]) {
+        unreachable!("there is no machine code for this processor");
+    }
+}
+
+fn has_avx2() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return std::arch::is_x86_feature_detected!("avx2");
+    #[cfg(not(target_arch = "x86_64"))]
+    return false;
+}

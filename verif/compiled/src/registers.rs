@@ -1,0 +1,393 @@
+//! The steps of a line in registers: straight-line code, so what is wanted last leaves first (Belady's rule).
+
+use crate::assemble::{Assembler, Base, Operand, REGISTERS};
+use crate::layout::Lanes;
+use crate::line::{Line, Step, Value};
+use std::collections::HashMap;
+
+/// Vectors in front of those that are spilled: what goes to and comes from memories word by word.
+const PASSING: usize = 2;
+
+/// Words that a value moves away from its register cost nothing if they lie elsewhere too.
+const CHEAPER: usize = 40;
+
+/// Where a value lies besides in a register.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Home {
+    Constant(usize),
+    /// In the block, at this word.
+    State(usize),
+    Spilled(usize),
+}
+
+/// The constants of a program, each once.
+#[derive(Default)]
+pub(crate) struct Constants {
+    pub(crate) words: Vec<u64>,
+    known: HashMap<u64, usize>,
+}
+
+impl Constants {
+    fn index(&mut self, word: u64) -> usize {
+        *self.known.entry(word).or_insert_with(|| {
+            self.words.push(word);
+            self.words.len() - 1
+        })
+    }
+}
+
+/// Writes the instructions of a line; gives how many vectors it spills to. `begins` are the functions that it may call.
+pub(crate) fn write(
+    line: &Line,
+    to: &mut Assembler,
+    constants: &mut Constants,
+    begins: &[usize],
+) -> usize {
+    let count = line.steps.len();
+    let mut writer = Writer {
+        to,
+        constants,
+        register: vec![None; count],
+        home: vec![None; count],
+        uses: uses(&line.steps),
+        held: [None; REGISTERS],
+        is_busy: [false; REGISTERS],
+        loaded: HashMap::new(),
+        free: vec![],
+        freed: vec![],
+        spilled: PASSING,
+        jump: None,
+    };
+    for (index, step) in line.steps.iter().enumerate() {
+        writer.come_to(index);
+        match *step {
+            Step::OnlyIf(which, end) => writer.only_if(index, which, &line.steps[..end]),
+            _ => writer.step(index, step, begins),
+        }
+    }
+    writer.come_to(count);
+    writer.spilled
+}
+
+/// The steps that read each value, the last first; a step that nothing needs reads none.
+fn uses(steps: &[Step]) -> Vec<Vec<usize>> {
+    let mut uses: Vec<Vec<usize>> = vec![vec![]; steps.len()];
+    for (index, step) in steps.iter().enumerate().rev() {
+        if !step.is_pure() || !uses[index].is_empty() {
+            step.reads()
+                .for_each(|value| uses[value.0 as usize].push(index));
+        }
+    }
+    uses
+}
+
+struct Writer<'a> {
+    to: &'a mut Assembler,
+    constants: &'a mut Constants,
+    /// Of each value.
+    register: Vec<Option<u8>>,
+    home: Vec<Option<Home>>,
+    uses: Vec<Vec<usize>>,
+    /// By each register.
+    held: [Option<Value>; REGISTERS],
+    /// This step needs what the register holds.
+    is_busy: [bool; REGISTERS],
+    /// The value that was loaded from a word of the block.
+    loaded: HashMap<usize, Value>,
+    /// Spilled vectors that may be taken; those that were freed in this step may be read by it yet.
+    free: Vec<usize>,
+    freed: Vec<usize>,
+    spilled: usize,
+    /// Where a jump over the steps up to one is, and that step.
+    jump: Option<(usize, usize)>,
+}
+
+impl Writer<'_> {
+    fn step(&mut self, index: usize, step: &Step, begins: &[usize]) {
+        let value = Value(index as u32);
+        if step.is_pure() && self.uses[index].is_empty() {
+            return;
+        }
+        self.is_busy = [false; REGISTERS];
+        self.free.append(&mut self.freed);
+        match *step {
+            Step::Constant(word) => {
+                self.home[index] = Some(Home::Constant(self.constants.index(word)));
+            }
+            Step::Load(place) => {
+                self.home[index] = Some(Home::State(place));
+                self.loaded.insert(place, value);
+            }
+            Step::Two(how, a, b) => {
+                let is_better = self.register_of(a).is_none() && self.register_of(b).is_some();
+                let (a, b) = match how.commutes() && is_better {
+                    true => (b, a),
+                    false => (a, b),
+                };
+                self.keep(step);
+                let (from, other) = (self.fetch(a), self.operand(b));
+                let into = self.result(index, step);
+                self.to.two(how, into, from, other);
+            }
+            Step::Left(a, count) | Step::Right(a, count) => {
+                let from = self.fetch(a);
+                let into = self.result(index, step);
+                match step {
+                    Step::Left(..) => self.to.left(into, from, count),
+                    _ => self.to.right(into, from, count),
+                }
+            }
+            Step::Select(which, then, or) => {
+                self.keep(step);
+                let (which, or) = (self.fetch(which), self.fetch(or));
+                let then = self.operand(then);
+                let into = self.result(index, step);
+                self.to.select(into, which, then, or);
+            }
+            Step::Read(place, at) => self.read(index, step, place, at),
+            Step::Write(place, at, word) => {
+                self.keep(step);
+                for (slot, value) in [at, word].into_iter().enumerate() {
+                    let from = self.fetch(value);
+                    self.to.store(from, self.spill_at(slot));
+                }
+                for lane in 0..self.to.lanes.count() {
+                    self.to.load_index(self.bytes(0, lane));
+                    self.to.load_scalar(self.bytes(1, lane));
+                    self.to.write(8 * (place + lane) as i32);
+                }
+                self.release(index, step);
+            }
+            Step::Store(from, place) => self.store(index, step, from, place),
+            Step::Give(value, place) => {
+                let from = self.fetch(value);
+                let bytes = 8 * place * self.to.lanes.count();
+                let to = Operand::Memory(Base::Given, bytes as i32);
+                self.to.store_words(from, to);
+                self.release(index, step);
+            }
+            Step::Call(function, place) => self.to.call(begins[function], 8 * place as i32),
+            Step::OnlyIf(..) => unreachable!("it looks at the steps behind it"),
+        }
+    }
+
+    /// Ends what is only done if, when its steps are over: whether they were done or not, all lies in its home.
+    fn come_to(&mut self, index: usize) {
+        let Some((jump, _)) = self.jump.filter(|(_, end)| *end == index) else {
+            return;
+        };
+        self.jump = None;
+        self.to.land(jump);
+        for register in &mut self.held {
+            if let Some(value) = register.take() {
+                self.register[value.0 as usize] = None;
+            }
+        }
+    }
+
+    /// Jumps over the steps behind `index`, the last of which are handed over, unless a bit is 1.
+    fn only_if(&mut self, index: usize, which: Value, steps: &[Step]) {
+        self.is_busy = [false; REGISTERS];
+        self.free.append(&mut self.freed);
+        let register = self.fetch(which);
+        let end = steps.len();
+        let is_wanted = |writer: &Self, value: Value| {
+            let last = writer.uses[value.0 as usize].first();
+            last.is_some_and(|last| *last >= end)
+        };
+        for step in &steps[index + 1..] {
+            let Step::Store(_, place) = *step else {
+                continue;
+            };
+            let loaded = self.loaded.get(&place).copied();
+            if let Some(loaded) = loaded.filter(|loaded| is_wanted(self, *loaded)) {
+                self.move_home(loaded, Some(Home::State(place)));
+            }
+        }
+        for held in self.held.into_iter().flatten() {
+            if is_wanted(self, held) {
+                self.move_home(held, None);
+            }
+        }
+        let jump = self.to.jump_unless(register);
+        self.jump = Some((jump, end));
+        self.release(index, &steps[index]);
+    }
+
+    /// Spills a value whose home is this.
+    fn move_home(&mut self, value: Value, from: Option<Home>) {
+        if self.home[value.0 as usize] == from {
+            let register = self.fetch(value);
+            self.home[value.0 as usize] = None;
+            self.spill(register as usize, value.0 as usize);
+        }
+    }
+
+    fn register_of(&self, value: Value) -> Option<u8> {
+        self.register[value.0 as usize]
+    }
+
+    /// Of a vector that is spilled, and a word in it.
+    fn bytes(&self, slot: usize, lane: usize) -> i32 {
+        (32 * slot + 8 * lane) as i32
+    }
+
+    fn spill_at(&self, slot: usize) -> Operand {
+        Operand::Memory(Base::Spilled, self.bytes(slot, 0))
+    }
+
+    fn place(&self, home: Home) -> Operand {
+        match home {
+            Home::Constant(index) => Operand::Memory(Base::Constants, 32 * index as i32),
+            Home::State(place) => Operand::Memory(Base::Block, 8 * place as i32),
+            Home::Spilled(slot) => self.spill_at(slot),
+        }
+    }
+
+    /// What a step reads stays where it is until the step is done.
+    fn keep(&mut self, step: &Step) {
+        for value in step.reads() {
+            if let Some(register) = self.register_of(value) {
+                self.is_busy[register as usize] = true;
+            }
+        }
+    }
+
+    /// A value in a register.
+    fn fetch(&mut self, value: Value) -> u8 {
+        if let Some(register) = self.register_of(value) {
+            self.is_busy[register as usize] = true;
+            return register;
+        }
+        let register = self.take();
+        let home = self.home[value.0 as usize].expect("a value lies somewhere");
+        let from = self.place(home);
+        match home {
+            // A vector across two words that were stored one by one would wait for both.
+            Home::State(_) => self.to.load_words(register, from),
+            _ => self.to.load(register, from),
+        }
+        self.hold(register, value);
+        register
+    }
+
+    fn hold(&mut self, register: u8, value: Value) {
+        self.register[value.0 as usize] = Some(register);
+        self.held[register as usize] = Some(value);
+    }
+
+    /// A value where it lies, if that is as good: a constant, or what is not wanted again.
+    fn operand(&mut self, value: Value) -> Operand {
+        let home = self.home[value.0 as usize];
+        let is_last = self.uses[value.0 as usize].len() == 1;
+        match (self.register_of(value), home) {
+            (None, Some(home @ Home::Constant(_))) => self.place(home),
+            (None, Some(home @ Home::Spilled(_))) if is_last => self.place(home),
+            (None, Some(home)) if is_last && self.to.lanes == Lanes::Four => self.place(home),
+            _ => Operand::Register(self.fetch(value)),
+        }
+    }
+
+    /// A register for anything, which is busy from now on.
+    fn take(&mut self) -> u8 {
+        let free = (0..REGISTERS).find(|r| self.held[*r].is_none() && !self.is_busy[*r]);
+        let register = free.unwrap_or_else(|| {
+            let others = (0..REGISTERS).filter(|register| !self.is_busy[*register]);
+            let last = others.max_by_key(|register| self.next_use(*register));
+            let register = last.expect("a step reads less than there is");
+            self.evict(register);
+            register
+        });
+        self.is_busy[register] = true;
+        register as u8
+    }
+
+    /// How long what a register holds is not wanted.
+    fn next_use(&self, register: usize) -> usize {
+        let value = self.held[register].expect("no register is free").0 as usize;
+        let next = *self.uses[value].last().expect("what is held is wanted");
+        next + if self.home[value].is_some() {
+            CHEAPER
+        } else {
+            0
+        }
+    }
+
+    fn evict(&mut self, register: usize) {
+        let value = self.held[register].take().expect("it holds a value").0 as usize;
+        self.register[value] = None;
+        self.spill(register, value);
+    }
+
+    /// Gives the value in a register a home if it has none.
+    fn spill(&mut self, register: usize, value: usize) {
+        if self.home[value].is_none() {
+            let slot = self.free.pop().unwrap_or_else(|| {
+                self.spilled += 1;
+                self.spilled - 1
+            });
+            self.home[value] = Some(Home::Spilled(slot));
+            self.to.store(register as u8, self.spill_at(slot));
+        }
+    }
+
+    /// The register of a step's result, which may be that of what it reads for the last time.
+    fn result(&mut self, index: usize, step: &Step) -> u8 {
+        self.release(index, step);
+        let register = self.take();
+        self.hold(register, Value(index as u32));
+        register
+    }
+
+    /// The step is done with what it reads.
+    fn release(&mut self, index: usize, step: &Step) {
+        for value in step.reads() {
+            let value = value.0 as usize;
+            let uses = &mut self.uses[value];
+            while uses.last() == Some(&index) {
+                uses.pop();
+            }
+            if !uses.is_empty() {
+                continue;
+            }
+            if let Some(register) = self.register[value].take() {
+                self.held[register as usize] = None;
+                self.is_busy[register as usize] = false;
+            }
+            if let Some(Home::Spilled(slot)) = self.home[value].take() {
+                self.freed.push(slot);
+            }
+        }
+    }
+
+    /// Word by word: there is no better way without AVX-512.
+    fn read(&mut self, index: usize, step: &Step, place: usize, at: Value) {
+        let from = self.fetch(at);
+        self.to.store(from, self.spill_at(0));
+        for lane in 0..self.to.lanes.count() {
+            self.to.load_index(self.bytes(0, lane));
+            self.to.read(8 * (place + lane) as i32);
+            self.to.store_scalar(self.bytes(1, lane));
+        }
+        let into = self.result(index, step);
+        let from = self.spill_at(1);
+        self.to.load_words(into, from);
+    }
+
+    fn store(&mut self, index: usize, step: &Step, value: Value, place: usize) {
+        let from = self.fetch(value);
+        // What was loaded from there and is wanted yet lies there no longer.
+        if let Some(loaded) = self.loaded.remove(&place)
+            && loaded != value
+            && self.home[loaded.0 as usize] == Some(Home::State(place))
+            && !self.uses[loaded.0 as usize].is_empty()
+        {
+            self.fetch(loaded);
+            self.home[loaded.0 as usize] = None;
+        }
+        self.to
+            .store_words(from, Operand::Memory(Base::Block, 8 * place as i32));
+        self.home[value.0 as usize].get_or_insert(Home::State(place));
+        self.release(index, step);
+    }
+}
