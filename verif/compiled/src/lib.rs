@@ -35,6 +35,7 @@ mod interpret;
 mod layout;
 mod line;
 mod machine;
+mod operations;
 mod program;
 mod registers;
 mod word;

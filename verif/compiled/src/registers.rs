@@ -217,9 +217,11 @@ impl Writer<'_> {
     /// Spills a value whose home is this.
     fn move_home(&mut self, value: Value, from: Option<Home>) {
         if self.home[value.0 as usize] == from {
-            let register = self.fetch(value);
+            let busy = self.is_busy;
+            let register = self.fetch(value) as usize;
             self.home[value.0 as usize] = None;
-            self.spill(register as usize, value.0 as usize);
+            self.spill(register, value.0 as usize);
+            self.is_busy = busy;
         }
     }
 

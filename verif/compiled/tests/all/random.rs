@@ -106,12 +106,14 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             25 => Any::Number(p),
             26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
-            27 => {
-                // Registers that take words together, one of them now and then.
-                let first = x.reg_when(z);
-                let second = (first + y).reg_when(z);
-                let third = second.reg_when(z & b.flag());
-                Any::Word(first ^ second ^ third)
+            27 | 31..=34 => {
+                // A chain of registers that take words together, every third of them now and then.
+                let (chain, sum) = (1..number % 24).fold((x, x), |(last, sum), k| {
+                    let enable = if k % 3 == 0 { z & b.flag() } else { z };
+                    let next = (last + y).reg_when(enable);
+                    (next, sum ^ next)
+                });
+                Any::Word(chain ^ sum)
             }
             _ if recipe.len() > 1 => {
                 let part = 1 + number as usize % (recipe.len() - 1);
@@ -149,7 +151,7 @@ fn design(recipe: &Recipe) -> Design {
 }
 
 fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
-    let step = (0u8..31, any::<[usize; 3]>(), any::<u32>());
+    let step = (0u8..36, any::<[usize; 3]>(), any::<u32>());
     let step = step.prop_map(|(kind, from, number)| Step { kind, from, number });
     prop::collection::vec(step, 1..most)
 }

@@ -1,0 +1,246 @@
+//! What each operation of a circuit is in steps.
+
+use crate::body::{Body, Place, input_index};
+use crate::line::{Line, Step, Two, Value};
+use crate::word::Word;
+use imogene_hdl::{Binary, Net, Op};
+
+impl Body<'_> {
+    fn load(&mut self, place: usize, width: u32) -> Word {
+        let value = self.to.add(Step::Load(place));
+        match width {
+            1 => Word::with_signs_above(value, 1),
+            _ => Word::new(value, width),
+        }
+    }
+
+    pub(crate) fn compute(&mut self, at: Place) -> Word {
+        let (scope, net) = at;
+        let module = self.scopes[scope].module;
+        let block = self.layout.block(module);
+        let width = module.node(net).width;
+        let in_scope = |net: &Net| (scope, *net);
+        match &module.node(net).op {
+            Op::Literal(bits) => Word::constant(*bits, width, &mut self.to),
+            Op::Input => self.load(self.at(scope, input_index(module, net)), width),
+            Op::Register(index) => self.load(self.at(scope, block.register(*index)), width),
+            Op::Read(index) => {
+                let place = self.at(scope, block.memories[*index]);
+                Word::with_zeros_above(self.to.add(Step::Load(place)), width)
+            }
+            Op::Not(a) => {
+                if let Some(same) = self.inverse(in_scope(a)) {
+                    return self.word(same);
+                }
+                let a = self.word(in_scope(a));
+                let ones = self.to.constant(u64::MAX);
+                let how = |to: &mut Line, value| to.two(Two::Xor, value, ones);
+                match a.signs {
+                    Some(signs) => Word::with_signs_above(how(&mut self.to, signs), width),
+                    None => Word::new(how(&mut self.to, a.value), width),
+                }
+            }
+            Op::Binary(binary, a, b) => self.binary(*binary, in_scope(a), in_scope(b), width),
+            Op::Select(which, a, b) => {
+                let (which, a, b) = match self.inverse(in_scope(which)) {
+                    Some(inverse) => (inverse, b, a),
+                    None => (in_scope(which), a, b),
+                };
+                let which = self.high(which);
+                let (a, b) = (self.word(in_scope(a)), self.word(in_scope(b)));
+                self.together(a, b, width, |to, a, b| to.add(Step::Select(which, a, b)))
+            }
+            Op::Slice(a, low) => self.slice(in_scope(a), *low, width),
+            Op::Join(parts) => {
+                let first = self.word(in_scope(&parts[0]));
+                let is_signed = first.signs.is_some();
+                let value = first.signs.or(first.zeros).unwrap_or(first.value);
+                let joined = parts[1..].iter().fold(value, |high, part| {
+                    let high = self.to.left(high, module.node(*part).width);
+                    self.filled(high, (scope, *part))
+                });
+                // Bits above a first part with signs are signs of the whole.
+                match (is_signed, first.zeros) {
+                    (true, _) => Word::with_signs_above(joined, width),
+                    (false, Some(_)) => Word::with_zeros_above(joined, width),
+                    (false, None) => Word::new(joined, width),
+                }
+            }
+            Op::Extend(a) => {
+                let value = self.extended(in_scope(a));
+                match module.node(*a).signed {
+                    true => Word::with_signs_above(value, width),
+                    false => Word::with_zeros_above(value, width),
+                }
+            }
+            op => unreachable!("{op:?} is another name"),
+        }
+    }
+
+    /// What a net is the inverse of.
+    fn inverse(&mut self, at: Place) -> Option<Place> {
+        let (scope, net) = self.origin(at);
+        match self.scopes[scope].module.node(net).op {
+            Op::Not(other) => Some((scope, other)),
+            _ => None,
+        }
+    }
+
+    /// A word whose low bits are zeros, with a net there.
+    fn filled(&mut self, high: Value, low: Place) -> Value {
+        let low = self.origin(low);
+        if self.scopes[low.0].module.node(low.1).op == Op::Literal(0) {
+            return high;
+        }
+        match self.word(low).signs {
+            // All ones are -1.
+            Some(signs) if self.width(low) == 1 => self.to.two(Two::Sub, high, signs),
+            _ => {
+                let low = self.zeros(low);
+                self.to.two(Two::Or, high, low)
+            }
+        }
+    }
+
+    fn slice(&mut self, a: Place, low: u32, width: u32) -> Word {
+        let (whole, from) = (self.width(a), self.word(a));
+        let is_top = low + width == whole;
+        let word = match (is_top, from.zeros) {
+            (true, Some(zeros)) => Word::with_zeros_above(self.to.right(zeros, low), width),
+            _ => Word::new(self.to.right(from.value, low), width),
+        };
+        match width {
+            1 if is_top && from.signs.is_some() => word.with_bit_on_top(self.signs(a)),
+            1 => word.with_bit_on_top(self.to.left(from.value, 63 - low)),
+            _ => word,
+        }
+    }
+
+    /// A word that is made bit by bit of two, in the form that both have.
+    fn together(
+        &mut self,
+        a: Word,
+        b: Word,
+        width: u32,
+        how: impl FnOnce(&mut Line, Value, Value) -> Value,
+    ) -> Word {
+        let to = &mut self.to;
+        if let (Some(a), Some(b)) = (a.signs, b.signs) {
+            return Word::with_signs_above(how(to, a, b), width);
+        }
+        if let (Some(a), Some(b)) = (a.zeros, b.zeros) {
+            return Word::with_zeros_above(how(to, a, b), width);
+        }
+        Word::new(how(to, a.value, b.value), width)
+    }
+
+    fn binary(&mut self, binary: Binary, a: Place, b: Place, width: u32) -> Word {
+        match binary {
+            Binary::Add | Binary::Sub => {
+                let (a, b) = (self.word(a).value, self.word(b).value);
+                let how = match binary {
+                    Binary::Add => Two::Add,
+                    _ => Two::Sub,
+                };
+                Word::new(self.to.two(how, a, b), width)
+            }
+            Binary::Mul => Word::new(self.product(a, b), width),
+            Binary::And | Binary::Or | Binary::Xor => {
+                let how = match binary {
+                    Binary::And => Two::And,
+                    Binary::Or => Two::Or,
+                    _ => Two::Xor,
+                };
+                let (a, b) = (self.word(a), self.word(b));
+                let word = self.together(a, b, width, |to, a, b| to.two(how, a, b));
+                match (how, a.zeros.or(b.zeros)) {
+                    // Zeros above either are zeros above both.
+                    (Two::And, Some(_)) if word.signs.is_none() => {
+                        let (a, b) = (a.zeros.unwrap_or(a.value), b.zeros.unwrap_or(b.value));
+                        Word::with_zeros_above(self.to.two(how, a, b), width)
+                    }
+                    _ => word,
+                }
+            }
+            Binary::Left => {
+                let (value, count) = (self.word(a).value, self.zeros(b));
+                Word::new(self.to.two(Two::LeftBy, value, count), width)
+            }
+            Binary::Right => {
+                let count = self.zeros(b);
+                if !self.is_signed(a) {
+                    let value = self.zeros(a);
+                    let shifted = self.to.two(Two::RightBy, value, count);
+                    return Word::with_zeros_above(shifted, width);
+                }
+                // Bits that equal the sign are zeros here, so that zeros are shifted in.
+                let value = self.signs(a);
+                let sign = self.to.sign(value);
+                let magnitude = self.to.two(Two::Xor, value, sign);
+                let shifted = self.to.two(Two::RightBy, magnitude, count);
+                Word::with_signs_above(self.to.two(Two::Xor, shifted, sign), width)
+            }
+            Binary::Equal => Word::with_signs_above(self.equal(a, b), width),
+            Binary::Less => Word::with_signs_above(self.less(a, b), width),
+        }
+    }
+
+    /// All ones where both are equal.
+    fn equal(&mut self, a: Place, b: Place) -> Value {
+        let (one, other) = (self.word(a), self.word(b));
+        let signed = one.is_of(true) && other.is_of(true);
+        let (a, b) = match signed {
+            true => (self.signs(a), self.signs(b)),
+            false if one.is_of(false) || other.is_of(false) => (self.zeros(a), self.zeros(b)),
+            false => {
+                let differs = self.to.two(Two::Xor, one.value, other.value);
+                let differs = self.to.left(differs, 64 - self.width(a));
+                (differs, self.to.constant(0))
+            }
+        };
+        self.to.two(Two::Equal, a, b)
+    }
+
+    /// All ones where the first is less.
+    fn less(&mut self, a: Place, b: Place) -> Value {
+        let (one, other) = (self.word(a), self.word(b));
+        let width = self.width(a);
+        let has_signs = width == 1 || one.is_of(true) && other.is_of(true);
+        let [a, b] = match (self.is_signed(a), has_signs) {
+            (true, true) => [a, b].map(|place| self.signs(place)),
+            (true, false) => [a, b].map(|place| self.high(place)),
+            (false, _) if width < 64 => [a, b].map(|place| self.zeros(place)),
+            // Moved so that the least word is the least number.
+            (false, _) => [a, b].map(|place| {
+                let (value, top) = (self.zeros(place), self.to.constant(1 << 63));
+                self.to.two(Two::Xor, value, top)
+            }),
+        };
+        self.to.two(Two::Greater, b, a)
+    }
+
+    fn product(&mut self, a: Place, b: Place) -> Value {
+        let signed = self.is_signed(a);
+        let is_short = self.width(a) <= 32 && self.width(b) <= 32;
+        let (a, b) = (self.extended(a), self.extended(b));
+        let to = &mut self.to;
+        if is_short {
+            let how = if signed {
+                Two::SignedProduct
+            } else {
+                Two::Product
+            };
+            return to.two(how, a, b);
+        }
+        // The high halves count in the high half of the product alone.
+        let low = to.two(Two::Product, a, b);
+        let (high_a, high_b) = (to.right(a, 32), to.right(b, 32));
+        let (one, other) = (
+            to.two(Two::Product, high_a, b),
+            to.two(Two::Product, a, high_b),
+        );
+        let high = to.two(Two::Add, one, other);
+        let high = to.left(high, 32);
+        to.two(Two::Add, low, high)
+    }
+}
