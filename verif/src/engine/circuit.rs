@@ -2,9 +2,10 @@
 
 use super::source::{self, Instance};
 use crate::signal::Signal;
-use crate::subject::Clocked;
+use crate::subject::{Clocked, Inputs};
 use imogene_compiled::{Program, Simulation};
 use imogene_hdl::{self as hdl, Design, Direction, Simulator};
+use std::hint::black_box;
 use std::sync::Arc;
 
 /// A design as machine code with its outputs in their order; its instances share it.
@@ -103,6 +104,13 @@ impl Clocked for Circuit {
         outputs
             .map(|(signal, bits)| Some(signal.value(*bits)))
             .collect()
+    }
+
+    fn run(&mut self, stimulus: &[Inputs]) {
+        for inputs in stimulus {
+            Circuit::clock(self, inputs);
+            black_box(self.simulation.outputs());
+        }
     }
 }
 

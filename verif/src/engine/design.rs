@@ -3,7 +3,8 @@
 use super::icarus::IcarusDesign;
 use super::verilator::Model;
 use crate::signal::Signal;
-use crate::subject::{Clocked, Subject};
+use crate::subject::{Clocked, Inputs, Subject};
+use std::hint::black_box;
 use std::sync::Arc;
 
 pub use super::source::{Design, DesignError, Instance, Source};
@@ -80,15 +81,28 @@ struct Driven {
     found: Vec<Option<u64>>,
 }
 
-impl Clocked for Driven {
-    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+impl Driven {
+    fn drive(&mut self, inputs: &[i64]) {
         for ((word, signal), value) in self.words.iter_mut().zip(&*self.inputs).zip(inputs) {
             *word = signal.bits(*value);
         }
         self.instance.clock(&self.words, &mut self.found);
+    }
+}
+
+impl Clocked for Driven {
+    fn clock(&mut self, inputs: &[i64]) -> Vec<Option<i64>> {
+        self.drive(inputs);
         let outputs = self.outputs.iter().zip(&self.found);
         outputs
             .map(|(signal, bits)| bits.map(|bits| signal.value(bits)))
             .collect()
+    }
+
+    fn run(&mut self, stimulus: &[Inputs]) {
+        for inputs in stimulus {
+            self.drive(inputs);
+            black_box(&self.found);
+        }
     }
 }

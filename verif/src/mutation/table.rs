@@ -2,7 +2,6 @@
 
 use super::score::{MutationReport, Survivor};
 use imogene_files::text::wrapped;
-use regex::Regex;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -80,19 +79,24 @@ pub fn markdown(reports: &[MutationReport], introduction: &str, command: &str) -
     text
 }
 
+/// A mutant without the number of its bit.
+fn without_bits(mutant: &str) -> String {
+    let mut parts = mutant.split('[');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| match part.split_once(']') {
+        Some((bit, rest)) if bit.parse::<u32>().is_ok() => text + "[]" + rest,
+        _ => text + "[" + part,
+    })
+}
+
 /// Survivors of a unit and a reason in a line: those that differ in their bits alone as one, the most numerous alone.
 fn groups(reports: &[MutationReport]) -> String {
-    let bit = Regex::new(r"\[\d+\]").expect("a pattern");
     let mut text = String::new();
     for report in reports {
         let mut reasons: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
         for Survivor { mutant, reason } in &report.surviving {
-            let mutant = bit.replace_all(mutant, "[]").into_owned();
-            *reasons
-                .entry(reason)
-                .or_default()
-                .entry(mutant)
-                .or_default() += 1;
+            let counts = reasons.entry(reason).or_default();
+            *counts.entry(without_bits(mutant)).or_default() += 1;
         }
         for (reason, counts) in reasons {
             let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
