@@ -88,9 +88,14 @@ impl Simulation {
 
     /// Gives all inputs their words, in the order of the ports and in every lane; bits beyond a width count nothing.
     pub fn set_all(&mut self, words: impl IntoIterator<Item = u64>) {
-        let places = self.words.chunks_exact_mut(self.program.lanes());
-        for ((place, width), word) in places.zip(self.program.inputs()).zip(words) {
-            place.fill(kept(word, *width));
+        let given = self.program.inputs().iter().zip(words);
+        let given = given.map(|(width, word)| kept(word, *width));
+        match self.program.lanes() {
+            1 => (self.words.iter_mut().zip(given)).for_each(|(place, word)| *place = word),
+            lanes => {
+                let places = self.words.chunks_exact_mut(lanes);
+                places.zip(given).for_each(|(place, word)| place.fill(word));
+            }
         }
         self.is_read = [false; 2];
     }

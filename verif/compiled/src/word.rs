@@ -126,5 +126,8 @@ impl Word {
 
 /// As it stands in memory: see [`Word::kept`].
 pub(crate) fn kept(word: u64, width: u32) -> u64 {
-    ((word << (64 - width)) as i64 >> (64 - width)) as u64
+    match width {
+        1 => 0u64.wrapping_sub(word & 1),
+        _ => word,
+    }
 }
