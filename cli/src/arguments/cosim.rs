@@ -46,6 +46,15 @@ pub struct Cosim {
     /// Waveforms of hardware and golden model (VCD), with a GTKWave save file beside it.
     #[arg(long, value_name = "FILE.vcd")]
     pub vcd: Option<PathBuf>,
+    /// First pixel of the waveforms of a scene; the middle line of the traced object if not given.
+    #[arg(long, value_name = "X,Y", requires = "vcd", value_parser = pixel)]
+    pub vcd_from: Option<(usize, usize)>,
+    /// Clocks of the waveforms of a scene; those around the first mismatch come in addition.
+    #[arg(long, default_value_t = 2_000, value_name = "N", requires = "vcd")]
+    pub vcd_clocks: u64,
+    /// Keep waveforms around the first mismatch alone.
+    #[arg(long, requires = "vcd", conflicts_with_all = ["vcd_from", "vcd_clocks"])]
+    pub vcd_at_mismatch: bool,
     /// Seed of the random stimulus of a unit.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -107,4 +116,9 @@ impl FromStr for FaultArgument {
             _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
         }
     }
+}
+
+fn pixel(text: &str) -> Result<(usize, usize), String> {
+    let pixel = super::parse::pair(text, ',');
+    pixel.ok_or_else(|| "expected COLUMN,LINE of a pixel, such as 160,120".to_string())
 }

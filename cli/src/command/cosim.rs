@@ -13,13 +13,10 @@ use imogene_verif::engine::Engine;
 use imogene_verif::engine::design::{DesignError, with_verilog};
 use imogene_verif::random;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, WaveformRequest, slots, volumes};
+use imogene_verif::scene::{self, WaveformRequest, WindowStart, slots, volumes};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit;
 use std::path::Path;
-
-/// Clocks of the waveforms kept from the beginning of a scene.
-const TRACE_CLOCKS: u64 = 2_000;
 
 /// Compares hardware and golden model.
 pub fn run(options: &Cosim, json: bool) -> Result<(), Failure> {
@@ -71,9 +68,16 @@ fn run_unit(options: &Cosim) -> Result<Report, Failure> {
             with_verilog(subject, simulator, &top, &text)?
         }
     };
+    if options.vcd_from.is_some() {
+        return Err(Failure::Input(
+            "--vcd-from names a pixel of a scene; the waveforms of a unit are the first stimulus that differs, or the first"
+                .into(),
+        ));
+    }
     let wants_trace = options.vcd.is_some();
     let (mut report, trace) = random::run(&subject, options.clocks, options.seed, wants_trace);
-    report.trace = trace;
+    let is_wanted = !options.vcd_at_mismatch || report.mismatches > 0;
+    report.trace = trace.filter(|_| is_wanted);
     report.seed = Some(options.seed);
     report.netlist = options.netlist.clone();
     report.reproduce = format!(
@@ -146,7 +150,12 @@ fn run_beam(options: &Cosim, prepared: &PreparedScene) -> Result<Report, Failure
         threads: threads(),
         trace: options.vcd.as_ref().map(|_| WaveformRequest {
             object: options.trace_object,
-            clocks: TRACE_CLOCKS,
+            from: match (options.vcd_from, options.vcd_at_mismatch) {
+                (_, true) => WindowStart::Mismatch,
+                (Some((column, line)), _) => WindowStart::Pixel(column, line),
+                (None, _) => WindowStart::Object,
+            },
+            clocks: options.vcd_clocks,
         }),
         fault: options.inject_fault.map(|f| f.0),
     };

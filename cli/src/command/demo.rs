@@ -13,7 +13,7 @@ use imogene_verif::display::pins::{PinsRun, run as run_pins};
 use imogene_verif::display::request::request;
 use imogene_verif::engine::Engine;
 use imogene_verif::report::Report;
-use imogene_verif::scene::{self, WaveformRequest};
+use imogene_verif::scene::{self, WaveformRequest, WindowStart};
 use serde::Serialize;
 
 /// The teapot and a machine with a VGA screen, compiled in so that the demo needs no file.
@@ -111,6 +111,7 @@ fn inside(file: &SceneFile, format: Format) -> Result<Report, Failure> {
     let options = scene::Options {
         trace: Some(WaveformRequest {
             object: TRACED,
+            from: WindowStart::Object,
             clocks: TRACE_CLOCKS,
         }),
         ..scene::Options::plain(1, threads())

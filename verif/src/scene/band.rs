@@ -224,11 +224,14 @@ struct Recorder {
 
 impl Recorder {
     fn new(request: &WaveformRequest, band: &Band, signals: Vec<ProbeSignal>) -> Recorder {
-        // The middle line of the traced object.
-        let line = middle_line(&band.objects[request.object]) as u64;
-        let from = line * u64::from(band.scene.width);
-        let last = (band.clocks() as u64).saturating_sub(request.clocks);
-        let from = from.min(last);
+        let middle = || band.first_line + middle_line(&band.objects[request.object]);
+        let window = request.begin(middle).map(|(column, line)| {
+            let lines = line.saturating_sub(band.first_line);
+            let from = lines * band.scene.width as usize + column;
+            let last = band.clocks().saturating_sub(request.clocks as usize);
+            let from = from.min(last) as u64;
+            from..from + request.clocks
+        });
         let mut groups = vec![Group {
             name: "beam".into(),
             stimulus: vec![],
@@ -244,7 +247,7 @@ impl Recorder {
         Recorder {
             trace: Trace::new(groups),
             object: request.object,
-            window: from..from + request.clocks,
+            window: window.unwrap_or(0..0),
             delays: signals.iter().map(|s| Delay::new(s.offset)).collect(),
             signals,
             mismatch_seen: false,

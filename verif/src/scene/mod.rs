@@ -15,7 +15,7 @@ use crate::engine::beam::BeamDesign;
 use crate::engine::{Engine, MachineOutputs, MachineShape};
 use crate::report::Report;
 use crate::signal::Signal;
-pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest};
+pub use request::{CosimError, Fault, MAX_OBJECTS, Options, WaveformRequest, WindowStart};
 
 use band::{Band, Part};
 use imogene_golden::machine::frame::Frame;
@@ -85,6 +85,7 @@ pub fn run(
     let shape = shape_of(scene, options.rows_per_stage)?;
     let all_words = quadric_words(scene)?;
     check_requests(options, &shape, all_words[0])?;
+    check_window(options, scene)?;
     // Every slot has the same chain; planes that an object does not use are of kind none.
     let planes = vec![shape.planes; all_words.len()];
     let bands = Bands {
@@ -142,7 +143,7 @@ impl Bands<'_> {
         for (part, lines, trace) in parts {
             report.absorb(part);
             append(&mut frame, lines);
-            report.trace = report.trace.or(trace);
+            report.trace = report.trace.or(trace.filter(|trace| !trace.is_empty()));
         }
         report.timed(started.elapsed().as_secs_f64());
         (report, frame)
@@ -157,11 +158,17 @@ impl Bands<'_> {
             (width * height / clocks).max(options.threads)
         });
         let parts = split(height, most.min(long));
-        let traced = options.trace.as_ref().and_then(|request| {
-            let middle = middle_line(&self.words[request.object]);
-            parts.iter().rposition(|&(first, _)| first <= middle)
-        });
-        let band = |(index, (first, lines)): (usize, (usize, usize))| {
+        let begin = options
+            .trace
+            .as_ref()
+            .map(|request| request.begin(|| middle_line(&self.words[request.object])));
+        let is_traced = |first: usize, lines: usize| match begin {
+            // The last band has what begins behind the picture.
+            Some(Some((_, line))) => (first..first + lines).contains(&line.min(height - 1)),
+            Some(None) => true,
+            None => false,
+        };
+        let band = |(first, lines): (usize, usize)| {
             let zone =
                 |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
             Band {
@@ -172,10 +179,25 @@ impl Bands<'_> {
                 first_line: first,
                 lines,
                 fault: options.fault,
-                trace: options.trace.as_ref().filter(|_| traced == Some(index)),
+                trace: options.trace.as_ref().filter(|_| is_traced(first, lines)),
             }
         };
-        parts.into_iter().enumerate().map(band).collect()
+        parts.into_iter().map(band).collect()
+    }
+}
+
+fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {
+    let (width, height) = (scene.width as usize, scene.height as usize);
+    match options.trace.as_ref().map(|request| request.from) {
+        Some(WindowStart::Pixel(column, line)) if column >= width || line >= height => {
+            Err(CosimError::TracedPixel {
+                column,
+                line,
+                width,
+                height,
+            })
+        }
+        _ => Ok(()),
     }
 }
 

@@ -12,9 +12,32 @@ pub const MAX_OBJECTS: usize = 256;
 pub struct WaveformRequest {
     /// Slot whose inside is traced.
     pub object: usize,
-    /// Clocks recorded from the middle line of the object's screen box; the clocks around the first mismatch are always
-    /// recorded.
+    /// Where the window begins; the clocks around the first mismatch are always recorded.
+    pub from: WindowStart,
+    /// Clocks of the window.
     pub clocks: u64,
+}
+
+/// Where a window of waveforms begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WindowStart {
+    /// At the middle line of the traced object's screen box.
+    Object,
+    /// At the pixel of this column and line.
+    Pixel(usize, usize),
+    /// Nowhere: a mismatch alone is shown, in whichever band it is.
+    Mismatch,
+}
+
+impl WaveformRequest {
+    /// The column and line at which the window begins, where `middle` is the middle line of the traced object.
+    pub(super) fn begin(&self, middle: impl Fn() -> usize) -> Option<(usize, usize)> {
+        match self.from {
+            WindowStart::Object => Some((0, middle())),
+            WindowStart::Pixel(column, line) => Some((column, line)),
+            WindowStart::Mismatch => None,
+        }
+    }
 }
 
 /// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
@@ -35,7 +58,7 @@ pub struct Options {
     pub rows_per_stage: usize,
     /// Threads, each with an engine of its own.
     pub threads: usize,
-    /// Waveforms of the band that holds the middle of the traced object.
+    /// Waveforms of the band in which the window begins.
     pub trace: Option<WaveformRequest>,
     /// Fault put into the hardware.
     pub fault: Option<Fault>,
@@ -103,6 +126,18 @@ pub enum CosimError {
     /// The machine cannot be compiled.
     #[error(transparent)]
     Design(#[from] DesignError),
+    /// A pixel to trace from that the picture does not have.
+    #[error("there is no pixel {column},{line} to trace from; accepted: 0,0 to {},{}", width - 1, height - 1)]
+    TracedPixel {
+        /// Given column.
+        column: usize,
+        /// Given line.
+        line: usize,
+        /// Pixels of a line.
+        width: usize,
+        /// Lines.
+        height: usize,
+    },
     /// A slot to trace that does not exist.
     #[error("there is no object {object} to trace; accepted: 0 to {}", objects - 1)]
     TracedObject {

@@ -9,7 +9,7 @@ use imogene_prepare::{PreparedScene, prepare};
 use imogene_scene::SceneFile;
 use imogene_verif::engine::Engine;
 use imogene_verif::engine::circuit::Circuit;
-use imogene_verif::scene::{self, Fault, Options, WaveformRequest};
+use imogene_verif::scene::{self, Fault, Options, WaveformRequest, WindowStart};
 use imogene_verif::subject::Subject;
 use imogene_verif::unit::{subject, units};
 use std::path::Path;
@@ -105,6 +105,7 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
         threads: 1,
         trace: Some(WaveformRequest {
             object: 0,
+            from: WindowStart::Object,
             clocks: 100,
         }),
         fault: None,
@@ -129,6 +130,73 @@ fn a_wrong_coefficient_bit_is_reported_with_pixel_and_trace() {
     assert_eq!(files.len(), 2);
     let vcd = std::fs::read_to_string(&files[0]).unwrap();
     assert!(vcd.contains("processor_0") && vcd.contains("beam"));
+}
+
+/// The clocks that a trace holds.
+fn clocks(vcd: &Path) -> Vec<u64> {
+    let text = std::fs::read_to_string(vcd).unwrap();
+    let rising = text
+        .lines()
+        .filter_map(|line| line.strip_prefix('#')?.parse().ok());
+    let rising: Vec<u64> = rising
+        .filter(|time: &u64| time.is_multiple_of(10))
+        .collect();
+    // The last is the end of the last clock.
+    rising[..rising.len() - 1]
+        .iter()
+        .map(|time| time / 10)
+        .collect()
+}
+
+/// The window of a trace begins at the pixel asked for, counted from the first line of its band, or shows a mismatch
+/// alone, in whichever band it is.
+#[test]
+fn a_window_begins_at_a_pixel_or_shows_a_mismatch_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("window.vcd");
+    let scene = teapot(48, 36);
+    let run = |from, count, fault| {
+        let options = Options {
+            rows_per_stage: 4,
+            threads: 2,
+            trace: Some(WaveformRequest {
+                object: 0,
+                from,
+                clocks: count,
+            }),
+            fault,
+        };
+        scene::run(&scene, &options, Engine::BuiltIn, || ()).map(|(report, _)| report)
+    };
+    // Lines 18 to 35 are the second band.
+    let report = run(WindowStart::Pixel(5, 20), 60, None).unwrap();
+    report.trace.unwrap().write(&path).unwrap();
+    assert_eq!(
+        clocks(&path),
+        (2 * 48 + 5..2 * 48 + 65).collect::<Vec<u64>>()
+    );
+
+    let report = run(WindowStart::Mismatch, 60, None).unwrap();
+    assert!(report.trace.is_none(), "nothing differs");
+    let fault = Fault {
+        object: 0,
+        address: 2,
+        bit: 18,
+    };
+    let report = run(WindowStart::Mismatch, 60, Some(fault)).unwrap();
+    let first = report.first_mismatches[0].cycle;
+    report.trace.unwrap().write(&path).unwrap();
+    let held = clocks(&path);
+    assert!(
+        held.contains(&first) && held.len() <= 300,
+        "{first}: {held:?}"
+    );
+
+    let refused = run(WindowStart::Pixel(48, 0), 60, None).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "there is no pixel 48,0 to trace from; accepted: 0,0 to 47,35"
+    );
 }
 
 /// Bands of 7 and of 8 lines run in threads of their own; each counts its own latency and knows its own lines.
