@@ -87,11 +87,6 @@ impl Half {
         (self.zf[lane], self.zb[lane]) = (zf as i32, zb as i32);
         self.faces[lane] = u32::from(nb) << 8 | u32::from(nf);
     }
-
-    #[inline(always)]
-    fn is_front_face(&self, lane: usize, number: u8) -> bool {
-        self.faces[lane] as u8 == number
-    }
 }
 
 /// What the units hand on, lane by lane.
@@ -102,6 +97,7 @@ struct Block {
     a: Half,
     b: Half,
     behind: [i32; LANES],
+    face: [u8; LANES],
     normal: [[i16; LANES]; 3],
 }
 
@@ -132,10 +128,11 @@ impl Block {
         a: Half::NONE,
         b: Half::NONE,
         behind: [0; LANES],
+        face: [0; LANES],
         normal: [[0; LANES]; 3],
     };
 
-    /// Without a question if the object is in every lane: then the loop of a simple sink becomes vector instructions too.
+    /// Without a question if the object is in every lane: the loop of a simple sink becomes vector instructions then.
     #[inline(always)]
     fn hand_on(&self, format: &Format, pixels: &Pixels, sink: &mut impl FnMut(i64, ObjectPixel)) {
         let absent = format.z_max() as i32;
@@ -176,7 +173,6 @@ impl Block {
         if all_negative && class != Class::Front {
             return false;
         }
-        self.roots(format, pixels);
         match class {
             Class::Side => self.open(Class::Side, &words.f1, format, pixels),
             Class::Front => self.open(Class::Front, &words.f1, format, pixels),
@@ -234,20 +230,15 @@ impl Block {
         signs < 0
     }
 
-    #[inline(always)]
-    fn roots(&mut self, format: &Format, pixels: &Pixels) {
-        for lane in pixels.lanes() {
-            self.root[lane] = format.keep_rows(fast_root(self.radicand[lane]));
-        }
-    }
-
-    /// PE1, both sums, and the depth interval.
+    /// The root, PE1, both sums and the depth interval in one loop: while a root is taken, other work goes on.
     #[inline(always)]
     fn open(&mut self, class: Class, f1: &Linear, format: &Format, pixels: &Pixels) {
         let mut f1 = Ramp::at(f1, pixels, format.pe1_width());
         for lane in pixels.lanes() {
             let linear = f1.next() >> (64 - format.sum);
-            let (radicand, root) = (self.radicand[lane], self.root[lane]);
+            let radicand = self.radicand[lane];
+            let root = format.keep_rows(fast_root(radicand));
+            self.root[lane] = root;
             let near = wrap64(linear.wrapping_sub(root), format.sum);
             let far = wrap64(linear.wrapping_add(root), format.sum);
             let (a, b) = halves(class, near, far, radicand < 0, format);
@@ -291,14 +282,16 @@ impl Block {
             self.behind[lane] =
                 (self.root[lane] >> words.normal.shift) as i32 & i32::from(greatest);
         }
-        let cap = (FACE_NEAR_END, [0, 0, -greatest]);
         for k in 0..3 {
             self.quadric_normal(k, words, format, pixels);
-            for (plane, number) in words.planes.iter().zip(FACE_PLANE..) {
-                self.constant_normal(k, number, plane.normal[k], pixels);
-            }
-            self.constant_normal(k, cap.0, cap.1[k], pixels);
         }
+        for lane in pixels.lanes() {
+            self.face[lane] = self.a.faces[lane] as u8;
+        }
+        for (plane, number) in words.planes.iter().zip(FACE_PLANE..) {
+            self.constant_normal(number, plane.normal, pixels);
+        }
+        self.constant_normal(FACE_NEAR_END, [0, 0, -greatest], pixels);
     }
 
     #[inline(always)]
@@ -310,7 +303,7 @@ impl Block {
         let factor = i32::from(words.normal.k[k]);
         for lane in pixels.lanes() {
             let product = factor * self.behind[lane];
-            let is_near = self.a.is_front_face(lane, FACE_NEAR);
+            let is_near = self.a.faces[lane] as u8 == FACE_NEAR;
             let change = if is_near { -product } else { product } >> format.product_fraction();
             let sum = g.wrapping_add(change << (32 - width));
             self.normal[k][lane] = (sum >> (32 - width + Format::NORMAL_FRACTION)) as i16;
@@ -319,11 +312,12 @@ impl Block {
     }
 
     #[inline(always)]
-    fn constant_normal(&mut self, k: usize, face: u8, constant: i16, pixels: &Pixels) {
+    fn constant_normal(&mut self, number: u8, [x, y, z]: [i16; 3], pixels: &Pixels) {
+        let [nx, ny, nz] = &mut self.normal;
         for lane in pixels.lanes() {
-            let before = self.normal[k][lane];
-            let is_seen = self.a.is_front_face(lane, face);
-            self.normal[k][lane] = if is_seen { constant } else { before };
+            let before = (nx[lane], ny[lane], nz[lane]);
+            let is_seen = self.face[lane] == number;
+            (nx[lane], ny[lane], nz[lane]) = if is_seen { (x, y, z) } else { before };
         }
     }
 }
