@@ -109,6 +109,7 @@ impl Format {
     pub const MAX_DROPPED_ROWS: u32 = words::MOST_DROPPED;
 
     /// Rows of the root network: the digits of the root that are computed.
+    #[inline]
     pub const fn root_rows(&self) -> u32 {
         self.root - self.dropped_rows
     }
@@ -123,12 +124,14 @@ impl Format {
     pub const NORMAL_FRACTION: u32 = words::NORMAL_PART - words::NORMAL;
 
     /// Greatest normal component, `2^(n - 1) - 1` for n bits.
+    #[inline]
     pub const fn greatest_normal(&self) -> i16 {
         i16::MAX >> (16 - self.normal)
     }
 
     /// Binary places of the product `K r` of a normal below the last bit of its linear part: 6 for components of 16
     /// bits.
+    #[inline]
     pub const fn product_fraction(&self) -> u32 {
         self.normal - 10
     }
@@ -160,11 +163,13 @@ impl Format {
     }
 
     /// Width `S + g1` of the elementary processor of f1, which works in units of 2^-g1 depth words.
+    #[inline]
     pub const fn pe1_width(&self) -> u32 {
         self.sum + self.guard_linear
     }
 
     /// Width `F + g2` of the elementary processor of f2, which works in units of 2^-g2 of the last bit of f2.
+    #[inline]
     pub const fn pe2_width(&self) -> u32 {
         self.quadratic + self.guard_quadratic
     }
@@ -203,16 +208,19 @@ impl Format {
     }
 
     /// Far end: infinity in perspective, the background, the mark of an absent object.
+    #[inline]
     pub const fn z_max(&self) -> i64 {
         (1 << (self.depth - 1)) - 1
     }
 
     /// Near end, wherever the range of the depth word begins.
+    #[inline]
     pub const fn z_low(&self) -> i64 {
         -self.z_max()
     }
 
     /// Lower bound of a saturated plane depth, one below the near end.
+    #[inline]
     pub const fn plane_low(&self) -> i64 {
         self.z_low() - 1
     }

@@ -1,53 +1,40 @@
-//! The quadric processor over whole lines, for pictures: the same values as [`super::quadric`], in 64-bit arithmetic,
+//! The quadric processor over whole lines, for pictures: the same values as [`super::quadric`], many pixels at a time,
 //! visiting only the pixels of the screen box.
 
-use super::quadric::{MAX_PLANES, ObjectPixel, PlaneWords, QuadricWords};
-use crate::format::{Format, wrap64};
-use crate::unit::cut_plane::cut;
-use crate::unit::depth_interval::{Class, FACE_PLANE, halves};
-use crate::unit::merge::merge;
-use crate::unit::normal::select;
-use crate::unit::pe1::Linear;
-use crate::unit::pe2::Quadratic;
-use crate::unit::plane_depth::saturate;
-use crate::unit::root::fast_root;
+use super::lanes::draw_line;
+use super::quadric::{ObjectPixel, QuadricWords};
+use crate::format::Format;
 
-/// A first-degree accumulator at the current pixel; wraps at 64 bits, which keeps every narrower word exact.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Accumulator {
-    value: i64,
-    step: i64,
+/// Vector instructions that the lanes are compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Instructions {
+    /// Those that every processor has.
+    Any,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
 }
 
-impl Accumulator {
-    pub(super) fn at(expression: &Linear, x: i64, y: i64) -> Accumulator {
-        Accumulator {
-            value: expression.wrapped_at(x, y, 64) as i64,
-            step: expression.a as i64,
+impl Instructions {
+    /// The best that this processor has.
+    #[inline]
+    fn here() -> Instructions {
+        #[cfg(target_arch = "x86_64")]
+        {
+            let has_512 =
+                is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq");
+            if has_512
+                && is_x86_feature_detected!("avx512bw")
+                && is_x86_feature_detected!("avx512vl")
+            {
+                return Instructions::Avx512;
+            }
+            if is_x86_feature_detected!("avx2") {
+                return Instructions::Avx2;
+            }
         }
-    }
-
-    #[inline(always)]
-    pub(super) fn next(&mut self) -> i64 {
-        let value = self.value;
-        self.value = value.wrapping_add(self.step);
-        value
-    }
-
-    /// A second-degree accumulator: its step grows at every pixel.
-    pub(super) fn quadratic_at(expression: &Quadratic, x: i64, y: i64) -> Accumulator {
-        let value = expression.wrapped_at(x, y, 64);
-        Accumulator {
-            value: value as i64,
-            step: expression.wrapped_at(x + 1, y, 64).wrapping_sub(value) as i64,
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn next_of_second_degree(&mut self, second_difference: i64) -> i64 {
-        let value = self.next();
-        self.step = self.step.wrapping_add(second_difference);
-        value
+        Instructions::Any
     }
 }
 
@@ -58,95 +45,137 @@ pub fn for_each_present(
     y: i64,
     sink: impl FnMut(i64, ObjectPixel),
 ) {
+    for_each_present_by(Instructions::here(), words, format, y, sink);
+}
+
+#[inline]
+fn for_each_present_by(
+    instructions: Instructions,
+    words: &QuadricWords,
+    format: &Format,
+    y: i64,
+    sink: impl FnMut(i64, ObjectPixel),
+) {
     let window = &words.screen_box;
     if window.is_empty() || y < window.y0 || y > window.y1 {
         return;
     }
-    match words.planes.len() {
-        0 => run::<0>(words, format, y, sink),
-        1 => run::<1>(words, format, y, sink),
-        2 => run::<2>(words, format, y, sink),
-        3 => run::<3>(words, format, y, sink),
-        4 => run::<4>(words, format, y, sink),
-        _ => run::<MAX_PLANES>(words, format, y, sink),
+    match instructions {
+        Instructions::Any => draw_line(words, format, y, sink),
+        // SAFETY: [`Instructions::here`] has found these on this processor.
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 => unsafe { avx2(words, format, y, sink) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 => unsafe { avx512(words, format, y, sink) },
     }
 }
 
-fn run<const N: usize>(
-    words: &QuadricWords,
-    format: &Format,
-    y: i64,
-    mut sink: impl FnMut(i64, ObjectPixel),
-) {
-    let window = words.screen_box;
-    let x0 = window.x0;
-    let mut f1 = Accumulator::at(&words.f1, x0, y);
-    let mut f2 = Accumulator::quadratic_at(&words.f2, x0, y);
-    let second_difference = words.f2.a.wrapping_mul(2) as i64;
-    let mut g = words.normal.g.map(|g| Accumulator::at(&g, x0, y));
-    let planes: [PlaneWords; N] =
-        std::array::from_fn(|i| words.planes.get(i).copied().unwrap_or_default());
-    let mut depths = planes.map(|p| Accumulator::at(&p.depth, x0, y));
-    let normals = planes.map(|p| p.normal);
-    let seen_where_negative = words.class == Class::Front;
-    let patch = words.class == Class::Patch;
-    for x in x0..=window.x1 {
-        let value = f2.next_of_second_degree(second_difference);
-        let radicand = format.drop_quadratic(wrap64(value, format.pe2_width()));
-        let linear = format.drop_linear(wrap64(f1.next(), format.pe1_width()));
-        let zp: [i64; N] =
-            std::array::from_fn(|i| saturate(wrap64(depths[i].next(), format.plane), format));
-        let normal_linear: [i64; 3] = std::array::from_fn(|k| g[k].next());
-        let negative = radicand < 0;
-        if negative && !seen_where_negative {
-            continue;
-        }
-        let root = if negative {
-            0
-        } else {
-            format.keep_rows(fast_root(radicand))
-        };
-        let near = wrap64(linear - root, format.sum);
-        let far = wrap64(linear + root, format.sum);
-        let (mut a, mut b) = halves(words.class, near, far, negative, format);
-        for i in 0..N {
-            let number = FACE_PLANE + i as u8;
-            a = cut(a, planes[i].kind, zp[i], number, patch, format);
-            if seen_where_negative {
-                b = cut(b, planes[i].kind, zp[i], number, patch, format);
-            }
-        }
-        let front = merge(a, b);
-        if front.is_present(format) {
-            let normal = || {
-                let g = normal_linear;
-                select(front.nf, true, g, root, &words.normal, &normals, format)
-            };
-            sink(x, ObjectPixel::of(front, normal, format));
-        }
-    }
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn avx2(words: &QuadricWords, format: &Format, y: i64, sink: impl FnMut(i64, ObjectPixel)) {
+    draw_line(words, format, y, sink);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl")]
+fn avx512(words: &QuadricWords, format: &Format, y: i64, sink: impl FnMut(i64, ObjectPixel)) {
+    draw_line(words, format, y, sink);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::object::quadric::{PlaneWords, ScreenBox};
     use crate::object::words::Object;
-    use crate::testing::{SIDE, class, kind, linear, quadratic, window};
+    use crate::testing::{class, kind};
     use crate::unit::normal::NormalWords;
+    use crate::unit::pe1::Linear;
+    use crate::unit::pe2::Quadratic;
+    use imogene_contract::MachineWords;
     use proptest::prelude::*;
 
-    fn words() -> impl Strategy<Value = QuadricWords> {
-        let g = || linear(1 << 22, 1 << 22);
-        let normal = ([g(), g(), g()], any::<[i16; 3]>(), 0u8..16)
+    /// Columns of the zones: several times as many as there are lanes.
+    const WIDTH: i64 = 200;
+    const HEIGHT: i64 = 3;
+
+    /// Every word of the machine at any width.
+    fn format() -> impl Strategy<Value = Format> {
+        // Equal depths are seldom unless words are short.
+        let depth = prop_oneof![8u32..=10, 8u32..=32];
+        let own = depth.prop_flat_map(|depth| {
+            let root = prop_oneof![1 => 4..=depth, 1 => Just(depth)];
+            let own = (root, depth..=depth + 12, 10u32..=16);
+            own.prop_map(move |(root, plane, normal)| (depth, root, plane, normal))
+        });
+        let last = prop_oneof![1 => 0u32..=8, 1 => Just(0)];
+        (own, 0u32..=16, 0u32..=16, last).prop_map(
+            |((depth, root, plane, normal), g1, g2, last)| {
+                let widths = MachineWords {
+                    depth,
+                    root,
+                    plane,
+                    normal,
+                    // The 32-bit word leaves no room for guard bits of f2, and none is narrower than what it rests on.
+                    guard_quadratic: g2.min(64 - 2 * root),
+                    guard_linear: g1,
+                    dropped_rows: last.min(root - 1),
+                };
+                Format::fitted(&widths).unwrap()
+            },
+        )
+    }
+
+    /// A number of at most `bits` bits, of any length, half of them among the longest.
+    fn number(bits: u32) -> impl Strategy<Value = i128> {
+        let less = prop_oneof![0..3.min(bits), 0..bits];
+        let parts = (any::<i64>(), less);
+        parts.prop_map(move |(value, less)| i128::from(value) >> (64 - bits + less))
+    }
+
+    /// Slopes that cross the zone, or any that wrap.
+    fn linear(width: u32) -> impl Strategy<Value = Linear> {
+        let slope =
+            move || prop_oneof![3 => number(width.saturating_sub(6).max(2)), 1 => number(64)];
+        (slope(), slope(), number(width)).prop_map(|(a, b, c)| Linear::new(a, b, c))
+    }
+
+    /// Bowls and saddles that change their sign in the zone, or any words.
+    fn quadratic(width: u32) -> impl Strategy<Value = Quadratic> {
+        let up_to = move |less: u32| number(width.saturating_sub(less).max(2));
+        let crossing = (
+            [up_to(14), up_to(14), up_to(14)],
+            [up_to(7), up_to(7), up_to(0)],
+        );
+        let any = (
+            [number(64), number(64), number(64)],
+            [number(64), number(64), number(64)],
+        );
+        let one =
+            |([a, b, c], [d, e, f]): ([i128; 3], [i128; 3])| Quadratic::new([a, b, c, d, e, f]);
+        prop_oneof![3 => crossing.prop_map(one), 1 => any.prop_map(one)]
+    }
+
+    fn words(format: Format) -> impl Strategy<Value = QuadricWords> {
+        let g = move || linear(format.normal_linear);
+        let normal = ([g(), g(), g()], any::<[i16; 3]>(), 0u8..32)
             .prop_map(|(g, k, shift)| NormalWords { g, k, shift });
-        let plane = (kind(), g(), any::<[i16; 3]>()).prop_map(|(kind, depth, normal)| PlaneWords {
+        let plane = (kind(), linear(format.plane), any::<[i16; 3]>());
+        let plane = plane.prop_map(|(kind, depth, normal)| PlaneWords {
             kind,
             depth,
             normal,
         });
-        let planes = prop::collection::vec(plane, 0..=6);
-        let f1 = linear(1 << 24, 1 << 24);
-        let parts = (class(), window(), f1, quadratic(), normal, planes);
+        // Many planes leave little.
+        let most = prop_oneof![3 => 0usize..=2, 1 => 0usize..=12];
+        let planes = (prop::collection::vec(plane, 12), most).prop_map(|(mut planes, most)| {
+            planes.truncate(most);
+            planes
+        });
+        let side = |most: i64| [0..most, 0..most].prop_map(|[a, b]| [a.min(b), a.max(b)]);
+        let window = (side(WIDTH), side(HEIGHT)).prop_map(|(x, y)| ScreenBox::of(x, y));
+        let (f1, f2) = (linear(format.pe1_width()), quadratic(format.pe2_width()));
+        let parts = (class(), window, f1, f2, normal, planes);
         parts.prop_map(|(class, screen_box, f1, f2, normal, planes)| QuadricWords {
             class,
             screen_box,
@@ -157,21 +186,33 @@ mod tests {
         })
     }
 
+    /// All that this processor has.
+    fn instructions() -> impl Iterator<Item = Instructions> {
+        #[cfg(target_arch = "x86_64")]
+        let all = [Instructions::Any, Instructions::Avx2, Instructions::Avx512];
+        #[cfg(not(target_arch = "x86_64"))]
+        let all = [Instructions::Any];
+        all.into_iter().filter(|&one| one <= Instructions::here())
+    }
+
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
         #[test]
-        fn lines_equal_the_processor_pixel_by_pixel(words in words(), depth in 0usize..5, guards in [0u32..=16, 0u32..=16]) {
-            let base = Format::new(Format::CATALOGUE[depth]).unwrap();
-            // The 32-bit word leaves no room for guard bits of f2, and the 28-bit word for 8.
-            let quadratic = guards[1].min(64 - base.quadratic);
-            let linear = guards[0].min(base.quadratic + quadratic - base.sum);
-            let format = base.with_guards(linear, quadratic).unwrap();
-            for y in 0..SIDE {
-                let mut line = [None; SIDE as usize];
-                for_each_present(&words, &format, y, |x, pixel| line[x as usize] = Some(pixel));
-                for (x, got) in line.into_iter().enumerate() {
-                    let expected = words.at(x as i64, y, &format);
-                    prop_assert_eq!(expected, words.probe_at(x as i64, y, &format).output);
-                    prop_assert_eq!(got, (expected.zf != format.z_max()).then_some(expected));
+        fn lines_equal_the_processor_pixel_by_pixel(
+            (format, words) in format().prop_flat_map(|format| (Just(format), words(format)))
+        ) {
+            for y in 0..HEIGHT {
+                let present = |x| {
+                    let pixel = words.at(x, y, &format);
+                    (pixel.zf != format.z_max()).then_some((x, pixel))
+                };
+                let expected: Vec<(i64, ObjectPixel)> = (0..WIDTH).filter_map(present).collect();
+                for instructions in instructions() {
+                    let mut line = vec![];
+                    let sink = |x, pixel| line.push((x, pixel));
+                    for_each_present_by(instructions, &words, &format, y, sink);
+                    prop_assert_eq!(&line, &expected, "{:?}", instructions);
                 }
             }
         }

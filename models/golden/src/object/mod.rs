@@ -6,6 +6,7 @@ pub mod cylinder;
 pub mod facet;
 pub mod facet_contour;
 pub mod first_generation;
+mod lanes;
 pub mod line;
 pub mod load;
 pub mod load_volume;

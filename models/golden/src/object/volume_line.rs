@@ -1,13 +1,53 @@
 //! Volumes over whole lines, for pictures: the same answers as [`super::volume`], in 64-bit arithmetic, visiting only
 //! the pixels of the screen box at which something is seen.
 
-use super::line::Accumulator;
 use super::volume::VolumeWords;
 use crate::format::{Format, wrap64};
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::Class;
 use crate::unit::membership::{Point, in_half_space, in_quadric};
+use crate::unit::pe1::Linear;
+use crate::unit::pe2::Quadratic;
 use crate::unit::root::fast_root;
+
+/// A first-degree accumulator at the current pixel; wraps at 64 bits, which keeps every narrower word exact.
+#[derive(Clone, Copy, Default)]
+struct Accumulator {
+    value: i64,
+    step: i64,
+}
+
+impl Accumulator {
+    fn at(expression: &Linear, x: i64, y: i64) -> Accumulator {
+        Accumulator {
+            value: expression.wrapped_at(x, y, 64) as i64,
+            step: expression.a as i64,
+        }
+    }
+
+    #[inline(always)]
+    fn next(&mut self) -> i64 {
+        let value = self.value;
+        self.value = value.wrapping_add(self.step);
+        value
+    }
+
+    /// A second-degree accumulator: its step grows at every pixel.
+    fn quadratic_at(expression: &Quadratic, x: i64, y: i64) -> Accumulator {
+        let value = expression.wrapped_at(x, y, 64);
+        Accumulator {
+            value: value as i64,
+            step: expression.wrapped_at(x + 1, y, 64).wrapping_sub(value) as i64,
+        }
+    }
+
+    #[inline(always)]
+    fn next_of_second_degree(&mut self, second_difference: i64) -> i64 {
+        let value = self.next();
+        self.step = self.step.wrapping_add(second_difference);
+        value
+    }
+}
 
 /// Calls `sink(x)` for every pixel of line `y` whose visible depth is inside the volume; `depths` are those of the
 /// whole line.
@@ -23,7 +63,7 @@ pub fn for_each_inside(
         return;
     }
     let x0 = window.x0;
-    let mut quadric = words.quadric.map(|q| Quadric {
+    let mut quadric = words.quadric.map(|q| QuadricLine {
         class: q.class,
         shift: q.shift,
         f1: Accumulator::at(&q.f1, x0, y),
@@ -52,7 +92,7 @@ pub fn for_each_inside(
     }
 }
 
-struct Quadric {
+struct QuadricLine {
     class: Class,
     shift: u8,
     f1: Accumulator,
@@ -60,7 +100,7 @@ struct Quadric {
     second_difference: i64,
 }
 
-impl Quadric {
+impl QuadricLine {
     /// Steps to the next pixel; the root is taken only if the answer depends on it.
     #[inline(always)]
     fn holds(&mut self, point: Point, asked: bool, format: &Format) -> bool {
@@ -88,7 +128,6 @@ mod tests {
     use crate::object::quadric::ScreenBox;
     use crate::object::volume::{MAX_SHIFT, VolumeKind, VolumePlane, VolumeQuadric};
     use crate::testing::{SIDE, class, kind, linear, quadratic, window};
-    use crate::unit::pe2::Quadratic;
     use imogene_contract::MachineWords;
     use proptest::prelude::*;
 

@@ -97,11 +97,27 @@ fn decision_boundaries_of_64_bits() {
             assert_oracle(radicand, 32);
         }
     }
-    let top = (1u128 << 63) - 1;
-    assert_eq!(
-        BigUint::from(fast_root(top as i64) as u64),
-        BigUint::from(top).sqrt()
-    );
+}
+
+/// Every place where the root by floating point can step wrongly, beside every root that is asked: all short ones, the
+/// longest of all, those about powers of two, which are roots of radicands that doubles no longer hold, and a spread.
+#[test]
+fn fast_roots_step_where_squares_are() {
+    const GREATEST: u64 = 3_037_000_499;
+    let step = if is_full_run() { 11 } else { 4001 };
+    let near_powers = (11..32).flat_map(|k| (1u64 << k) - 500..(1 << k) + 500);
+    let ends = (1..2000).chain(GREATEST - 100_000..=GREATEST);
+    let spread = (2000..GREATEST).step_by(step);
+    for n in ends.chain(near_powers).chain(spread) {
+        let at = |radicand: u64| fast_root(radicand as i64) as u64;
+        let square = n * n;
+        let found = [square - 1, square, square + 1, square + 2 * n]
+            .map(|radicand| radicand.min(i64::MAX as u64));
+        assert_eq!(found.map(at), [n - 1, n, n, n], "about {n} squared");
+    }
+    assert!(GREATEST.pow(2) <= i64::MAX as u64 && (GREATEST + 1).pow(2) > i64::MAX as u64);
+    assert_eq!(fast_root(0), 0);
+    assert_eq!(fast_root(i64::MAX) as u64, GREATEST);
 }
 
 #[test]
