@@ -3,7 +3,7 @@
 
 use crate::census::{Census, census};
 use imogene_contract::{Request, RequestError, Unit};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// The command that makes the page.
@@ -24,90 +24,34 @@ pub struct Processor {
     /// The latency as a formula.
     pub latency_formula: &'static str,
     /// What the source counts.
-    pub source: &'static str,
+    pub source: String,
     /// Where.
     pub section: &'static str,
     /// Why the counts differ, if they do.
-    pub difference: &'static str,
+    pub difference: String,
 }
 
-/// A row: the unit, its planes or sides, the source's counts, the difference.
-struct Row(Unit, u32, &'static str, &'static str);
+/// What a source counts of a processor.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    unit: String,
+    /// Planes or sides.
+    #[serde(default)]
+    count: u32,
+    source: String,
+    #[serde(default = "same")]
+    difference: String,
+}
 
-const SAME: &str = "the same";
-const ROWS: [Row; 16] = [
-    Row(
-        Unit::QuadricProcessor,
-        2,
-        "6 PE1, 1 PE2, 1 root, 3 multipliers",
-        SAME,
-    ),
-    Row(
-        Unit::PatchProcessor,
-        4,
-        "8 PE1, 1 PE2, 1 root, 3 multipliers",
-        SAME,
-    ),
-    Row(
-        Unit::FirstGenerationProcessor,
-        2,
-        "8 PE1, 6 PE2, 4 roots",
-        "one normal unit with three multipliers stands for the source's three radicands of second degree, each with a root of its own",
-    ),
-    Row(
-        Unit::PolyhedronProcessor,
-        6,
-        "6 PE1, 6 cut modules",
-        "a tree that looks for two extremes in place of a chain of cut modules",
-    ),
-    Row(
-        Unit::QuadricVolume,
-        4,
-        "5 PE1, 1 PE2, 1 root, 4 cut modules, 8 if seen from inside",
-        "a comparator for each plane in place of a cut module, and no second half",
-    ),
-    Row(
-        Unit::PolyhedralVolume,
-        4,
-        "4 PE1, 4 cut modules",
-        "comparators in place of cut modules",
-    ),
-    Row(
-        Unit::PolyhedralVolume,
-        10,
-        "10 PE1, 10 cut modules",
-        "comparators in place of cut modules",
-    ),
-    Row(Unit::FacetProcessor, 3, "7 PE1", SAME),
-    Row(Unit::FacetProcessor, 4, "8 PE1", SAME),
-    Row(
-        Unit::CurvedFacetProcessor,
-        3,
-        "7 PE2, second degree in place of first",
-        SAME,
-    ),
-    Row(
-        Unit::SphereProcessor,
-        0,
-        "2 PE1, 3 PE2; a fourth PE2 for the back depth",
-        "the back depth is there too: front and back have a constant sum, so a subtractor gives it",
-    ),
-    Row(Unit::CylinderProcessor, 0, "5 PE1, 6 PE2", SAME),
-    Row(
-        Unit::ProgrammablePe,
-        0,
-        "1 PE2 that splits into 4 PE1, not built",
-        "built: the adders of a PE2 with their carries cut, so no PE2 is counted",
-    ),
-    Row(
-        Unit::MemoryPe2,
-        0,
-        "1 PE2 with 6 words of memory, 12 interlaced",
-        "9 words: copies of second differences would never differ from the originals",
-    ),
-    Row(Unit::Pe1, 0, "1 PE1", SAME),
-    Row(Unit::Pe2, 0, "1 PE2", SAME),
-];
+#[derive(Deserialize)]
+struct Rows {
+    row: Vec<Row>,
+}
+
+fn same() -> String {
+    "the same".into()
+}
 
 /// Every processor, in the base format, one row of the root network per stage.
 ///
@@ -115,13 +59,15 @@ const ROWS: [Row; 16] = [
 ///
 /// A defect of this workspace, if any.
 pub fn processors() -> Result<Vec<Processor>, RequestError> {
-    ROWS.iter().map(processor).collect()
+    let rows: Rows = toml::from_str(include_str!("processors.toml")).expect("rows of this crate");
+    rows.row.into_iter().map(processor).collect()
 }
 
-fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, RequestError> {
+fn processor(row: Row) -> Result<Processor, RequestError> {
+    let (unit, count) = (Unit::from_name(&row.unit)?, row.count);
     let counted = ["planes", "sides"];
     let counted = counted.into_iter().find(|option| unit.has(option));
-    let given = counted.map(|option| (option, Some(*count)));
+    let given = counted.map(|option| (option, Some(count)));
     let request = Request::given(unit.name(), 24, given.as_slice())?;
     let parameters = counted.map(|option| format!("{count} {option}"));
     Ok(Processor {
@@ -130,9 +76,9 @@ fn processor(Row(unit, count, source, difference): &Row) -> Result<Processor, Re
         census: census(&request)?,
         latency: request.latency(),
         latency_formula: unit.record().latency,
-        source,
+        source: row.source,
         section: unit.record().source,
-        difference,
+        difference: row.difference,
     })
 }
 
@@ -175,7 +121,7 @@ mod tests {
     #[test]
     fn same_counts_are_the_same() {
         for p in processors().unwrap() {
-            if p.difference != SAME {
+            if p.difference != same() {
                 continue;
             }
             let counted = |word: &str| {
