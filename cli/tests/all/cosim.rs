@@ -34,6 +34,43 @@ fn cosim_replays_its_seed_and_writes_waveforms() {
 }
 
 #[test]
+fn waveforms_of_a_scene_begin_where_it_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let vcd = folder.path().join("cone.vcd");
+    let run = |more: &[&str]| {
+        let mut run = imogene();
+        run.arg("cosim").arg(scene("cone.toml"));
+        run.args(["--size", "48x36", "--vcd"]).arg(&vcd).args(more);
+        let ended = run.output().unwrap();
+        let said = String::from_utf8_lossy(&ended.stderr).into_owned();
+        (ended.status.code(), said)
+    };
+    assert_eq!(
+        run(&["--vcd-from", "5,20", "--vcd-clocks", "40"]).0,
+        Some(0)
+    );
+    let text = std::fs::read_to_string(&vcd).unwrap();
+    assert!(
+        text.contains("#9650\n") && !text.contains("#9640\n"),
+        "pixel 20 x 48 + 5"
+    );
+    std::fs::remove_file(&vcd).unwrap();
+
+    assert_eq!(run(&["--vcd-at-mismatch"]).0, Some(0));
+    assert!(!vcd.exists(), "nothing differs");
+    assert_eq!(
+        run(&["--vcd-at-mismatch", "--inject-fault", "0:2:18"]).0,
+        Some(1)
+    );
+    assert!(vcd.is_file());
+
+    for (given, wanted) in [("48,0", "accepted: 0,0 to 47,35"), ("7", "COLUMN,LINE")] {
+        let (code, said) = run(&["--vcd-from", given]);
+        assert!(code == Some(2) && said.contains(wanted), "{given}: {said}");
+    }
+}
+
+#[test]
 fn cosim_of_a_scene_takes_any_widths() {
     let cone = scene("cone.toml");
     let cosim = |more: &[&str]| {
