@@ -78,6 +78,11 @@ impl Trace {
         self.recent.push_back((clock, samples));
     }
 
+    /// Drops what is kept in case: what is recorded next begins by itself.
+    pub fn forget(&mut self) {
+        self.recent.clear();
+    }
+
     /// Clocks recorded.
     pub fn len(&self) -> usize {
         self.clocks.len()

@@ -290,6 +290,9 @@ impl Recorder {
             });
         }
         if self.window.contains(&report.cycles) {
+            if !self.mismatch_seen {
+                self.trace.forget();
+            }
             self.trace.record(report.cycles, samples);
         } else {
             self.trace.remember(report.cycles, samples);
